@@ -1,0 +1,125 @@
+package rigibo.backend.effect;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Optional;
+import rigibo.backend.setup.Require;
+
+/** The declared set of effects of a pool: at most one of each, and none without what it needs. */
+public final class Effects {
+
+    private final List<Effect> declared;
+
+    private Effects(List<Effect> effects) {
+        declared = Collections.unmodifiableList(effects);
+        for (Effect effect : declared) {
+            requireCompanions(effect);
+        }
+    }
+
+    /**
+     * A set of effects.
+     *
+     * @param effects each kind at most once, in any order
+     * @throws IllegalArgumentException when one is null, declared twice, or lacks an effect that it
+     *     needs, naming both
+     */
+    public static Effects of(Effect... effects) {
+        List<Effect> once = new ArrayList<>();
+        for (Effect effect : effects) {
+            Require.present("Effects.of effect", effect);
+            if (once.stream().anyMatch(other -> other.getClass() == effect.getClass())) {
+                throw new IllegalArgumentException(
+                        "Effects.of declares " + name(effect.getClass()) + " twice");
+            }
+            once.add(effect);
+        }
+        return new Effects(once);
+    }
+
+    /** Gravity, contacts, rotation, friction, restitution, continuous impacts and sleep. */
+    public static Effects usual() {
+        return of(
+                new Gravity(0, -9.81),
+                new Contacts(),
+                new Rotation(),
+                new Friction(),
+                new Restitution(),
+                new ContinuousImpacts(),
+                new Sleep());
+    }
+
+    /** The declared effects in the order they were given; cannot be changed. */
+    public List<Effect> all() {
+        return declared;
+    }
+
+    /** Whether an effect of this kind is declared. */
+    public boolean declares(Class<? extends Effect> kind) {
+        return find(kind).isPresent();
+    }
+
+    /** The declared effect of this kind, with its parameters. */
+    public <T extends Effect> Optional<T> find(Class<T> kind) {
+        return declared.stream().filter(kind::isInstance).map(kind::cast).findFirst();
+    }
+
+    /** The same set with one more effect, or with another in place of the one of its kind. */
+    public Effects with(Effect effect) {
+        List<Effect> next = new ArrayList<>(declared);
+        next.removeIf(other -> other.getClass() == effect.getClass());
+        next.add(effect);
+        return new Effects(next);
+    }
+
+    /**
+     * The same set without the effect of this kind.
+     *
+     * @throws IllegalArgumentException when another declared effect needs it
+     */
+    public Effects without(Class<? extends Effect> kind) {
+        List<Effect> next = new ArrayList<>(declared);
+        next.removeIf(kind::isInstance);
+        return new Effects(next);
+    }
+
+    @Override
+    public boolean equals(Object other) {
+        return other instanceof Effects && declared.equals(((Effects) other).declared);
+    }
+
+    @Override
+    public int hashCode() {
+        return declared.hashCode();
+    }
+
+    @Override
+    public String toString() {
+        return "Effects" + declared;
+    }
+
+    private void requireCompanions(Effect effect) {
+        if (effect instanceof Friction
+                || effect instanceof Restitution
+                || effect instanceof ContinuousImpacts
+                || effect instanceof Sleep) {
+            require(effect, Contacts.class);
+        }
+        if (effect instanceof RollingResistance) {
+            require(effect, Contacts.class);
+            require(effect, Rotation.class);
+        }
+    }
+
+    private void require(Effect effect, Class<? extends Effect> companion) {
+        if (!declares(companion)) {
+            throw new IllegalArgumentException(
+                    name(effect.getClass()) + " needs " + name(companion) + ", which is not declared");
+        }
+    }
+
+    private static String name(Class<? extends Effect> kind) {
+        return kind.getSimpleName();
+    }
+}

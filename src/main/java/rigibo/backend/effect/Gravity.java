@@ -1,0 +1,25 @@
+package rigibo.backend.effect;
+
+import rigibo.backend.setup.Require;
+
+/**
+ * A uniform acceleration of every dynamic body, times its gravity scale.
+ *
+ * @param x m/s², to the right
+ * @param y m/s², up; the Earth's is -9.81
+ */
+public record Gravity(double x, double y) implements Effect {
+
+    /** Strongest acceleration accepted, m/s². */
+    public static final double MOST = 1e6;
+
+    /**
+     * Checks both components.
+     *
+     * @throws IllegalArgumentException when one is not within ±1e6 m/s²
+     */
+    public Gravity {
+        Require.within("Gravity.x", x, -MOST, MOST, "m/s²");
+        Require.within("Gravity.y", y, -MOST, MOST, "m/s²");
+    }
+}

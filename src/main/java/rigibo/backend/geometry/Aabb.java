@@ -1,0 +1,58 @@
+package rigibo.backend.geometry;
+
+/** An axis-aligned box in world coordinates, m. A plain carrier that stages reuse. */
+public final class Aabb {
+
+    public double minX;
+    public double minY;
+    public double maxX;
+    public double maxY;
+
+    /** An empty box at the origin, to be written to. */
+    public Aabb() {}
+
+    /**
+     * A box from its corners.
+     *
+     * @param minX left edge, m
+     * @param minY lower edge, m
+     * @param maxX right edge, m, not left of {@code minX}
+     * @param maxY upper edge, m, not below {@code minY}
+     * @throws IllegalArgumentException when an edge is NaN or the corners are swapped
+     */
+    public Aabb(double minX, double minY, double maxX, double maxY) {
+        if (!(minX <= maxX && minY <= maxY)) {
+            throw new IllegalArgumentException(
+                    "Aabb needs min <= max on both axes (m), was x "
+                            + minX
+                            + " to "
+                            + maxX
+                            + ", y "
+                            + minY
+                            + " to "
+                            + maxY);
+        }
+        set(minX, minY, maxX, maxY);
+    }
+
+    /** Overwrites all four edges, m. */
+    public void set(double left, double bottom, double right, double top) {
+        minX = left;
+        minY = bottom;
+        maxX = right;
+        maxY = top;
+    }
+
+    /** Whether the two boxes share a point; boxes that only touch do. */
+    public boolean overlaps(Aabb other) {
+        return minX <= other.maxX
+                && other.minX <= maxX
+                && minY <= other.maxY
+                && other.minY <= maxY;
+    }
+
+    /** Whether a point (m) lies inside or on the edge. */
+    public boolean contains(double x, double y) {
+        return x >= minX && x <= maxX && y >= minY && y <= maxY;
+    }
+}

@@ -1,0 +1,90 @@
+package rigibo.backend.geometry;
+
+/** What makes a list of points a convex polygon, and the sentence for each way it is not. */
+final class PolygonCheck {
+
+    /**
+     * Least sine between neighbouring edges. Below it two edges are one edge to double precision,
+     * and the corner between them only adds a contact point that jumps.
+     */
+    private static final double LEAST_SINE = 1e-10;
+
+    private PolygonCheck() {}
+
+    static void requireConvex(double[] xy) {
+        requireCount(xy);
+        requireFinite(xy);
+        int count = xy.length / 2;
+        double turned = 0;
+        for (int i = 0; i < count; i++) {
+            turned += turnAt(xy, i, (i + 1) % count, (i + 2) % count);
+        }
+        // Every corner of a star turns left too, but the star turns by more than once around.
+        if (turned > 3 * Math.PI) {
+            throw new IllegalArgumentException(
+                    "Polygon.of corners must go round once, they go round "
+                            + Math.round(turned / (2 * Math.PI))
+                            + " times");
+        }
+        MassProperties plate = MassProperties.ofPolygon(1, xy);
+        if (!(plate.mass() > 0 && plate.inertia() > 0 && finite(plate.inertia()))) {
+            throw new IllegalArgumentException(
+                    "Polygon.of must have a positive, finite area and inertia, area was "
+                            + plate.mass()
+                            + " m²");
+        }
+    }
+
+    private static void requireCount(double[] xy) {
+        if (xy.length % 2 != 0 || xy.length < 6 || xy.length > 2 * Polygon.MAX_CORNERS) {
+            throw new IllegalArgumentException(
+                    "Polygon.of takes x, y pairs of 3 to "
+                            + Polygon.MAX_CORNERS
+                            + " corners, was "
+                            + xy.length
+                            + " numbers");
+        }
+    }
+
+    private static void requireFinite(double[] xy) {
+        for (int i = 0; i < xy.length; i++) {
+            if (!finite(xy[i])) {
+                throw new IllegalArgumentException(
+                        "Polygon.of corner " + i / 2 + " must be finite (m), was " + xy[i]);
+            }
+        }
+    }
+
+    /** Left turn in radians at corner b; refuses repeated, collinear and reflex corners. */
+    private static double turnAt(double[] xy, int a, int b, int c) {
+        double ux = xy[2 * b] - xy[2 * a];
+        double uy = xy[2 * b + 1] - xy[2 * a + 1];
+        double wx = xy[2 * c] - xy[2 * b];
+        double wy = xy[2 * c + 1] - xy[2 * b + 1];
+        double lengths = Math.sqrt(ux * ux + uy * uy) * Math.sqrt(wx * wx + wy * wy);
+        if (!(lengths > 0)) {
+            throw new IllegalArgumentException(
+                    "Polygon.of corner " + b + " is repeated at " + at(xy, b));
+        }
+        double sine = (ux * wy - uy * wx) / lengths;
+        if (!(sine > LEAST_SINE)) {
+            throw new IllegalArgumentException(
+                    "Polygon.of corner "
+                            + b
+                            + " at "
+                            + at(xy, b)
+                            + (sine < -LEAST_SINE
+                                    ? " is reflex: corners must be convex and counter-clockwise"
+                                    : " lies on the line through its neighbours"));
+        }
+        return StrictMath.atan2(sine, (ux * wx + uy * wy) / lengths);
+    }
+
+    private static String at(double[] xy, int i) {
+        return "(" + xy[2 * i] + ", " + xy[2 * i + 1] + ") m";
+    }
+
+    private static boolean finite(double value) {
+        return Math.abs(value) < Double.POSITIVE_INFINITY;
+    }
+}

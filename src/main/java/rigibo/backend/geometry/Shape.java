@@ -1,0 +1,42 @@
+package rigibo.backend.geometry;
+
+/**
+ * The outline of a body in the body's own frame, whose origin is the centre of mass. Immutable, so
+ * one shape may serve any number of bodies.
+ */
+public sealed interface Shape permits Circle, Polygon {
+
+    /** Which shape this is, for switches without a default. */
+    ShapeKind kind();
+
+    /** Area in m², positive. */
+    double area();
+
+    /**
+     * Mass, inertia and centroid of a plate of this shape.
+     *
+     * @param density mass per area in kg/m², positive and finite
+     * @throws IllegalArgumentException when the density is not positive and finite
+     */
+    MassProperties massProperties(double density);
+
+    /** Distance in m from the centre of mass to the farthest point of the outline. */
+    double boundingRadius();
+
+    /**
+     * Smallest width in m between two parallel lines that hold the shape: a disc's diameter, a
+     * box's shorter side. Tolerances written for a body of one metre scale with it.
+     */
+    double smallestWidth();
+
+    /**
+     * Writes the axis-aligned bounds of this shape at a pose.
+     *
+     * @param x centre of mass, m
+     * @param y centre of mass, m
+     * @param cos cosine of the angle
+     * @param sin sine of the angle
+     * @param out receives the bounds, m
+     */
+    void bounds(double x, double y, double cos, double sin, Aabb out);
+}

@@ -1,0 +1,7 @@
+package rigibo.backend.geometry;
+
+/** The kinds of shape the engine knows; switches over it have no default, so none is forgotten. */
+public enum ShapeKind {
+    CIRCLE,
+    POLYGON
+}

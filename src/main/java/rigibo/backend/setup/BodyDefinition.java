@@ -1,0 +1,264 @@
+package rigibo.backend.setup;
+
+import rigibo.backend.geometry.MassProperties;
+import rigibo.backend.geometry.Shape;
+
+/**
+ * A body as its creator states it. Immutable: every verb returns another definition, so one may be
+ * the pattern for many. Static and kinematic bodies have no mass: nothing moves them.
+ */
+public final class BodyDefinition {
+
+    private final BodyType type;
+    private final Shape shape;
+    private double x;
+    private double y;
+    private double angle;
+    private double velocityX;
+    private double velocityY;
+    private double spin;
+    private Material material = Material.DEFAULT;
+    private String name = "";
+    private double mass;
+    private double inertia;
+    private double gravityScale = 1;
+    private int group;
+    private boolean awake = true;
+
+    private BodyDefinition(BodyType type, Shape shape) {
+        this.type = type;
+        this.shape = Require.present("BodyDefinition.shape", shape);
+    }
+
+    private BodyDefinition(BodyDefinition pattern) {
+        type = pattern.type;
+        shape = pattern.shape;
+        x = pattern.x;
+        y = pattern.y;
+        angle = pattern.angle;
+        velocityX = pattern.velocityX;
+        velocityY = pattern.velocityY;
+        spin = pattern.spin;
+        material = pattern.material;
+        name = pattern.name;
+        mass = pattern.mass;
+        inertia = pattern.inertia;
+        gravityScale = pattern.gravityScale;
+        group = pattern.group;
+        awake = pattern.awake;
+    }
+
+    /** A body that forces and contacts move. */
+    public static BodyDefinition dynamic(Shape shape) {
+        return new BodyDefinition(BodyType.DYNAMIC, shape);
+    }
+
+    /** A body that never moves. */
+    public static BodyDefinition fixed(Shape shape) {
+        return new BodyDefinition(BodyType.STATIC, shape);
+    }
+
+    /** A body that moves with the velocity it is given and is never pushed. */
+    public static BodyDefinition kinematic(Shape shape) {
+        return new BodyDefinition(BodyType.KINEMATIC, shape);
+    }
+
+    /**
+     * Where the centre of mass is.
+     *
+     * @param metresX world x, m
+     * @param metresY world y, m, up
+     */
+    public BodyDefinition at(double metresX, double metresY) {
+        BodyDefinition next = new BodyDefinition(this);
+        next.x = Require.finite("BodyDefinition.x", metresX, "m");
+        next.y = Require.finite("BodyDefinition.y", metresY, "m");
+        return next;
+    }
+
+    /** The angle in rad, counter-clockwise; at most a million turns, where doubles resolve 1 nrad. */
+    public BodyDefinition angle(double radians) {
+        BodyDefinition next = new BodyDefinition(this);
+        next.angle = Require.within("BodyDefinition.angle", radians, -MOST_ANGLE, MOST_ANGLE, "rad");
+        return next;
+    }
+
+    /**
+     * Velocity of the centre of mass; a static body's must be 0.
+     *
+     * @param metresPerSecondX m/s
+     * @param metresPerSecondY m/s, up
+     */
+    public BodyDefinition velocity(double metresPerSecondX, double metresPerSecondY) {
+        BodyDefinition next = new BodyDefinition(this);
+        next.velocityX = Require.within(
+                "BodyDefinition.velocityX", metresPerSecondX, -MOST_SPEED, MOST_SPEED, "m/s");
+        next.velocityY = Require.within(
+                "BodyDefinition.velocityY", metresPerSecondY, -MOST_SPEED, MOST_SPEED, "m/s");
+        next.requireStill("velocity", metresPerSecondX != 0 || metresPerSecondY != 0);
+        return next;
+    }
+
+    /** Angular velocity in rad/s, counter-clockwise; a static body's must be 0. */
+    public BodyDefinition spin(double radiansPerSecond) {
+        BodyDefinition next = new BodyDefinition(this);
+        next.spin = Require.within(
+                "BodyDefinition.spin", radiansPerSecond, -MOST_SPIN, MOST_SPIN, "rad/s");
+        next.requireStill("spin", radiansPerSecond != 0);
+        return next;
+    }
+
+    /** What the body is made of. */
+    public BodyDefinition material(Material substance) {
+        BodyDefinition next = new BodyDefinition(this);
+        next.material = Require.present("BodyDefinition.material", substance);
+        return next;
+    }
+
+    /** A name for messages and levels; may be empty, need not be unique. */
+    public BodyDefinition name(String words) {
+        BodyDefinition next = new BodyDefinition(this);
+        next.name = Require.present("BodyDefinition.name", words);
+        return next;
+    }
+
+    /** A mass in kg in place of density times area, positive; the inertia scales with it. */
+    public BodyDefinition mass(double kilograms) {
+        BodyDefinition next = new BodyDefinition(this);
+        next.mass = Require.positive("BodyDefinition.mass", kilograms, "kg");
+        return next;
+    }
+
+    /** An inertia in kg·m² about the centre of mass in place of the shape's, positive. */
+    public BodyDefinition inertia(double kilogramSquareMetres) {
+        BodyDefinition next = new BodyDefinition(this);
+        next.inertia =
+                Require.positive("BodyDefinition.inertia", kilogramSquareMetres, "kg·m²");
+        return next;
+    }
+
+    /** A factor on the declared gravity: 0 floats, -1 rises. */
+    public BodyDefinition gravityScale(double factor) {
+        BodyDefinition next = new BodyDefinition(this);
+        next.gravityScale = Require.within(
+                "BodyDefinition.gravityScale", factor, -MOST_GRAVITY_SCALE, MOST_GRAVITY_SCALE, "no unit");
+        return next;
+    }
+
+    /** Bodies of the same group other than 0 never collide with each other. */
+    public BodyDefinition group(int number) {
+        BodyDefinition next = new BodyDefinition(this);
+        next.group = number;
+        return next;
+    }
+
+    /** Whether the body starts awake; one that starts asleep waits for a touch. */
+    public BodyDefinition awake(boolean isAwake) {
+        BodyDefinition next = new BodyDefinition(this);
+        next.awake = isAwake;
+        return next;
+    }
+
+    public BodyType type() {
+        return type;
+    }
+
+    public Shape shape() {
+        return shape;
+    }
+
+    /** World x of the centre of mass, m. */
+    public double x() {
+        return x;
+    }
+
+    /** World y of the centre of mass, m, up. */
+    public double y() {
+        return y;
+    }
+
+    /** rad, counter-clockwise. */
+    public double angle() {
+        return angle;
+    }
+
+    /** m/s. */
+    public double velocityX() {
+        return velocityX;
+    }
+
+    /** m/s, up. */
+    public double velocityY() {
+        return velocityY;
+    }
+
+    /** rad/s, counter-clockwise. */
+    public double spin() {
+        return spin;
+    }
+
+    public Material material() {
+        return material;
+    }
+
+    public String name() {
+        return name;
+    }
+
+    /** kg: the mass stated, else density times area. */
+    public double mass() {
+        return massProperties().mass();
+    }
+
+    /** kg·m² about the centre of mass: the inertia stated, else the shape's at this mass. */
+    public double inertia() {
+        return massProperties().inertia();
+    }
+
+    /** Factor on the declared gravity. */
+    public double gravityScale() {
+        return gravityScale;
+    }
+
+    /** Group, 0 for none. */
+    public int group() {
+        return group;
+    }
+
+    public boolean awake() {
+        return awake;
+    }
+
+    /**
+     * Mass and inertia together.
+     *
+     * @throws IllegalArgumentException when density and size give no positive, finite number
+     */
+    public MassProperties massProperties() {
+        MassProperties plate = shape.massProperties(material.density());
+        double kilograms = mass > 0 ? mass : plate.mass();
+        double aboutCentre = inertia > 0 ? inertia : plate.inertia() * (kilograms / plate.mass());
+        Require.positive("BodyDefinition.mass from density and area", kilograms, "kg");
+        Require.positive("BodyDefinition.inertia from density and shape", aboutCentre, "kg·m²");
+        return new MassProperties(kilograms, aboutCentre, 0, 0);
+    }
+
+    /** Highest speed accepted, m/s: light's. Beyond it squares of speeds soon overflow. */
+    public static final double MOST_SPEED = 299_792_458;
+
+    /** Highest spin accepted, rad/s. */
+    public static final double MOST_SPIN = 1e6;
+
+    /** Largest angle accepted, rad: a million turns, where doubles still resolve a nanoradian. */
+    public static final double MOST_ANGLE = 2 * Math.PI * 1e6;
+
+    /** Largest factor on gravity accepted. */
+    public static final double MOST_GRAVITY_SCALE = 1e6;
+
+    private void requireStill(String field, boolean moves) {
+        if (moves && type == BodyType.STATIC) {
+            throw new IllegalArgumentException(
+                    "BodyDefinition." + field + " must be 0 for a static body");
+        }
+    }
+}

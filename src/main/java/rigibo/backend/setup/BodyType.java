@@ -1,0 +1,11 @@
+package rigibo.backend.setup;
+
+/** How a body answers forces. */
+public enum BodyType {
+    /** Moves under forces, contacts and impacts. */
+    DYNAMIC,
+    /** Never moves. */
+    STATIC,
+    /** Moves with exactly the velocity it was given; pushes others and is never pushed. */
+    KINEMATIC
+}

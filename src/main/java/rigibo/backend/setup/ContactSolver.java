@@ -1,0 +1,11 @@
+package rigibo.backend.setup;
+
+/** How the impulses of resting contacts are found. */
+public enum ContactSolver {
+    /** One contact point after the other. */
+    SEQUENTIAL,
+    /** Both points of a flat contact at once, contact after contact. */
+    BLOCK,
+    /** Islands of up to 128 rows by one elimination, larger ones as {@link #BLOCK}. */
+    DIRECT
+}
