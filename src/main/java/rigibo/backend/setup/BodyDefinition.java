@@ -215,6 +215,16 @@ public final class BodyDefinition {
         return massProperties().inertia();
     }
 
+    /** Whether a mass was stated in place of the material's density. */
+    public boolean statesMass() {
+        return mass > 0;
+    }
+
+    /** Whether an inertia was stated in place of the shape's. */
+    public boolean statesInertia() {
+        return inertia > 0;
+    }
+
     /** Factor on the declared gravity. */
     public double gravityScale() {
         return gravityScale;

@@ -1,0 +1,251 @@
+package rigibo.backend;
+
+import rigibo.backend.broadphase.Broadphase;
+import rigibo.backend.effect.Effects;
+import rigibo.backend.effect.Rotation;
+import rigibo.backend.effect.Thrust;
+import rigibo.backend.geometry.MassProperties;
+import rigibo.backend.geometry.Shape;
+import rigibo.backend.rest.Waking;
+import rigibo.backend.setup.BodyDefinition;
+import rigibo.backend.setup.BodyType;
+import rigibo.backend.setup.Material;
+import rigibo.backend.setup.Require;
+import rigibo.backend.step.StepPlan;
+import rigibo.backend.storage.Bodies;
+import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.Pairs;
+
+/** Changes bodies between steps: every edit is checked first, then made, and wakes what it may move. */
+final class BodyEditor {
+
+    private final DataStorage data;
+    private final Bodies bodies;
+    private final StepPlan plan;
+    private final Broadphase broadphase;
+    private final Waking waking;
+
+    BodyEditor(DataStorage data, StepPlan plan) {
+        this.data = data;
+        this.plan = plan;
+        bodies = data.bodies;
+        broadphase = plan.broadphase();
+        waking = new Waking(data);
+    }
+
+    int add(BodyDefinition definition) {
+        MassProperties plate = definition.massProperties();
+        int slot = bodies.take();
+        bodies.type[slot] = definition.type();
+        bodies.group[slot] = definition.group();
+        bodies.gravityScale[slot] = definition.gravityScale();
+        bodies.firstPair[slot] = Pairs.NONE;
+        bodies.statedMass[slot] = definition.statesMass() ? plate.mass() : 0;
+        bodies.statedInertia[slot] = definition.statesInertia() ? plate.inertia() : 0;
+        bodies.velocityX[slot] = definition.velocityX();
+        bodies.velocityY[slot] = definition.velocityY();
+        bodies.spin[slot] = definition.spin();
+        bodies.awake[slot] = definition.awake() || definition.type() != BodyType.DYNAMIC;
+        bodies.clearForces(slot);
+        writeShape(slot, definition.shape());
+        writeMaterial(slot, definition.material());
+        weigh(slot);
+        writePose(slot, definition.x(), definition.y(), definition.angle());
+        broadphase.add(slot);
+        data.roster.isStale = true;
+        return slot;
+    }
+
+    void remove(int slot) {
+        waking.wakeNeighbours(slot);
+        broadphase.remove(slot);
+        bodies.release(slot);
+        data.roster.isStale = true;
+    }
+
+    void moveTo(int slot, double x, double y, double angle) {
+        Require.finite("RigidBody.moveTo x", x, "m");
+        Require.finite("RigidBody.moveTo y", y, "m");
+        double most = BodyDefinition.MOST_ANGLE;
+        Require.within("RigidBody.moveTo angle", angle, -most, most, "rad");
+        waking.wakeNeighbours(slot);
+        writePose(slot, x, y, angle);
+        broadphase.forgetContacts(slot);
+        broadphase.refit(slot);
+        waking.wake(slot);
+    }
+
+    void velocity(int slot, double vx, double vy) {
+        double most = BodyDefinition.MOST_SPEED;
+        Require.within("RigidBody.velocity x", vx, -most, most, "m/s");
+        Require.within("RigidBody.velocity y", vy, -most, most, "m/s");
+        requireMovable(slot, "velocity", vx != 0 || vy != 0);
+        bodies.velocityX[slot] = vx;
+        bodies.velocityY[slot] = vy;
+        waking.wake(slot);
+    }
+
+    void spin(int slot, double radiansPerSecond) {
+        double most = BodyDefinition.MOST_SPIN;
+        Require.within("RigidBody.spin", radiansPerSecond, -most, most, "rad/s");
+        requireMovable(slot, "spin", radiansPerSecond != 0);
+        bodies.spin[slot] = radiansPerSecond;
+        waking.wake(slot);
+    }
+
+    void applyForce(int slot, double fx, double fy, double px, double py) {
+        requireThrust("applyForce");
+        Require.finite("RigidBody.applyForce fx", fx, "N");
+        Require.finite("RigidBody.applyForce fy", fy, "N");
+        Require.finite("RigidBody.applyForce px", px, "m");
+        Require.finite("RigidBody.applyForce py", py, "m");
+        bodies.forceX[slot] += fx;
+        bodies.forceY[slot] += fy;
+        bodies.torque[slot] += (px - bodies.x[slot]) * fy - (py - bodies.y[slot]) * fx;
+        waking.wake(slot);
+    }
+
+    void applyTorque(int slot, double torque) {
+        requireThrust("applyTorque");
+        bodies.torque[slot] += Require.finite("RigidBody.applyTorque", torque, "N·m");
+        waking.wake(slot);
+    }
+
+    void applyImpulse(int slot, double jx, double jy, double px, double py) {
+        Require.finite("RigidBody.applyImpulse jx", jx, "N·s");
+        Require.finite("RigidBody.applyImpulse jy", jy, "N·s");
+        Require.finite("RigidBody.applyImpulse px", px, "m");
+        Require.finite("RigidBody.applyImpulse py", py, "m");
+        double moment = (px - bodies.x[slot]) * jy - (py - bodies.y[slot]) * jx;
+        double vx = bodies.velocityX[slot] + bodies.inverseMass[slot] * jx;
+        double vy = bodies.velocityY[slot] + bodies.inverseMass[slot] * jy;
+        double w = bodies.spin[slot] + bodies.inverseInertia[slot] * moment;
+        double most = BodyDefinition.MOST_SPEED;
+        Require.within("RigidBody.applyImpulse resulting velocity x", vx, -most, most, "m/s");
+        Require.within("RigidBody.applyImpulse resulting velocity y", vy, -most, most, "m/s");
+        double fastest = BodyDefinition.MOST_SPIN;
+        Require.within("RigidBody.applyImpulse resulting spin", w, -fastest, fastest, "rad/s");
+        bodies.velocityX[slot] = vx;
+        bodies.velocityY[slot] = vy;
+        bodies.spin[slot] = w;
+        waking.wake(slot);
+    }
+
+    void type(int slot, BodyType type) {
+        waking.wakeNeighbours(slot);
+        bodies.type[slot] = type;
+        if (type == BodyType.STATIC) {
+            bodies.velocityX[slot] = 0;
+            bodies.velocityY[slot] = 0;
+            bodies.spin[slot] = 0;
+        }
+        weigh(slot);
+        broadphase.forgetPairs(slot);
+        broadphase.refit(slot);
+        data.roster.isStale = true;
+        waking.wake(slot);
+    }
+
+    void material(int slot, Material material) {
+        MassProperties plate = plate(slot, bodies.shape[slot], material);
+        writeMaterial(slot, material);
+        weigh(slot, plate);
+        for (int p = bodies.firstPair[slot]; p != Pairs.NONE; p = data.pairs.nextOf(p, slot)) {
+            data.pairs.mix(bodies, p);
+        }
+        waking.wakeNeighbours(slot);
+        waking.wake(slot);
+    }
+
+    void shape(int slot, Shape shape) {
+        MassProperties plate = plate(slot, shape, bodies.material[slot]);
+        waking.wakeNeighbours(slot);
+        writeShape(slot, shape);
+        weigh(slot, plate);
+        broadphase.forgetContacts(slot);
+        broadphase.refit(slot);
+        waking.wake(slot);
+    }
+
+    void wake(int slot) {
+        waking.wake(slot);
+    }
+
+    /** Declares other effects: columns come and go, everything wakes. */
+    void effects(Effects effects) {
+        bodies.declare(effects);
+        plan.compile(effects, plan.accuracy());
+        for (int slot = 0; slot < bodies.slots.high; slot++) {
+            if (bodies.type[slot] != null) {
+                writeMaterial(slot, bodies.material[slot]);
+                weigh(slot);
+                waking.wake(slot);
+            }
+        }
+    }
+
+    private void writePose(int slot, double x, double y, double angle) {
+        bodies.x[slot] = x;
+        bodies.y[slot] = y;
+        bodies.angle[slot] = angle;
+        bodies.cos[slot] = StrictMath.cos(angle);
+        bodies.sin[slot] = StrictMath.sin(angle);
+        bodies.restartStillness(slot);
+    }
+
+    private void writeShape(int slot, Shape shape) {
+        bodies.shape[slot] = shape;
+        bodies.boundingRadius[slot] = shape.boundingRadius();
+        bodies.smallestWidth[slot] = shape.smallestWidth();
+    }
+
+    private void writeMaterial(int slot, Material material) {
+        bodies.material[slot] = material;
+        bodies.friction[slot] = material.friction();
+        bodies.elasticity[slot] = material.elasticity();
+        if (bodies.rollingResistance != null) {
+            bodies.rollingResistance[slot] = material.rollingResistance();
+        }
+        if (bodies.drag != null) {
+            bodies.drag[slot] = material.drag();
+        }
+    }
+
+    private void weigh(int slot) {
+        weigh(slot, plate(slot, bodies.shape[slot], bodies.material[slot]));
+    }
+
+    private void weigh(int slot, MassProperties plate) {
+        boolean moves = bodies.type[slot] == BodyType.DYNAMIC;
+        bodies.mass[slot] = plate.mass();
+        bodies.inertia[slot] = plate.inertia();
+        bodies.inverseMass[slot] = moves ? 1 / plate.mass() : 0;
+        boolean turns = moves && plan.effects().declares(Rotation.class);
+        bodies.inverseInertia[slot] = turns ? 1 / plate.inertia() : 0;
+    }
+
+    private MassProperties plate(int slot, Shape shape, Material material) {
+        BodyDefinition definition = BodyDefinition.dynamic(shape).material(material);
+        if (bodies.statedMass[slot] > 0) {
+            definition = definition.mass(bodies.statedMass[slot]);
+        }
+        if (bodies.statedInertia[slot] > 0) {
+            definition = definition.inertia(bodies.statedInertia[slot]);
+        }
+        return definition.massProperties();
+    }
+
+    private void requireThrust(String verb) {
+        if (bodies.forceX == null) {
+            throw new IllegalStateException(
+                    "RigidBody." + verb + " needs the effect Thrust, which is not declared");
+        }
+    }
+
+    private void requireMovable(int slot, String field, boolean moves) {
+        if (moves && bodies.type[slot] == BodyType.STATIC) {
+            throw new IllegalArgumentException(
+                    "RigidBody." + field + " must be 0 for a static body");
+        }
+    }
+}

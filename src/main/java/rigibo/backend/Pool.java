@@ -1,0 +1,265 @@
+package rigibo.backend;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
+import java.util.function.LongSupplier;
+import rigibo.backend.effect.Effects;
+import rigibo.backend.geometry.Aabb;
+import rigibo.backend.setup.Accuracy;
+import rigibo.backend.setup.BodyDefinition;
+import rigibo.backend.setup.Require;
+import rigibo.backend.step.StepPlan;
+import rigibo.backend.storage.Bodies;
+import rigibo.backend.storage.DataStorage;
+
+/**
+ * A world of rigid bodies. It manages all bodies, their dynamics and every query about them. The
+ * same calls give the same bits on every machine. Not thread-safe: one thread uses a pool at a
+ * time.
+ */
+public final class Pool {
+
+    /** Longest step accepted, s. */
+    public static final double LONGEST_STEP = 10;
+
+    /** Shortest step accepted, s: below it rates of change lose their meaning in doubles. */
+    public static final double SHORTEST_STEP = 1e-9;
+
+    private static final LongSupplier NO_CLOCK = () -> 0;
+
+    private final DataStorage data;
+    private final StepPlan plan;
+    private final StepReport report;
+    private final BodyEditor editor;
+    private final PoolQueries queries;
+    private final PoolTotals totals;
+    private final List<RigidBody> bodies = new ArrayList<>();
+    private final List<RigidBody> bodiesView = Collections.unmodifiableList(bodies);
+    private RigidBody[] handles = new RigidBody[16];
+    private LongSupplier clock = NO_CLOCK;
+    private double time;
+    private boolean isStepping;
+
+    /** A pool with the usual effects at {@link Accuracy#GAME}. */
+    public Pool() {
+        this(Effects.usual(), Accuracy.GAME);
+    }
+
+    /**
+     * An empty pool.
+     *
+     * @param effects what is simulated; what is not declared costs nothing
+     * @param accuracy how exactly
+     */
+    public Pool(Effects effects, Accuracy accuracy) {
+        Require.present("Pool.effects", effects);
+        Require.present("Pool.accuracy", accuracy);
+        data = new DataStorage(effects);
+        plan = new StepPlan(data, effects, accuracy);
+        report = new StepReport(this, data);
+        editor = new BodyEditor(data, plan);
+        queries = new PoolQueries(this, data, plan.broadphase());
+        totals = new PoolTotals(this, data);
+    }
+
+    /**
+     * Adds a body.
+     *
+     * @throws IllegalArgumentException when the definition gives no finite mass or inertia
+     */
+    public RigidBody add(BodyDefinition definition) {
+        Require.present("Pool.add definition", definition);
+        requireBetweenSteps("add a body");
+        int slot = editor.add(definition);
+        if (slot >= handles.length) {
+            handles = java.util.Arrays.copyOf(handles, 2 * slot);
+        }
+        handles[slot] = new RigidBody(this, slot, definition.name());
+        bodies.add(handles[slot]);
+        return handles[slot];
+    }
+
+    /**
+     * Takes a body out and wakes what it touched.
+     *
+     * @throws IllegalArgumentException when the body is of another pool
+     * @throws IllegalStateException when it was removed before
+     */
+    public void remove(RigidBody body) {
+        editor(body).remove(body.slot());
+        handles[body.slot()] = null;
+        bodies.remove(body);
+        body.markRemoved();
+    }
+
+    /** All bodies in the order they were added; a live view that cannot be changed. */
+    public List<RigidBody> bodies() {
+        return bodiesView;
+    }
+
+    /**
+     * Advances time.
+     *
+     * @param dt s, from 1e-9 to 10; a game's is 1/60
+     * @return what the step did, overwritten by the next one
+     * @throws IllegalArgumentException when dt is out of its range
+     */
+    public StepReport step(double dt) {
+        Require.within("Pool.step dt", dt, SHORTEST_STEP, LONGEST_STEP, "s");
+        requireBetweenSteps("step");
+        isStepping = true;
+        try {
+            plan.run(dt, clock);
+        } finally {
+            isStepping = false;
+        }
+        time += dt;
+        return report;
+    }
+
+    /** Simulated time since the pool was made, s. */
+    public double time() {
+        return time;
+    }
+
+    /** What the last step did. */
+    public StepReport report() {
+        return report;
+    }
+
+    public Accuracy accuracy() {
+        return plan.accuracy();
+    }
+
+    /** Changes the accuracy from the next step on; resting bodies stay at rest. */
+    public void accuracy(Accuracy accuracy) {
+        Require.present("Pool.accuracy", accuracy);
+        requireBetweenSteps("change the accuracy");
+        plan.compile(plan.effects(), accuracy);
+    }
+
+    public Effects effects() {
+        return plan.effects();
+    }
+
+    /** Changes what is simulated from the next step on, and wakes every body. */
+    public void effects(Effects effects) {
+        Require.present("Pool.effects", effects);
+        requireBetweenSteps("change the effects");
+        editor.effects(effects);
+    }
+
+    /** The stages one step consists of and the columns it keeps, in words. */
+    public String plan() {
+        return plan.describe();
+    }
+
+    /**
+     * Hands in a clock that counts ns, so that reports tell the time of each stage. The engine has
+     * none of its own.
+     */
+    public void clock(LongSupplier nanoseconds) {
+        clock = Require.present("Pool.clock", nanoseconds);
+    }
+
+    /** Whether two bodies touched in the last step. */
+    public boolean touching(RigidBody a, RigidBody b) {
+        return queries.touching(own(a).slot(), own(b).slot());
+    }
+
+    /** The contacts of the last step, in the order their pairs were found; a list of its own. */
+    public List<ContactEvent> contactEvents() {
+        return queries.contactEvents();
+    }
+
+    /** The body under a point: the last added of several, none where there is none. */
+    public Optional<RigidBody> bodyAt(double x, double y) {
+        Require.finite("Pool.bodyAt x", x, "m");
+        Require.finite("Pool.bodyAt y", y, "m");
+        return queries.bodyAt(x, y);
+    }
+
+    /**
+     * The first body that a ray meets; a ray that starts inside a body does not meet that one.
+     *
+     * @param fromX start, m
+     * @param fromY start, m
+     * @param toX end, m
+     * @param toY end, m
+     */
+    public Optional<RayHit> rayCast(double fromX, double fromY, double toX, double toY) {
+        Require.finite("Pool.rayCast fromX", fromX, "m");
+        Require.finite("Pool.rayCast fromY", fromY, "m");
+        Require.finite("Pool.rayCast toX", toX, "m");
+        Require.finite("Pool.rayCast toY", toY, "m");
+        return queries.rayCast(fromX, fromY, toX, toY);
+    }
+
+    /** Hands every body whose shape reaches into a box to a visitor, in the order of their slots. */
+    public void overlapping(Aabb box, Consumer<RigidBody> visitor) {
+        Require.present("Pool.overlapping box", box);
+        queries.overlapping(box).forEach(visitor);
+    }
+
+    /** A 64-bit hash of every bit that the future depends on. */
+    public long stateHash() {
+        return totals.stateHash();
+    }
+
+    /** J of motion and rotation of all dynamic bodies. */
+    public double kineticEnergy() {
+        return totals.kineticEnergy();
+    }
+
+    /** J of all dynamic bodies in the declared gravity; 0 at the world's origin. */
+    public double potentialEnergy() {
+        return totals.potentialEnergy();
+    }
+
+    /** N·s to the right, of all dynamic bodies. */
+    public double momentumX() {
+        return totals.momentumX();
+    }
+
+    /** N·s up, of all dynamic bodies. */
+    public double momentumY() {
+        return totals.momentumY();
+    }
+
+    /** kg·m²/s about the world's origin, counter-clockwise, of all dynamic bodies. */
+    public double angularMomentum() {
+        return totals.angularMomentum();
+    }
+
+    /** What changes a body; refuses bodies of other pools, removed ones, and calls within a step. */
+    BodyEditor editor(RigidBody body) {
+        own(body);
+        requireBetweenSteps("change a body");
+        return editor;
+    }
+
+    Bodies columns() {
+        return data.bodies;
+    }
+
+    RigidBody handle(int slot) {
+        return handles[slot];
+    }
+
+    private RigidBody own(RigidBody body) {
+        Require.present("body", body).requireAlive();
+        if (body.pool() != this) {
+            throw new IllegalArgumentException(body + " belongs to another pool");
+        }
+        return body;
+    }
+
+    private void requireBetweenSteps(String what) {
+        if (isStepping) {
+            throw new IllegalStateException("cannot " + what + " during a step");
+        }
+    }
+}

@@ -1,0 +1,14 @@
+package rigibo.backend;
+
+/**
+ * Where a ray meets the first body on its way.
+ *
+ * @param body the body met
+ * @param x world x of the point, m
+ * @param y world y of the point, m
+ * @param normalX outward unit normal of the outline there
+ * @param normalY outward unit normal of the outline there
+ * @param fraction of the way from the ray's start to its end, 0 to 1
+ */
+public record RayHit(
+        RigidBody body, double x, double y, double normalX, double normalY, double fraction) {}

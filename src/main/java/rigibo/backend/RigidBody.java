@@ -1,0 +1,231 @@
+package rigibo.backend;
+
+import rigibo.backend.geometry.Shape;
+import rigibo.backend.setup.BodyType;
+import rigibo.backend.setup.Material;
+import rigibo.backend.setup.Require;
+import rigibo.backend.storage.Bodies;
+
+/**
+ * A handle on one body of a {@link Pool}. Readers tell its state now; verbs change it between
+ * steps and wake it. Once the body is removed, everything but {@link #isAlive}, {@link #name} and
+ * {@link #toString} throws {@link IllegalStateException}.
+ */
+public final class RigidBody {
+
+    private static final int REMOVED = -1;
+
+    private final Pool pool;
+    private final String name;
+    private int slot;
+
+    RigidBody(Pool pool, int slot, String name) {
+        this.pool = pool;
+        this.slot = slot;
+        this.name = name;
+    }
+
+    /** World x of the centre of mass, m. */
+    public double x() {
+        return columns().x[slot];
+    }
+
+    /** World y of the centre of mass, m, up. */
+    public double y() {
+        return columns().y[slot];
+    }
+
+    /** Angle in rad, counter-clockwise, not wrapped: it counts full turns. */
+    public double angle() {
+        return columns().angle[slot];
+    }
+
+    /** Velocity of the centre of mass to the right, m/s. */
+    public double velocityX() {
+        return columns().velocityX[slot];
+    }
+
+    /** Velocity of the centre of mass upwards, m/s. */
+    public double velocityY() {
+        return columns().velocityY[slot];
+    }
+
+    /** Angular velocity in rad/s, counter-clockwise. */
+    public double angularVelocity() {
+        return columns().spin[slot];
+    }
+
+    /** Mass in kg; infinite for static and kinematic bodies. */
+    public double mass() {
+        return columns().type[slot] == BodyType.DYNAMIC
+                ? columns().mass[slot]
+                : Double.POSITIVE_INFINITY;
+    }
+
+    /** Inertia about the centre of mass in kg·m²; infinite for static and kinematic bodies. */
+    public double inertia() {
+        return columns().type[slot] == BodyType.DYNAMIC
+                ? columns().inertia[slot]
+                : Double.POSITIVE_INFINITY;
+    }
+
+    /** Angular momentum about the centre of mass in kg·m²/s; 0 for static and kinematic bodies. */
+    public double angularMomentum() {
+        Bodies bodies = columns();
+        return bodies.type[slot] == BodyType.DYNAMIC ? bodies.inertia[slot] * bodies.spin[slot] : 0;
+    }
+
+    /** Energy of motion and rotation in J; 0 for static and kinematic bodies. */
+    public double kineticEnergy() {
+        return columns().kineticEnergy(slot);
+    }
+
+    public BodyType type() {
+        return columns().type[slot];
+    }
+
+    public Shape shape() {
+        return columns().shape[slot];
+    }
+
+    public Material material() {
+        return columns().material[slot];
+    }
+
+    /** The name from the definition; also after removal. */
+    public String name() {
+        return name;
+    }
+
+    /** Whether the body is simulated; a static body is never awake. */
+    public boolean isAwake() {
+        return columns().awake[slot] && columns().type[slot] != BodyType.STATIC;
+    }
+
+    /** Whether the body is in its pool. */
+    public boolean isAlive() {
+        return slot != REMOVED;
+    }
+
+    /**
+     * Places the body anew; its velocity stays.
+     *
+     * @param x world x of the centre of mass, m
+     * @param y world y of the centre of mass, m, up
+     * @param angle rad, counter-clockwise, within a million turns
+     * @throws IllegalArgumentException when one is not finite
+     */
+    public void moveTo(double x, double y, double angle) {
+        pool.editor(this).moveTo(slot, x, y, angle);
+    }
+
+    /**
+     * Sets the velocity of the centre of mass; a static body's cannot be set.
+     *
+     * @param vx m/s, to the right
+     * @param vy m/s, up
+     * @throws IllegalArgumentException when one is not finite or the body is static
+     */
+    public void velocity(double vx, double vy) {
+        pool.editor(this).velocity(slot, vx, vy);
+    }
+
+    /**
+     * Sets the angular velocity; a static body's cannot be set.
+     *
+     * @param radiansPerSecond counter-clockwise
+     * @throws IllegalArgumentException when it is not finite or the body is static
+     */
+    public void spin(double radiansPerSecond) {
+        pool.editor(this).spin(slot, radiansPerSecond);
+    }
+
+    /**
+     * Applies a force during the next step: the origin report's thrust T at the point P.
+     *
+     * @param fx N, to the right
+     * @param fy N, up
+     * @param px world x of the point, m
+     * @param py world y of the point, m
+     * @throws IllegalStateException when the effect {@code Thrust} is not declared
+     * @throws IllegalArgumentException when a number is not finite
+     */
+    public void applyForce(double fx, double fy, double px, double py) {
+        pool.editor(this).applyForce(slot, fx, fy, px, py);
+    }
+
+    /**
+     * Applies a torque during the next step.
+     *
+     * @param torque N·m, counter-clockwise
+     * @throws IllegalStateException when the effect {@code Thrust} is not declared
+     * @throws IllegalArgumentException when it is not finite
+     */
+    public void applyTorque(double torque) {
+        pool.editor(this).applyTorque(slot, torque);
+    }
+
+    /**
+     * Changes the momentum at once.
+     *
+     * @param jx N·s, to the right
+     * @param jy N·s, up
+     * @param px world x of the point, m
+     * @param py world y of the point, m
+     * @throws IllegalArgumentException when a number is not finite
+     */
+    public void applyImpulse(double jx, double jy, double px, double py) {
+        pool.editor(this).applyImpulse(slot, jx, jy, px, py);
+    }
+
+    /** Changes how the body answers forces; one that becomes static loses its velocity. */
+    public void type(BodyType type) {
+        pool.editor(this).type(slot, Require.present("RigidBody.type", type));
+    }
+
+    /** Changes the material; the mass follows the density unless the definition stated it. */
+    public void material(Material material) {
+        pool.editor(this).material(slot, Require.present("RigidBody.material", material));
+    }
+
+    /** Changes the shape about the same centre of mass; the mass follows likewise. */
+    public void shape(Shape shape) {
+        pool.editor(this).shape(slot, Require.present("RigidBody.shape", shape));
+    }
+
+    /** Wakes the body and the island it rests in. */
+    public void wake() {
+        pool.editor(this).wake(slot);
+    }
+
+    @Override
+    public String toString() {
+        String called = name.isEmpty() ? "RigidBody" : "RigidBody '" + name + "'";
+        return isAlive()
+                ? called + " at (" + x() + ", " + y() + ") m, " + angle() + " rad"
+                : called + " (removed)";
+    }
+
+    Pool pool() {
+        return pool;
+    }
+
+    int slot() {
+        return slot;
+    }
+
+    void markRemoved() {
+        slot = REMOVED;
+    }
+
+    void requireAlive() {
+        if (!isAlive()) {
+            throw new IllegalStateException(this + " is no longer in its pool");
+        }
+    }
+
+    private Bodies columns() {
+        requireAlive();
+        return pool.columns();
+    }
+}

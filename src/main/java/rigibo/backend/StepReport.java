@@ -1,0 +1,77 @@
+package rigibo.backend;
+
+import rigibo.backend.setup.StepStage;
+import rigibo.backend.storage.Counters;
+import rigibo.backend.storage.DataStorage;
+
+/**
+ * What the last step did and cost. It is the pool's own object and is overwritten by the next step;
+ * copy what must last.
+ */
+public final class StepReport {
+
+    private final Pool pool;
+    private final DataStorage data;
+    private final Counters counters;
+
+    StepReport(Pool pool, DataStorage data) {
+        this.pool = pool;
+        this.data = data;
+        counters = data.counters;
+    }
+
+    /** Bodies in the pool. */
+    public int bodies() {
+        return data.bodies.slots.inUse();
+    }
+
+    /** Dynamic and kinematic bodies that were simulated. */
+    public int awake() {
+        return data.roster.awakeCount;
+    }
+
+    /** Candidate pairs: bodies whose size fixtures overlap. */
+    public int pairs() {
+        return data.pairs.slots.inUse();
+    }
+
+    /** Pairs that touched. */
+    public int contacts() {
+        return counters.contacts;
+    }
+
+    /** Impacts that were resolved at their own time. */
+    public int impacts() {
+        return counters.impacts;
+    }
+
+    /** Evaluations of a distance in the search for times of impact. */
+    public int evaluations() {
+        return counters.evaluations;
+    }
+
+    /** Rows (normal, friction, rolling) of the contact solver. */
+    public int rows() {
+        return counters.rows;
+    }
+
+    /** Deepest overlap of two bodies at the end of the step's contact search, m, 0 or more. */
+    public double deepestOverlap() {
+        return counters.deepestOverlap;
+    }
+
+    /** How many bodies were put to rest because their state stopped being finite. */
+    public int quarantined() {
+        return counters.quarantinedCount;
+    }
+
+    /** A body that was put to rest, from 0 to {@link #quarantined} − 1. */
+    public RigidBody quarantined(int i) {
+        return pool.handle(counters.quarantined[i]);
+    }
+
+    /** Time of a stage in ns; 0 unless the pool was given a clock. */
+    public long nanos(StepStage stage) {
+        return counters.nanos[stage.ordinal()];
+    }
+}

@@ -1,0 +1,237 @@
+package rigibo.backend.storage;
+
+import java.util.Arrays;
+import rigibo.backend.effect.Drag;
+import rigibo.backend.effect.Effects;
+import rigibo.backend.effect.RollingResistance;
+import rigibo.backend.effect.Thrust;
+import rigibo.backend.geometry.Shape;
+import rigibo.backend.setup.BodyType;
+import rigibo.backend.setup.Material;
+
+/** Columns of the bodies, one slot each. A slot whose {@link #type} is null is empty. */
+public final class Bodies {
+
+    private static final int FIRST_CAPACITY = 16;
+
+    public final Slots slots = new Slots();
+
+    /** What was stated. */
+    public BodyType[] type = new BodyType[FIRST_CAPACITY];
+
+    public Shape[] shape = new Shape[FIRST_CAPACITY];
+    public Material[] material = new Material[FIRST_CAPACITY];
+    public int[] group = new int[FIRST_CAPACITY];
+    public double[] gravityScale = new double[FIRST_CAPACITY];
+
+    /** kg and kg·m² stated in place of the material's density; 0 where none was. */
+    public double[] statedMass = new double[FIRST_CAPACITY];
+
+    public double[] statedInertia = new double[FIRST_CAPACITY];
+
+    /** Pose: centre of mass in m, angle in rad, its cosine and sine. */
+    public double[] x = new double[FIRST_CAPACITY];
+
+    public double[] y = new double[FIRST_CAPACITY];
+    public double[] angle = new double[FIRST_CAPACITY];
+    public double[] cos = new double[FIRST_CAPACITY];
+    public double[] sin = new double[FIRST_CAPACITY];
+
+    /** Motion: m/s and rad/s. */
+    public double[] velocityX = new double[FIRST_CAPACITY];
+
+    public double[] velocityY = new double[FIRST_CAPACITY];
+    public double[] spin = new double[FIRST_CAPACITY];
+
+    /** What the declared effects make of it: m/s² and rad/s², of this step. */
+    public double[] accelerationX = new double[FIRST_CAPACITY];
+
+    public double[] accelerationY = new double[FIRST_CAPACITY];
+    public double[] angularAcceleration = new double[FIRST_CAPACITY];
+
+    /** Mass in kg, inertia in kg·m², and their inverses, 0 for what cannot be moved or turned. */
+    public double[] mass = new double[FIRST_CAPACITY];
+
+    public double[] inertia = new double[FIRST_CAPACITY];
+    public double[] inverseMass = new double[FIRST_CAPACITY];
+    public double[] inverseInertia = new double[FIRST_CAPACITY];
+
+    /** From the material, so that a loop over contacts reads flat columns. */
+    public double[] friction = new double[FIRST_CAPACITY];
+
+    public double[] elasticity = new double[FIRST_CAPACITY];
+
+    /** From the shape: farthest point and smallest width, m. */
+    public double[] boundingRadius = new double[FIRST_CAPACITY];
+
+    public double[] smallestWidth = new double[FIRST_CAPACITY];
+
+    /** The size fixture, m, and its leaf in the broadphase. */
+    public double[] fixtureMinX = new double[FIRST_CAPACITY];
+
+    public double[] fixtureMinY = new double[FIRST_CAPACITY];
+    public double[] fixtureMaxX = new double[FIRST_CAPACITY];
+    public double[] fixtureMaxY = new double[FIRST_CAPACITY];
+    public int[] leaf = new int[FIRST_CAPACITY];
+
+    /** Head of the list of the body's pairs; see {@link Pairs}. */
+    public int[] firstPair = new int[FIRST_CAPACITY];
+
+    /** Whether the body is simulated, and for how long (s) it has stayed by an anchor pose. */
+    public boolean[] awake = new boolean[FIRST_CAPACITY];
+
+    public double[] stillTime = new double[FIRST_CAPACITY];
+    public double[] stillX = new double[FIRST_CAPACITY];
+    public double[] stillY = new double[FIRST_CAPACITY];
+    public double[] stillAngle = new double[FIRST_CAPACITY];
+
+    /** Of declared effects only, else null: N and N·m asked for, rolling lever in m, drag in 1/s. */
+    public double[] forceX;
+
+    public double[] forceY;
+    public double[] torque;
+    public double[] rollingResistance;
+    public double[] drag;
+
+    /** Creates the columns that a set of effects needs. */
+    public Bodies(Effects effects) {
+        declare(effects);
+    }
+
+    /** Makes the columns of newly declared effects and drops those of effects no longer declared. */
+    public void declare(Effects effects) {
+        boolean thrust = effects.declares(Thrust.class);
+        forceX = declared(forceX, thrust);
+        forceY = declared(forceY, thrust);
+        torque = declared(torque, thrust);
+        rollingResistance =
+                declared(rollingResistance, effects.declares(RollingResistance.class));
+        drag = declared(drag, effects.declares(Drag.class));
+    }
+
+    /** A free slot with room in every column. */
+    public int take() {
+        int slot = slots.take();
+        if (slot == type.length) {
+            grow(2 * slot);
+        }
+        return slot;
+    }
+
+    /** Empties a slot. */
+    public void release(int slot) {
+        type[slot] = null;
+        shape[slot] = null;
+        material[slot] = null;
+        awake[slot] = false;
+        slots.giveBack(slot);
+    }
+
+    /** Forgets the forces asked for. */
+    public void clearForces(int slot) {
+        if (forceX != null) {
+            forceX[slot] = 0;
+            forceY[slot] = 0;
+            torque[slot] = 0;
+        }
+    }
+
+    /** Begins to measure anew how long the body stays where it is. */
+    public void restartStillness(int slot) {
+        stillTime[slot] = 0;
+        stillX[slot] = x[slot];
+        stillY[slot] = y[slot];
+        stillAngle[slot] = angle[slot];
+    }
+
+    /** J of motion and rotation; 0 for what is not dynamic. */
+    public double kineticEnergy(int slot) {
+        if (type[slot] != BodyType.DYNAMIC) {
+            return 0;
+        }
+        double vx = velocityX[slot];
+        double vy = velocityY[slot];
+        double w = spin[slot];
+        return (mass[slot] * (vx * vx + vy * vy) + inertia[slot] * w * w) / 2;
+    }
+
+    private double[] declared(double[] column, boolean isDeclared) {
+        if (!isDeclared) {
+            return null;
+        }
+        return column != null ? column : new double[type.length];
+    }
+
+    private void grow(int capacity) {
+        type = Arrays.copyOf(type, capacity);
+        shape = Arrays.copyOf(shape, capacity);
+        material = Arrays.copyOf(material, capacity);
+        group = Arrays.copyOf(group, capacity);
+        leaf = Arrays.copyOf(leaf, capacity);
+        firstPair = Arrays.copyOf(firstPair, capacity);
+        awake = Arrays.copyOf(awake, capacity);
+        growStated(capacity);
+        growMotion(capacity);
+        growMass(capacity);
+        growFixture(capacity);
+        growRest(capacity);
+        growDeclared(capacity);
+    }
+
+    private void growStated(int capacity) {
+        gravityScale = Arrays.copyOf(gravityScale, capacity);
+        statedMass = Arrays.copyOf(statedMass, capacity);
+        statedInertia = Arrays.copyOf(statedInertia, capacity);
+        friction = Arrays.copyOf(friction, capacity);
+        elasticity = Arrays.copyOf(elasticity, capacity);
+        boundingRadius = Arrays.copyOf(boundingRadius, capacity);
+        smallestWidth = Arrays.copyOf(smallestWidth, capacity);
+    }
+
+    private void growMotion(int capacity) {
+        x = Arrays.copyOf(x, capacity);
+        y = Arrays.copyOf(y, capacity);
+        angle = Arrays.copyOf(angle, capacity);
+        cos = Arrays.copyOf(cos, capacity);
+        sin = Arrays.copyOf(sin, capacity);
+        velocityX = Arrays.copyOf(velocityX, capacity);
+        velocityY = Arrays.copyOf(velocityY, capacity);
+        spin = Arrays.copyOf(spin, capacity);
+        accelerationX = Arrays.copyOf(accelerationX, capacity);
+        accelerationY = Arrays.copyOf(accelerationY, capacity);
+        angularAcceleration = Arrays.copyOf(angularAcceleration, capacity);
+    }
+
+    private void growMass(int capacity) {
+        mass = Arrays.copyOf(mass, capacity);
+        inertia = Arrays.copyOf(inertia, capacity);
+        inverseMass = Arrays.copyOf(inverseMass, capacity);
+        inverseInertia = Arrays.copyOf(inverseInertia, capacity);
+    }
+
+    private void growFixture(int capacity) {
+        fixtureMinX = Arrays.copyOf(fixtureMinX, capacity);
+        fixtureMinY = Arrays.copyOf(fixtureMinY, capacity);
+        fixtureMaxX = Arrays.copyOf(fixtureMaxX, capacity);
+        fixtureMaxY = Arrays.copyOf(fixtureMaxY, capacity);
+    }
+
+    private void growRest(int capacity) {
+        stillTime = Arrays.copyOf(stillTime, capacity);
+        stillX = Arrays.copyOf(stillX, capacity);
+        stillY = Arrays.copyOf(stillY, capacity);
+        stillAngle = Arrays.copyOf(stillAngle, capacity);
+    }
+
+    private void growDeclared(int capacity) {
+        forceX = grown(forceX, capacity);
+        forceY = grown(forceY, capacity);
+        torque = grown(torque, capacity);
+        rollingResistance = grown(rollingResistance, capacity);
+        drag = grown(drag, capacity);
+    }
+
+    private static double[] grown(double[] column, int capacity) {
+        return column == null ? null : Arrays.copyOf(column, capacity);
+    }
+}

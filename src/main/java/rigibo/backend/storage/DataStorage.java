@@ -1,0 +1,18 @@
+package rigibo.backend.storage;
+
+import rigibo.backend.effect.Effects;
+
+/** All live state of a pool: the columns of bodies and pairs, and what a step counts. */
+public final class DataStorage {
+
+    public final Bodies bodies;
+    public final Pairs pairs = new Pairs();
+    public final Roster roster = new Roster();
+    public final Islands islands = new Islands();
+    public final Counters counters = new Counters();
+
+    /** Storage with the columns that a set of effects needs. */
+    public DataStorage(Effects effects) {
+        bodies = new Bodies(effects);
+    }
+}

@@ -1,0 +1,32 @@
+package rigibo.backend.storage;
+
+import java.util.Arrays;
+
+/**
+ * The islands of this step: groups of piled bodies that touch each other, with their pairs. Island
+ * i holds {@code bodies[bodyStart[i] .. bodyStart[i + 1]]} and {@code pairs[pairStart[i] .. ]}.
+ */
+public final class Islands {
+
+    public int count;
+    public int[] bodyStart = new int[17];
+    public int[] pairStart = new int[17];
+    public int[] bodies = new int[16];
+    public int[] pairs = new int[16];
+
+    /** Makes room; contents are to be written anew. */
+    public void reserve(int islands, int bodyCount, int pairCount) {
+        if (bodyStart.length <= islands) {
+            bodyStart = new int[Math.max(islands + 1, 2 * bodyStart.length)];
+            pairStart = new int[bodyStart.length];
+        }
+        if (bodies.length < bodyCount) {
+            bodies = new int[Math.max(bodyCount, 2 * bodies.length)];
+        }
+        if (pairs.length < pairCount) {
+            pairs = new int[Math.max(pairCount, 2 * pairs.length)];
+        }
+        Arrays.fill(bodyStart, 0, islands + 1, 0);
+        Arrays.fill(pairStart, 0, islands + 1, 0);
+    }
+}

@@ -1,0 +1,177 @@
+package rigibo.backend.storage;
+
+import java.util.Arrays;
+
+/**
+ * Columns of the candidate pairs: two bodies whose size fixtures overlap, and what is known of the
+ * contact between them. Body A always has the lower slot. A pair sits in the lists of both its
+ * bodies; columns of two values per pair are indexed {@code 2 * pair + point}.
+ */
+public final class Pairs {
+
+    /** Ends a list. */
+    public static final int NONE = -1;
+
+    private static final int FIRST_CAPACITY = 64;
+
+    public final Slots slots = new Slots();
+    public final PairIndex index = new PairIndex();
+
+    /** Slots of the two bodies; {@link #NONE} in A marks an empty slot. */
+    public int[] bodyA = new int[FIRST_CAPACITY];
+
+    public int[] bodyB = new int[FIRST_CAPACITY];
+
+    /** Links of the two lists the pair is in, at 2·pair for A's and 2·pair + 1 for B's. */
+    public int[] next = new int[2 * FIRST_CAPACITY];
+
+    public int[] previous = new int[2 * FIRST_CAPACITY];
+
+    /** Unit normal from A to B, and 0, 1 or 2 points of contact. */
+    public double[] normalX = new double[FIRST_CAPACITY];
+
+    public double[] normalY = new double[FIRST_CAPACITY];
+    public int[] points = new int[FIRST_CAPACITY];
+
+    /** Per point: world place and gap in m (negative in overlap), and the id of its features. */
+    public double[] pointX = new double[2 * FIRST_CAPACITY];
+
+    public double[] pointY = new double[2 * FIRST_CAPACITY];
+    public double[] separation = new double[2 * FIRST_CAPACITY];
+    public int[] feature = new int[2 * FIRST_CAPACITY];
+
+    /** Per point: the force (N) that held at the end of the last step; starts the next one. */
+    public double[] normalForce = new double[2 * FIRST_CAPACITY];
+
+    /** Friction force (N) and rolling torque (N·m) that held at the end of the last step. */
+    public double[] frictionForce = new double[FIRST_CAPACITY];
+
+    public double[] rollingTorque = new double[FIRST_CAPACITY];
+
+    /** Mixed from the two materials. */
+    public double[] friction = new double[FIRST_CAPACITY];
+
+    public double[] elasticity = new double[FIRST_CAPACITY];
+
+    /** Normal impulse of the last step, impacts included, N·s. */
+    public double[] impulse = new double[FIRST_CAPACITY];
+
+    /** Impacts of the pair in this step. */
+    public int[] impacts = new int[FIRST_CAPACITY];
+
+    /** Whether the pair presses without bouncing: part of a pile. */
+    public boolean[] resting = new boolean[FIRST_CAPACITY];
+
+    /** Whether the pair touched in this step and in the one before. */
+    public boolean[] touching = new boolean[FIRST_CAPACITY];
+
+    public boolean[] touchedBefore = new boolean[FIRST_CAPACITY];
+
+    /** A new pair of bodies {@code a < b}, linked into both their lists, without contact. */
+    public int add(Bodies bodies, int a, int b) {
+        int pair = slots.take();
+        if (pair == bodyA.length) {
+            grow(2 * pair);
+        }
+        bodyA[pair] = a;
+        bodyB[pair] = b;
+        link(bodies, pair, 0, a);
+        link(bodies, pair, 1, b);
+        index.put(a, b, pair);
+        clear(pair);
+        mix(bodies, pair);
+        return pair;
+    }
+
+    /** Takes a pair out of both lists. */
+    public void remove(Bodies bodies, int pair) {
+        unlink(bodies, pair, 0, bodyA[pair]);
+        unlink(bodies, pair, 1, bodyB[pair]);
+        index.remove(bodyA[pair], bodyB[pair]);
+        bodyA[pair] = NONE;
+        slots.giveBack(pair);
+    }
+
+    /** The next pair in the list of a body that is in this pair, or {@link #NONE}. */
+    public int nextOf(int pair, int body) {
+        return next[2 * pair + (bodyA[pair] == body ? 0 : 1)];
+    }
+
+    /** The other body of the pair. */
+    public int other(int pair, int body) {
+        return bodyA[pair] == body ? bodyB[pair] : bodyA[pair];
+    }
+
+    /** Mixes friction √(μaμb) and elasticity max(ea, eb) anew from the bodies' columns. */
+    public void mix(Bodies bodies, int pair) {
+        int a = bodyA[pair];
+        int b = bodyB[pair];
+        friction[pair] = Math.sqrt(bodies.friction[a] * bodies.friction[b]);
+        elasticity[pair] = Math.max(bodies.elasticity[a], bodies.elasticity[b]);
+    }
+
+    /** Forgets all that is known of the contact. */
+    public void clear(int pair) {
+        points[pair] = 0;
+        normalForce[2 * pair] = 0;
+        normalForce[2 * pair + 1] = 0;
+        frictionForce[pair] = 0;
+        rollingTorque[pair] = 0;
+        impulse[pair] = 0;
+        impacts[pair] = 0;
+        resting[pair] = false;
+        touching[pair] = false;
+        touchedBefore[pair] = false;
+    }
+
+    private void link(Bodies bodies, int pair, int side, int body) {
+        int first = bodies.firstPair[body];
+        next[2 * pair + side] = first;
+        previous[2 * pair + side] = NONE;
+        if (first != NONE) {
+            previous[2 * first + sideOf(first, body)] = pair;
+        }
+        bodies.firstPair[body] = pair;
+    }
+
+    private void unlink(Bodies bodies, int pair, int side, int body) {
+        int before = previous[2 * pair + side];
+        int after = next[2 * pair + side];
+        if (before == NONE) {
+            bodies.firstPair[body] = after;
+        } else {
+            next[2 * before + sideOf(before, body)] = after;
+        }
+        if (after != NONE) {
+            previous[2 * after + sideOf(after, body)] = before;
+        }
+    }
+
+    private int sideOf(int pair, int body) {
+        return bodyA[pair] == body ? 0 : 1;
+    }
+
+    private void grow(int capacity) {
+        bodyA = Arrays.copyOf(bodyA, capacity);
+        bodyB = Arrays.copyOf(bodyB, capacity);
+        next = Arrays.copyOf(next, 2 * capacity);
+        previous = Arrays.copyOf(previous, 2 * capacity);
+        normalX = Arrays.copyOf(normalX, capacity);
+        normalY = Arrays.copyOf(normalY, capacity);
+        points = Arrays.copyOf(points, capacity);
+        pointX = Arrays.copyOf(pointX, 2 * capacity);
+        pointY = Arrays.copyOf(pointY, 2 * capacity);
+        separation = Arrays.copyOf(separation, 2 * capacity);
+        feature = Arrays.copyOf(feature, 2 * capacity);
+        normalForce = Arrays.copyOf(normalForce, 2 * capacity);
+        frictionForce = Arrays.copyOf(frictionForce, capacity);
+        rollingTorque = Arrays.copyOf(rollingTorque, capacity);
+        friction = Arrays.copyOf(friction, capacity);
+        elasticity = Arrays.copyOf(elasticity, capacity);
+        impulse = Arrays.copyOf(impulse, capacity);
+        impacts = Arrays.copyOf(impacts, capacity);
+        resting = Arrays.copyOf(resting, capacity);
+        touching = Arrays.copyOf(touching, capacity);
+        touchedBefore = Arrays.copyOf(touchedBefore, capacity);
+    }
+}
