@@ -1,0 +1,47 @@
+package rigibo;
+
+import picocli.CommandLine;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.HelpCommand;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+
+import java.io.PrintWriter;
+
+/** The game's command line: one subcommand for each thing that can be started. */
+@Command(
+        name = "rigibo",
+        description = "A desktop physics puzzle on an engine of its own.",
+        subcommands = {
+            PlayCommand.class,
+            TourCommand.class,
+            LevelsCommand.class,
+            HelpCommand.class
+        })
+public final class Main implements Runnable {
+    @Spec private CommandSpec spec;
+
+    /**
+     * Runs the command and ends the process with its exit code: 0 when it did what was asked, 1
+     * when it failed, 2 when the command was not understood.
+     */
+    public static void main(String[] arguments) {
+        System.exit(
+                run(
+                        new PrintWriter(System.out, true),
+                        new PrintWriter(System.err, true),
+                        arguments));
+    }
+
+    /** Runs the command, printing to {@code out} and {@code err}; returns the exit code. */
+    static int run(PrintWriter out, PrintWriter err, String... arguments) {
+        return new CommandLine(new Main()).setOut(out).setErr(err).execute(arguments);
+    }
+
+    /** No command at all: says which there are. */
+    @Override
+    public void run() {
+        throw new ParameterException(spec.commandLine(), "Which command?");
+    }
+}

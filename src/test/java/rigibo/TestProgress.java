@@ -1,0 +1,90 @@
+package rigibo;
+
+import org.junit.platform.engine.TestExecutionResult;
+import org.junit.platform.engine.support.descriptor.ClassSource;
+import org.junit.platform.launcher.TestExecutionListener;
+import org.junit.platform.launcher.TestIdentifier;
+import org.junit.platform.launcher.TestPlan;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+
+/**
+ * Prints one line for each test class while the tests run, and at their end writes {@code passed
+ * failed} to the file that the property {@code rigibo.test.counts} names, for the start script.
+ */
+public final class TestProgress implements TestExecutionListener {
+    private int passed;
+    private int failed;
+    private int passedBefore;
+    private int failedBefore;
+    private long classStart;
+
+    @Override
+    public void executionStarted(TestIdentifier identifier) {
+        if (isTopLevelClass(identifier)) {
+            passedBefore = passed;
+            failedBefore = failed;
+            classStart = System.nanoTime();
+        }
+    }
+
+    @Override
+    public void executionFinished(TestIdentifier identifier, TestExecutionResult result) {
+        count(identifier, result);
+        if (isTopLevelClass(identifier)) {
+            printClass(identifier);
+        }
+    }
+
+    /** A class or container that fails by itself (its set-up, say) counts as one failure too. */
+    private void count(TestIdentifier identifier, TestExecutionResult result) {
+        switch (result.getStatus()) {
+            case SUCCESSFUL -> passed += identifier.isTest() ? 1 : 0;
+            case FAILED -> {
+                failed++;
+                System.out.println("  FAILED " + identifier.getLegacyReportingName());
+            }
+            case ABORTED ->
+                    System.out.println(
+                            "  passed over "
+                                    + identifier.getLegacyReportingName()
+                                    + ": "
+                                    + result.getThrowable().map(Throwable::getMessage).orElse(""));
+        }
+    }
+
+    private void printClass(TestIdentifier identifier) {
+        int failures = failed - failedBefore;
+        System.out.printf(
+                "  %-60s %4d passed%s %6.1f s%n",
+                identifier.getLegacyReportingName(),
+                passed - passedBefore,
+                failures == 0 ? "" : ", " + failures + " failed,",
+                (System.nanoTime() - classStart) * 1e-9);
+    }
+
+    @Override
+    public void testPlanExecutionFinished(TestPlan plan) {
+        String file = System.getProperty("rigibo.test.counts");
+        if (file == null) {
+            return;
+        }
+        try {
+            Files.writeString(Path.of(file), passed + " " + failed + "\n");
+        } catch (IOException cause) {
+            throw new UncheckedIOException(cause);
+        }
+    }
+
+    private static boolean isTopLevelClass(TestIdentifier identifier) {
+        return identifier
+                .getSource()
+                .filter(ClassSource.class::isInstance)
+                .map(source -> ((ClassSource) source).getClassName())
+                .filter(name -> name.indexOf('$') < 0)
+                .isPresent();
+    }
+}
