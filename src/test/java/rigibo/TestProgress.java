@@ -2,6 +2,7 @@ package rigibo;
 
 import org.junit.platform.engine.TestExecutionResult;
 import org.junit.platform.engine.support.descriptor.ClassSource;
+import org.junit.platform.engine.support.descriptor.MethodSource;
 import org.junit.platform.launcher.TestExecutionListener;
 import org.junit.platform.launcher.TestIdentifier;
 import org.junit.platform.launcher.TestPlan;
@@ -39,21 +40,24 @@ public final class TestProgress implements TestExecutionListener {
         }
     }
 
-    /** A class or container that fails by itself (its set-up, say) counts as one failure too. */
+    /** A class that fails by itself, in its set-up say, counts as one failure too. */
     private void count(TestIdentifier identifier, TestExecutionResult result) {
         switch (result.getStatus()) {
             case SUCCESSFUL -> passed += identifier.isTest() ? 1 : 0;
             case FAILED -> {
                 failed++;
-                System.out.println("  FAILED " + identifier.getLegacyReportingName());
+                System.out.println("  FAILED " + nameOf(identifier));
             }
-            case ABORTED ->
-                    System.out.println(
-                            "  passed over "
-                                    + identifier.getLegacyReportingName()
-                                    + ": "
-                                    + result.getThrowable().map(Throwable::getMessage).orElse(""));
+            case ABORTED -> {
+                String reason = result.getThrowable().map(Throwable::getMessage).orElse("");
+                executionSkipped(identifier, reason);
+            }
         }
+    }
+
+    @Override
+    public void executionSkipped(TestIdentifier identifier, String reason) {
+        System.out.println("  passed over " + nameOf(identifier) + ": " + reason);
     }
 
     private void printClass(TestIdentifier identifier) {
@@ -77,6 +81,15 @@ public final class TestProgress implements TestExecutionListener {
         } catch (IOException cause) {
             throw new UncheckedIOException(cause);
         }
+    }
+
+    private static String nameOf(TestIdentifier identifier) {
+        String name = identifier.getLegacyReportingName();
+        return identifier
+                .getSource()
+                .filter(MethodSource.class::isInstance)
+                .map(source -> ((MethodSource) source).getClassName() + ": " + name)
+                .orElse(name);
     }
 
     private static boolean isTopLevelClass(TestIdentifier identifier) {
