@@ -3,10 +3,10 @@ package rigibo.backend;
 import rigibo.backend.broadphase.Broadphase;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Rotation;
-import rigibo.backend.effect.Thrust;
+import rigibo.backend.geometry.Angle;
 import rigibo.backend.geometry.MassProperties;
 import rigibo.backend.geometry.Shape;
-import rigibo.backend.rest.Waking;
+import rigibo.backend.geometry.ShapeKind;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.BodyType;
 import rigibo.backend.setup.Material;
@@ -15,8 +15,11 @@ import rigibo.backend.step.StepPlan;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.Pairs;
+import rigibo.backend.storage.Waking;
 
-/** Changes bodies between steps: every edit is checked first, then made, and wakes what it may move. */
+/**
+ * Changes bodies between steps: every edit is checked first, then made, and wakes what it may move.
+ */
 final class BodyEditor {
 
     private final DataStorage data;
@@ -82,6 +85,7 @@ final class BodyEditor {
         requireMovable(slot, "velocity", vx != 0 || vy != 0);
         bodies.velocityX[slot] = vx;
         bodies.velocityY[slot] = vy;
+        data.roster.isStale = true;
         waking.wake(slot);
     }
 
@@ -90,6 +94,7 @@ final class BodyEditor {
         Require.within("RigidBody.spin", radiansPerSecond, -most, most, "rad/s");
         requireMovable(slot, "spin", radiansPerSecond != 0);
         bodies.spin[slot] = radiansPerSecond;
+        data.roster.isStale = true;
         waking.wake(slot);
     }
 
@@ -188,8 +193,8 @@ final class BodyEditor {
         bodies.x[slot] = x;
         bodies.y[slot] = y;
         bodies.angle[slot] = angle;
-        bodies.cos[slot] = StrictMath.cos(angle);
-        bodies.sin[slot] = StrictMath.sin(angle);
+        bodies.cos[slot] = Angle.cos(angle);
+        bodies.sin[slot] = Angle.sin(angle);
         bodies.restartStillness(slot);
     }
 
@@ -197,6 +202,7 @@ final class BodyEditor {
         bodies.shape[slot] = shape;
         bodies.boundingRadius[slot] = shape.boundingRadius();
         bodies.smallestWidth[slot] = shape.smallestWidth();
+        bodies.sweepRadius[slot] = shape.kind() == ShapeKind.CIRCLE ? 0 : shape.boundingRadius();
     }
 
     private void writeMaterial(int slot, Material material) {

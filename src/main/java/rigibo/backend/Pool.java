@@ -1,11 +1,5 @@
 package rigibo.backend;
 
-import java.util.ArrayList;
-import java.util.Collections;
-import java.util.List;
-import java.util.Optional;
-import java.util.function.Consumer;
-import java.util.function.LongSupplier;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.geometry.Aabb;
 import rigibo.backend.setup.Accuracy;
@@ -14,6 +8,13 @@ import rigibo.backend.setup.Require;
 import rigibo.backend.step.StepPlan;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
+import java.util.function.LongSupplier;
 
 /**
  * A world of rigid bodies. It manages all bodies, their dynamics and every query about them. The
@@ -198,7 +199,9 @@ public final class Pool {
         return queries.rayCast(fromX, fromY, toX, toY);
     }
 
-    /** Hands every body whose shape reaches into a box to a visitor, in the order of their slots. */
+    /**
+     * Hands every body whose shape reaches into a box to a visitor, in the order of their slots.
+     */
     public void overlapping(Aabb box, Consumer<RigidBody> visitor) {
         Require.present("Pool.overlapping box", box);
         queries.overlapping(box).forEach(visitor);
@@ -234,7 +237,9 @@ public final class Pool {
         return totals.angularMomentum();
     }
 
-    /** What changes a body; refuses bodies of other pools, removed ones, and calls within a step. */
+    /**
+     * What changes a body; refuses bodies of other pools, removed ones, and calls within a step.
+     */
     BodyEditor editor(RigidBody body) {
         own(body);
         requireBetweenSteps("change a body");

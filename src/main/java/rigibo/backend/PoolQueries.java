@@ -1,13 +1,14 @@
 package rigibo.backend;
 
-import java.util.ArrayList;
-import java.util.List;
-import java.util.Optional;
 import rigibo.backend.broadphase.Broadphase;
 import rigibo.backend.geometry.Aabb;
 import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.PairIndex;
 import rigibo.backend.storage.Pairs;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
 
 /** Answers questions about a pool between steps. */
 final class PoolQueries {

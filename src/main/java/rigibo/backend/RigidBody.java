@@ -7,9 +7,9 @@ import rigibo.backend.setup.Require;
 import rigibo.backend.storage.Bodies;
 
 /**
- * A handle on one body of a {@link Pool}. Readers tell its state now; verbs change it between
- * steps and wake it. Once the body is removed, everything but {@link #isAlive}, {@link #name} and
- * {@link #toString} throws {@link IllegalStateException}.
+ * A handle on one body of a {@link Pool}. Readers tell its state now; verbs change it between steps
+ * and wake it. Once the body is removed, everything but {@link #isAlive}, {@link #name} and {@link
+ * #toString} throws {@link IllegalStateException}.
  */
 public final class RigidBody {
 

@@ -1,19 +1,226 @@
 package rigibo.backend.broadphase;
 
+import rigibo.backend.geometry.Aabb;
+import rigibo.backend.setup.BodyType;
+import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.PairIndex;
+import rigibo.backend.storage.Pairs;
+import rigibo.backend.storage.Roster;
 
-/** Size fixtures and candidate pairs. */
+/**
+ * Lays size fixtures and finds the pairs whose fixtures overlap. A fixture is the body's bounds
+ * over the step to come plus a margin, and is laid anew only when the body is about to leave it.
+ */
 public final class Broadphase {
 
-    public Broadphase(DataStorage data) {}
+    /**
+     * Margin round a fixture as a share of the body's bounding radius: fewer refits, more pairs.
+     */
+    private static final double MARGIN = 0.1;
 
-    public void add(int slot) {}
+    private final Bodies bodies;
+    private final Pairs pairs;
+    private final Roster roster;
+    private final FixtureTree tree = new FixtureTree();
+    private final Found found = new Found();
+    private final Aabb swept = new Aabb();
 
-    public void remove(int slot) {}
+    /** Bodies whose fixture was laid anew since pairs were last sought. */
+    private final Found moved = new Found();
 
-    public void refit(int slot) {}
+    /** A broadphase over the bodies of a storage. */
+    public Broadphase(DataStorage data) {
+        bodies = data.bodies;
+        pairs = data.pairs;
+        roster = data.roster;
+    }
 
-    public void forgetContacts(int slot) {}
+    /** Lays the first fixture of a new body. */
+    public void add(int slot) {
+        sweep(slot, 0);
+        writeFixture(slot);
+        bodies.leaf[slot] =
+                tree.insert(
+                        slot,
+                        bodies.fixtureMinX[slot],
+                        bodies.fixtureMinY[slot],
+                        bodies.fixtureMaxX[slot],
+                        bodies.fixtureMaxY[slot]);
+        moved.add(slot);
+    }
 
-    public void forgetPairs(int slot) {}
+    /** Takes a body out, with its pairs. */
+    public void remove(int slot) {
+        forgetPairs(slot);
+        tree.remove(bodies.leaf[slot]);
+    }
+
+    /** Lays the fixture of a body that was placed or shaped anew. */
+    public void refit(int slot) {
+        sweep(slot, 0);
+        lay(slot);
+    }
+
+    /** Forgets what is known of a body's contacts: it is somewhere else now. */
+    public void forgetContacts(int slot) {
+        for (int p = bodies.firstPair[slot]; p != Pairs.NONE; p = pairs.nextOf(p, slot)) {
+            pairs.clear(p);
+        }
+    }
+
+    /** Drops all pairs of a body. */
+    public void forgetPairs(int slot) {
+        while (bodies.firstPair[slot] != Pairs.NONE) {
+            pairs.remove(bodies, bodies.firstPair[slot]);
+        }
+    }
+
+    /** Stage 3: fixtures for a step of {@code dt} seconds, and the pairs they make. */
+    public void update(double dt) {
+        for (int i = 0; i < roster.awakeCount; i++) {
+            cover(roster.awake[i], dt);
+        }
+        moved.sort();
+        for (int i = 0; i < moved.count; i++) {
+            if (bodies.type[moved.numbers[i]] != null) {
+                dropPairsApart(moved.numbers[i]);
+                findPairs(moved.numbers[i]);
+            }
+        }
+        moved.clear();
+    }
+
+    /**
+     * Within a step: a body's path changed, so its fixture has to cover what is left of the step in
+     * s. Pairs it comes upon become active.
+     */
+    public void follow(int slot, double left) {
+        int before = moved.count;
+        cover(slot, left);
+        if (moved.count > before) {
+            moved.count = before;
+            findPairs(slot);
+            for (int p = bodies.firstPair[slot]; p != Pairs.NONE; p = pairs.nextOf(p, slot)) {
+                pairs.activate(p);
+            }
+        }
+    }
+
+    /** The slots of all bodies whose fixture reaches into a box in m, ascending. */
+    public Found query(Aabb box) {
+        found.clear();
+        tree.query(box.minX, box.minY, box.maxX, box.maxY, found);
+        found.sort();
+        return found;
+    }
+
+    private void cover(int slot, double dt) {
+        sweep(slot, dt);
+        if (!(swept.minX >= bodies.fixtureMinX[slot]
+                && swept.minY >= bodies.fixtureMinY[slot]
+                && swept.maxX <= bodies.fixtureMaxX[slot]
+                && swept.maxY <= bodies.fixtureMaxY[slot])) {
+            lay(slot);
+        }
+    }
+
+    /**
+     * Bounds over the way of the next dt seconds; a body that turns may reach as far as its radius.
+     */
+    private void sweep(int slot, double dt) {
+        double x = bodies.x[slot];
+        double y = bodies.y[slot];
+        double turned = Math.abs(bodies.spin[slot]) * dt * bodies.sweepRadius[slot];
+        bodies.shape[slot].bounds(x, y, bodies.cos[slot], bodies.sin[slot], swept);
+        double radius = bodies.boundingRadius[slot];
+        swept.minX = Math.max(swept.minX - turned, x - radius);
+        swept.minY = Math.max(swept.minY - turned, y - radius);
+        swept.maxX = Math.min(swept.maxX + turned, x + radius);
+        swept.maxY = Math.min(swept.maxY + turned, y + radius);
+        stretch(
+                way(bodies.velocityX[slot], bodies.accelerationX[slot], dt, -1),
+                way(bodies.velocityX[slot], bodies.accelerationX[slot], dt, 1),
+                way(bodies.velocityY[slot], bodies.accelerationY[slot], dt, -1),
+                way(bodies.velocityY[slot], bodies.accelerationY[slot], dt, 1));
+    }
+
+    /** A bound on the way towards a sign of the axis: with and without the acceleration. */
+    private static double way(double velocity, double acceleration, double dt, int sign) {
+        double plain = sign * dt * velocity;
+        double pulled = plain + sign * dt * dt * acceleration / 2;
+        return Math.max(0, Math.max(plain, pulled));
+    }
+
+    private void stretch(double west, double east, double south, double north) {
+        swept.minX -= west;
+        swept.maxX += east;
+        swept.minY -= south;
+        swept.maxY += north;
+    }
+
+    private void lay(int slot) {
+        writeFixture(slot);
+        tree.move(
+                bodies.leaf[slot],
+                bodies.fixtureMinX[slot],
+                bodies.fixtureMinY[slot],
+                bodies.fixtureMaxX[slot],
+                bodies.fixtureMaxY[slot]);
+        moved.add(slot);
+    }
+
+    /** A static body's fixture is its bounds; others have a margin. */
+    private void writeFixture(int slot) {
+        double margin =
+                bodies.type[slot] == BodyType.STATIC ? 0 : MARGIN * bodies.boundingRadius[slot];
+        bodies.fixtureMinX[slot] = swept.minX - margin;
+        bodies.fixtureMinY[slot] = swept.minY - margin;
+        bodies.fixtureMaxX[slot] = swept.maxX + margin;
+        bodies.fixtureMaxY[slot] = swept.maxY + margin;
+    }
+
+    private void dropPairsApart(int slot) {
+        int p = bodies.firstPair[slot];
+        while (p != Pairs.NONE) {
+            int after = pairs.nextOf(p, slot);
+            if (!fixturesOverlap(slot, pairs.other(p, slot))) {
+                pairs.remove(bodies, p);
+            }
+            p = after;
+        }
+    }
+
+    private void findPairs(int slot) {
+        found.clear();
+        tree.query(
+                bodies.fixtureMinX[slot],
+                bodies.fixtureMinY[slot],
+                bodies.fixtureMaxX[slot],
+                bodies.fixtureMaxY[slot],
+                found);
+        found.sort();
+        for (int i = 0; i < found.count; i++) {
+            pair(slot, found.numbers[i]);
+        }
+    }
+
+    private void pair(int slot, int other) {
+        int a = Math.min(slot, other);
+        int b = Math.max(slot, other);
+        boolean collide =
+                a != b
+                        && (bodies.isDynamic(a) || bodies.isDynamic(b))
+                        && (bodies.group[a] == 0 || bodies.group[a] != bodies.group[b]);
+        if (collide && pairs.index.find(a, b) == PairIndex.ABSENT) {
+            pairs.add(bodies, a, b);
+        }
+    }
+
+    private boolean fixturesOverlap(int a, int b) {
+        return bodies.fixtureMinX[a] <= bodies.fixtureMaxX[b]
+                && bodies.fixtureMinX[b] <= bodies.fixtureMaxX[a]
+                && bodies.fixtureMinY[a] <= bodies.fixtureMaxY[b]
+                && bodies.fixtureMinY[b] <= bodies.fixtureMaxY[a];
+    }
 }

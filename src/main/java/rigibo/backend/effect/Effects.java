@@ -1,10 +1,11 @@
 package rigibo.backend.effect;
 
+import rigibo.backend.setup.Require;
+
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
-import rigibo.backend.setup.Require;
 
 /** The declared set of effects of a pool: at most one of each, and none without what it needs. */
 public final class Effects {
@@ -115,7 +116,10 @@ public final class Effects {
     private void require(Effect effect, Class<? extends Effect> companion) {
         if (!declares(companion)) {
             throw new IllegalArgumentException(
-                    name(effect.getClass()) + " needs " + name(companion) + ", which is not declared");
+                    name(effect.getClass())
+                            + " needs "
+                            + name(companion)
+                            + ", which is not declared");
         }
     }
 

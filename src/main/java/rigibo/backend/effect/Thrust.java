@@ -1,4 +1,7 @@
 package rigibo.backend.effect;
 
-/** Forces and torques applied by the caller; without it {@code applyForce} and {@code applyTorque} throw. */
+/**
+ * Forces and torques applied by the caller; without it {@code applyForce} and {@code applyTorque}
+ * throw.
+ */
 public record Thrust() implements Effect {}

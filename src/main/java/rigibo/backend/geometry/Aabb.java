@@ -45,10 +45,7 @@ public final class Aabb {
 
     /** Whether the two boxes share a point; boxes that only touch do. */
     public boolean overlaps(Aabb other) {
-        return minX <= other.maxX
-                && other.minX <= maxX
-                && minY <= other.maxY
-                && other.minY <= maxY;
+        return minX <= other.maxX && other.minX <= maxX && minY <= other.maxY && other.minY <= maxY;
     }
 
     /** Whether a point (m) lies inside or on the edge. */

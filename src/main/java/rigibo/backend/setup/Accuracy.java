@@ -37,7 +37,7 @@ public record Accuracy(
                     ImpactSearch.ITP,
                     4,
                     Integrator.BALLISTIC,
-                    ContactSolver.BLOCK,
+                    ContactSolver.DIRECT,
                     Correction.SOFT);
 
     /** The game's: 4 substeps, impacts at their times within 0.1 mm. */
@@ -50,19 +50,19 @@ public record Accuracy(
                     ImpactSearch.ITP,
                     16,
                     Integrator.BALLISTIC,
-                    ContactSolver.BLOCK,
+                    ContactSolver.DIRECT,
                     Correction.SOFT);
 
     /** Measurable: 8 substeps, impacts within a micrometre. */
     public static final Accuracy FINE =
             GAME.withSubsteps(8).withImpactTolerance(1e-6).withMaxImpactsPerPair(32);
 
-    /** As good as doubles get: 16 substeps, impacts within a nanometre, small islands solved directly. */
+    /**
+     * As good as doubles get: 16 substeps, impacts within a nanometre, small islands solved
+     * directly.
+     */
     public static final Accuracy EXACT =
-            GAME.withSubsteps(16)
-                    .withImpactTolerance(1e-9)
-                    .withMaxImpactsPerPair(64)
-                    .withContactSolver(ContactSolver.DIRECT);
+            GAME.withSubsteps(16).withImpactTolerance(1e-9).withMaxImpactsPerPair(64);
 
     /**
      * Checks every knob.

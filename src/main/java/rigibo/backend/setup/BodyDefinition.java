@@ -76,10 +76,13 @@ public final class BodyDefinition {
         return next;
     }
 
-    /** The angle in rad, counter-clockwise; at most a million turns, where doubles resolve 1 nrad. */
+    /**
+     * The angle in rad, counter-clockwise; at most a million turns, where doubles resolve 1 nrad.
+     */
     public BodyDefinition angle(double radians) {
         BodyDefinition next = new BodyDefinition(this);
-        next.angle = Require.within("BodyDefinition.angle", radians, -MOST_ANGLE, MOST_ANGLE, "rad");
+        next.angle =
+                Require.within("BodyDefinition.angle", radians, -MOST_ANGLE, MOST_ANGLE, "rad");
         return next;
     }
 
@@ -91,10 +94,20 @@ public final class BodyDefinition {
      */
     public BodyDefinition velocity(double metresPerSecondX, double metresPerSecondY) {
         BodyDefinition next = new BodyDefinition(this);
-        next.velocityX = Require.within(
-                "BodyDefinition.velocityX", metresPerSecondX, -MOST_SPEED, MOST_SPEED, "m/s");
-        next.velocityY = Require.within(
-                "BodyDefinition.velocityY", metresPerSecondY, -MOST_SPEED, MOST_SPEED, "m/s");
+        next.velocityX =
+                Require.within(
+                        "BodyDefinition.velocityX",
+                        metresPerSecondX,
+                        -MOST_SPEED,
+                        MOST_SPEED,
+                        "m/s");
+        next.velocityY =
+                Require.within(
+                        "BodyDefinition.velocityY",
+                        metresPerSecondY,
+                        -MOST_SPEED,
+                        MOST_SPEED,
+                        "m/s");
         next.requireStill("velocity", metresPerSecondX != 0 || metresPerSecondY != 0);
         return next;
     }
@@ -102,8 +115,9 @@ public final class BodyDefinition {
     /** Angular velocity in rad/s, counter-clockwise; a static body's must be 0. */
     public BodyDefinition spin(double radiansPerSecond) {
         BodyDefinition next = new BodyDefinition(this);
-        next.spin = Require.within(
-                "BodyDefinition.spin", radiansPerSecond, -MOST_SPIN, MOST_SPIN, "rad/s");
+        next.spin =
+                Require.within(
+                        "BodyDefinition.spin", radiansPerSecond, -MOST_SPIN, MOST_SPIN, "rad/s");
         next.requireStill("spin", radiansPerSecond != 0);
         return next;
     }
@@ -132,16 +146,20 @@ public final class BodyDefinition {
     /** An inertia in kg·m² about the centre of mass in place of the shape's, positive. */
     public BodyDefinition inertia(double kilogramSquareMetres) {
         BodyDefinition next = new BodyDefinition(this);
-        next.inertia =
-                Require.positive("BodyDefinition.inertia", kilogramSquareMetres, "kg·m²");
+        next.inertia = Require.positive("BodyDefinition.inertia", kilogramSquareMetres, "kg·m²");
         return next;
     }
 
     /** A factor on the declared gravity: 0 floats, -1 rises. */
     public BodyDefinition gravityScale(double factor) {
         BodyDefinition next = new BodyDefinition(this);
-        next.gravityScale = Require.within(
-                "BodyDefinition.gravityScale", factor, -MOST_GRAVITY_SCALE, MOST_GRAVITY_SCALE, "no unit");
+        next.gravityScale =
+                Require.within(
+                        "BodyDefinition.gravityScale",
+                        factor,
+                        -MOST_GRAVITY_SCALE,
+                        MOST_GRAVITY_SCALE,
+                        "no unit");
         return next;
     }
 

@@ -6,6 +6,6 @@ public enum ContactSolver {
     SEQUENTIAL,
     /** Both points of a flat contact at once, contact after contact. */
     BLOCK,
-    /** Islands of up to 128 rows by one elimination, larger ones as {@link #BLOCK}. */
+    /** Islands of up to 192 rows by elimination, larger ones as {@link #BLOCK}. */
     DIRECT
 }

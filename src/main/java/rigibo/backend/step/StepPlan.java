@@ -1,48 +1,129 @@
 package rigibo.backend.step;
 
-import java.util.function.LongSupplier;
 import rigibo.backend.broadphase.Broadphase;
+import rigibo.backend.collision.Narrowphase;
+import rigibo.backend.contact.PileSolver;
+import rigibo.backend.effect.Contacts;
+import rigibo.backend.effect.ContinuousImpacts;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Gravity;
+import rigibo.backend.effect.Sleep;
+import rigibo.backend.effect.Thrust;
+import rigibo.backend.flight.Flight;
+import rigibo.backend.force.GravityKernel;
+import rigibo.backend.force.ThrustKernel;
+import rigibo.backend.rest.IslandBuilder;
+import rigibo.backend.rest.PileClassifier;
+import rigibo.backend.rest.Sleeping;
 import rigibo.backend.setup.Accuracy;
-import rigibo.backend.setup.BodyType;
-import rigibo.backend.storage.Bodies;
+import rigibo.backend.setup.ImpactMode;
+import rigibo.backend.setup.StepStage;
 import rigibo.backend.storage.DataStorage;
 
-/** The stages one step consists of. */
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.LongSupplier;
+
+/**
+ * The stages one step consists of, compiled from the declared effects and the accuracy: what is not
+ * declared is not on the list. Compiled anew only when either changes.
+ */
 public final class StepPlan {
 
     private final DataStorage data;
     private final Broadphase broadphase;
+    private final List<Part> parts = new ArrayList<>();
     private Effects effects;
     private Accuracy accuracy;
 
+    /** A plan for a pool's data. */
     public StepPlan(DataStorage data, Effects effects, Accuracy accuracy) {
         this.data = data;
         broadphase = new Broadphase(data);
         compile(effects, accuracy);
     }
 
-    public void compile(Effects effects, Accuracy accuracy) {
-        this.effects = effects;
-        this.accuracy = accuracy;
+    /** Lists the parts of a step anew. */
+    public void compile(Effects declared, Accuracy wanted) {
+        effects = declared;
+        accuracy = wanted;
+        parts.clear();
+        BodyLedger ledger = new BodyLedger(data);
+        add(StepStage.ACCEPT, "list the bodies that move", ledger::accept);
+        compileEffects(ledger);
+        if (declared.declares(Contacts.class)) {
+            compileContacts();
+        } else {
+            Flight flight = new Flight(data, new Narrowphase(data), broadphase, wanted);
+            add(StepStage.FLIGHT, "move every body along its exact path", flight::fly);
+        }
+        add(StepStage.REST, "move driven bodies", ledger::moveDriven);
+        declared.find(Sleep.class)
+                .ifPresent(
+                        sleep ->
+                                add(
+                                        StepStage.REST,
+                                        "put islands to sleep that stayed in place",
+                                        new Sleeping(data, sleep)::settle));
+        add(StepStage.REPORT, "put to rest what stopped being finite", ledger::quarantine);
     }
 
+    private void compileEffects(BodyLedger ledger) {
+        add(StepStage.EFFECTS, "begin with no acceleration", ledger::clearAccelerations);
+        effects.find(Gravity.class)
+                .ifPresent(
+                        gravity ->
+                                add(
+                                        StepStage.EFFECTS,
+                                        "gravity",
+                                        new GravityKernel(data, gravity)::accelerate));
+        if (effects.declares(Thrust.class)) {
+            add(StepStage.EFFECTS, "thrust", new ThrustKernel(data)::accelerate);
+        }
+        add(StepStage.EFFECTS, "refuse forces beyond all bounds", ledger::quarantine);
+    }
+
+    private void compileContacts() {
+        ImpactMode mode =
+                effects.declares(ContinuousImpacts.class)
+                        ? accuracy.impacts()
+                        : ImpactMode.DISCRETE;
+        Narrowphase narrowphase = new Narrowphase(data);
+        PileClassifier classifier = new PileClassifier(data, accuracy, mode);
+        Flight flight = new Flight(data, narrowphase, broadphase, accuracy);
+        add(StepStage.BROADPHASE, "size fixtures and candidate pairs", broadphase::update);
+        if (mode == ImpactMode.DISCRETE) {
+            add(StepStage.CLASSIFY, "manifolds of pairs that touch", dt -> narrowphase.collide(0));
+        } else {
+            add(StepStage.CLASSIFY, "manifolds of pairs that may touch", narrowphase::collide);
+        }
+        add(StepStage.CLASSIFY, "tell flyers from piles", classifier::classify);
+        if (mode == ImpactMode.EVENTS) {
+            add(
+                    StepStage.FLIGHT,
+                    "move flyers from impact to impact, in the order of time",
+                    flight::flyWithImpacts);
+        } else {
+            add(StepStage.FLIGHT, "move flyers along their exact paths", flight::fly);
+        }
+        IslandBuilder islands = new IslandBuilder(data);
+        add(StepStage.CONTACT, "group piled bodies into islands", dt -> islands.build());
+        add(
+                StepStage.CONTACT,
+                "solve piles in " + accuracy.substeps() + " substeps",
+                new PileSolver(data, accuracy)::solve);
+    }
+
+    /** Advances by {@code dt} seconds; the clock counts ns. */
     public void run(double dt, LongSupplier clock) {
         data.counters.clear();
-        data.roster.refresh(data.bodies);
-        Gravity gravity = effects.find(Gravity.class).orElse(new Gravity(0, 0));
-        Bodies b = data.bodies;
-        for (int i = 0; i < data.roster.awakeCount; i++) {
-            int s = data.roster.awake[i];
-            double g = b.type[s] == BodyType.DYNAMIC ? b.gravityScale[s] : 0;
-            b.x[s] += dt * (b.velocityX[s] + dt / 2 * g * gravity.x());
-            b.y[s] += dt * (b.velocityY[s] + dt / 2 * g * gravity.y());
-            b.velocityX[s] += dt * g * gravity.x();
-            b.velocityY[s] += dt * g * gravity.y();
-            b.angle[s] += dt * b.spin[s];
-            b.cos[s] = StrictMath.cos(b.angle[s]);
-            b.sin[s] = StrictMath.sin(b.angle[s]);
+        long before = clock.getAsLong();
+        for (int i = 0; i < parts.size(); i++) {
+            Part part = parts.get(i);
+            part.work.run(dt);
+            long after = clock.getAsLong();
+            data.counters.nanos[part.stage.ordinal()] += after - before;
+            before = after;
         }
     }
 
@@ -58,7 +139,22 @@ public final class StepPlan {
         return accuracy;
     }
 
+    /** The parts in words, a line each, under the stage they belong to. */
     public String describe() {
-        return "flight";
+        StringBuilder words = new StringBuilder();
+        for (Part part : parts) {
+            words.append(String.format("%-10s %s%n", part.stage, part.words));
+        }
+        return words.append("columns    ").append(data.bodies.declaredColumns()).toString();
+    }
+
+    private void add(StepStage stage, String words, Work work) {
+        parts.add(new Part(stage, words, work));
+    }
+
+    private record Part(StepStage stage, String words, Work work) {}
+
+    private interface Work {
+        void run(double dt);
     }
 }

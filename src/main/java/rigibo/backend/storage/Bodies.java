@@ -1,13 +1,15 @@
 package rigibo.backend.storage;
 
-import java.util.Arrays;
 import rigibo.backend.effect.Drag;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.RollingResistance;
 import rigibo.backend.effect.Thrust;
+import rigibo.backend.geometry.Angle;
 import rigibo.backend.geometry.Shape;
 import rigibo.backend.setup.BodyType;
 import rigibo.backend.setup.Material;
+
+import java.util.Arrays;
 
 /** Columns of the bodies, one slot each. A slot whose {@link #type} is null is empty. */
 public final class Bodies {
@@ -66,6 +68,9 @@ public final class Bodies {
 
     public double[] smallestWidth = new double[FIRST_CAPACITY];
 
+    /** How far turning moves the outline, m per rad: a disc's stays where it is. */
+    public double[] sweepRadius = new double[FIRST_CAPACITY];
+
     /** The size fixture, m, and its leaf in the broadphase. */
     public double[] fixtureMinX = new double[FIRST_CAPACITY];
 
@@ -85,7 +90,22 @@ public final class Bodies {
     public double[] stillY = new double[FIRST_CAPACITY];
     public double[] stillAngle = new double[FIRST_CAPACITY];
 
-    /** Of declared effects only, else null: N and N·m asked for, rolling lever in m, drag in 1/s. */
+    /**
+     * Where the step began, m and rad: what a body returns to when its state stops being finite.
+     */
+    public double[] startX = new double[FIRST_CAPACITY];
+
+    public double[] startY = new double[FIRST_CAPACITY];
+    public double[] startAngle = new double[FIRST_CAPACITY];
+
+    /** Whether the body is part of a pile in this step, and since when, s after its start. */
+    public boolean[] piled = new boolean[FIRST_CAPACITY];
+
+    public double[] pileTime = new double[FIRST_CAPACITY];
+
+    /**
+     * Of declared effects only, else null: N and N·m asked for, rolling lever in m, drag in 1/s.
+     */
     public double[] forceX;
 
     public double[] forceY;
@@ -98,14 +118,15 @@ public final class Bodies {
         declare(effects);
     }
 
-    /** Makes the columns of newly declared effects and drops those of effects no longer declared. */
+    /**
+     * Makes the columns of newly declared effects and drops those of effects no longer declared.
+     */
     public void declare(Effects effects) {
         boolean thrust = effects.declares(Thrust.class);
         forceX = declared(forceX, thrust);
         forceY = declared(forceY, thrust);
         torque = declared(torque, thrust);
-        rollingResistance =
-                declared(rollingResistance, effects.declares(RollingResistance.class));
+        rollingResistance = declared(rollingResistance, effects.declares(RollingResistance.class));
         drag = declared(drag, effects.declares(Drag.class));
     }
 
@@ -116,6 +137,22 @@ public final class Bodies {
             grow(2 * slot);
         }
         return slot;
+    }
+
+    /** Whether a body is dynamic. */
+    public boolean isDynamic(int slot) {
+        return type[slot] == BodyType.DYNAMIC;
+    }
+
+    /** Whether a body is kinematic and its velocity is not 0. */
+    public boolean isDriven(int slot) {
+        return type[slot] == BodyType.KINEMATIC
+                && (velocityX[slot] != 0 || velocityY[slot] != 0 || spin[slot] != 0);
+    }
+
+    /** Whether a step moves the body: awake and dynamic, or driven. */
+    public boolean isMoved(int slot) {
+        return isDynamic(slot) ? awake[slot] : isDriven(slot);
     }
 
     /** Empties a slot. */
@@ -136,6 +173,20 @@ public final class Bodies {
         }
     }
 
+    /** Turns a body by an angle in rad, counter-clockwise. */
+    public void turn(int slot, double radians) {
+        angle[slot] += radians;
+        cos[slot] = Angle.cos(angle[slot]);
+        sin[slot] = Angle.sin(angle[slot]);
+    }
+
+    /** Remembers the pose the step begins with. */
+    public void keepStart(int slot) {
+        startX[slot] = x[slot];
+        startY[slot] = y[slot];
+        startAngle[slot] = angle[slot];
+    }
+
     /** Begins to measure anew how long the body stays where it is. */
     public void restartStillness(int slot) {
         stillTime[slot] = 0;
@@ -153,6 +204,14 @@ public final class Bodies {
         double vy = velocityY[slot];
         double w = spin[slot];
         return (mass[slot] * (vx * vx + vy * vy) + inertia[slot] * w * w) / 2;
+    }
+
+    /** Names of the columns that only declared effects need. */
+    public String declaredColumns() {
+        return "pose, motion, mass, fixture"
+                + (forceX == null ? "" : ", force")
+                + (rollingResistance == null ? "" : ", rolling resistance")
+                + (drag == null ? "" : ", drag");
     }
 
     private double[] declared(double[] column, boolean isDeclared) {
@@ -186,6 +245,7 @@ public final class Bodies {
         elasticity = Arrays.copyOf(elasticity, capacity);
         boundingRadius = Arrays.copyOf(boundingRadius, capacity);
         smallestWidth = Arrays.copyOf(smallestWidth, capacity);
+        sweepRadius = Arrays.copyOf(sweepRadius, capacity);
     }
 
     private void growMotion(int capacity) {
@@ -221,6 +281,11 @@ public final class Bodies {
         stillX = Arrays.copyOf(stillX, capacity);
         stillY = Arrays.copyOf(stillY, capacity);
         stillAngle = Arrays.copyOf(stillAngle, capacity);
+        startX = Arrays.copyOf(startX, capacity);
+        startY = Arrays.copyOf(startY, capacity);
+        startAngle = Arrays.copyOf(startAngle, capacity);
+        piled = Arrays.copyOf(piled, capacity);
+        pileTime = Arrays.copyOf(pileTime, capacity);
     }
 
     private void growDeclared(int capacity) {

@@ -1,7 +1,8 @@
 package rigibo.backend.storage;
 
-import java.util.Arrays;
 import rigibo.backend.setup.StepStage;
+
+import java.util.Arrays;
 
 /** What the step in progress did and cost; the step's report is a view of it. */
 public final class Counters {

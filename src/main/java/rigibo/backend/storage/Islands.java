@@ -11,6 +11,11 @@ public final class Islands {
     public int count;
     public int[] bodyStart = new int[17];
     public int[] pairStart = new int[17];
+
+    /** Where the next body and pair of each island go while the islands are filled. */
+    public int[] bodyFill = new int[17];
+
+    public int[] pairFill = new int[17];
     public int[] bodies = new int[16];
     public int[] pairs = new int[16];
 
@@ -19,6 +24,8 @@ public final class Islands {
         if (bodyStart.length <= islands) {
             bodyStart = new int[Math.max(islands + 1, 2 * bodyStart.length)];
             pairStart = new int[bodyStart.length];
+            bodyFill = new int[bodyStart.length];
+            pairFill = new int[bodyStart.length];
         }
         if (bodies.length < bodyCount) {
             bodies = new int[Math.max(bodyCount, 2 * bodies.length)];
@@ -28,5 +35,11 @@ public final class Islands {
         }
         Arrays.fill(bodyStart, 0, islands + 1, 0);
         Arrays.fill(pairStart, 0, islands + 1, 0);
+    }
+
+    /** Begins to fill every island from its start. */
+    public void rewind() {
+        System.arraycopy(bodyStart, 0, bodyFill, 0, count);
+        System.arraycopy(pairStart, 0, pairFill, 0, count);
     }
 }

@@ -43,6 +43,9 @@ public final class Pairs {
     /** Per point: the force (N) that held at the end of the last step; starts the next one. */
     public double[] normalForce = new double[2 * FIRST_CAPACITY];
 
+    /** Per point: the force (N) carried of late, averaged over the last seconds. */
+    public double[] load = new double[2 * FIRST_CAPACITY];
+
     /** Friction force (N) and rolling torque (N·m) that held at the end of the last step. */
     public double[] frictionForce = new double[FIRST_CAPACITY];
 
@@ -67,6 +70,16 @@ public final class Pairs {
 
     public boolean[] touchedBefore = new boolean[FIRST_CAPACITY];
 
+    /** The pairs this step has to look at: those with an awake body. */
+    public int[] active = new int[FIRST_CAPACITY];
+
+    public int activeCount;
+
+    /** The step in which a pair was last listed as active, and the number of this step. */
+    private int[] activeStep = new int[FIRST_CAPACITY];
+
+    private int step;
+
     /** A new pair of bodies {@code a < b}, linked into both their lists, without contact. */
     public int add(Bodies bodies, int a, int b) {
         int pair = slots.take();
@@ -81,6 +94,24 @@ public final class Pairs {
         clear(pair);
         mix(bodies, pair);
         return pair;
+    }
+
+    /** Empties the list of active pairs. */
+    public void beginStep() {
+        activeCount = 0;
+        step++;
+    }
+
+    /** Notes a pair that this step has to look at, once. */
+    public void activate(int pair) {
+        if (activeStep[pair] == step) {
+            return;
+        }
+        activeStep[pair] = step;
+        if (activeCount == active.length) {
+            active = Arrays.copyOf(active, 2 * activeCount);
+        }
+        active[activeCount++] = pair;
     }
 
     /** Takes a pair out of both lists. */
@@ -102,6 +133,21 @@ public final class Pairs {
         return bodyA[pair] == body ? bodyB[pair] : bodyA[pair];
     }
 
+    /**
+     * The smallest gap in m over the pair's points, negative in overlap; infinite without points.
+     */
+    public double gap(int pair) {
+        int first = 2 * pair;
+        switch (points[pair]) {
+            case 0:
+                return Double.POSITIVE_INFINITY;
+            case 1:
+                return separation[first];
+            default:
+                return Math.min(separation[first], separation[first + 1]);
+        }
+    }
+
     /** Mixes friction √(μaμb) and elasticity max(ea, eb) anew from the bodies' columns. */
     public void mix(Bodies bodies, int pair) {
         int a = bodyA[pair];
@@ -115,6 +161,8 @@ public final class Pairs {
         points[pair] = 0;
         normalForce[2 * pair] = 0;
         normalForce[2 * pair + 1] = 0;
+        load[2 * pair] = 0;
+        load[2 * pair + 1] = 0;
         frictionForce[pair] = 0;
         rollingTorque[pair] = 0;
         impulse[pair] = 0;
@@ -122,6 +170,7 @@ public final class Pairs {
         resting[pair] = false;
         touching[pair] = false;
         touchedBefore[pair] = false;
+        activeStep[pair] = 0;
     }
 
     private void link(Bodies bodies, int pair, int side, int body) {
@@ -164,6 +213,7 @@ public final class Pairs {
         separation = Arrays.copyOf(separation, 2 * capacity);
         feature = Arrays.copyOf(feature, 2 * capacity);
         normalForce = Arrays.copyOf(normalForce, 2 * capacity);
+        load = Arrays.copyOf(load, 2 * capacity);
         frictionForce = Arrays.copyOf(frictionForce, capacity);
         rollingTorque = Arrays.copyOf(rollingTorque, capacity);
         friction = Arrays.copyOf(friction, capacity);
@@ -173,5 +223,6 @@ public final class Pairs {
         resting = Arrays.copyOf(resting, capacity);
         touching = Arrays.copyOf(touching, capacity);
         touchedBefore = Arrays.copyOf(touchedBefore, capacity);
+        activeStep = Arrays.copyOf(activeStep, capacity);
     }
 }

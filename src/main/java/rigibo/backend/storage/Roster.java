@@ -1,15 +1,14 @@
 package rigibo.backend.storage;
 
 import java.util.Arrays;
-import rigibo.backend.setup.BodyType;
 
 /**
- * The bodies that a step has to look at, in slot order: awake dynamic ones, and kinematic ones.
- * Rebuilt only when bodies came, went, slept or woke, so that a sleeping body costs nothing.
+ * The bodies that a step has to look at, in slot order: awake dynamic ones and driven ones. Rebuilt
+ * only when bodies came, went, slept or woke, so that a sleeping body costs nothing.
  */
 public final class Roster {
 
-    /** Slots of the awake dynamic bodies and of kinematic bodies, ascending. */
+    /** Slots of the awake dynamic bodies and of kinematic bodies that move, ascending. */
     public int[] awake = new int[16];
 
     public int awakeCount;
@@ -27,8 +26,7 @@ public final class Roster {
         }
         awakeCount = 0;
         for (int slot = 0; slot < bodies.slots.high; slot++) {
-            BodyType type = bodies.type[slot];
-            if (type == BodyType.KINEMATIC || type == BodyType.DYNAMIC && bodies.awake[slot]) {
+            if (bodies.isMoved(slot)) {
                 awake[awakeCount++] = slot;
             }
         }

@@ -92,6 +92,7 @@ public final class StateHash {
         for (int point = 2 * pair; point < 2 * pair + p.points[pair]; point++) {
             fold(p.feature[point]);
             fold(p.normalForce[point]);
+            fold(p.load[point]);
         }
         fold(p.frictionForce[pair]);
         fold(p.rollingTorque[pair]);
@@ -108,7 +109,9 @@ public final class StateHash {
         fold(Double.doubleToRawLongBits(value));
     }
 
-    /** Multiply and rotate, as in the finalizers of the splittable generators (Steele et al. 2014). */
+    /**
+     * Multiply and rotate, as in the finalizers of the splittable generators (Steele et al. 2014).
+     */
     private void fold(long bits) {
         hash = (Long.rotateLeft(hash ^ bits, 27)) * ODD;
         hash ^= hash >>> 29;

@@ -1,10 +1,8 @@
-package rigibo.backend.rest;
+package rigibo.backend.storage;
+
+import rigibo.backend.setup.BodyType;
 
 import java.util.Arrays;
-import rigibo.backend.setup.BodyType;
-import rigibo.backend.storage.Bodies;
-import rigibo.backend.storage.DataStorage;
-import rigibo.backend.storage.Pairs;
 
 /** Wakes a body and all that sleeps in touch with it, and with that, and so on. */
 public final class Waking {
@@ -33,8 +31,26 @@ public final class Waking {
     public void wakeNeighbours(int slot) {
         for (int p = bodies.firstPair[slot]; p != Pairs.NONE; p = pairs.nextOf(p, slot)) {
             int other = pairs.other(p, slot);
-            if (pairs.touching[p] && bodies.type[other] == BodyType.DYNAMIC) {
+            if (pairs.touching[p] && bodies.isDynamic(other)) {
                 wake(other);
+            }
+        }
+    }
+
+    /**
+     * Wakes a sleeper within a step, with all it leans on: they take part as a pile, and their
+     * pairs become active. Nothing moved there, so their manifolds still hold.
+     */
+    public void wakeIntoPile(int slot) {
+        int first = data.roster.awakeCount;
+        wake(slot);
+        for (int i = first; i < data.roster.awakeCount; i++) {
+            int woken = data.roster.awake[i];
+            bodies.piled[woken] = true;
+            bodies.pileTime[woken] = 0;
+            bodies.keepStart(woken);
+            for (int p = bodies.firstPair[woken]; p != Pairs.NONE; p = pairs.nextOf(p, woken)) {
+                pairs.activate(p);
             }
         }
     }
@@ -42,10 +58,10 @@ public final class Waking {
     private void spread() {
         while (depth > 0) {
             int slot = stack[--depth];
-            if (bodies.type[slot] != BodyType.DYNAMIC) {
+            if (bodies.type[slot] == BodyType.STATIC) {
                 continue;
             }
-            if (!bodies.awake[slot]) {
+            if (bodies.isDynamic(slot) && !bodies.awake[slot]) {
                 bodies.awake[slot] = true;
                 bodies.restartStillness(slot);
                 data.roster.join(slot);
@@ -57,9 +73,7 @@ public final class Waking {
     private void pushSleepers(int slot) {
         for (int p = bodies.firstPair[slot]; p != Pairs.NONE; p = pairs.nextOf(p, slot)) {
             int other = pairs.other(p, slot);
-            if (pairs.touching[p]
-                    && bodies.type[other] == BodyType.DYNAMIC
-                    && !bodies.awake[other]) {
+            if (pairs.touching[p] && bodies.isDynamic(other) && !bodies.awake[other]) {
                 push(other);
             }
         }

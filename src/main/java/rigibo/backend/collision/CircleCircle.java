@@ -1,0 +1,31 @@
+package rigibo.backend.collision;
+
+import rigibo.backend.geometry.Circle;
+
+/** Manifold of two discs: one point on the line between the centres. */
+final class CircleCircle {
+
+    private CircleCircle() {}
+
+    static int collide(Circle a, Pose poseA, Circle b, Pose poseB, double reach, Manifold out) {
+        double dx = poseB.x - poseA.x;
+        double dy = poseB.y - poseA.y;
+        double radii = a.radius() + b.radius();
+        double squared = dx * dx + dy * dy;
+        double far = radii + reach;
+        if (squared > far * far) {
+            return 0;
+        }
+        double distance = Math.sqrt(squared);
+        if (distance > 0) {
+            out.normal(dx / distance, dy / distance, NormalSource.CLOSEST_POINTS);
+        } else {
+            // Any axis would do for concentric discs; this one is its own mirror image in x.
+            out.normal(0, 1, NormalSource.CLOSEST_POINTS);
+        }
+        double gap = distance - radii;
+        double along = a.radius() + gap / 2;
+        out.add(poseA.x + out.normalX * along, poseA.y + out.normalY * along, gap, 0);
+        return out.count;
+    }
+}

@@ -1,0 +1,243 @@
+package rigibo.backend.collision;
+
+import rigibo.backend.geometry.Polygon;
+
+/**
+ * Clips the edge of one polygon to the extent of the other's reference face. All lengths are in the
+ * reference polygon's frame; what concerns one end of the face is measured from that end by itself,
+ * so that a mirrored scene gives the mirrored bits.
+ */
+final class FaceClip {
+
+    /**
+     * Two corners closer along the face than this, per metre of the narrower polygon, count as one
+     * and the point is named after A's: in a stack of equal boxes round-off decides which of the
+     * two lies inside. Not a round number, so that no scene built on a grid sits on the limit.
+     */
+    private static final double SAME_PLACE = 0.0137;
+
+    private static final int OF_B = 1 << 16;
+    private static final int OF_BOTH = 1 << 17;
+
+    /** The reference face: its number, outward normal, start and end. */
+    private int face;
+
+    private int faceEnd;
+    private double normalX;
+    private double normalY;
+    private double startX;
+    private double startY;
+    private double endX;
+    private double endY;
+
+    /** The incident edge: it runs against the face, so its end lies at the face's start. */
+    private int edge;
+
+    private int edgeEnd;
+    private double lowX;
+    private double lowY;
+    private double highX;
+    private double highY;
+
+    /** How far inside the face's start the edge's ends lie along the face, and inside its end. */
+    private double lowFromStart;
+
+    private double highFromStart;
+    private double lowFromEnd;
+    private double highFromEnd;
+
+    private double separation;
+    private boolean isLowNearest;
+    private double samePlace;
+
+    /** Where the closest features are two corners: which of the face, and which of the edge. */
+    private boolean isBetweenCorners;
+
+    private boolean isAtStart;
+    private boolean isLowClosest;
+
+    /** Takes the face that a search found and the edge of the other polygon that faces it most. */
+    void reference(
+            Polygon polygon,
+            FaceSearch found,
+            CornersInFrame corners,
+            Polygon other,
+            double cos,
+            double sin,
+            double width) {
+        face = found.face;
+        faceEnd = face + 1 == polygon.corners() ? 0 : face + 1;
+        normalX = polygon.normalX(face);
+        normalY = polygon.normalY(face);
+        startX = polygon.cornerX(face);
+        startY = polygon.cornerY(face);
+        endX = polygon.cornerX(faceEnd);
+        endY = polygon.cornerY(faceEnd);
+        separation = found.separation;
+        samePlace = SAME_PLACE * width;
+        double turnedX = cos * normalX + sin * normalY;
+        double turnedY = cos * normalY - sin * normalX;
+        int before = corners.before(found.corner);
+        double facingAfter =
+                turnedX * other.normalX(found.corner) + turnedY * other.normalY(found.corner);
+        double facingBefore = turnedX * other.normalX(before) + turnedY * other.normalY(before);
+        isLowNearest = facingBefore < facingAfter;
+        edge = isLowNearest ? before : found.corner;
+        edgeEnd = corners.after(edge);
+        highX = corners.x[edge];
+        highY = corners.y[edge];
+        lowX = corners.x[edgeEnd];
+        lowY = corners.y[edgeEnd];
+        lowFromStart = alongFace(lowX - startX, lowY - startY);
+        highFromStart = alongFace(highX - startX, highY - startY);
+        lowFromEnd = -alongFace(lowX - endX, lowY - endY);
+        highFromEnd = -alongFace(highX - endX, highY - endY);
+        isBetweenCorners = findCorners();
+    }
+
+    private double alongFace(double x, double y) {
+        return normalX * y - normalY * x;
+    }
+
+    private double height(double x, double y) {
+        return normalX * x + normalY * y;
+    }
+
+    /**
+     * Whether the polygons are apart and the two closest points are corners: the nearest corner
+     * lies beside the face, and the face's own corner does not lie over the inside of the edge.
+     */
+    boolean isBetweenCorners() {
+        return isBetweenCorners;
+    }
+
+    private boolean findCorners() {
+        if (!(separation > 0)) {
+            return false;
+        }
+        boolean isBeyondStart = (isLowNearest ? lowFromStart : highFromStart) < 0;
+        boolean isBeyondEnd = (isLowNearest ? lowFromEnd : highFromEnd) < 0;
+        if (!(isBeyondStart || isBeyondEnd)) {
+            return false;
+        }
+        double alongX = highX - lowX;
+        double alongY = highY - lowY;
+        double x = isBeyondStart ? startX : endX;
+        double y = isBeyondStart ? startY : endY;
+        double pastLow = (x - lowX) * alongX + (y - lowY) * alongY;
+        double pastHigh = (highX - x) * alongX + (highY - y) * alongY;
+        isAtStart = isBeyondStart;
+        isLowClosest = pastLow < pastHigh;
+        return !isOverlapping() || pastLow <= 0 || pastHigh <= 0;
+    }
+
+    private boolean isOverlapping() {
+        return highFromStart > 0 && lowFromEnd > 0;
+    }
+
+    /** Writes the manifold with the reference polygon at a pose; returns its number of points. */
+    int write(Pose pose, NormalSource source, double reach, Manifold out) {
+        if (isBetweenCorners) {
+            writeCorners(pose, source, reach, out);
+        } else if (isOverlapping()) {
+            writeEnds(pose, source, reach, out);
+        } else {
+            writeNearest(pose, source, out);
+        }
+        if (source == NormalSource.FACE_B) {
+            out.normalX = -out.normalX;
+            out.normalY = -out.normalY;
+        }
+        return out.count;
+    }
+
+    private void writeCorners(Pose pose, NormalSource source, double reach, Manifold out) {
+        double fromX = isAtStart ? startX : endX;
+        double fromY = isAtStart ? startY : endY;
+        double dx = (isLowClosest ? lowX : highX) - fromX;
+        double dy = (isLowClosest ? lowY : highY) - fromY;
+        double distance = Math.sqrt(dx * dx + dy * dy);
+        if (distance > reach) {
+            return;
+        }
+        out.normal(dx / distance, dy / distance, NormalSource.CLOSEST_POINTS);
+        out.turn(pose);
+        int own = isAtStart ? face : faceEnd;
+        int others = isLowClosest ? edgeEnd : edge;
+        int name = source == NormalSource.FACE_A ? own | others << 8 : others | own << 8;
+        addPoint(pose, fromX + dx / 2, fromY + dy / 2, distance, OF_BOTH | name, out);
+    }
+
+    /** Both ends of the stretch where edge and face overlap, A's start of its face first. */
+    private void writeEnds(Pose pose, NormalSource source, double reach, Manifold out) {
+        out.normal(normalX, normalY, source);
+        out.turn(pose);
+        if (source == NormalSource.FACE_A) {
+            writeLowEnd(pose, source, reach, out);
+            writeHighEnd(pose, source, reach, out);
+        } else {
+            writeHighEnd(pose, source, reach, out);
+            writeLowEnd(pose, source, reach, out);
+        }
+    }
+
+    private void writeLowEnd(Pose pose, NormalSource source, double reach, Manifold out) {
+        double cut = lowFromStart < 0 ? -lowFromStart / (highFromStart - lowFromStart) : 0;
+        double x = lowX + (highX - lowX) * cut;
+        double y = lowY + (highY - lowY) * cut;
+        int name = name(source, lowFromStart, face, edgeEnd);
+        addFacing(pose, x, y, height(x - startX, y - startY), reach, name, out);
+    }
+
+    private void writeHighEnd(Pose pose, NormalSource source, double reach, Manifold out) {
+        double cut = highFromEnd < 0 ? -highFromEnd / (lowFromEnd - highFromEnd) : 0;
+        double x = highX + (lowX - highX) * cut;
+        double y = highY + (lowY - highY) * cut;
+        int name = name(source, highFromEnd, faceEnd, edge);
+        addFacing(pose, x, y, height(x - endX, y - endY), reach, name, out);
+    }
+
+    /** In overlap the nearest corner lies in front of the face; round-off put it beside. */
+    private void writeNearest(Pose pose, NormalSource source, Manifold out) {
+        out.normal(normalX, normalY, source);
+        out.turn(pose);
+        double x = isLowNearest ? lowX : highX;
+        double y = isLowNearest ? lowY : highY;
+        int name = isLowNearest ? name(source, 1, face, edgeEnd) : name(source, 1, faceEnd, edge);
+        addPoint(
+                pose,
+                x - normalX * separation / 2,
+                y - normalY * separation / 2,
+                separation,
+                name,
+                out);
+    }
+
+    private void addFacing(
+            Pose pose, double x, double y, double gap, double reach, int name, Manifold out) {
+        if (gap <= reach) {
+            addPoint(pose, x - normalX * gap / 2, y - normalY * gap / 2, gap, name, out);
+        }
+    }
+
+    private static void addPoint(
+            Pose pose, double x, double y, double gap, int name, Manifold out) {
+        out.add(
+                pose.x + (pose.cos * x - pose.sin * y),
+                pose.y + (pose.sin * x + pose.cos * y),
+                gap,
+                name);
+    }
+
+    /**
+     * Names a point after the corner that bounds it and the other polygon's edge. The name is the
+     * same whichever polygon the reference is, because either sees the same corner inside.
+     */
+    private int name(NormalSource source, double inside, int ownCorner, int othersCorner) {
+        boolean isReferenceA = source == NormalSource.FACE_A;
+        boolean isSame = Math.abs(inside) < samePlace;
+        boolean isOwn = isSame ? isReferenceA : inside < 0;
+        int name = isOwn ? ownCorner | edge << 8 : othersCorner | face << 8;
+        return isOwn == isReferenceA ? name : OF_B | name;
+    }
+}

@@ -1,0 +1,70 @@
+package rigibo.backend.collision;
+
+/** Where two shapes touch or nearly touch. A plain carrier that stages reuse. */
+public final class Manifold {
+
+    /** Unit normal in the world, from A to B; meaningless while {@link #count} is 0. */
+    public double normalX;
+
+    public double normalY;
+
+    /** Number of points: 0, 1 or 2. */
+    public int count;
+
+    /** World coordinates of each point, midway between the two surfaces, m. */
+    public final double[] pointX = new double[2];
+
+    public final double[] pointY = new double[2];
+
+    /** Gap at each point along the normal, m; negative in overlap. */
+    public final double[] separation = new double[2];
+
+    /**
+     * Names the features each point stems from: equal between two calls when the point is the same
+     * corner against the same face, whichever face the normal was taken from.
+     */
+    public final int[] feature = new int[2];
+
+    /** What gave the normal. */
+    public NormalSource source = NormalSource.CLOSEST_POINTS;
+
+    /** Forgets all points. */
+    void clear() {
+        count = 0;
+    }
+
+    /** States the normal. */
+    void normal(double x, double y, NormalSource from) {
+        normalX = x;
+        normalY = y;
+        source = from;
+    }
+
+    /** Turns the normal from a shape's frame into the world's. */
+    void turn(Pose pose) {
+        double x = normalX;
+        normalX = pose.cos * x - pose.sin * normalY;
+        normalY = pose.sin * x + pose.cos * normalY;
+    }
+
+    /** Tells the same contact with A and B exchanged. */
+    void exchange() {
+        normalX = -normalX;
+        normalY = -normalY;
+        source =
+                switch (source) {
+                    case FACE_A -> NormalSource.FACE_B;
+                    case FACE_B -> NormalSource.FACE_A;
+                    case CLOSEST_POINTS -> NormalSource.CLOSEST_POINTS;
+                };
+    }
+
+    /** Appends a point: world place in m, gap in m and the name of its features. */
+    void add(double x, double y, double gap, int name) {
+        pointX[count] = x;
+        pointY[count] = y;
+        separation[count] = gap;
+        feature[count] = name;
+        count++;
+    }
+}

@@ -1,0 +1,171 @@
+package rigibo.backend.collision;
+
+import rigibo.backend.geometry.Shape;
+import rigibo.backend.storage.Bodies;
+import rigibo.backend.storage.Counters;
+import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.PairTolerances;
+import rigibo.backend.storage.Pairs;
+import rigibo.backend.storage.Roster;
+
+/**
+ * Fills the manifolds of the candidate pairs that an awake body is in. A pair is given points only
+ * when the two could touch within the step; the forces of the last step move on to the points with
+ * the same features.
+ */
+public final class Narrowphase {
+
+    private final Bodies bodies;
+    private final Pairs pairs;
+    private final Roster roster;
+    private final Counters counters;
+    private final Collider collider = new Collider();
+    private final Manifold manifold = new Manifold();
+    private final Pose poseA = new Pose();
+    private final Pose poseB = new Pose();
+
+    /** A narrow phase over the pairs of a storage. */
+    public Narrowphase(DataStorage data) {
+        bodies = data.bodies;
+        pairs = data.pairs;
+        roster = data.roster;
+        counters = data.counters;
+    }
+
+    /** Lists the active pairs and fills their manifolds for a step of {@code dt} seconds. */
+    public void collide(double dt) {
+        pairs.beginStep();
+        for (int i = 0; i < roster.awakeCount; i++) {
+            int slot = roster.awake[i];
+            for (int p = bodies.firstPair[slot]; p != Pairs.NONE; p = pairs.nextOf(p, slot)) {
+                if (isListedBy(slot, pairs.other(p, slot))) {
+                    collidePair(p, dt);
+                }
+            }
+        }
+    }
+
+    /** Fills one pair's manifold at the bodies' present poses and notes the pair as active. */
+    public void collidePair(int pair, double dt) {
+        pairs.activate(pair);
+        pairs.touchedBefore[pair] = pairs.touching[pair] || pairs.impacts[pair] > 0;
+        pairs.impacts[pair] = 0;
+        pairs.impulse[pair] = 0;
+        measure(pair, dt);
+        noteTouch(pair);
+    }
+
+    /**
+     * Fills one pair's manifold at the bodies' present poses, for what is left of the step in s.
+     */
+    public void measure(int pair, double dt) {
+        int a = pairs.bodyA[pair];
+        int b = pairs.bodyB[pair];
+        poseA.set(bodies.x[a], bodies.y[a], bodies.cos[a], bodies.sin[a]);
+        poseB.set(bodies.x[b], bodies.y[b], bodies.cos[b], bodies.sin[b]);
+        measure(pair, poseA, poseB, reach(a, b, dt));
+    }
+
+    /**
+     * Fills one pair's manifold at poses of its bodies, with the points no farther than reach, m.
+     */
+    public void measure(int pair, Pose atA, Pose atB, double reach) {
+        Shape shapeA = bodies.shape[pairs.bodyA[pair]];
+        Shape shapeB = bodies.shape[pairs.bodyB[pair]];
+        collider.collide(shapeA, atA, shapeB, atB, reach, manifold);
+        keep(pair);
+    }
+
+    /** A pair of two awake bodies is met twice; the lower slot lists it. */
+    private boolean isListedBy(int slot, int other) {
+        return !bodies.isMoved(other) || slot < other;
+    }
+
+    /** The gap in m that two bodies could close within the step, by a bound on their speeds. */
+    private double reach(int a, int b, double dt) {
+        double vx = bodies.velocityX[b] - bodies.velocityX[a];
+        double vy = bodies.velocityY[b] - bodies.velocityY[a];
+        double ax = bodies.accelerationX[b] - bodies.accelerationX[a];
+        double ay = bodies.accelerationY[b] - bodies.accelerationY[a];
+        double turning = turning(a, dt) + turning(b, dt);
+        double speed = Math.sqrt(vx * vx + vy * vy) + turning;
+        double gained = Math.sqrt(ax * ax + ay * ay) * dt;
+        double touching = PairTolerances.TOUCHING_GAP * PairTolerances.width(bodies, a, b);
+        return touching + (speed + gained) * dt;
+    }
+
+    /** Speed in m/s that turning gives the outline; a disc's outline stays where it is. */
+    private double turning(int slot, double dt) {
+        double spin = Math.abs(bodies.spin[slot]) + Math.abs(bodies.angularAcceleration[slot]) * dt;
+        return spin * bodies.sweepRadius[slot];
+    }
+
+    private void keep(int pair) {
+        int first = 2 * pair;
+        int from0 = manifold.count > 0 ? predecessor(pair, 0) : Pairs.NONE;
+        int from1 = manifold.count > 1 ? predecessor(pair, 1) : Pairs.NONE;
+        inherit(pairs.normalForce, first, from0, from1);
+        inherit(pairs.load, first, from0, from1);
+        pairs.points[pair] = manifold.count;
+        pairs.normalX[pair] = manifold.normalX;
+        pairs.normalY[pair] = manifold.normalY;
+        for (int i = 0; i < manifold.count; i++) {
+            pairs.pointX[first + i] = manifold.pointX[i];
+            pairs.pointY[first + i] = manifold.pointY[i];
+            pairs.separation[first + i] = manifold.separation[i];
+            pairs.feature[first + i] = manifold.feature[i];
+        }
+        if (pairs.normalForce[first] == 0 && pairs.normalForce[first + 1] == 0) {
+            pairs.frictionForce[pair] = 0;
+            pairs.rollingTorque[pair] = 0;
+        }
+    }
+
+    private static void inherit(double[] column, int first, int from0, int from1) {
+        double value0 = from0 == Pairs.NONE ? 0 : column[from0];
+        double value1 = from1 == Pairs.NONE ? 0 : column[from1];
+        column[first] = value0;
+        column[first + 1] = value1;
+    }
+
+    /**
+     * The old point that a new one continues, or none. Two points follow two points in their order
+     * along the surface, whatever features they stem from: two equal boxes on each other would else
+     * lose their load whenever round-off lets the corner of the other one stand out.
+     */
+    private int predecessor(int pair, int i) {
+        int first = 2 * pair;
+        int old = pairs.points[pair];
+        if (old == 2 && manifold.count == 2) {
+            double ahead =
+                    along(
+                            manifold.pointX[i] - manifold.pointX[1 - i],
+                            manifold.pointY[i] - manifold.pointY[1 - i]);
+            double oldAhead =
+                    along(
+                            pairs.pointX[first] - pairs.pointX[first + 1],
+                            pairs.pointY[first] - pairs.pointY[first + 1]);
+            return ahead > 0 == oldAhead > 0 ? first : first + 1;
+        }
+        for (int point = first; point < first + old; point++) {
+            if (pairs.feature[point] == manifold.feature[i]) {
+                return point;
+            }
+        }
+        return Pairs.NONE;
+    }
+
+    private double along(double x, double y) {
+        return y * manifold.normalX - x * manifold.normalY;
+    }
+
+    private void noteTouch(int pair) {
+        double gap = pairs.gap(pair);
+        double width = PairTolerances.width(bodies, pairs.bodyA[pair], pairs.bodyB[pair]);
+        pairs.touching[pair] = gap <= PairTolerances.TOUCHING_GAP * width;
+        if (pairs.touching[pair]) {
+            counters.contacts++;
+            counters.deepestOverlap = Math.max(counters.deepestOverlap, -gap);
+        }
+    }
+}

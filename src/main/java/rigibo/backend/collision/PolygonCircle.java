@@ -1,0 +1,102 @@
+package rigibo.backend.collision;
+
+import rigibo.backend.geometry.Circle;
+import rigibo.backend.geometry.Polygon;
+
+/**
+ * Manifold of a polygon and a disc: one point. The disc's centre is brought into the polygon's
+ * frame; the face it is farthest in front of, or one of that face's two corners, is closest.
+ */
+final class PolygonCircle {
+
+    private static final int NONE = -1;
+
+    private PolygonCircle() {}
+
+    /** With the polygon as A. */
+    static int collide(Polygon a, Pose poseA, Circle b, Pose poseB, double reach, Manifold out) {
+        double dx = poseB.x - poseA.x;
+        double dy = poseB.y - poseA.y;
+        double cx = poseA.cos * dx + poseA.sin * dy;
+        double cy = poseA.cos * dy - poseA.sin * dx;
+        int face = outermost(a, cx, cy, b.radius() + reach);
+        if (face == NONE) {
+            return 0;
+        }
+        double distance = measure(a, face, cx, cy, out);
+        if (distance - b.radius() > reach) {
+            return 0;
+        }
+        double gap = distance - b.radius();
+        double inward = b.radius() + gap / 2;
+        double x = cx - out.normalX * inward;
+        double y = cy - out.normalY * inward;
+        out.turn(poseA);
+        out.add(
+                poseA.x + poseA.cos * x - poseA.sin * y,
+                poseA.y + poseA.sin * x + poseA.cos * y,
+                gap,
+                0);
+        return out.count;
+    }
+
+    /** With the disc as A. */
+    static int exchanged(Circle a, Pose poseA, Polygon b, Pose poseB, double reach, Manifold out) {
+        collide(b, poseB, a, poseA, reach, out);
+        out.exchange();
+        return out.count;
+    }
+
+    /**
+     * The face a point is farthest in front of, or none when one is farther than {@code most} m.
+     */
+    private static int outermost(Polygon polygon, double x, double y, double most) {
+        int face = NONE;
+        double farthest = Double.NEGATIVE_INFINITY;
+        for (int i = 0; i < polygon.corners(); i++) {
+            double front =
+                    polygon.normalX(i) * (x - polygon.cornerX(i))
+                            + polygon.normalY(i) * (y - polygon.cornerY(i));
+            if (front > farthest) {
+                if (front > most) {
+                    return NONE;
+                }
+                farthest = front;
+                face = i;
+            }
+        }
+        return face;
+    }
+
+    /**
+     * Distance in m of a point from the outline, negative inside, writing the normal in the
+     * polygon's frame. Beside the face, the corner is closest. The place along the face is measured
+     * from each end by itself, so that a mirrored scene gives the mirrored bits.
+     */
+    private static double measure(Polygon polygon, int face, double x, double y, Manifold out) {
+        double nx = polygon.normalX(face);
+        double ny = polygon.normalY(face);
+        int next = face + 1 == polygon.corners() ? 0 : face + 1;
+        double startX = x - polygon.cornerX(face);
+        double startY = y - polygon.cornerY(face);
+        double endX = x - polygon.cornerX(next);
+        double endY = y - polygon.cornerY(next);
+        double front = nx * startX + ny * startY;
+        out.normal(nx, ny, NormalSource.FACE_A);
+        if (front > 0 && ny * startX - nx * startY > 0) {
+            return fromCorner(startX, startY, out);
+        }
+        if (front > 0 && nx * endY - ny * endX > 0) {
+            return fromCorner(endX, endY, out);
+        }
+        return front;
+    }
+
+    private static double fromCorner(double dx, double dy, Manifold out) {
+        double distance = Math.sqrt(dx * dx + dy * dy);
+        if (distance > 0) {
+            out.normal(dx / distance, dy / distance, NormalSource.CLOSEST_POINTS);
+        }
+        return distance;
+    }
+}

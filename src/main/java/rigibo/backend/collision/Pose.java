@@ -1,0 +1,35 @@
+package rigibo.backend.collision;
+
+/** Where a shape is: its centre of mass and its orientation. A plain carrier that stages reuse. */
+public final class Pose {
+
+    /** Centre of mass in the world, m. */
+    public double x;
+
+    public double y;
+
+    /** Cosine and sine of the angle from the shape's frame to the world's, counter-clockwise. */
+    public double cos = 1;
+
+    public double sin;
+
+    /**
+     * Overwrites the pose.
+     *
+     * @param x centre of mass, m
+     * @param y centre of mass, m
+     * @param cos cosine of the angle
+     * @param sin sine of the angle
+     */
+    public void set(double x, double y, double cos, double sin) {
+        this.x = x;
+        this.y = y;
+        this.cos = cos;
+        this.sin = sin;
+    }
+
+    /** Copies another pose into this one. */
+    public void set(Pose other) {
+        set(other.x, other.y, other.cos, other.sin);
+    }
+}

@@ -1,0 +1,357 @@
+package rigibo.backend.contact;
+
+import java.util.Arrays;
+
+/**
+ * Solves all loaded rows of a small island at once. Passing over the contacts one by one carries a
+ * load through a stack of N only after some N² passes, and its bending after N⁴, so that a tower
+ * sways and a light box under a heavy one sinks; one elimination does both exactly.
+ *
+ * <p>The rows that carry load are taken as equations: K·Δj = −w with K = J·M⁻¹·Jᵀ (Baraff 1994).
+ * The step towards the solution ends where the first impulse would pull or the first friction would
+ * pass its cone; that row is left out, and the rest is solved again: an active-set method, whose
+ * kinetic energy never rises from one step to the next. K is factored by Cholesky within its
+ * envelope, which in a stack is a band of six rows.
+ */
+final class DirectSolver {
+
+    /** Largest island in rows; beyond it the elimination costs more than it gains. */
+    static final int MOST_ROWS = 192;
+
+    /** Sets tried within one solve; passes over the rows see to what is left. */
+    private static final int MOST_TRIES = 6;
+
+    /** Compliance added to the diagonal, relative: decides where rows say the same twice. */
+    private static final double COMPLIANCE = 1e-9;
+
+    private static final int ROWS_PER_CONTACT = 3;
+    private static final int TANGENT = 2;
+
+    private final Motions motions;
+    private final Rows rows;
+    private final OverlapSolver overlap;
+
+    /** The rows of the present set: 3·contact + point, or + 2 for the tangent. */
+    private int[] set = new int[64];
+
+    private int size;
+
+    /** The factored set, to see whether the factor still holds. */
+    private int[] factored = new int[64];
+
+    private int factoredSize;
+
+    /** Lower triangle by rows, from the first entry of each row on, and where each row starts. */
+    private double[] factor = new double[1024];
+
+    private int[] start = new int[65];
+    private int[] first = new int[64];
+    private double[] unknown = new double[64];
+
+    DirectSolver(Motions motions, Rows rows, OverlapSolver overlap) {
+        this.motions = motions;
+        this.rows = rows;
+        this.overlap = overlap;
+    }
+
+    /** Begins an island: the factor of the last one is worth nothing. */
+    void prepare() {
+        factoredSize = -1;
+    }
+
+    /** Whether the packed island is small enough. */
+    boolean isSmallEnough() {
+        return ROWS_PER_CONTACT * rows.count <= MOST_ROWS;
+    }
+
+    /** A lone disc's normal and friction do not feel each other: nothing is to be eliminated. */
+    private boolean isUncoupled() {
+        return rows.count == 1 && rows.points[0] == 1;
+    }
+
+    /** Brings the loaded rows to rest against each other, for a substep of h seconds. */
+    void solve(double h, int substep) {
+        if (isUncoupled()) {
+            return;
+        }
+        chooseLoaded(substep);
+        for (int attempt = 0; attempt < MOST_TRIES && size > 0; attempt++) {
+            factorize();
+            for (int i = 0; i < size; i++) {
+                unknown[i] = -approach(set[i], h);
+            }
+            substitute();
+            if (stepToBound() < 0) {
+                return;
+            }
+        }
+    }
+
+    /** Takes the overlap of loaded rows back, with the factor of the last solve. */
+    void correct(double h) {
+        if (factoredSize <= 0) {
+            return;
+        }
+        size = factoredSize;
+        System.arraycopy(factored, 0, set, 0, size);
+        boolean isAny = false;
+        for (int i = 0; i < size; i++) {
+            int kind = set[i] % ROWS_PER_CONTACT;
+            unknown[i] = kind == TANGENT ? 0 : overlap.wanted(set[i] / ROWS_PER_CONTACT, kind, h);
+            isAny |= unknown[i] > 0;
+        }
+        if (isAny) {
+            substitute();
+            for (int i = 0; i < size; i++) {
+                push(set[i], unknown[i], Motions.DX, Motions.DY, Motions.TURN);
+            }
+        }
+    }
+
+    private void chooseLoaded(int substep) {
+        if (set.length < ROWS_PER_CONTACT * rows.count) {
+            int capacity = 2 * ROWS_PER_CONTACT * rows.count;
+            set = new int[capacity];
+            factored = Arrays.copyOf(factored, capacity);
+            start = new int[capacity + 1];
+            first = new int[capacity];
+            unknown = new double[capacity];
+            factoredSize = -1;
+        }
+        size = 0;
+        for (int row = 0; row < rows.count; row++) {
+            if (rows.firstSubstep[row] <= substep) {
+                chooseLoadedOf(row);
+            }
+        }
+    }
+
+    private void chooseLoadedOf(int row) {
+        double[] d = rows.data;
+        int at = row * Rows.STRIDE;
+        if (d[at + Rows.IMPULSE0] > 0) {
+            set[size++] = ROWS_PER_CONTACT * row;
+        }
+        if (d[at + Rows.IMPULSE1] > 0) {
+            set[size++] = ROWS_PER_CONTACT * row + 1;
+        }
+        double most = friction(row);
+        if (most > 0 && Math.abs(d[at + Rows.IMPULSE_T]) < most) {
+            set[size++] = ROWS_PER_CONTACT * row + TANGENT;
+        }
+    }
+
+    private double friction(int row) {
+        double[] d = rows.data;
+        int at = row * Rows.STRIDE;
+        return d[at + Rows.FRICTION] * (d[at + Rows.IMPULSE0] + d[at + Rows.IMPULSE1]);
+    }
+
+    /** Speed in m/s at which a row violates what it asks for. */
+    private double approach(int id, double h) {
+        int row = id / ROWS_PER_CONTACT;
+        int kind = id % ROWS_PER_CONTACT;
+        double v = relative(id, Motions.VX, Motions.VY, Motions.SPIN);
+        return kind == TANGENT ? v : v + Math.max(0, motions.gap(rows, row, kind)) / h;
+    }
+
+    private double relative(int id, int ix, int iy, int turn) {
+        double[] m = motions.data;
+        int row = id / ROWS_PER_CONTACT;
+        int a = rows.bodyA[row];
+        int b = rows.bodyB[row];
+        return directionX(id) * (m[b + ix] - m[a + ix])
+                + directionY(id) * (m[b + iy] - m[a + iy])
+                + leverB(id) * m[b + turn]
+                - leverA(id) * m[a + turn];
+    }
+
+    private void push(int id, double impulse, int ix, int iy, int turn) {
+        double[] m = motions.data;
+        int row = id / ROWS_PER_CONTACT;
+        int a = rows.bodyA[row];
+        int b = rows.bodyB[row];
+        double ma = m[a + Motions.INVERSE_MASS] * impulse;
+        double mb = m[b + Motions.INVERSE_MASS] * impulse;
+        m[a + ix] -= ma * directionX(id);
+        m[a + iy] -= ma * directionY(id);
+        m[a + turn] -= m[a + Motions.INVERSE_INERTIA] * leverA(id) * impulse;
+        m[b + ix] += mb * directionX(id);
+        m[b + iy] += mb * directionY(id);
+        m[b + turn] += m[b + Motions.INVERSE_INERTIA] * leverB(id) * impulse;
+    }
+
+    /**
+     * Goes towards the solution until a bound is met and drops the row that met it.
+     *
+     * @return the place of the dropped row in the set, or -1 where the solution was reached
+     */
+    private int stepToBound() {
+        double step = 1;
+        int met = -1;
+        for (int i = 0; i < size; i++) {
+            double room = roomFor(set[i], unknown[i]);
+            if (room < step) {
+                step = room;
+                met = i;
+            }
+        }
+        for (int i = 0; i < size; i++) {
+            int at = set[i] / ROWS_PER_CONTACT * Rows.STRIDE;
+            double change = step * unknown[i];
+            rows.data[at + impulseColumn(set[i])] += change;
+            push(set[i], change, Motions.VX, Motions.VY, Motions.SPIN);
+        }
+        if (met >= 0) {
+            drop(met);
+        }
+        return met;
+    }
+
+    /** The share of a change that its row can take before it meets its bound. */
+    private double roomFor(int id, double change) {
+        int row = id / ROWS_PER_CONTACT;
+        double impulse = rows.data[row * Rows.STRIDE + impulseColumn(id)];
+        if (id % ROWS_PER_CONTACT != TANGENT) {
+            return change < 0 ? -impulse / change : 1;
+        }
+        double most = friction(row);
+        double limit = change < 0 ? -most : most;
+        return Math.abs(impulse + change) <= most ? 1 : Math.max(0, (limit - impulse) / change);
+    }
+
+    private void drop(int place) {
+        int id = set[place];
+        if (id % ROWS_PER_CONTACT != TANGENT) {
+            rows.data[id / ROWS_PER_CONTACT * Rows.STRIDE + impulseColumn(id)] = 0;
+        }
+        System.arraycopy(set, place + 1, set, place, size - place - 1);
+        size--;
+    }
+
+    private static int impulseColumn(int id) {
+        int kind = id % ROWS_PER_CONTACT;
+        return kind == TANGENT ? Rows.IMPULSE_T : Rows.IMPULSE0 + kind;
+    }
+
+    private double directionX(int id) {
+        int at = id / ROWS_PER_CONTACT * Rows.STRIDE;
+        return id % ROWS_PER_CONTACT == TANGENT
+                ? -rows.data[at + Rows.NY]
+                : rows.data[at + Rows.NX];
+    }
+
+    private double directionY(int id) {
+        int at = id / ROWS_PER_CONTACT * Rows.STRIDE;
+        return id % ROWS_PER_CONTACT == TANGENT ? rows.data[at + Rows.NX] : rows.data[at + Rows.NY];
+    }
+
+    private double leverA(int id) {
+        int at = id / ROWS_PER_CONTACT * Rows.STRIDE;
+        int kind = id % ROWS_PER_CONTACT;
+        return rows.data[at + (kind == TANGENT ? Rows.LEVER_TA : Rows.LEVER_A0 + 2 * kind)];
+    }
+
+    private double leverB(int id) {
+        int at = id / ROWS_PER_CONTACT * Rows.STRIDE;
+        int kind = id % ROWS_PER_CONTACT;
+        return rows.data[at + (kind == TANGENT ? Rows.LEVER_TB : Rows.LEVER_B0 + 2 * kind)];
+    }
+
+    /** Factors the matrix of the set, unless the last factor is of the same set. */
+    private void factorize() {
+        if (factoredSize == size && Arrays.equals(set, 0, size, factored, 0, size)) {
+            return;
+        }
+        System.arraycopy(set, 0, factored, 0, size);
+        factoredSize = size;
+        layEnvelope();
+        for (int i = 0; i < size; i++) {
+            for (int j = first[i]; j <= i; j++) {
+                double sum = response(set[i], set[j]) * (i == j ? 1 + COMPLIANCE : 1);
+                int from = Math.max(first[i], first[j]);
+                for (int k = from; k < j; k++) {
+                    sum -= factor[start[i] + k - first[i]] * factor[start[j] + k - first[j]];
+                }
+                factor[start[i] + j - first[i]] =
+                        i == j ? root(sum, set[i]) : sum / factor[start[j] + j - first[j]];
+            }
+        }
+    }
+
+    /** A row that repeats others leaves nothing on its diagonal; its compliance stays. */
+    private double root(double remainder, int id) {
+        return Math.sqrt(Math.max(remainder, COMPLIANCE * response(id, id)));
+    }
+
+    private void layEnvelope() {
+        int length = 0;
+        for (int i = 0; i < size; i++) {
+            int j = 0;
+            while (j < i && !shareBody(set[i] / ROWS_PER_CONTACT, set[j] / ROWS_PER_CONTACT)) {
+                j++;
+            }
+            first[i] = j;
+            start[i] = length;
+            length += i - j + 1;
+        }
+        if (factor.length < length) {
+            factor = new double[2 * length];
+        }
+    }
+
+    /** Whether two contacts hold the same body; the ground, offset 0, passes nothing on. */
+    private boolean shareBody(int row, int other) {
+        int a = rows.bodyA[row];
+        int b = rows.bodyB[row];
+        int c = rows.bodyA[other];
+        int d = rows.bodyB[other];
+        return a != 0 && (a == c || a == d) || b != 0 && (b == c || b == d);
+    }
+
+    /** What a unit impulse of one row gives another, 1/kg. */
+    private double response(int i, int j) {
+        double direct = directionX(i) * directionX(j) + directionY(i) * directionY(j);
+        int row = i / ROWS_PER_CONTACT;
+        int other = j / ROWS_PER_CONTACT;
+        int a = rows.bodyA[row];
+        int b = rows.bodyB[row];
+        double sum = 0;
+        if (a == rows.bodyA[other]) {
+            sum += through(a, direct, leverA(i) * leverA(j));
+        }
+        if (b == rows.bodyB[other]) {
+            sum += through(b, direct, leverB(i) * leverB(j));
+        }
+        if (a == rows.bodyB[other]) {
+            sum -= through(a, direct, leverA(i) * leverB(j));
+        }
+        if (b == rows.bodyA[other]) {
+            sum -= through(b, direct, leverB(i) * leverA(j));
+        }
+        return sum;
+    }
+
+    private double through(int body, double direct, double levers) {
+        double[] m = motions.data;
+        return m[body + Motions.INVERSE_MASS] * direct + m[body + Motions.INVERSE_INERTIA] * levers;
+    }
+
+    /** Forward and backward substitution, in place. */
+    private void substitute() {
+        for (int i = 0; i < size; i++) {
+            double sum = unknown[i];
+            for (int k = first[i]; k < i; k++) {
+                sum -= factor[start[i] + k - first[i]] * unknown[k];
+            }
+            unknown[i] = sum / factor[start[i] + i - first[i]];
+        }
+        for (int i = size - 1; i >= 0; i--) {
+            double x = unknown[i] / factor[start[i] + i - first[i]];
+            unknown[i] = x;
+            for (int k = first[i]; k < i; k++) {
+                unknown[k] -= factor[start[i] + k - first[i]] * x;
+            }
+        }
+    }
+}

@@ -1,0 +1,100 @@
+package rigibo.backend.contact;
+
+import rigibo.backend.storage.Bodies;
+
+import java.util.Arrays;
+
+/**
+ * The bodies of one island, packed: eight doubles, one cache line, per body. Entry 0 is the ground,
+ * which stands for every body that does not move.
+ */
+final class Motions {
+
+    /** Doubles per body, and where each quantity sits. */
+    static final int STRIDE = 8;
+
+    static final int VX = 0;
+    static final int VY = 1;
+    static final int SPIN = 2;
+
+    /** Moved and turned since the body entered the pile, m and rad. */
+    static final int DX = 3;
+
+    static final int DY = 4;
+    static final int TURN = 5;
+    static final int INVERSE_MASS = 6;
+    static final int INVERSE_INERTIA = 7;
+
+    private static final int NOBODY = -1;
+
+    double[] data = new double[16 * STRIDE];
+
+    /** The slot of each entry. */
+    int[] slots = new int[16];
+
+    int count;
+
+    /** For each slot its entry, valid only where that entry names the slot. */
+    private int[] entries = new int[16];
+
+    /** Empties the pack but for the ground. */
+    void clear(Bodies bodies) {
+        if (entries.length < bodies.type.length) {
+            entries = new int[bodies.type.length];
+        }
+        count = 1;
+        slots[0] = NOBODY;
+        Arrays.fill(data, 0, STRIDE, 0);
+    }
+
+    /** The offset of a body's entry; packs the body first if it moves and is not there yet. */
+    int offset(Bodies bodies, int slot) {
+        int entry = entries[slot];
+        if (entry < count && slots[entry] == slot) {
+            return entry * STRIDE;
+        }
+        return bodies.isMoved(slot) ? pack(bodies, slot) : 0;
+    }
+
+    private int pack(Bodies bodies, int slot) {
+        if (count == slots.length) {
+            slots = Arrays.copyOf(slots, 2 * count);
+            data = Arrays.copyOf(data, 2 * count * STRIDE);
+        }
+        slots[count] = slot;
+        entries[slot] = count;
+        int at = count++ * STRIDE;
+        data[at + VX] = bodies.velocityX[slot];
+        data[at + VY] = bodies.velocityY[slot];
+        data[at + SPIN] = bodies.spin[slot];
+        data[at + DX] = 0;
+        data[at + DY] = 0;
+        data[at + TURN] = 0;
+        data[at + INVERSE_MASS] = bodies.inverseMass[slot];
+        data[at + INVERSE_INERTIA] = bodies.inverseInertia[slot];
+        return at;
+    }
+
+    /** Moves every entry along its velocity for h seconds. */
+    void drift(double h) {
+        double[] d = data;
+        for (int at = STRIDE; at < count * STRIDE; at += STRIDE) {
+            d[at + DX] += h * d[at + VX];
+            d[at + DY] += h * d[at + VY];
+            d[at + TURN] += h * d[at + SPIN];
+        }
+    }
+
+    /** The gap of a contact's point now, m, negative in overlap. */
+    double gap(Rows rows, int row, int point) {
+        double[] d = rows.data;
+        int at = row * Rows.STRIDE;
+        int a = rows.bodyA[row];
+        int b = rows.bodyB[row];
+        return d[at + Rows.GAP0 + point]
+                + d[at + Rows.NX] * (data[b + DX] - data[a + DX])
+                + d[at + Rows.NY] * (data[b + DY] - data[a + DY])
+                + d[at + 2 * point + Rows.LEVER_B0] * data[b + TURN]
+                - d[at + 2 * point + Rows.LEVER_A0] * data[a + TURN];
+    }
+}

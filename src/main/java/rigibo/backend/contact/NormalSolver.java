@@ -1,0 +1,151 @@
+package rigibo.backend.contact;
+
+import static rigibo.backend.contact.Motions.DX;
+import static rigibo.backend.contact.Motions.DY;
+import static rigibo.backend.contact.Motions.INVERSE_INERTIA;
+import static rigibo.backend.contact.Motions.INVERSE_MASS;
+import static rigibo.backend.contact.Motions.SPIN;
+import static rigibo.backend.contact.Motions.TURN;
+import static rigibo.backend.contact.Motions.VX;
+import static rigibo.backend.contact.Motions.VY;
+
+/**
+ * The normal rows: points do not close faster than their gap allows within a substep, and push only
+ * (j ≥ 0 ⊥ v + gap/h ≥ 0). Two points of one contact are one small complementarity problem, solved
+ * by trying its four cases, so that a flat box answers both corners at once and does not rock.
+ */
+final class NormalSolver {
+
+    private static final SoftPush RIGID = SoftPush.none();
+
+    private final Motions motions;
+    private final Rows rows;
+    private final boolean isBlock;
+
+    NormalSolver(Motions motions, Rows rows, boolean isBlock) {
+        this.motions = motions;
+        this.rows = rows;
+        this.isBlock = isBlock;
+    }
+
+    /** One pass over all rows, in their order, for a substep of h seconds. */
+    void forth(double h, int substep) {
+        for (int row = 0; row < rows.count; row++) {
+            if (rows.firstSubstep[row] <= substep) {
+                solve(row, 1 / h, RIGID);
+            }
+        }
+    }
+
+    /** The same, but overlapping points give way and are pushed apart, as by a damped spring. */
+    void push(double h, double kick, int substep, SoftPush soft) {
+        soft.begin(h, kick);
+        for (int row = 0; row < rows.count; row++) {
+            if (rows.firstSubstep[row] <= substep) {
+                solve(row, 1 / h, soft);
+            }
+        }
+    }
+
+    /** One pass against their order: what the first pass missed below, this one carries up. */
+    void back(double h, int substep) {
+        for (int row = rows.groundStart - 1; row >= 0; row--) {
+            if (rows.firstSubstep[row] <= substep) {
+                solve(row, 1 / h, RIGID);
+            }
+        }
+        for (int row = rows.groundStart; row < rows.count; row++) {
+            if (rows.firstSubstep[row] <= substep) {
+                solve(row, 1 / h, RIGID);
+            }
+        }
+    }
+
+    private void solve(int row, double perSubstep, SoftPush soft) {
+        double[] d = rows.data;
+        double[] m = motions.data;
+        int at = row * Rows.STRIDE;
+        int a = rows.bodyA[row];
+        int b = rows.bodyB[row];
+        double nx = d[at + Rows.NX];
+        double ny = d[at + Rows.NY];
+        double vn = nx * (m[b + VX] - m[a + VX]) + ny * (m[b + VY] - m[a + VY]);
+        double dn = nx * (m[b + DX] - m[a + DX]) + ny * (m[b + DY] - m[a + DY]);
+        double la0 = d[at + Rows.LEVER_A0];
+        double lb0 = d[at + Rows.LEVER_B0];
+        double v0 = vn + lb0 * m[b + SPIN] - la0 * m[a + SPIN];
+        double gap0 = d[at + Rows.GAP0] + dn + lb0 * m[b + TURN] - la0 * m[a + TURN];
+        double w0 = v0 + soft.bias(gap0, perSubstep);
+        double old0 = d[at + Rows.IMPULSE0];
+        if (rows.points[row] == 1) {
+            double rigid = Math.max(0, old0 - w0 * d[at + Rows.M00]);
+            double impulse = gap0 > 0 ? rigid : soft.soften(rigid, d[at + Rows.LOAD0]);
+            d[at + Rows.IMPULSE0] = impulse;
+            apply(m, a, b, nx, ny, impulse - old0, la0 * (impulse - old0), lb0 * (impulse - old0));
+            return;
+        }
+        double la1 = d[at + Rows.LEVER_A1];
+        double lb1 = d[at + Rows.LEVER_B1];
+        double gap1 = d[at + Rows.GAP1] + dn + lb1 * m[b + TURN] - la1 * m[a + TURN];
+        double w1 = vn + lb1 * m[b + SPIN] - la1 * m[a + SPIN] + soft.bias(gap1, perSubstep);
+        double old1 = d[at + Rows.IMPULSE1];
+        solvePair(d, at, w0, w1);
+        if (gap0 <= 0 && gap1 <= 0) {
+            d[at + Rows.IMPULSE0] = soft.soften(d[at + Rows.IMPULSE0], d[at + Rows.LOAD0]);
+            d[at + Rows.IMPULSE1] = soft.soften(d[at + Rows.IMPULSE1], d[at + Rows.LOAD1]);
+        }
+        double j0 = d[at + Rows.IMPULSE0] - old0;
+        double j1 = d[at + Rows.IMPULSE1] - old1;
+        apply(m, a, b, nx, ny, j0 + j1, la0 * j0 + la1 * j1, lb0 * j0 + lb1 * j1);
+    }
+
+    /** Writes the impulses that bring w = v + gap/h to w ≥ 0, j ≥ 0, w·j = 0. */
+    private void solvePair(double[] d, int at, double w0, double w1) {
+        double old0 = d[at + Rows.IMPULSE0];
+        double old1 = d[at + Rows.IMPULSE1];
+        if (!isBlock) {
+            double j0 = Math.max(0, old0 - w0 / d[at + Rows.K00]);
+            double after1 = w1 + d[at + Rows.K01] * (j0 - old0);
+            keep(d, at, j0, Math.max(0, old1 - after1 / d[at + Rows.K11]));
+            return;
+        }
+        double both0 = old0 - d[at + Rows.M00] * w0 - d[at + Rows.M01] * w1;
+        double both1 = old1 - d[at + Rows.M01] * w0 - d[at + Rows.M11] * w1;
+        if (both0 >= 0 && both1 >= 0) {
+            keep(d, at, both0, both1);
+            return;
+        }
+        double k00 = d[at + Rows.K00];
+        double k01 = d[at + Rows.K01];
+        double k11 = d[at + Rows.K11];
+        // What w would be without any impulse of these two rows.
+        double free0 = w0 - k00 * old0 - k01 * old1;
+        double free1 = w1 - k01 * old0 - k11 * old1;
+        double only0 = -free0 / k00;
+        double only1 = -free1 / k11;
+        if (only0 >= 0 && free1 + k01 * only0 >= 0) {
+            keep(d, at, only0, 0);
+        } else if (only1 >= 0 && free0 + k01 * only1 >= 0) {
+            keep(d, at, 0, only1);
+        } else {
+            keep(d, at, 0, 0);
+        }
+    }
+
+    private static void keep(double[] d, int at, double impulse0, double impulse1) {
+        d[at + Rows.IMPULSE0] = impulse0;
+        d[at + Rows.IMPULSE1] = impulse1;
+    }
+
+    private static void apply(
+            double[] m, int a, int b, double nx, double ny, double j, double onA, double onB) {
+        double ma = m[a + INVERSE_MASS] * j;
+        double mb = m[b + INVERSE_MASS] * j;
+        m[a + VX] -= ma * nx;
+        m[a + VY] -= ma * ny;
+        m[a + SPIN] -= m[a + INVERSE_INERTIA] * onA;
+        m[b + VX] += mb * nx;
+        m[b + VY] += mb * ny;
+        m[b + SPIN] += m[b + INVERSE_INERTIA] * onB;
+    }
+}

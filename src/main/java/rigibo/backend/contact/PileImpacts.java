@@ -1,0 +1,214 @@
+package rigibo.backend.contact;
+
+import static rigibo.backend.contact.Motions.DX;
+import static rigibo.backend.contact.Motions.DY;
+import static rigibo.backend.contact.Motions.INVERSE_INERTIA;
+import static rigibo.backend.contact.Motions.INVERSE_MASS;
+import static rigibo.backend.contact.Motions.SPIN;
+import static rigibo.backend.contact.Motions.TURN;
+import static rigibo.backend.contact.Motions.VX;
+import static rigibo.backend.contact.Motions.VY;
+
+import rigibo.backend.impact.Impact;
+import rigibo.backend.impact.ImpactLaw;
+import rigibo.backend.storage.Counters;
+import rigibo.backend.storage.Pairs;
+
+import java.util.Arrays;
+
+/**
+ * Blows inside piles, split within the substep: up to the time the gap closes bodies move with
+ * their old velocities, from there with the new ones. The pairs that close fastest come first, and
+ * a blow that makes a neighbour close fast is answered in the next sweep.
+ */
+final class PileImpacts {
+
+    /** Sweeps over the contacts in one substep; a longer chain goes on in the next substep. */
+    private static final int MOST_SWEEPS = 8;
+
+    private final Motions motions;
+    private final Rows rows;
+    private final Pairs pairs;
+    private final Counters counters;
+    private final Impact impact = new Impact();
+    private final ImpactLaw law = new ImpactLaw();
+
+    /** Rows with elasticity, and of those the ones that close fast, with their speed. */
+    private int[] elastic = new int[16];
+
+    private int elasticCount;
+    private long[] closing = new long[16];
+    private int closingCount;
+
+    PileImpacts(Motions motions, Rows rows, Pairs pairs, Counters counters) {
+        this.motions = motions;
+        this.rows = rows;
+        this.pairs = pairs;
+        this.counters = counters;
+    }
+
+    /** Lists the rows of the packed island that can bounce. */
+    void prepare() {
+        if (elastic.length < rows.count) {
+            elastic = new int[2 * rows.count];
+            closing = new long[2 * rows.count];
+        }
+        elasticCount = 0;
+        for (int row = 0; row < rows.count; row++) {
+            if (rows.data[row * Rows.STRIDE + Rows.ELASTICITY] > 0) {
+                elastic[elasticCount++] = row;
+            }
+        }
+    }
+
+    /** Resolves all blows that fall into a substep of h seconds. */
+    void resolve(double h, int substep) {
+        for (int sweep = 0; sweep < MOST_SWEEPS; sweep++) {
+            findClosing(h, substep);
+            if (closingCount == 0) {
+                return;
+            }
+            for (int i = 0; i < closingCount; i++) {
+                strike((int) closing[i] & Integer.MAX_VALUE, h);
+            }
+        }
+    }
+
+    /** Sorted by closing speed, as the bits of a float order; ties by row. */
+    private void findClosing(double h, int substep) {
+        closingCount = 0;
+        for (int i = 0; i < elasticCount; i++) {
+            int row = elastic[i];
+            if (rows.firstSubstep[row] <= substep && strikes(row, h)) {
+                int order = ~Float.floatToIntBits((float) -slowest(row));
+                closing[closingCount++] = (long) order << 32 | row;
+            }
+        }
+        Arrays.sort(closing, 0, closingCount);
+    }
+
+    private boolean strikes(int row, double h) {
+        double limit = -rows.data[row * Rows.STRIDE + Rows.BOUNCE_SPEED];
+        return strikes(row, 0, h, limit) || rows.points[row] == 2 && strikes(row, 1, h, limit);
+    }
+
+    private boolean strikes(int row, int point, double h, double limit) {
+        double v = parting(row, point);
+        return v < limit && v < -ROUND_OFF && motions.gap(rows, row, point) + h * v < 0;
+    }
+
+    /** Closing speeds under this (m/s) are what is left of solved rows, not blows. */
+    private static final double ROUND_OFF = 1e-9;
+
+    private double slowest(int row) {
+        double v0 = parting(row, 0);
+        return rows.points[row] == 1 ? v0 : Math.min(v0, parting(row, 1));
+    }
+
+    private double parting(int row, int point) {
+        double[] d = rows.data;
+        double[] m = motions.data;
+        int at = row * Rows.STRIDE;
+        int a = rows.bodyA[row];
+        int b = rows.bodyB[row];
+        return d[at + Rows.NX] * (m[b + VX] - m[a + VX])
+                + d[at + Rows.NY] * (m[b + VY] - m[a + VY])
+                + d[at + 2 * point + Rows.LEVER_B0] * m[b + SPIN]
+                - d[at + 2 * point + Rows.LEVER_A0] * m[a + SPIN];
+    }
+
+    private void strike(int row, double h) {
+        if (!strikes(row, h)) {
+            return; // An earlier blow of this sweep turned it.
+        }
+        double time = load(row, h);
+        double[] m = motions.data;
+        int a = rows.bodyA[row];
+        int b = rows.bodyB[row];
+        double oldAX = impact.velocityAX;
+        double oldAY = impact.velocityAY;
+        double oldSpinA = impact.spinA;
+        double oldBX = impact.velocityBX;
+        double oldBY = impact.velocityBY;
+        double oldSpinB = impact.spinB;
+        law.resolve(impact);
+        move(
+                m,
+                a,
+                time,
+                oldAX - impact.velocityAX,
+                oldAY - impact.velocityAY,
+                oldSpinA - impact.spinA);
+        move(
+                m,
+                b,
+                time,
+                oldBX - impact.velocityBX,
+                oldBY - impact.velocityBY,
+                oldSpinB - impact.spinB);
+        rows.data[row * Rows.STRIDE + Rows.TOTAL] += impact.totalNormalImpulse();
+        pairs.impacts[rows.pair[row]]++;
+        counters.impacts++;
+    }
+
+    /** Takes a change of velocity, and the way gone with the old one before the blow. */
+    private static void move(
+            double[] m, int at, double time, double lostX, double lostY, double lostSpin) {
+        m[at + VX] -= lostX;
+        m[at + VY] -= lostY;
+        m[at + SPIN] -= lostSpin;
+        m[at + DX] += time * lostX;
+        m[at + DY] += time * lostY;
+        m[at + TURN] += time * lostSpin;
+    }
+
+    /** Loads the points that strike; returns the time in s at which the first of them does. */
+    private double load(int row, double h) {
+        double[] d = rows.data;
+        double[] m = motions.data;
+        int at = row * Rows.STRIDE;
+        int a = rows.bodyA[row];
+        int b = rows.bodyB[row];
+        impact.normalX = d[at + Rows.NX];
+        impact.normalY = d[at + Rows.NY];
+        impact.friction = d[at + Rows.FRICTION];
+        impact.elasticity = d[at + Rows.ELASTICITY];
+        impact.inverseMassA = m[a + INVERSE_MASS];
+        impact.inverseInertiaA = m[a + INVERSE_INERTIA];
+        impact.inverseMassB = m[b + INVERSE_MASS];
+        impact.inverseInertiaB = m[b + INVERSE_INERTIA];
+        impact.velocityAX = m[a + VX];
+        impact.velocityAY = m[a + VY];
+        impact.spinA = m[a + SPIN];
+        impact.velocityBX = m[b + VX];
+        impact.velocityBY = m[b + VY];
+        impact.spinB = m[b + SPIN];
+        impact.points = 0;
+        double time = h;
+        for (int point = 0; point < rows.points[row]; point++) {
+            if (motions.gap(rows, row, point) + h * Math.min(0, parting(row, point)) <= 0) {
+                addPoint(at, point);
+                double speed = -parting(row, point);
+                double when = speed > 0 ? Math.max(0, motions.gap(rows, row, point)) / speed : h;
+                time = Math.min(time, when);
+            }
+        }
+        return time;
+    }
+
+    /** Rebuilds the arms from the levers along the normal and the tangent. */
+    private void addPoint(int at, int point) {
+        double[] d = rows.data;
+        int i = impact.points++;
+        double nx = d[at + Rows.NX];
+        double ny = d[at + Rows.NY];
+        double acrossA = d[at + 2 * point + Rows.LEVER_A0];
+        double acrossB = d[at + 2 * point + Rows.LEVER_B0];
+        double alongA = d[at + Rows.LEVER_TA];
+        double alongB = d[at + Rows.LEVER_TB];
+        impact.armAX[i] = acrossA * ny + alongA * nx;
+        impact.armAY[i] = -acrossA * nx + alongA * ny;
+        impact.armBX[i] = acrossB * ny + alongB * nx;
+        impact.armBY[i] = -acrossB * nx + alongB * ny;
+    }
+}

@@ -1,0 +1,238 @@
+package rigibo.backend.contact;
+
+import rigibo.backend.setup.Accuracy;
+import rigibo.backend.setup.ContactSolver;
+import rigibo.backend.setup.Correction;
+import rigibo.backend.storage.Bodies;
+import rigibo.backend.storage.Counters;
+import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.Islands;
+import rigibo.backend.storage.Pairs;
+
+/** Advances all piles by one step, island by island. */
+public final class PileSolver {
+
+    /** Over how many seconds a contact's load is averaged: longer than a pile rocks. */
+    private static final double LOAD_MEMORY = 2;
+
+    private final Bodies bodies;
+    private final Pairs pairs;
+    private final Islands islands;
+    private final Counters counters;
+    private final Accuracy accuracy;
+    private final boolean isCorrecting;
+    private final Motions motions = new Motions();
+    private final Rows rows = new Rows();
+    private final RowBuilder builder;
+    private final Kick kick;
+    private final WarmStart warmStart;
+    private final NormalSolver normals;
+    private final FrictionSolver friction;
+    private final PileImpacts impacts;
+    private final OverlapSolver overlap;
+    private final DirectSolver direct;
+    private final SoftPush soft = new SoftPush();
+    private final boolean isDirect;
+
+    /** Whether the packed island is solved whole. */
+    private boolean isSmall;
+
+    /** A solver at an accuracy. */
+    public PileSolver(DataStorage data, Accuracy accuracy) {
+        bodies = data.bodies;
+        pairs = data.pairs;
+        islands = data.islands;
+        counters = data.counters;
+        this.accuracy = accuracy;
+        isCorrecting = accuracy.correction() == Correction.SOFT;
+        builder = new RowBuilder(data, motions, rows);
+        kick = new Kick(bodies, motions);
+        warmStart = new WarmStart(motions, rows);
+        normals =
+                new NormalSolver(
+                        motions, rows, accuracy.contactSolver() != ContactSolver.SEQUENTIAL);
+        friction = new FrictionSolver(motions, rows);
+        overlap = new OverlapSolver(motions, rows);
+        direct = new DirectSolver(motions, rows, overlap);
+        isDirect = accuracy.contactSolver() == ContactSolver.DIRECT;
+        impacts = new PileImpacts(motions, rows, pairs, counters);
+    }
+
+    /** Advances every island to the end of a step of {@code dt} seconds. */
+    public void solve(double dt) {
+        for (int island = 0; island < islands.count; island++) {
+            double start = startOf(island);
+            double h = (dt - start) / accuracy.substeps();
+            if (h > 0) {
+                advance(island, start, h, dt);
+            }
+        }
+    }
+
+    /** When the first of the island's bodies joined, s after the step's start. */
+    private double startOf(int island) {
+        double first = Double.POSITIVE_INFINITY;
+        for (int i = islands.bodyStart[island]; i < islands.bodyStart[island + 1]; i++) {
+            first = Math.min(first, bodies.pileTime[islands.bodies[i]]);
+        }
+        return first;
+    }
+
+    private void advance(int island, double start, double h, double dt) {
+        builder.build(island, h / 2);
+        friction.prepare();
+        impacts.prepare();
+        direct.prepare();
+        isSmall = isDirect && direct.isSmallEnough();
+        delayLateJoiners(start, h);
+        counters.rows += friction.rowCount() + rows.count;
+        for (int substep = 0; substep < accuracy.substeps(); substep++) {
+            double middle = start + (substep + 0.5) * h;
+            kick.accelerate(substep == 0 ? start : middle - h, middle);
+            warmStart.apply(substep == 1 ? 2 : 1, substep);
+            substep(h, substep);
+        }
+        finish(h, dt);
+        store(h);
+    }
+
+    private void substep(double h, int substep) {
+        impacts.resolve(h, substep);
+        if (isSmall) {
+            hold(h, substep);
+            addUpImpulses();
+            motions.drift(h);
+            takeOverlapBack(h, substep);
+        } else {
+            pushApart(h, substep);
+            motions.drift(h);
+            hold(h, substep);
+            addUpImpulses();
+        }
+    }
+
+    private void takeOverlapBack(double h, int substep) {
+        if (isCorrecting) {
+            direct.correct(h);
+            overlap.correct(h, substep);
+        }
+    }
+
+    /** A pile too large to be solved whole gives way under its load and pushes back. */
+    private void pushApart(double h, int substep) {
+        double kickLength = substep == 0 ? h / 2 : h;
+        for (int i = 0; i < accuracy.velocityIterations(); i++) {
+            if (isCorrecting) {
+                normals.push(h, kickLength, substep, soft);
+            } else {
+                normals.forth(h, substep);
+            }
+        }
+    }
+
+    /** Keeps contacts from closing and from sliding. */
+    private void hold(double h, int substep) {
+        for (int i = 0; i < accuracy.velocityIterations(); i++) {
+            friction.solve(substep);
+            normals.back(h, substep);
+            if (isSmall) {
+                direct.solve(h, substep);
+                friction.solve(substep);
+                normals.forth(h, substep);
+            }
+        }
+    }
+
+    /** The second half of the last kick: velocities are those at the end of the step. */
+    private void finish(double h, double dt) {
+        int last = accuracy.substeps();
+        kick.accelerate(dt - h / 2, dt);
+        warmStart.apply(last == 1 ? 1 : 0.5, last);
+        hold(h, last);
+        addUpImpulses();
+    }
+
+    private void addUpImpulses() {
+        double[] d = rows.data;
+        for (int at = 0; at < rows.count * Rows.STRIDE; at += Rows.STRIDE) {
+            d[at + Rows.TOTAL] += d[at + Rows.IMPULSE0] + d[at + Rows.IMPULSE1];
+        }
+    }
+
+    /**
+     * A body that joined at time t takes part from the substep that holds t. It is set back along
+     * its straight line to where it would have been when that substep began, so that the blow comes
+     * at its time.
+     */
+    private void delayLateJoiners(double start, double h) {
+        double[] m = motions.data;
+        for (int entry = 1; entry < motions.count; entry++) {
+            double late = bodies.pileTime[motions.slots[entry]] - start;
+            if (late > 0) {
+                int at = entry * Motions.STRIDE;
+                // Drift moves it from the step's start on, so it is set back by all of that way.
+                m[at + Motions.DX] = -late * m[at + Motions.VX];
+                m[at + Motions.DY] = -late * m[at + Motions.VY];
+                m[at + Motions.TURN] = -late * m[at + Motions.SPIN];
+                delayRowsOf(at, (int) (late / h));
+            }
+        }
+    }
+
+    private void delayRowsOf(int body, int substep) {
+        for (int row = 0; row < rows.count; row++) {
+            if (rows.bodyA[row] == body || rows.bodyB[row] == body) {
+                rows.firstSubstep[row] = Math.max(rows.firstSubstep[row], substep);
+            }
+        }
+    }
+
+    private void store(double h) {
+        for (int entry = 1; entry < motions.count; entry++) {
+            int slot = motions.slots[entry];
+            if (bodies.isDynamic(slot)) {
+                storeBody(slot, entry * Motions.STRIDE);
+            }
+        }
+        for (int row = 0; row < rows.count; row++) {
+            storePair(row, h);
+        }
+    }
+
+    private void storeBody(int slot, int at) {
+        double[] m = motions.data;
+        bodies.x[slot] += m[at + Motions.DX];
+        bodies.y[slot] += m[at + Motions.DY];
+        bodies.velocityX[slot] = m[at + Motions.VX];
+        bodies.velocityY[slot] = m[at + Motions.VY];
+        bodies.spin[slot] = m[at + Motions.SPIN];
+        if (m[at + Motions.TURN] != 0) {
+            bodies.turn(slot, m[at + Motions.TURN]);
+        }
+    }
+
+    /** Keeps the forces that held, as impulses of the last half kick over its length. */
+    private void storePair(int row, double h) {
+        double[] d = rows.data;
+        int at = row * Rows.STRIDE;
+        int pair = rows.pair[row];
+        double perSecond = 2 / h;
+        pairs.normalForce[2 * pair] = d[at + Rows.IMPULSE0] * perSecond;
+        pairs.normalForce[2 * pair + 1] = d[at + Rows.IMPULSE1] * perSecond;
+        pairs.frictionForce[pair] = d[at + Rows.IMPULSE_T] * perSecond;
+        pairs.rollingTorque[pair] = d[at + Rows.IMPULSE_R] * perSecond;
+        remember(2 * pair, h);
+        remember(2 * pair + 1, h);
+        pairs.impulse[pair] += d[at + Rows.TOTAL];
+        if (d[at + Rows.IMPULSE0] + d[at + Rows.IMPULSE1] > 0) {
+            pairs.resting[pair] = true;
+            pairs.touching[pair] = true;
+        }
+    }
+
+    /** Moves a point's remembered load towards the force it carries. */
+    private void remember(int point, double h) {
+        double share = Math.min(1, h * accuracy.substeps() / LOAD_MEMORY);
+        pairs.load[point] += share * (pairs.normalForce[point] - pairs.load[point]);
+    }
+}

@@ -1,0 +1,214 @@
+package rigibo.backend.contact;
+
+import static rigibo.backend.contact.Motions.INVERSE_INERTIA;
+import static rigibo.backend.contact.Motions.INVERSE_MASS;
+
+import rigibo.backend.storage.Bodies;
+import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.Islands;
+import rigibo.backend.storage.PairTolerances;
+import rigibo.backend.storage.Pairs;
+
+/** Turns the pairs of an island into packed contacts. */
+final class RowBuilder {
+
+    /** Two points whose rows are this dependent are solved as one; below it M loses its digits. */
+    private static final double DEPENDENT = 1e-4;
+
+    private final Bodies bodies;
+    private final Pairs pairs;
+    private final Islands islands;
+    private final Motions motions;
+    private final Rows rows;
+
+    RowBuilder(DataStorage data, Motions motions, Rows rows) {
+        bodies = data.bodies;
+        pairs = data.pairs;
+        islands = data.islands;
+        this.motions = motions;
+        this.rows = rows;
+    }
+
+    /**
+     * Packs an island for substeps of h seconds whose kicks begin with {@code firstKick} seconds.
+     */
+    void build(int island, double firstKick) {
+        motions.clear(bodies);
+        rows.count = 0;
+        for (int i = islands.bodyStart[island]; i < islands.bodyStart[island + 1]; i++) {
+            motions.offset(bodies, islands.bodies[i]);
+        }
+        for (int i = islands.pairStart[island]; i < islands.pairStart[island + 1]; i++) {
+            if (!isAgainstGround(islands.pairs[i])) {
+                addRow(islands.pairs[i], firstKick);
+            }
+        }
+        rows.groundStart = rows.count;
+        for (int i = islands.pairStart[island]; i < islands.pairStart[island + 1]; i++) {
+            if (isAgainstGround(islands.pairs[i])) {
+                addRow(islands.pairs[i], firstKick);
+            }
+        }
+    }
+
+    private boolean isAgainstGround(int pair) {
+        return !bodies.isDynamic(pairs.bodyA[pair]) || !bodies.isDynamic(pairs.bodyB[pair]);
+    }
+
+    private void addRow(int pair, double firstKick) {
+        int row = rows.add();
+        int a = pairs.bodyA[pair];
+        int b = pairs.bodyB[pair];
+        rows.pair[row] = pair;
+        rows.points[row] = pairs.points[pair];
+        rows.bodyA[row] = motions.offset(bodies, a);
+        rows.bodyB[row] = motions.offset(bodies, b);
+        int at = row * Rows.STRIDE;
+        double[] d = rows.data;
+        d[at + Rows.NX] = pairs.normalX[pair];
+        d[at + Rows.NY] = pairs.normalY[pair];
+        writeLevers(at, pair, a, b);
+        writeNormalMasses(row, at);
+        writeFriction(row, at, pair);
+        writeBounce(at, pair, 2 * firstKick);
+        writeImpulses(row, at, pair, firstKick);
+    }
+
+    /** Starts from the forces that held last; a contact of one row carries both points' load. */
+    private void writeImpulses(int row, int at, int pair, double firstKick) {
+        double[] d = rows.data;
+        double impulse0 = pairs.normalForce[2 * pair] * firstKick;
+        double impulse1 = pairs.normalForce[2 * pair + 1] * firstKick;
+        double load0 = pairs.load[2 * pair];
+        double load1 = pairs.load[2 * pair + 1];
+        boolean isPair = rows.points[row] == 2;
+        d[at + Rows.LOAD0] = isPair ? load0 : load0 + load1;
+        d[at + Rows.LOAD1] = isPair ? load1 : 0;
+        d[at + Rows.IMPULSE0] = isPair ? impulse0 : impulse0 + impulse1;
+        d[at + Rows.IMPULSE1] = isPair ? impulse1 : 0;
+        d[at + Rows.IMPULSE_T] = pairs.frictionForce[pair] * firstKick;
+        d[at + Rows.IMPULSE_R] = pairs.rollingTorque[pair] * firstKick;
+    }
+
+    private void writeLevers(int at, int pair, int a, int b) {
+        double[] d = rows.data;
+        double nx = pairs.normalX[pair];
+        double ny = pairs.normalY[pair];
+        double middleX = 0;
+        double middleY = 0;
+        int points = pairs.points[pair];
+        for (int i = 0; i < points; i++) {
+            double px = pairs.pointX[2 * pair + i];
+            double py = pairs.pointY[2 * pair + i];
+            int shift = at + 2 * i;
+            d[shift + Rows.LEVER_A0] = (px - bodies.x[a]) * ny - (py - bodies.y[a]) * nx;
+            d[shift + Rows.LEVER_B0] = (px - bodies.x[b]) * ny - (py - bodies.y[b]) * nx;
+            d[at + Rows.GAP0 + i] = pairs.separation[2 * pair + i];
+            middleX += px / points;
+            middleY += py / points;
+        }
+        d[at + Rows.LEVER_TA] = (middleX - bodies.x[a]) * nx + (middleY - bodies.y[a]) * ny;
+        d[at + Rows.LEVER_TB] = (middleX - bodies.x[b]) * nx + (middleY - bodies.y[b]) * ny;
+    }
+
+    private void writeNormalMasses(int row, int at) {
+        double[] d = rows.data;
+        double k00 =
+                response(
+                        row,
+                        d[at + Rows.LEVER_A0],
+                        d[at + Rows.LEVER_B0],
+                        d[at + Rows.LEVER_A0],
+                        d[at + Rows.LEVER_B0]);
+        double k01 =
+                response(
+                        row,
+                        d[at + Rows.LEVER_A0],
+                        d[at + Rows.LEVER_B0],
+                        d[at + Rows.LEVER_A1],
+                        d[at + Rows.LEVER_B1]);
+        double k11 =
+                response(
+                        row,
+                        d[at + Rows.LEVER_A1],
+                        d[at + Rows.LEVER_B1],
+                        d[at + Rows.LEVER_A1],
+                        d[at + Rows.LEVER_B1]);
+        d[at + Rows.K00] = k00;
+        d[at + Rows.K01] = k01;
+        d[at + Rows.K11] = k11;
+        double determinant = k00 * k11 - k01 * k01;
+        if (rows.points[row] == 2 && determinant > DEPENDENT * k00 * k11) {
+            d[at + Rows.M00] = k11 / determinant;
+            d[at + Rows.M01] = -k01 / determinant;
+            d[at + Rows.M11] = k00 / determinant;
+        } else {
+            keepDeeper(row, at);
+        }
+    }
+
+    /** One point, or two that are as good as one: the deeper is kept as the first. */
+    private void keepDeeper(int row, int at) {
+        double[] d = rows.data;
+        if (rows.points[row] == 2) {
+            rows.points[row] = 1;
+            if (d[at + Rows.GAP1] < d[at + Rows.GAP0]) {
+                d[at + Rows.GAP0] = d[at + Rows.GAP1];
+                d[at + Rows.LEVER_A0] = d[at + Rows.LEVER_A1];
+                d[at + Rows.LEVER_B0] = d[at + Rows.LEVER_B1];
+                d[at + Rows.K00] = d[at + Rows.K11];
+            }
+        }
+        d[at + Rows.M00] = 1 / d[at + Rows.K00];
+    }
+
+    private void writeFriction(int row, int at, int pair) {
+        double[] d = rows.data;
+        double ta = d[at + Rows.LEVER_TA];
+        double tb = d[at + Rows.LEVER_TB];
+        d[at + Rows.FRICTION] = pairs.friction[pair];
+        d[at + Rows.MASS_T] = 1 / response(row, ta, tb, ta, tb);
+        if (bodies.rollingResistance != null) {
+            double ia = motions.data[rows.bodyA[row] + INVERSE_INERTIA];
+            double ib = motions.data[rows.bodyB[row] + INVERSE_INERTIA];
+            d[at + Rows.INERTIA_R] = ia + ib > 0 ? 1 / (ia + ib) : 0;
+            d[at + Rows.ROLLING] =
+                    Math.max(
+                            bodies.rollingResistance[pairs.bodyA[pair]],
+                            bodies.rollingResistance[pairs.bodyB[pair]]);
+        }
+    }
+
+    /**
+     * From which approach on a contact bounces. What presses it is the effects' acceleration or the
+     * load it carried, whichever is more: inside a heap a contact is pressed from far above. What a
+     * body gains by being pressed for a substep is load, not a blow.
+     */
+    private void writeBounce(int at, int pair, double h) {
+        double[] d = rows.data;
+        int a = pairs.bodyA[pair];
+        int b = pairs.bodyB[pair];
+        double load = pairs.normalForce[2 * pair] + pairs.normalForce[2 * pair + 1];
+        double pressing =
+                Math.max(
+                        load * d[at + Rows.K00],
+                        PairTolerances.pressingAcceleration(
+                                bodies, a, b, pairs.normalX[pair], pairs.normalY[pair]));
+        double width = PairTolerances.width(bodies, a, b);
+        double unseen = PairTolerances.restSpeed(pressing, width);
+        d[at + Rows.KEPT] = OverlapSolver.KEPT_OVERLAP * width;
+        d[at + Rows.ELASTICITY] = pairs.elasticity[pair];
+        d[at + Rows.BOUNCE_SPEED] = Math.max(unseen, pressing * h);
+    }
+
+    /** What a unit impulse along one row gives another with the same direction, 1/kg. */
+    private double response(int row, double la, double lb, double ma, double mb) {
+        double[] m = motions.data;
+        int a = rows.bodyA[row];
+        int b = rows.bodyB[row];
+        return m[a + INVERSE_MASS]
+                + m[b + INVERSE_MASS]
+                + m[a + INVERSE_INERTIA] * la * ma
+                + m[b + INVERSE_INERTIA] * lb * mb;
+    }
+}

@@ -1,0 +1,108 @@
+package rigibo.backend.contact;
+
+import java.util.Arrays;
+
+/**
+ * The contacts of one island, packed: {@link #STRIDE} doubles each. A contact is one or two normal
+ * rows that are solved together, one friction row and one rolling row; two points of a flat contact
+ * share their tangent line, so one friction row at their middle does for both.
+ *
+ * <p>With n the normal from A to B and r the arms to the points, the speed at which point i parts
+ * is n·(vB − vA) + leverB·ωB − leverA·ωA, lever = r × n.
+ */
+final class Rows {
+
+    static final int NX = 0;
+    static final int NY = 1;
+
+    /** Levers r × n of the two points on A and B, m. */
+    static final int LEVER_A0 = 2;
+
+    static final int LEVER_B0 = 3;
+    static final int LEVER_A1 = 4;
+    static final int LEVER_B1 = 5;
+
+    /** What a unit impulse at point i gives point j, 1/kg, and the inverse of that matrix, kg. */
+    static final int K00 = 6;
+
+    static final int K01 = 7;
+    static final int K11 = 8;
+    static final int M00 = 9;
+    static final int M01 = 10;
+    static final int M11 = 11;
+
+    /** Gap of the points when the bodies entered the pile, m. */
+    static final int GAP0 = 12;
+
+    static final int GAP1 = 13;
+
+    /** Impulses so far in this kick, N·s. */
+    static final int IMPULSE0 = 14;
+
+    static final int IMPULSE1 = 15;
+
+    /** Friction: levers r × t, effective mass in kg, μ, impulse in N·s, speed of the surface. */
+    static final int LEVER_TA = 16;
+
+    static final int LEVER_TB = 17;
+    static final int MASS_T = 18;
+    static final int FRICTION = 19;
+    static final int IMPULSE_T = 20;
+
+    /** Rolling: effective inertia in kg·m², lever in m, angular impulse in N·m·s. */
+    static final int INERTIA_R = 21;
+
+    static final int ROLLING = 22;
+    static final int IMPULSE_R = 23;
+
+    /** Elasticity, and the approach in m/s from which a contact bounces. */
+    static final int ELASTICITY = 24;
+
+    static final int BOUNCE_SPEED = 25;
+
+    /** Normal impulse of the whole step, N·s. */
+    static final int TOTAL = 26;
+
+    /** Overlap that is left alone, m. */
+    static final int KEPT = 27;
+
+    /** Force that the points carried of late, N. */
+    static final int LOAD0 = 28;
+
+    static final int LOAD1 = 29;
+
+    static final int STRIDE = 32;
+
+    double[] data = new double[16 * STRIDE];
+
+    /** Offsets of A and B in {@link Motions}, the pair, its points, and the first substep. */
+    int[] bodyA = new int[16];
+
+    int[] bodyB = new int[16];
+    int[] pair = new int[16];
+    int[] points = new int[16];
+    int[] firstSubstep = new int[16];
+    int count;
+
+    /**
+     * Contacts from here on are against what cannot give way. Every pass takes them last: what it
+     * leaves unsolved is then between bodies, and none sinks into the floor.
+     */
+    int groundStart;
+
+    /** Makes room for one more contact and returns its index; its numbers are all 0. */
+    int add() {
+        if (count == pair.length) {
+            int capacity = 2 * count;
+            data = Arrays.copyOf(data, capacity * STRIDE);
+            bodyA = Arrays.copyOf(bodyA, capacity);
+            bodyB = Arrays.copyOf(bodyB, capacity);
+            pair = Arrays.copyOf(pair, capacity);
+            points = Arrays.copyOf(points, capacity);
+            firstSubstep = Arrays.copyOf(firstSubstep, capacity);
+        }
+        Arrays.fill(data, count * STRIDE, (count + 1) * STRIDE, 0);
+        firstSubstep[count] = 0;
+        return count++;
+    }
+}

@@ -1,0 +1,114 @@
+package rigibo.backend.flight;
+
+import java.util.Arrays;
+
+/**
+ * The impacts to come, earliest first, one per pair at most: a binary heap that knows where each
+ * pair sits, so that a prediction can be replaced. Impacts at the same time come in the order of
+ * their pairs.
+ */
+final class ImpactQueue {
+
+    private static final int ABSENT = -1;
+
+    private int[] heap = new int[16];
+    private int size;
+    private double[] time = new double[16];
+    private int[] place = new int[0];
+
+    /** Empties the queue; pairs are numbered below {@code pairCapacity}. */
+    void clear(int pairCapacity) {
+        for (int i = 0; i < size; i++) {
+            place[heap[i]] = ABSENT;
+        }
+        size = 0;
+        reserve(pairCapacity);
+    }
+
+    /** Makes room for pairs numbered below {@code pairCapacity}. */
+    void reserve(int pairCapacity) {
+        if (place.length < pairCapacity) {
+            int old = place.length;
+            place = Arrays.copyOf(place, pairCapacity);
+            Arrays.fill(place, old, pairCapacity, ABSENT);
+            time = Arrays.copyOf(time, pairCapacity);
+        }
+    }
+
+    boolean isEmpty() {
+        return size == 0;
+    }
+
+    /** The pair whose impact comes first. */
+    int first() {
+        return heap[0];
+    }
+
+    /** When that is, s after the step's start. */
+    double firstTime() {
+        return time[heap[0]];
+    }
+
+    /** Notes when a pair hits, in place of what was noted before. */
+    void put(int pair, double when) {
+        remove(pair);
+        if (size == heap.length) {
+            heap = Arrays.copyOf(heap, 2 * size);
+        }
+        time[pair] = when;
+        heap[size] = pair;
+        place[pair] = size;
+        up(size++);
+    }
+
+    /** Forgets the impact of a pair, if one was noted. */
+    void remove(int pair) {
+        int at = place[pair];
+        if (at == ABSENT) {
+            return;
+        }
+        place[pair] = ABSENT;
+        int last = heap[--size];
+        if (last != pair) {
+            heap[at] = last;
+            place[last] = at;
+            up(at);
+            down(place[last]);
+        }
+    }
+
+    private void up(int from) {
+        int at = from;
+        while (at > 0 && isBefore(heap[at], heap[(at - 1) / 2])) {
+            swap(at, (at - 1) / 2);
+            at = (at - 1) / 2;
+        }
+    }
+
+    private void down(int from) {
+        int at = from;
+        while (2 * at + 1 < size) {
+            int child = 2 * at + 1;
+            if (child + 1 < size && isBefore(heap[child + 1], heap[child])) {
+                child++;
+            }
+            if (!isBefore(heap[child], heap[at])) {
+                return;
+            }
+            swap(at, child);
+            at = child;
+        }
+    }
+
+    private boolean isBefore(int pair, int other) {
+        return time[pair] < time[other] || time[pair] == time[other] && pair < other;
+    }
+
+    private void swap(int i, int j) {
+        int pair = heap[i];
+        heap[i] = heap[j];
+        heap[j] = pair;
+        place[heap[i]] = i;
+        place[heap[j]] = j;
+    }
+}

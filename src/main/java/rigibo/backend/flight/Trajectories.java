@@ -1,0 +1,74 @@
+package rigibo.backend.flight;
+
+import rigibo.backend.collision.Motion;
+import rigibo.backend.collision.Pose;
+import rigibo.backend.storage.Bodies;
+
+/**
+ * How each body moves within the step. A body in flight follows its exact path from the time its
+ * columns were last brought to; one in a pile is predicted by its velocity.
+ */
+final class Trajectories {
+
+    private final Bodies bodies;
+    private final Motion motion = new Motion();
+    private final Pose pose = new Pose();
+
+    /** The time in s after the step's start that a flyer's columns hold. */
+    private double[] since = new double[16];
+
+    Trajectories(Bodies bodies) {
+        this.bodies = bodies;
+    }
+
+    /** Begins a step: all columns hold its start. */
+    void begin() {
+        if (since.length < bodies.type.length) {
+            since = new double[bodies.type.length];
+        }
+        java.util.Arrays.fill(since, 0, bodies.slots.high, 0);
+    }
+
+    boolean isFlyer(int slot) {
+        return bodies.isDynamic(slot) && bodies.awake[slot] && !bodies.piled[slot];
+    }
+
+    /** Writes a body's path within the step. */
+    void load(int slot, Motion out) {
+        boolean flies = isFlyer(slot);
+        boolean moves = bodies.isMoved(slot);
+        out.shape = bodies.shape[slot];
+        out.startTime = flies || !bodies.isDynamic(slot) ? since[slot] : bodies.pileTime[slot];
+        out.x = bodies.x[slot];
+        out.y = bodies.y[slot];
+        out.angle = bodies.angle[slot];
+        out.velocityX = moves ? bodies.velocityX[slot] : 0;
+        out.velocityY = moves ? bodies.velocityY[slot] : 0;
+        out.spin = moves ? bodies.spin[slot] : 0;
+        out.accelerationX = flies ? bodies.accelerationX[slot] : 0;
+        out.accelerationY = flies ? bodies.accelerationY[slot] : 0;
+        out.angularAcceleration = flies ? bodies.angularAcceleration[slot] : 0;
+        out.drag = flies && bodies.drag != null ? bodies.drag[slot] : 0;
+    }
+
+    /** Brings a flyer's columns to a time in s after the step's start. */
+    void advance(int slot, double time) {
+        double elapsed = time - since[slot];
+        if (elapsed == 0) {
+            return;
+        }
+        load(slot, motion);
+        motion.poseAt(time, pose);
+        bodies.x[slot] = pose.x;
+        bodies.y[slot] = pose.y;
+        bodies.velocityX[slot] = motion.velocityXAt(time);
+        bodies.velocityY[slot] = motion.velocityYAt(time);
+        double spin = bodies.spin[slot];
+        double angular = bodies.angularAcceleration[slot];
+        if (spin != 0 || angular != 0) {
+            bodies.turn(slot, elapsed * (spin + elapsed * angular / 2));
+            bodies.spin[slot] = spin + elapsed * angular;
+        }
+        since[slot] = time;
+    }
+}

@@ -1,0 +1,2 @@
+/** Kernels that turn declared effects into accelerations, one class per effect. */
+package rigibo.backend.force;

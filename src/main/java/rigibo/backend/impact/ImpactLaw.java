@@ -1,0 +1,231 @@
+package rigibo.backend.impact;
+
+import java.util.Arrays;
+
+/**
+ * Newton's law of impact with Coulomb's friction, for one or two points of one pair at once.
+ *
+ * <p>Rows 0 and 1 are the normals at the points, row 2 the tangent, taken at the middle of the
+ * points, where two points of one flat contact share it. With kᵢⱼ the velocity that a unit impulse
+ * in row j gives row i (Baraff, "Analytical methods for dynamic simulation", 1989, eq. 9), the law
+ * asks for impulses j ≥ 0 with vₙ' = −e·vₙ wherever j &gt; 0. Sticking is tried first, vₜ' = 0 with
+ * |jₜ| ≤ μ·Σjₙ; else the contact slides and jₜ = ±μ·Σjₙ enters the normal equations, so that
+ * friction that lifts or presses the point is accounted for. An impact never adds energy: where the
+ * law would (Kane and Levinson 1985 show that it can), all impulses are scaled back until it does
+ * not.
+ */
+public final class ImpactLaw {
+
+    private static final int TANGENT = 2;
+
+    /** Two points closer than this, relative to their rows, are one point to the arithmetic. */
+    private static final double SINGULAR = 1e-9;
+
+    private Impact impact;
+    private final double[] k = new double[9];
+    private final double[] velocity = new double[3];
+    private final double[] target = new double[2];
+    private final double[] result = new double[3];
+    private final double[] leverA = new double[3];
+    private final double[] leverB = new double[3];
+
+    /** Changes the velocities of the carrier by the blow, with its own elasticity. */
+    public void resolve(Impact blow) {
+        resolve(blow, blow.elasticity);
+    }
+
+    /** Changes the velocities of the carrier by the blow, with another elasticity from 0 to 1. */
+    public void resolve(Impact blow, double elasticity) {
+        impact = blow;
+        if (blow.points == 2 && isOnePoint()) {
+            blow.keepOnly(blow.parting(0) <= blow.parting(1) ? 0 : 1);
+        }
+        buildRows();
+        for (int i = 0; i < blow.points; i++) {
+            target[i] = velocity[i] < 0 ? -elasticity * velocity[i] : 0;
+        }
+        Arrays.fill(result, 0);
+        if (!solve(blow.friction) && !solve(0)) {
+            Arrays.fill(result, 0);
+            int first = blow.points == 1 || velocity[0] <= velocity[1] ? 0 : 1;
+            result[first] = Math.max(0, (target[first] - velocity[first]) / k[4 * first]);
+        }
+        limitEnergy();
+        apply();
+    }
+
+    private boolean isOnePoint() {
+        buildRows();
+        return k[0] * k[4] - k[1] * k[1] < SINGULAR * k[0] * k[4];
+    }
+
+    private void buildRows() {
+        Impact b = impact;
+        double nx = b.normalX;
+        double ny = b.normalY;
+        int last = b.points - 1;
+        for (int i = 0; i < b.points; i++) {
+            leverA[i] = b.armAX[i] * ny - b.armAY[i] * nx;
+            leverB[i] = b.armBX[i] * ny - b.armBY[i] * nx;
+            velocity[i] = b.parting(i);
+        }
+        double ax = (b.armAX[0] + b.armAX[last]) / 2;
+        double ay = (b.armAY[0] + b.armAY[last]) / 2;
+        double bx = (b.armBX[0] + b.armBX[last]) / 2;
+        double by = (b.armBY[0] + b.armBY[last]) / 2;
+        leverA[TANGENT] = ax * nx + ay * ny;
+        leverB[TANGENT] = bx * nx + by * ny;
+        double vx = b.velocityBX - b.spinB * by - b.velocityAX + b.spinA * ay;
+        double vy = b.velocityBY + b.spinB * bx - b.velocityAY - b.spinA * ax;
+        velocity[TANGENT] = vy * nx - vx * ny;
+        if (last == 0) {
+            leverA[1] = 0;
+            leverB[1] = 0;
+            velocity[1] = 0;
+        }
+        double inverseMass = b.inverseMassA + b.inverseMassB;
+        for (int i = 0; i < 3; i++) {
+            for (int j = 0; j < 3; j++) {
+                double direct = (i == TANGENT) == (j == TANGENT) ? inverseMass : 0;
+                k[3 * i + j] =
+                        direct
+                                + b.inverseInertiaA * leverA[i] * leverA[j]
+                                + b.inverseInertiaB * leverB[i] * leverB[j];
+            }
+        }
+    }
+
+    /** Finds which points push: both, or one while the other parts by itself. */
+    private boolean solve(double friction) {
+        if (impact.points == 1) {
+            return solveOne(0, friction);
+        }
+        return solveBoth(friction)
+                || solveOne(0, friction) && partsBy(1)
+                || solveOne(1, friction) && partsBy(0);
+    }
+
+    private boolean partsBy(int i) {
+        double after = velocity[i];
+        for (int j = 0; j < 3; j++) {
+            after += k[3 * i + j] * result[j];
+        }
+        // A point that another's impulse lifts may be lifted exactly as much: round-off decides.
+        return after >= target[i] - 1e-12 * (Math.abs(velocity[i]) + Math.abs(target[i]));
+    }
+
+    private boolean solveOne(int i, double friction) {
+        Arrays.fill(result, 0);
+        double wanted = target[i] - velocity[i];
+        double kn = k[4 * i];
+        double kt = k[8];
+        double knt = k[3 * i + TANGENT];
+        if (friction > 0) {
+            double determinant = kn * kt - knt * knt;
+            double normal = (kt * wanted + knt * velocity[TANGENT]) / determinant;
+            double tangent = (-knt * wanted - kn * velocity[TANGENT]) / determinant;
+            if (normal >= 0 && Math.abs(tangent) <= friction * normal) {
+                result[i] = normal;
+                result[TANGENT] = tangent;
+                return true;
+            }
+            double slope = tangent > 0 ? friction : -friction;
+            double sliding = kn + slope * knt;
+            if (!(sliding > 0)) {
+                return false;
+            }
+            result[i] = wanted / sliding;
+            result[TANGENT] = slope * result[i];
+            return result[i] >= 0;
+        }
+        result[i] = wanted / kn;
+        return result[i] >= 0;
+    }
+
+    private boolean solveBoth(double friction) {
+        if (friction > 0) {
+            return stickBoth(friction) || slideBoth(friction);
+        }
+        return slideBoth(0);
+    }
+
+    /** Eliminates the tangent from the two normal equations, then reads it back. */
+    private boolean stickBoth(double friction) {
+        double kt = k[8];
+        double k00 = k[0] - k[2] * k[2] / kt;
+        double k01 = k[1] - k[2] * k[5] / kt;
+        double k11 = k[4] - k[5] * k[5] / kt;
+        double wanted0 = target[0] - velocity[0] + k[2] * velocity[TANGENT] / kt;
+        double wanted1 = target[1] - velocity[1] + k[5] * velocity[TANGENT] / kt;
+        double determinant = k00 * k11 - k01 * k01;
+        if (!(determinant > SINGULAR * k00 * k11)) {
+            result[TANGENT] = -velocity[TANGENT];
+            return false;
+        }
+        result[0] = (k11 * wanted0 - k01 * wanted1) / determinant;
+        result[1] = (k00 * wanted1 - k01 * wanted0) / determinant;
+        result[TANGENT] = -(velocity[TANGENT] + k[2] * result[0] + k[5] * result[1]) / kt;
+        return result[0] >= 0
+                && result[1] >= 0
+                && Math.abs(result[TANGENT]) <= friction * (result[0] + result[1]);
+    }
+
+    /** Slides the way that sticking would have had to be held against. */
+    private boolean slideBoth(double friction) {
+        double slope = friction == 0 ? 0 : result[TANGENT] > 0 ? friction : -friction;
+        double k00 = k[0] + slope * k[2];
+        double k01 = k[1] + slope * k[2];
+        double k10 = k[1] + slope * k[5];
+        double k11 = k[4] + slope * k[5];
+        double wanted0 = target[0] - velocity[0];
+        double wanted1 = target[1] - velocity[1];
+        double determinant = k00 * k11 - k01 * k10;
+        if (!(determinant > 0)) {
+            return false;
+        }
+        result[0] = (k11 * wanted0 - k01 * wanted1) / determinant;
+        result[1] = (k00 * wanted1 - k10 * wanted0) / determinant;
+        result[TANGENT] = slope * (result[0] + result[1]);
+        return result[0] >= 0 && result[1] >= 0;
+    }
+
+    /** The work of impulses scaled by s is s·j·v + ½s²·j·K·j; it must not be positive. */
+    private void limitEnergy() {
+        double linear = 0;
+        double quadratic = 0;
+        for (int i = 0; i < 3; i++) {
+            linear += result[i] * velocity[i];
+            for (int j = 0; j < 3; j++) {
+                quadratic += result[i] * k[3 * i + j] * result[j];
+            }
+        }
+        if (linear + quadratic / 2 > 0) {
+            double scale = Math.max(0, -2 * linear / quadratic);
+            for (int i = 0; i < 3; i++) {
+                result[i] *= scale;
+            }
+        }
+    }
+
+    private void apply() {
+        Impact b = impact;
+        double normal = 0;
+        double momentA = result[TANGENT] * leverA[TANGENT];
+        double momentB = result[TANGENT] * leverB[TANGENT];
+        for (int i = 0; i < b.points; i++) {
+            b.normalImpulse[i] = result[i];
+            normal += result[i];
+            momentA += result[i] * leverA[i];
+            momentB += result[i] * leverB[i];
+        }
+        b.tangentImpulse = result[TANGENT];
+        double jx = normal * b.normalX - result[TANGENT] * b.normalY;
+        double jy = normal * b.normalY + result[TANGENT] * b.normalX;
+        b.velocityAX -= b.inverseMassA * jx;
+        b.velocityAY -= b.inverseMassA * jy;
+        b.spinA -= b.inverseInertiaA * momentA;
+        b.velocityBX += b.inverseMassB * jx;
+        b.velocityBY += b.inverseMassB * jy;
+        b.spinB += b.inverseInertiaB * momentB;
+    }
+}

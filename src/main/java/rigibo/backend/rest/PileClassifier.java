@@ -1,0 +1,164 @@
+package rigibo.backend.rest;
+
+import rigibo.backend.setup.Accuracy;
+import rigibo.backend.setup.ImpactMode;
+import rigibo.backend.storage.Bodies;
+import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.PairTolerances;
+import rigibo.backend.storage.Pairs;
+import rigibo.backend.storage.Roster;
+import rigibo.backend.storage.Waking;
+
+/**
+ * Tells bodies in flight from bodies in a pile. A body is piled when one of its pairs rests: it
+ * touches, something presses the two together, and they part no faster than could be seen. A pair
+ * that did not rest before begins to only by lying still; a bouncing one ends by its own series of
+ * bounces, in flight.
+ */
+public final class PileClassifier {
+
+    /**
+     * Relative speed, per unit of the pressing acceleration, under which a pair that touches for
+     * the first time lies still; only round-off is below it. In s.
+     */
+    private static final double STILLNESS = 1e-6;
+
+    private final Bodies bodies;
+    private final Pairs pairs;
+    private final Roster roster;
+    private final Waking waking;
+    private final double touchTolerance;
+    private final ImpactMode mode;
+
+    /** A classifier for an accuracy. */
+    public PileClassifier(DataStorage data, Accuracy accuracy, ImpactMode mode) {
+        bodies = data.bodies;
+        pairs = data.pairs;
+        roster = data.roster;
+        waking = new Waking(data);
+        touchTolerance = accuracy.impactTolerance();
+        this.mode = mode;
+    }
+
+    /** Marks every awake dynamic body as piled or not. */
+    public void classify(double dt) {
+        for (int i = 0; i < roster.awakeCount; i++) {
+            bodies.piled[roster.awake[i]] = false;
+            bodies.pileTime[roster.awake[i]] = 0;
+        }
+        // Both lists grow while they are read: bodies that wake bring their pairs.
+        for (int i = 0; i < pairs.activeCount; i++) {
+            classifyPair(pairs.active[i]);
+        }
+        for (int i = 0; i < pairs.activeCount; i++) {
+            wakeWhatIsHit(pairs.active[i], dt);
+        }
+    }
+
+    /** A sleeper that a pile or a driven body is about to touch wakes before it does. */
+    private void wakeWhatIsHit(int pair, double dt) {
+        int a = pairs.bodyA[pair];
+        int b = pairs.bodyB[pair];
+        boolean hitsB = isPushing(a) && isAsleep(b);
+        boolean hitsA = isPushing(b) && isAsleep(a);
+        if ((hitsA || hitsB) && pairs.points[pair] > 0) {
+            double closing = -dt * slowestParting(pair);
+            if (pairs.gap(pair) <= closing) {
+                pile(hitsA ? a : b);
+            }
+        }
+    }
+
+    private boolean isPushing(int slot) {
+        return bodies.isDriven(slot) || bodies.isDynamic(slot) && bodies.piled[slot];
+    }
+
+    private boolean isAsleep(int slot) {
+        return bodies.isDynamic(slot) && !bodies.awake[slot];
+    }
+
+    private void classifyPair(int pair) {
+        pairs.resting[pair] = rests(pair);
+        if (pairs.resting[pair]) {
+            pile(pairs.bodyA[pair]);
+            pile(pairs.bodyB[pair]);
+        }
+    }
+
+    /** A sleeper that something awake leans on wakes, with all it touches. */
+    private void pile(int slot) {
+        if (!bodies.isDynamic(slot)) {
+            return;
+        }
+        if (bodies.awake[slot]) {
+            bodies.piled[slot] = true;
+        } else {
+            waking.wakeIntoPile(slot);
+        }
+    }
+
+    private boolean rests(int pair) {
+        int a = pairs.bodyA[pair];
+        int b = pairs.bodyB[pair];
+        double width = PairTolerances.width(bodies, a, b);
+        double gap = pairs.gap(pair);
+        if (mode != ImpactMode.EVENTS) {
+            // Without a queue of impacts the pile's solver sees to whatever may touch in this step.
+            return pairs.points[pair] > 0
+                    && (mode == ImpactMode.SPLIT || gap <= PairTolerances.TOUCHING_GAP * width);
+        }
+        if (!(gap <= PairTolerances.TOUCHING_GAP * width)) {
+            return false;
+        }
+        if (gap < -PairTolerances.TOUCHING_GAP * width) {
+            return true;
+        }
+        double pressing =
+                PairTolerances.pressingAcceleration(
+                        bodies, a, b, pairs.normalX[pair], pairs.normalY[pair]);
+        if (pairs.resting[pair]) {
+            boolean isPressed = pressing > 0 || pairs.normalForce[2 * pair] > 0;
+            return isPressed && parting(pair) <= PairTolerances.restSpeed(pressing, width);
+        }
+        return pressing > 0
+                && gap <= touchTolerance * width
+                && Math.abs(parting(pair)) <= STILLNESS * pressing;
+    }
+
+    /** Speed in m/s at which the point that parts fastest moves apart; negative when all close. */
+    private double parting(int pair) {
+        double fastest = Double.NEGATIVE_INFINITY;
+        for (int point = 2 * pair; point < 2 * pair + pairs.points[pair]; point++) {
+            fastest = Math.max(fastest, partingAt(pair, point));
+        }
+        return fastest;
+    }
+
+    private double slowestParting(int pair) {
+        double slowest = Double.POSITIVE_INFINITY;
+        for (int point = 2 * pair; point < 2 * pair + pairs.points[pair]; point++) {
+            slowest = Math.min(slowest, partingAt(pair, point));
+        }
+        return slowest;
+    }
+
+    private double partingAt(int pair, int point) {
+        int a = pairs.bodyA[pair];
+        int b = pairs.bodyB[pair];
+        double rax = pairs.pointX[point] - bodies.x[a];
+        double ray = pairs.pointY[point] - bodies.y[a];
+        double rbx = pairs.pointX[point] - bodies.x[b];
+        double rby = pairs.pointY[point] - bodies.y[b];
+        double vx =
+                bodies.velocityX[b]
+                        - bodies.spin[b] * rby
+                        - bodies.velocityX[a]
+                        + bodies.spin[a] * ray;
+        double vy =
+                bodies.velocityY[b]
+                        + bodies.spin[b] * rbx
+                        - bodies.velocityY[a]
+                        - bodies.spin[a] * rax;
+        return vx * pairs.normalX[pair] + vy * pairs.normalY[pair];
+    }
+}

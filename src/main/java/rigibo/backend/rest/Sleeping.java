@@ -1,0 +1,86 @@
+package rigibo.backend.rest;
+
+import rigibo.backend.effect.Sleep;
+import rigibo.backend.storage.Bodies;
+import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.Islands;
+import rigibo.backend.storage.Pairs;
+import rigibo.backend.storage.Roster;
+
+/**
+ * Puts islands to sleep by displacement: every body has stayed close to where it was for long
+ * enough. Displacement instead of speed, so that a slowly sliding body stays awake however slow,
+ * and one that trembles in place may sleep.
+ */
+public final class Sleeping {
+
+    private final Bodies bodies;
+    private final Pairs pairs;
+    private final Roster roster;
+    private final Islands islands;
+    private final Sleep sleep;
+
+    /** Sleep by declared thresholds. */
+    public Sleeping(DataStorage data, Sleep sleep) {
+        bodies = data.bodies;
+        pairs = data.pairs;
+        roster = data.roster;
+        islands = data.islands;
+        this.sleep = sleep;
+    }
+
+    /** Measures every island's rest after a step of {@code dt} seconds. */
+    public void settle(double dt) {
+        for (int island = 0; island < islands.count; island++) {
+            double stillest = stillTime(island, dt);
+            if (stillest >= sleep.seconds() && !isDriven(island)) {
+                putToSleep(island);
+            }
+        }
+    }
+
+    /** How long in s the most restless body of the island has stayed in place. */
+    private double stillTime(int island, double dt) {
+        double least = Double.POSITIVE_INFINITY;
+        for (int i = islands.bodyStart[island]; i < islands.bodyStart[island + 1]; i++) {
+            int slot = islands.bodies[i];
+            if (strayed(slot) > sleep.distance() * bodies.smallestWidth[slot]) {
+                bodies.restartStillness(slot);
+            } else {
+                bodies.stillTime[slot] += dt;
+            }
+            least = Math.min(least, bodies.stillTime[slot]);
+        }
+        return least;
+    }
+
+    /** How far in m any point of the body is from where it was. */
+    private double strayed(int slot) {
+        double dx = bodies.x[slot] - bodies.stillX[slot];
+        double dy = bodies.y[slot] - bodies.stillY[slot];
+        double turned = Math.abs(bodies.angle[slot] - bodies.stillAngle[slot]);
+        return Math.sqrt(dx * dx + dy * dy) + turned * bodies.boundingRadius[slot];
+    }
+
+    /** Whether something kinematic that moves touches the island: it will not stay still. */
+    private boolean isDriven(int island) {
+        for (int i = islands.pairStart[island]; i < islands.pairStart[island + 1]; i++) {
+            int pair = islands.pairs[i];
+            if (bodies.isDriven(pairs.bodyA[pair]) || bodies.isDriven(pairs.bodyB[pair])) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private void putToSleep(int island) {
+        for (int i = islands.bodyStart[island]; i < islands.bodyStart[island + 1]; i++) {
+            int slot = islands.bodies[i];
+            bodies.awake[slot] = false;
+            bodies.velocityX[slot] = 0;
+            bodies.velocityY[slot] = 0;
+            bodies.spin[slot] = 0;
+        }
+        roster.isStale = true;
+    }
+}
