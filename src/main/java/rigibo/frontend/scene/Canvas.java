@@ -1,0 +1,70 @@
+package rigibo.frontend.scene;
+
+import rigibo.backend.geometry.Shape;
+
+/**
+ * What scenes draw on. Bodies and particles come first, under everything else; shapes and text
+ * follow in their order. Screen coordinates are logical pixels, y down; sizes are px.
+ */
+public interface Canvas {
+
+    /** Where a text stands to its point. */
+    enum Align {
+        LEFT,
+        CENTRE,
+        RIGHT
+    }
+
+    /** A round face for words, a monospaced one for numbers. */
+    enum Font {
+        WORDS,
+        NUMBERS
+    }
+
+    /** What is special about a body as it is drawn; {@link #PLAIN} for nothing. */
+    enum Mood {
+        PLAIN,
+        /** Lifted under the pointer; a RigiBo winces. */
+        HOVERED,
+        /** Asleep: dimmed a little. */
+        ASLEEP,
+        /** Only an outline: the same body elsewhere or at another time. */
+        GHOST
+    }
+
+    /** Looks at the world through a camera from now on. */
+    void camera(Camera camera);
+
+    /** Where RigiBo faces look, world m. */
+    void gaze(double worldX, double worldY);
+
+    /** A body at a pose in the world: m, rad. */
+    void body(Shape shape, double x, double y, double angle, Skin skin, Mood mood);
+
+    /** A small square particle in the world: m, its size in m, rad. */
+    void particle(double x, double y, double size, double angle, Color color);
+
+    /** A straight line on the screen. */
+    void line(double x1, double y1, double x2, double y2, double width, Color color);
+
+    /** A filled disc on the screen. */
+    void disc(double x, double y, double radius, Color color);
+
+    /** Part of a ring, clockwise from the top, 0 to 1. */
+    void ring(double x, double y, double radius, double width, double fraction, Color color);
+
+    /** A filled rectangle with round corners. */
+    void panel(double x, double y, double width, double height, double corner, Color color);
+
+    /** The edge of a rectangle with round corners. */
+    void frame(double x, double y, double width, double height, double corner, Color color);
+
+    /** Text with its middle height at y; sizes of 16 px or more. */
+    void text(String words, double x, double y, double size, Font font, Align align, Color color);
+
+    /** How wide a text is, px. */
+    double textWidth(String words, double size, Font font);
+
+    /** A curve through values from 0 (bottom) to 1 (top), evenly spaced over a rectangle. */
+    void graph(double[] values, int count, double x, double y, double w, double h, Color color);
+}

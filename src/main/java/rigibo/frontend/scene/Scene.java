@@ -1,0 +1,41 @@
+package rigibo.frontend.scene;
+
+import java.util.Optional;
+
+/** What a window shows: a menu, a demo, a level. Coordinates are logical pixels, y down. */
+public interface Scene {
+
+    /** Width and height of a window in logical pixels. */
+    int WIDTH = 720;
+
+    int HEIGHT = 800;
+
+    /** The window's title. */
+    String title();
+
+    /** One turn of the loop: one step of 1/60 s. */
+    void step();
+
+    /** Draws everything. */
+    void draw(Canvas canvas);
+
+    /** The pointer moved. */
+    default void pointerMoved(double x, double y) {}
+
+    /** A button went down. */
+    default void pointerPressed(PointerButton button, double x, double y) {}
+
+    /** A button went up. */
+    default void pointerReleased(PointerButton button, double x, double y) {}
+
+    /** The wheel turned; positive away from the user. */
+    default void scrolled(double notches, double x, double y) {}
+
+    /** A key went down, or repeats. */
+    default void keyPressed(Key key) {}
+
+    /** How this scene plays itself, where it can. */
+    default Optional<Demonstration> demonstration() {
+        return Optional.empty();
+    }
+}

@@ -1,0 +1,25 @@
+package rigibo.frontend.scene;
+
+/** What a body looks like. */
+public enum Skin {
+    /** A box with a face. */
+    RIGIBO(Color.RIGIBO),
+    STONE(Color.STONE),
+    /** Dark, with rivets. */
+    IRON(Color.IRON),
+    /** Pale, with cracks. */
+    ICE(Color.ICE),
+    /** Dotted. */
+    RUBBER(Color.RUBBER),
+    /** Grain along its length. */
+    WOOD(Color.WOOD),
+    /** Striped, so that its rotation shows. */
+    BALL(Color.BALL);
+
+    /** Its plain colour. */
+    public final Color color;
+
+    Skin(Color color) {
+        this.color = color;
+    }
+}

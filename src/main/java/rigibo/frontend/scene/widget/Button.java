@@ -1,0 +1,46 @@
+package rigibo.frontend.scene.widget;
+
+import rigibo.frontend.scene.Canvas;
+import rigibo.frontend.scene.Color;
+
+/**
+ * Does something once.
+ *
+ * @param words what
+ * @param action what it does
+ */
+public record Button(String words, Runnable action) implements Widget {
+
+    @Override
+    public void draw(Canvas canvas, double x, double y, double width, boolean isHot) {
+        canvas.panel(x, y + 2, width, ROW - 4, 7, isHot ? Color.EDGE : Color.PANEL_LIT);
+        canvas.text(
+                words,
+                x + width / 2,
+                y + ROW / 2,
+                16,
+                Canvas.Font.WORDS,
+                Canvas.Align.CENTRE,
+                Color.TEXT);
+    }
+
+    @Override
+    public void press(double share) {
+        action.run();
+    }
+
+    @Override
+    public boolean isDragged() {
+        return false;
+    }
+
+    @Override
+    public boolean isControl() {
+        return true;
+    }
+
+    @Override
+    public void nudge(int direction) {
+        action.run();
+    }
+}

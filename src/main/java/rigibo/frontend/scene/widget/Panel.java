@@ -1,0 +1,111 @@
+package rigibo.frontend.scene.widget;
+
+import rigibo.frontend.scene.Canvas;
+import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Key;
+
+import java.util.List;
+
+/** A column of widgets on a dark plate. The owner hands it the input it does not want itself. */
+public final class Panel {
+
+    private static final double PADDING = 12;
+    private static final int NOTHING = -1;
+
+    private final double x;
+    private final double y;
+    private final double width;
+    private final List<Widget> widgets;
+    private int hot = NOTHING;
+    private int dragged = NOTHING;
+
+    /** A panel with its upper left corner at (x, y), px. */
+    public Panel(double x, double y, double width, List<Widget> widgets) {
+        this.x = x;
+        this.y = y;
+        this.width = width;
+        this.widgets = List.copyOf(widgets);
+    }
+
+    /** Height with its padding, px. */
+    public double height() {
+        return widgets.size() * Widget.ROW + 2 * PADDING;
+    }
+
+    /** Draws the plate and its rows. */
+    public void draw(Canvas canvas) {
+        canvas.panel(x, y, width, height(), 12, Color.PANEL);
+        for (int i = 0; i < widgets.size(); i++) {
+            double top = y + PADDING + i * Widget.ROW;
+            widgets.get(i).draw(canvas, x + PADDING, top, width - 2 * PADDING, i == hot);
+        }
+    }
+
+    /** Whether a point lies on the plate. */
+    public boolean contains(double px, double py) {
+        return px >= x && px <= x + width && py >= y && py <= y + height();
+    }
+
+    /** The pointer moved; drags what is held. */
+    public void pointerMoved(double px, double py) {
+        if (dragged != NOTHING) {
+            widgets.get(dragged).press(share(px));
+            return;
+        }
+        int row = rowAt(px, py);
+        hot = row != NOTHING && widgets.get(row).isControl() ? row : NOTHING;
+    }
+
+    /** The pointer went down; returns whether on the plate. */
+    public boolean pointerPressed(double px, double py) {
+        pointerMoved(px, py);
+        if (hot != NOTHING) {
+            widgets.get(hot).press(share(px));
+            dragged = widgets.get(hot).isDragged() ? hot : NOTHING;
+        }
+        return contains(px, py);
+    }
+
+    /** The pointer went up. */
+    public void pointerReleased() {
+        dragged = NOTHING;
+    }
+
+    /** Up and down choose a control, left, right and Enter use it; returns whether it was used. */
+    public boolean keyPressed(Key key) {
+        if (key == Key.UP || key == Key.DOWN) {
+            choose(key == Key.UP ? -1 : 1);
+            return true;
+        }
+        if (hot == NOTHING || key != Key.LEFT && key != Key.RIGHT && key != Key.ENTER) {
+            return false;
+        }
+        widgets.get(hot).nudge(key == Key.LEFT ? -1 : 1);
+        return true;
+    }
+
+    private void choose(int direction) {
+        for (int i = 0; i < widgets.size(); i++) {
+            hot =
+                    Math.floorMod(
+                            (hot == NOTHING && direction < 0 ? 0 : hot) + direction,
+                            widgets.size());
+            if (widgets.get(hot).isControl()) {
+                return;
+            }
+        }
+        hot = NOTHING;
+    }
+
+    private int rowAt(double px, double py) {
+        if (!contains(px, py)) {
+            return NOTHING;
+        }
+        int row = (int) Math.floor((py - y - PADDING) / Widget.ROW);
+        return row >= 0 && row < widgets.size() ? row : NOTHING;
+    }
+
+    private double share(double px) {
+        return Math.max(0, Math.min(1, (px - x - PADDING) / (width - 2 * PADDING)));
+    }
+}

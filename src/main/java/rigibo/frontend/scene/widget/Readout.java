@@ -1,0 +1,45 @@
+package rigibo.frontend.scene.widget;
+
+import rigibo.frontend.scene.Canvas;
+import rigibo.frontend.scene.Color;
+
+import java.util.function.Supplier;
+
+/**
+ * Shows something that was measured.
+ *
+ * @param words what
+ * @param value how it stands, with its unit
+ */
+public record Readout(String words, Supplier<String> value) implements Widget {
+
+    @Override
+    public void draw(Canvas canvas, double x, double y, double width, boolean isHot) {
+        double middle = y + ROW / 2;
+        canvas.text(words, x, middle, 16, Canvas.Font.WORDS, Canvas.Align.LEFT, Color.TEXT_DIM);
+        canvas.text(
+                value.get(),
+                x + width,
+                middle,
+                16,
+                Canvas.Font.NUMBERS,
+                Canvas.Align.RIGHT,
+                Color.TEXT);
+    }
+
+    @Override
+    public void press(double share) {}
+
+    @Override
+    public boolean isDragged() {
+        return false;
+    }
+
+    @Override
+    public boolean isControl() {
+        return false;
+    }
+
+    @Override
+    public void nudge(int direction) {}
+}

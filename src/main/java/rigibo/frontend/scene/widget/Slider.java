@@ -1,0 +1,72 @@
+package rigibo.frontend.scene.widget;
+
+import rigibo.frontend.scene.Canvas;
+import rigibo.frontend.scene.Color;
+
+import java.util.function.DoubleConsumer;
+import java.util.function.DoubleSupplier;
+
+/**
+ * A number between two bounds, in even notches.
+ *
+ * @param words what
+ * @param format how the number is shown, with its unit
+ * @param least lower bound
+ * @param most upper bound
+ * @param notch the step between values
+ * @param value how it stands
+ * @param change sets it
+ */
+public record Slider(
+        String words,
+        String format,
+        double least,
+        double most,
+        double notch,
+        DoubleSupplier value,
+        DoubleConsumer change)
+        implements Widget {
+
+    @Override
+    public void draw(Canvas canvas, double x, double y, double width, boolean isHot) {
+        double share = (value.getAsDouble() - least) / (most - least);
+        Color ink = isHot ? Color.TEXT : Color.TEXT_DIM;
+        canvas.text(words, x, y + 11, 16, Canvas.Font.WORDS, Canvas.Align.LEFT, ink);
+        canvas.text(
+                String.format(java.util.Locale.ROOT, format, value.getAsDouble()),
+                x + width,
+                y + 11,
+                16,
+                Canvas.Font.NUMBERS,
+                Canvas.Align.RIGHT,
+                Color.TEXT);
+        canvas.panel(x, y + ROW - 7, width, 4, 2, Color.PANEL_LIT);
+        canvas.panel(x, y + ROW - 7, Math.max(4, width * share), 4, 2, Color.BRASS);
+        canvas.disc(x + width * share, y + ROW - 5, isHot ? 7 : 6, Color.BRASS);
+    }
+
+    @Override
+    public void press(double share) {
+        set(least + share * (most - least));
+    }
+
+    @Override
+    public boolean isDragged() {
+        return true;
+    }
+
+    @Override
+    public boolean isControl() {
+        return true;
+    }
+
+    @Override
+    public void nudge(int direction) {
+        set(value.getAsDouble() + direction * notch);
+    }
+
+    private void set(double wanted) {
+        double notched = least + Math.round((wanted - least) / notch) * notch;
+        change.accept(Math.max(least, Math.min(most, notched)));
+    }
+}

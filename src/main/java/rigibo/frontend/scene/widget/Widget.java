@@ -1,0 +1,25 @@
+package rigibo.frontend.scene.widget;
+
+import rigibo.frontend.scene.Canvas;
+
+/** One control or readout in a {@link Panel}, a row of it. */
+public sealed interface Widget permits Button, Slider, Toggle, Readout {
+
+    /** Height of a row, px. */
+    double ROW = 30;
+
+    /** Draws the row; {@code isHot} under the pointer or chosen by keys. */
+    void draw(Canvas canvas, double x, double y, double width, boolean isHot);
+
+    /** The pointer went down, or was dragged, at a share of the width from 0 to 1. */
+    void press(double share);
+
+    /** Whether dragging goes on pressing. */
+    boolean isDragged();
+
+    /** Whether it can be chosen. */
+    boolean isControl();
+
+    /** One notch less (−1) or more (+1), by keys. */
+    void nudge(int direction);
+}
