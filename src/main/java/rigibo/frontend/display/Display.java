@@ -1,0 +1,162 @@
+package rigibo.frontend.display;
+
+import static org.lwjgl.glfw.GLFW.*;
+
+import rigibo.frontend.scene.Director;
+import rigibo.frontend.scene.Scene;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.function.Function;
+
+/**
+ * Owns the window and the loop, in the origin report's words and order: {@code inputListener,
+ * doStep, renderDisplay, updateDisplay}, until the window is closed or Esc. Every scene has a
+ * window of its own; the present one is destroyed before the next one starts.
+ */
+public final class Display implements Director {
+
+    private final Function<Director, Scene> menu;
+    private final boolean vsync;
+    private final Troubles troubles = new Troubles();
+    private final FrameClock clock = new FrameClock();
+    private Window window;
+    private Scene scene;
+    private Scene wanted;
+    private boolean isMenu;
+    private boolean isOver;
+    private Companion companion = new Companion() {};
+
+    /** Someone who sits beside the loop: the tour, or nobody. */
+    interface Companion {
+
+        /** Before the scene's step. */
+        default void beforeTurn(Display display, Scene scene) {}
+
+        /** After the scene was drawn, before it is shown. */
+        default void afterDrawing(Display display, Scene scene) {}
+    }
+
+    /** A display that goes back to a menu; with vsync, or without for measuring. */
+    public Display(Function<Director, Scene> menu, boolean vsync) {
+        this.menu = menu;
+        this.vsync = vsync;
+    }
+
+    /**
+     * Opens a scene, or the menu where none is given, and loops until the player leaves.
+     *
+     * @throws DisplayException when no window can be opened, saying why
+     */
+    public void run(Function<Director, Scene> first) {
+        troubles.listen();
+        if (!glfwInit()) {
+            throw new DisplayException("RigiBo cannot open a window: " + troubles.last());
+        }
+        try {
+            open(first == null ? menu : first);
+            while (!isOver) {
+                turn();
+            }
+        } finally {
+            closeWindow();
+            glfwTerminate();
+        }
+    }
+
+    /** What GLFW and OpenGL complained about. */
+    public List<String> troubles() {
+        return troubles.all();
+    }
+
+    /** Share of real time the loop runs at. */
+    public double pace() {
+        return clock.pace();
+    }
+
+    @Override
+    public void show(Scene next) {
+        wanted = next;
+        isMenu = false;
+    }
+
+    @Override
+    public void showMenu() {
+        wanted = menu.apply(this);
+        isMenu = true;
+    }
+
+    @Override
+    public void quit() {
+        isOver = true;
+    }
+
+    void accompany(Companion beside) {
+        companion = beside;
+    }
+
+    Input input() {
+        return window.input();
+    }
+
+    void picture(Path file) {
+        window.picture(file);
+    }
+
+    private void open(Function<Director, Scene> maker) {
+        wanted = maker.apply(this);
+        isMenu = maker == menu;
+        change();
+    }
+
+    private void turn() {
+        inputListener();
+        doStep();
+        renderDisplay();
+        updateDisplay();
+        change();
+    }
+
+    private void inputListener() {
+        glfwPollEvents();
+        companion.beforeTurn(this, scene);
+        if (window.wantsToClose()) {
+            if (isMenu) {
+                isOver = true;
+            } else {
+                showMenu();
+            }
+        }
+    }
+
+    private void doStep() {
+        scene.step();
+    }
+
+    private void renderDisplay() {
+        window.render();
+        companion.afterDrawing(this, scene);
+    }
+
+    private void updateDisplay() {
+        window.swap();
+        clock.awaitTurn();
+    }
+
+    /** Destroys the present window and opens the next, where another scene is wanted. */
+    private void change() {
+        if (wanted != null && !isOver) {
+            closeWindow();
+            scene = wanted;
+            wanted = null;
+            window = new Window(scene, troubles, vsync);
+        }
+    }
+
+    private void closeWindow() {
+        if (window != null) {
+            window.destroy();
+            window = null;
+        }
+    }
+}

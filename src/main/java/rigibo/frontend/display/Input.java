@@ -1,0 +1,110 @@
+package rigibo.frontend.display;
+
+import static org.lwjgl.glfw.GLFW.*;
+
+import rigibo.frontend.draw.Letterbox;
+import rigibo.frontend.scene.Key;
+import rigibo.frontend.scene.PointerButton;
+import rigibo.frontend.scene.Scene;
+
+import java.util.HashMap;
+import java.util.Map;
+
+/**
+ * Brings GLFW's events to the scene: its callbacks call these methods, and so does the tour. Cursor
+ * places are in window coordinates and become logical pixels here.
+ */
+final class Input {
+
+    private static final Map<Integer, Key> KEYS = keys();
+
+    private final Scene scene;
+    private final Runnable close;
+    private final Runnable fullScreen;
+    private double x = -1;
+    private double y = -1;
+    private int windowWidth = Scene.WIDTH;
+    private int windowHeight = Scene.HEIGHT;
+
+    Input(Scene scene, Runnable close, Runnable fullScreen) {
+        this.scene = scene;
+        this.close = close;
+        this.fullScreen = fullScreen;
+    }
+
+    /** The window's size in window coordinates, which need not be pixels. */
+    void windowSize(int width, int height) {
+        windowWidth = Math.max(1, width);
+        windowHeight = Math.max(1, height);
+    }
+
+    void cursor(double windowX, double windowY) {
+        Letterbox box = Letterbox.of(windowWidth, windowHeight);
+        x = box.logicalX(windowX);
+        y = box.logicalY(windowY, windowHeight);
+        scene.pointerMoved(x, y);
+    }
+
+    void mouseButton(int button, int action) {
+        PointerButton which =
+                switch (button) {
+                    case GLFW_MOUSE_BUTTON_LEFT -> PointerButton.LEFT;
+                    case GLFW_MOUSE_BUTTON_RIGHT -> PointerButton.RIGHT;
+                    default -> PointerButton.MIDDLE;
+                };
+        if (action == GLFW_PRESS) {
+            scene.pointerPressed(which, x, y);
+        } else {
+            scene.pointerReleased(which, x, y);
+        }
+    }
+
+    void scroll(double notches) {
+        scene.scrolled(notches, x, y);
+    }
+
+    void key(int key, int action) {
+        if (action == GLFW_RELEASE) {
+            return;
+        }
+        if (key == GLFW_KEY_ESCAPE) {
+            close.run();
+        } else if (key == GLFW_KEY_F11) {
+            fullScreen.run();
+        } else if (KEYS.containsKey(key)) {
+            scene.keyPressed(KEYS.get(key));
+        }
+    }
+
+    private static Map<Integer, Key> keys() {
+        Map<Integer, Key> keys = new HashMap<>();
+        keys.put(GLFW_KEY_ENTER, Key.ENTER);
+        keys.put(GLFW_KEY_KP_ENTER, Key.ENTER);
+        keys.put(GLFW_KEY_SPACE, Key.SPACE);
+        keys.put(GLFW_KEY_TAB, Key.TAB);
+        keys.put(GLFW_KEY_BACKSPACE, Key.BACKSPACE);
+        keys.put(GLFW_KEY_PERIOD, Key.PERIOD);
+        keys.put(GLFW_KEY_LEFT_BRACKET, Key.LEFT_BRACKET);
+        keys.put(GLFW_KEY_RIGHT_BRACKET, Key.RIGHT_BRACKET);
+        keys.put(GLFW_KEY_HOME, Key.HOME);
+        keys.put(GLFW_KEY_UP, Key.UP);
+        keys.put(GLFW_KEY_DOWN, Key.DOWN);
+        keys.put(GLFW_KEY_LEFT, Key.LEFT);
+        keys.put(GLFW_KEY_RIGHT, Key.RIGHT);
+        keys.put(GLFW_KEY_F1, Key.F1);
+        keys.put(GLFW_KEY_B, Key.B);
+        keys.put(GLFW_KEY_D, Key.D);
+        keys.put(GLFW_KEY_H, Key.H);
+        keys.put(GLFW_KEY_L, Key.L);
+        keys.put(GLFW_KEY_M, Key.M);
+        keys.put(GLFW_KEY_N, Key.N);
+        keys.put(GLFW_KEY_P, Key.P);
+        keys.put(GLFW_KEY_R, Key.R);
+        keys.put(GLFW_KEY_S, Key.S);
+        keys.put(GLFW_KEY_1, Key.DIGIT_1);
+        keys.put(GLFW_KEY_2, Key.DIGIT_2);
+        keys.put(GLFW_KEY_3, Key.DIGIT_3);
+        keys.put(GLFW_KEY_4, Key.DIGIT_4);
+        return keys;
+    }
+}

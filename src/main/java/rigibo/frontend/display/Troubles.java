@@ -1,0 +1,43 @@
+package rigibo.frontend.display;
+
+import static org.lwjgl.opengl.GL33C.GL_NO_ERROR;
+import static org.lwjgl.opengl.GL33C.glGetError;
+
+import org.lwjgl.glfw.GLFWErrorCallback;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** What GLFW and OpenGL complained about, in the order it happened. */
+final class Troubles {
+
+    private final List<String> list = new ArrayList<>();
+    private final GLFWErrorCallback listener =
+            GLFWErrorCallback.create(
+                    (code, words) ->
+                            list.add(
+                                    String.format(
+                                            "GLFW 0x%X: %s",
+                                            code, GLFWErrorCallback.getDescription(words))));
+
+    /** Listens to GLFW from now on. */
+    void listen() {
+        listener.set();
+    }
+
+    /** Asks OpenGL for errors since it was last asked. */
+    void askOpenGl(String when) {
+        for (int error = glGetError(); error != GL_NO_ERROR; error = glGetError()) {
+            list.add(String.format("OpenGL 0x%X %s", error, when));
+        }
+    }
+
+    List<String> all() {
+        return List.copyOf(list);
+    }
+
+    /** The last complaint, or a plain word where there is none. */
+    String last() {
+        return list.isEmpty() ? "no reason given" : list.get(list.size() - 1);
+    }
+}

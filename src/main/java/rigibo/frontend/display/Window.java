@@ -1,0 +1,144 @@
+package rigibo.frontend.display;
+
+import static org.lwjgl.glfw.GLFW.*;
+import static org.lwjgl.opengl.GL33C.*;
+
+import org.lwjgl.glfw.Callbacks;
+import org.lwjgl.glfw.GLFWVidMode;
+import org.lwjgl.opengl.GL;
+import org.lwjgl.stb.STBImageWrite;
+import org.lwjgl.system.MemoryUtil;
+
+import rigibo.frontend.draw.Painter;
+import rigibo.frontend.scene.Scene;
+
+import java.nio.ByteBuffer;
+import java.nio.file.Path;
+
+/** One window with its OpenGL context, its painter and its input, for one scene. */
+final class Window {
+
+    private static final int BYTES_PER_PIXEL = 3;
+
+    private final Scene scene;
+    private final Input input;
+    private final Troubles troubles;
+    private final long handle;
+    private final Painter painter;
+    private final int[] width = new int[1];
+    private final int[] height = new int[1];
+    private boolean isFull;
+
+    /**
+     * Opens a window.
+     *
+     * @throws DisplayException when there is no window or no OpenGL 3.3 to be had
+     */
+    Window(Scene scene, Troubles troubles, boolean vsync) {
+        this.scene = scene;
+        this.troubles = troubles;
+        handle = create(scene.title());
+        glfwMakeContextCurrent(handle);
+        GL.createCapabilities();
+        glfwSwapInterval(vsync ? 1 : 0);
+        painter = new Painter();
+        input = new Input(scene, this::close, this::toggleFullScreen);
+        listen();
+        glfwShowWindow(handle);
+    }
+
+    private long create(String title) {
+        glfwDefaultWindowHints();
+        glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
+        glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+        glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+        glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+        glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+        glfwWindowHint(GLFW_STENCIL_BITS, 8);
+        glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+        long created = glfwCreateWindow(Scene.WIDTH, Scene.HEIGHT, title, 0, 0);
+        if (created == 0) {
+            throw new DisplayException(
+                    "RigiBo needs OpenGL 3.3, found none (" + troubles.last() + ")");
+        }
+        return created;
+    }
+
+    private void listen() {
+        glfwSetCursorPosCallback(handle, (window, x, y) -> input.cursor(x, y));
+        glfwSetMouseButtonCallback(
+                handle, (window, button, action, mods) -> input.mouseButton(button, action));
+        glfwSetScrollCallback(handle, (window, dx, dy) -> input.scroll(dy));
+        glfwSetKeyCallback(handle, (window, key, code, action, mods) -> input.key(key, action));
+        glfwSetWindowSizeCallback(handle, (window, w, h) -> input.windowSize(w, h));
+        glfwGetWindowSize(handle, width, height);
+        input.windowSize(width[0], height[0]);
+    }
+
+    Input input() {
+        return input;
+    }
+
+    boolean wantsToClose() {
+        return glfwWindowShouldClose(handle);
+    }
+
+    void close() {
+        glfwSetWindowShouldClose(handle, true);
+    }
+
+    /** Draws the scene into the back buffer. */
+    void render() {
+        glfwGetFramebufferSize(handle, width, height);
+        painter.begin(width[0], height[0]);
+        scene.draw(painter);
+        painter.end(glfwGetTime());
+        troubles.askOpenGl("while drawing " + scene.title());
+    }
+
+    /** Shows what was drawn. */
+    void swap() {
+        glfwSwapBuffers(handle);
+    }
+
+    /** Writes what was drawn and not yet shown to a PNG file. */
+    void picture(Path file) {
+        glfwGetFramebufferSize(handle, width, height);
+        int row = width[0] * BYTES_PER_PIXEL;
+        ByteBuffer pixels = MemoryUtil.memAlloc(row * height[0]);
+        glPixelStorei(GL_PACK_ALIGNMENT, 1);
+        glReadPixels(0, 0, width[0], height[0], GL_RGB, GL_UNSIGNED_BYTE, pixels);
+        STBImageWrite.stbi_flip_vertically_on_write(true);
+        boolean written =
+                STBImageWrite.stbi_write_png(
+                        file.toString(), width[0], height[0], BYTES_PER_PIXEL, pixels, row);
+        MemoryUtil.memFree(pixels);
+        if (!written) {
+            throw new DisplayException("cannot write the picture " + file);
+        }
+    }
+
+    /** Frees everything: GL and NanoVG objects, callbacks, context, window, in this order. */
+    void destroy() {
+        painter.free();
+        Callbacks.glfwFreeCallbacks(handle);
+        glfwMakeContextCurrent(0);
+        GL.setCapabilities(null);
+        glfwDestroyWindow(handle);
+    }
+
+    private void toggleFullScreen() {
+        long monitor = glfwGetPrimaryMonitor();
+        GLFWVidMode mode = monitor == 0 ? null : glfwGetVideoMode(monitor);
+        if (mode == null) {
+            return;
+        }
+        isFull = !isFull;
+        if (isFull) {
+            glfwSetWindowMonitor(
+                    handle, monitor, 0, 0, mode.width(), mode.height(), mode.refreshRate());
+        } else {
+            glfwSetWindowMonitor(handle, 0, 60, 60, Scene.WIDTH, Scene.HEIGHT, 0);
+        }
+    }
+}

@@ -1,0 +1,37 @@
+package rigibo.frontend.draw;
+
+import rigibo.frontend.scene.Scene;
+
+/**
+ * Where the logical window lies in a framebuffer: as large as fits, in the middle.
+ *
+ * @param x left edge, framebuffer pixels
+ * @param y lower edge, framebuffer pixels
+ * @param width framebuffer pixels
+ * @param height framebuffer pixels
+ */
+public record Letterbox(int x, int y, int width, int height) {
+
+    /** The largest box of the window's proportions in a framebuffer. */
+    public static Letterbox of(int framebufferWidth, int framebufferHeight) {
+        double scale =
+                Math.min(
+                        framebufferWidth / (double) Scene.WIDTH,
+                        framebufferHeight / (double) Scene.HEIGHT);
+        int width = Math.max(1, (int) Math.round(scale * Scene.WIDTH));
+        int height = Math.max(1, (int) Math.round(scale * Scene.HEIGHT));
+        return new Letterbox(
+                (framebufferWidth - width) / 2, (framebufferHeight - height) / 2, width, height);
+    }
+
+    /** Logical x of a framebuffer x. */
+    public double logicalX(double framebufferX) {
+        return (framebufferX - x) * Scene.WIDTH / width;
+    }
+
+    /** Logical y of a framebuffer y that counts from the top, in a framebuffer of a height. */
+    public double logicalY(double framebufferY, int framebufferHeight) {
+        int top = framebufferHeight - y - height;
+        return (framebufferY - top) * Scene.HEIGHT / height;
+    }
+}
