@@ -10,11 +10,17 @@ import rigibo.backend.geometry.Polygon;
 final class PolygonPolygon {
 
     /**
-     * A face of B is the reference only when it separates farther than A's by this much, per metre
-     * of the narrower polygon. Two stacked boxes of one size tilt by round-off, and without the
-     * bias the reference would change from one to the other all the time.
+     * Of two parallel faces B's is the reference only when it separates farther than A's by this
+     * much, per metre of the narrower polygon. Two stacked boxes of one size tilt by round-off, and
+     * without the bias the reference would change from one to the other all the time.
      */
     private static final double REFERENCE_BIAS = 1e-4;
+
+    /**
+     * Sine of the angle up to which two faces are parallel enough for the bias. Where corners meet,
+     * the faces differ by more, and the wrong one would turn the normal.
+     */
+    private static final double PARALLEL = 1e-2;
 
     private final CornersInFrame cornersA = new CornersInFrame();
     private final CornersInFrame cornersB = new CornersInFrame();
@@ -44,14 +50,25 @@ final class PolygonPolygon {
             return 0;
         }
         double width = Math.min(a.smallestWidth(), b.smallestWidth());
-        boolean isBFarther = facesB.separation > facesA.separation;
-        if (facesB.separation <= facesA.separation + REFERENCE_BIAS * width) {
+        if (isReferenceA(a, b, cos, sin, width)) {
             clip.reference(a, facesA, cornersB, b, cos, sin, width);
-            if (!(isBFarther && clip.isBetweenCorners())) {
-                return clip.write(poseA, NormalSource.FACE_A, reach, out);
-            }
+            return clip.write(poseA, NormalSource.FACE_A, reach, out);
         }
         clip.reference(b, facesB, cornersA, a, cos, -sin, width);
         return clip.write(poseB, NormalSource.FACE_B, reach, out);
+    }
+
+    private boolean isReferenceA(Polygon a, Polygon b, double cos, double sin, double width) {
+        if (facesB.separation <= facesA.separation) {
+            return true;
+        }
+        if (facesB.separation > facesA.separation + REFERENCE_BIAS * width) {
+            return false;
+        }
+        double ax = a.normalX(facesA.face);
+        double ay = a.normalY(facesA.face);
+        double bx = cos * b.normalX(facesB.face) - sin * b.normalY(facesB.face);
+        double by = sin * b.normalX(facesB.face) + cos * b.normalY(facesB.face);
+        return Math.abs(ax * by - ay * bx) < PARALLEL && ax * bx + ay * by < 0;
     }
 }
