@@ -3,11 +3,21 @@ package rigibo;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
+import rigibo.frontend.catalog.Catalog;
+import rigibo.frontend.display.Display;
+import rigibo.frontend.display.DisplayException;
+import rigibo.frontend.scene.Director;
+import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.SceneEntry;
+
 import java.nio.file.Path;
 import java.util.concurrent.Callable;
+import java.util.function.Function;
+import java.util.stream.Collectors;
 
 /** Opens the game: its menu, one scene by name, or one level by file. */
 @Command(name = "play", description = "Opens the main menu, the named scene or the level.")
@@ -22,7 +32,28 @@ final class PlayCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        spec.commandLine().getErr().println("There is no scene to play yet.");
-        return 1;
+        try {
+            new Display(Catalog::menu, true).run(first());
+            return 0;
+        } catch (DisplayException e) {
+            spec.commandLine().getErr().println(e.getMessage());
+            return 1;
+        }
+    }
+
+    /** The scene asked for, or null for the menu. */
+    private Function<Director, Scene> first() {
+        if (scene == null) {
+            return null;
+        }
+        return Catalog.find(scene)
+                .orElseThrow(() -> new ParameterException(spec.commandLine(), unknown()))
+                .open();
+    }
+
+    private String unknown() {
+        String names =
+                Catalog.entries().stream().map(SceneEntry::name).collect(Collectors.joining(", "));
+        return "There is no scene '" + scene + "'; there are: " + names;
     }
 }

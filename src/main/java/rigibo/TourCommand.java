@@ -5,7 +5,13 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
+import rigibo.frontend.catalog.Catalog;
+import rigibo.frontend.display.DisplayException;
+import rigibo.frontend.display.Tour;
+
+import java.io.PrintWriter;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.concurrent.Callable;
 
 /** Lets the game play itself, every scene and level in turn, and keeps pictures of it. */
@@ -22,7 +28,16 @@ final class TourCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        spec.commandLine().getErr().println("There is no scene to tour yet.");
-        return 1;
+        PrintWriter words = spec.commandLine().getOut();
+        PrintWriter complaints = spec.commandLine().getErr();
+        try {
+            List<String> failures = new Tour(Catalog.entries(), out, words).run(Catalog::menu);
+            failures.forEach(complaints::println);
+            words.println("Pictures are in " + out);
+            return failures.isEmpty() ? 0 : 1;
+        } catch (DisplayException e) {
+            complaints.println(e.getMessage());
+            return 1;
+        }
     }
 }

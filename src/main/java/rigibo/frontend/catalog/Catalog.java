@@ -1,0 +1,30 @@
+package rigibo.frontend.catalog;
+
+import rigibo.frontend.menu.MenuScene;
+import rigibo.frontend.scene.Director;
+import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.SceneEntry;
+
+import java.util.List;
+import java.util.Optional;
+
+/** Every scene that can be chosen. */
+public final class Catalog {
+
+    private Catalog() {}
+
+    /** The scenes in the order of the menu. */
+    public static List<SceneEntry> entries() {
+        return List.of();
+    }
+
+    /** The scene of a name, for the command line. */
+    public static Optional<SceneEntry> find(String name) {
+        return entries().stream().filter(entry -> entry.name().equals(name)).findFirst();
+    }
+
+    /** The main menu. */
+    public static Scene menu(Director director) {
+        return new MenuScene(director, entries());
+    }
+}
