@@ -1,7 +1,15 @@
 package rigibo.backend;
 
 import rigibo.backend.broadphase.Broadphase;
+import rigibo.backend.broadphase.Found;
+import rigibo.backend.collision.Collider;
+import rigibo.backend.collision.Manifold;
+import rigibo.backend.collision.PointAndRay;
+import rigibo.backend.collision.Pose;
 import rigibo.backend.geometry.Aabb;
+import rigibo.backend.geometry.Polygon;
+import rigibo.backend.geometry.Shape;
+import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.PairIndex;
 import rigibo.backend.storage.Pairs;
@@ -13,14 +21,25 @@ import java.util.Optional;
 /** Answers questions about a pool between steps. */
 final class PoolQueries {
 
+    /** Side in m of the box that stands for one without an area. */
+    private static final double LEAST_SIDE = 1e-9;
+
     private final Pool pool;
     private final DataStorage data;
     private final Broadphase broadphase;
+    private final Bodies bodies;
+    private final Aabb box = new Aabb();
+    private final Pose pose = new Pose();
+    private final Pose areaPose = new Pose();
+    private final PointAndRay pointAndRay = new PointAndRay();
+    private final Collider collider = new Collider();
+    private final Manifold manifold = new Manifold();
 
     PoolQueries(Pool pool, DataStorage data, Broadphase broadphase) {
         this.pool = pool;
         this.data = data;
         this.broadphase = broadphase;
+        bodies = data.bodies;
     }
 
     boolean touching(int a, int b) {
@@ -39,23 +58,70 @@ final class PoolQueries {
     }
 
     Optional<RigidBody> bodyAt(double x, double y) {
+        box.set(x, y, x, y);
+        Found found = broadphase.query(box);
         RigidBody last = null;
-        for (RigidBody body : pool.bodies()) {
-            double dx = body.x() - x;
-            double dy = body.y() - y;
-            if (Math.sqrt(dx * dx + dy * dy) <= body.shape().boundingRadius()) {
-                last = body;
+        for (int i = 0; i < found.count; i++) {
+            int slot = found.numbers[i];
+            pose.set(bodies.x[slot], bodies.y[slot], bodies.cos[slot], bodies.sin[slot]);
+            if (pointAndRay.holds(bodies.shape[slot], pose, x, y)) {
+                last = later(last, pool.handle(slot));
             }
         }
         return Optional.ofNullable(last);
     }
 
-    Optional<RayHit> rayCast(double fromX, double fromY, double toX, double toY) {
-        return Optional.empty();
+    /** The one of two bodies that was added later; slots are used again, so they do not tell. */
+    private RigidBody later(RigidBody one, RigidBody other) {
+        return one == null || pool.bodies().indexOf(one) < pool.bodies().indexOf(other)
+                ? other
+                : one;
     }
 
-    List<RigidBody> overlapping(Aabb box) {
-        return new ArrayList<>();
+    Optional<RayHit> rayCast(double fromX, double fromY, double toX, double toY) {
+        box.set(
+                Math.min(fromX, toX),
+                Math.min(fromY, toY),
+                Math.max(fromX, toX),
+                Math.max(fromY, toY));
+        Found found = broadphase.query(box);
+        RayHit first = null;
+        for (int i = 0; i < found.count; i++) {
+            int slot = found.numbers[i];
+            pose.set(bodies.x[slot], bodies.y[slot], bodies.cos[slot], bodies.sin[slot]);
+            double at = pointAndRay.enters(bodies.shape[slot], pose, fromX, fromY, toX, toY);
+            if (at <= 1 && (first == null || at < first.fraction())) {
+                first =
+                        new RayHit(
+                                pool.handle(slot),
+                                fromX + at * (toX - fromX),
+                                fromY + at * (toY - fromY),
+                                pointAndRay.normalX,
+                                pointAndRay.normalY,
+                                at);
+            }
+        }
+        return Optional.ofNullable(first);
+    }
+
+    /** Bodies whose shape, not only whose fixture, reaches into the box. */
+    List<RigidBody> overlapping(Aabb area) {
+        List<RigidBody> inside = new ArrayList<>();
+        double width = area.maxX - area.minX;
+        double height = area.maxY - area.minY;
+        // A box without an area is no polygon; half a nanometre is nothing to any body.
+        Shape shape = Polygon.box(Math.max(width, LEAST_SIDE), Math.max(height, LEAST_SIDE));
+        areaPose.set((area.minX + area.maxX) / 2, (area.minY + area.maxY) / 2, 1, 0);
+        Found found = broadphase.query(area);
+        for (int i = 0; i < found.count; i++) {
+            int slot = found.numbers[i];
+            pose.set(bodies.x[slot], bodies.y[slot], bodies.cos[slot], bodies.sin[slot]);
+            collider.collide(shape, areaPose, bodies.shape[slot], pose, 0, manifold);
+            if (manifold.count > 0) {
+                inside.add(pool.handle(slot));
+            }
+        }
+        return inside;
     }
 
     private void addEvent(int pair, List<ContactEvent> events) {
