@@ -16,6 +16,7 @@ import java.io.PrintWriter;
         subcommands = {
             PlayCommand.class,
             TourCommand.class,
+            MeasureCommand.class,
             LevelsCommand.class,
             HelpCommand.class
         })

@@ -1,0 +1,43 @@
+package rigibo;
+
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Spec;
+
+import rigibo.frontend.catalog.Catalog;
+import rigibo.frontend.display.LoopTiming;
+import rigibo.lab.FloodTiming;
+
+import java.io.PrintWriter;
+import java.util.concurrent.Callable;
+
+/** Measures what the README claims about time. */
+@Command(
+        name = "measure",
+        description = "Times 600 turns of the loop, with and without vsync, and the flood.")
+final class MeasureCommand implements Callable<Integer> {
+
+    private static final int TURNS = 600;
+    private static final int[] FLOODS = {1000, 2000, 5000};
+
+    @Spec private CommandSpec spec;
+
+    @Override
+    public Integer call() {
+        PrintWriter out = spec.commandLine().getOut();
+        for (int bodies : FLOODS) {
+            FloodTiming flood = FloodTiming.measure(bodies);
+            out.printf(
+                    "flood of %d discs: median %.2f ms, p99 %.2f ms a step, overlap %.1f mm%n",
+                    flood.bodies(),
+                    flood.medianMillis(),
+                    flood.p99Millis(),
+                    1000 * flood.deepestOverlap());
+        }
+        for (boolean vsync : new boolean[] {true, false}) {
+            double seconds = LoopTiming.seconds(Catalog::menu, TURNS, vsync);
+            out.printf("%d turns %s vsync: %.3f s%n", TURNS, vsync ? "with" : "without", seconds);
+        }
+        return 0;
+    }
+}

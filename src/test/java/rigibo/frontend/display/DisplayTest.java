@@ -1,0 +1,151 @@
+package rigibo.frontend.display;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.lwjgl.glfw.GLFW;
+
+import rigibo.backend.geometry.Circle;
+import rigibo.backend.geometry.Polygon;
+import rigibo.frontend.scene.Camera;
+import rigibo.frontend.scene.Canvas;
+import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Director;
+import rigibo.frontend.scene.PointerButton;
+import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.Skin;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+
+/** Real windows with real OpenGL. */
+class DisplayTest {
+
+    @TempDir Path folder;
+
+    /** Draws one of everything, and tells what the pointer did. */
+    private static final class Everything implements Scene {
+
+        final List<String> heard = new ArrayList<>();
+        int turns;
+
+        @Override
+        public String title() {
+            return "Everything";
+        }
+
+        @Override
+        public void step() {
+            turns++;
+        }
+
+        @Override
+        public void draw(Canvas canvas) {
+            canvas.camera(Camera.ofPuzzle());
+            for (Skin skin : Skin.values()) {
+                for (Canvas.Mood mood : Canvas.Mood.values()) {
+                    double x = 1 + skin.ordinal();
+                    double y = 1 + 2 * mood.ordinal();
+                    canvas.body(Polygon.box(0.8, 0.6), x, y, 0.3, skin, mood);
+                    canvas.body(new Circle(0.3), x, y + 1, 0.3, skin, mood);
+                }
+            }
+            canvas.particle(4, 9, 0.1, 0.5, Color.RIGIBO);
+            canvas.panel(10, 10, 200, 60, 8, Color.PANEL);
+            canvas.frame(10, 10, 200, 60, 8, Color.BRASS);
+            canvas.text("words", 20, 40, 20, Canvas.Font.WORDS, Canvas.Align.LEFT, Color.TEXT);
+            canvas.ring(400, 40, 20, 4, 0.7, Color.GOOD);
+            canvas.disc(460, 40, 10, Color.BAD);
+            canvas.line(500, 20, 560, 60, 3, Color.TEXT);
+            canvas.graph(new double[] {0, 1, 0.5}, 3, 600, 20, 100, 40, Color.GOOD);
+        }
+
+        @Override
+        public void pointerPressed(PointerButton button, double x, double y) {
+            heard.add(button + " " + Math.round(x) + " " + Math.round(y));
+        }
+    }
+
+    @Test
+    void drawsEverythingWithoutAComplaint() {
+        Everything scene = new Everything();
+        Display display = display(scene);
+        Path picture = folder.resolve("everything.png");
+        display.accompany(
+                new Display.Companion() {
+                    @Override
+                    public void afterDrawing(Display of, Scene shown) {
+                        if (scene.turns == 3) {
+                            of.picture(picture);
+                            of.quit();
+                        }
+                    }
+                });
+        display.run(null);
+        assertThat(display.troubles()).isEmpty();
+        // An empty picture of 720 × 800 packs into a few kB; one full of textures does not.
+        assertThat(picture).satisfies(file -> assertThat(Files.size(file)).isGreaterThan(40_000));
+    }
+
+    @Test
+    void bringsAClickToTheSceneInLogicalPixels() {
+        Everything scene = new Everything();
+        Display display = display(scene);
+        display.accompany(
+                new Display.Companion() {
+                    @Override
+                    public void beforeTurn(Display of, Scene shown) {
+                        of.input().cursor(360, 400);
+                        of.input().mouseButton(GLFW.GLFW_MOUSE_BUTTON_LEFT, GLFW.GLFW_PRESS);
+                        of.quit();
+                    }
+                });
+        display.run(null);
+        assertThat(scene.heard).containsExactly("LEFT 360 400");
+    }
+
+    @Test
+    void destroysEachWindowBeforeTheNextOpens() {
+        List<Everything> shown = new ArrayList<>();
+        Display display = display(new Everything());
+        display.accompany(
+                new Display.Companion() {
+                    @Override
+                    public void beforeTurn(Display of, Scene scene) {
+                        shown.add((Everything) scene);
+                        if (shown.size() == 5) {
+                            of.quit();
+                        } else {
+                            of.show(new Everything());
+                        }
+                    }
+                });
+        display.run(null);
+        assertThat(shown).doesNotHaveDuplicates().hasSize(5);
+        assertThat(display.troubles()).isEmpty();
+    }
+
+    @Test
+    void leavesASceneForTheMenuByEscAndTheMenuForGood() {
+        List<String> titles = new ArrayList<>();
+        Everything menu = new Everything();
+        Display display = display(menu);
+        display.accompany(
+                new Display.Companion() {
+                    @Override
+                    public void beforeTurn(Display of, Scene scene) {
+                        titles.add(scene == menu ? "menu" : "scene");
+                        of.input().key(GLFW.GLFW_KEY_ESCAPE, GLFW.GLFW_PRESS);
+                    }
+                });
+        display.run(director -> new Everything());
+        assertThat(titles).containsExactly("scene", "menu");
+    }
+
+    private static Display display(Scene menu) {
+        return new Display((Director director) -> menu, false);
+    }
+}
