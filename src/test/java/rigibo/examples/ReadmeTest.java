@@ -2,6 +2,8 @@ package rigibo.examples;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import org.junit.jupiter.api.Test;
+
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.PrintStream;
@@ -9,7 +11,6 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.stream.Collectors;
-import org.junit.jupiter.api.Test;
 
 /** What the README shows is what compiles here. */
 class ReadmeTest {
@@ -22,7 +23,8 @@ class ReadmeTest {
         String source = Files.readString(EXAMPLE);
         String shown =
                 source.substring(
-                                source.indexOf("// README begins\n") + "// README begins\n".length(),
+                                source.indexOf("// README begins\n")
+                                        + "// README begins\n".length(),
                                 source.indexOf("        // README ends"))
                         .lines()
                         .map(line -> line.substring(8))

@@ -15,6 +15,12 @@ final class RowBuilder {
     /** Two points whose rows are this dependent are solved as one; below it M loses its digits. */
     private static final double DEPENDENT = 1e-4;
 
+    /**
+     * Share of what the effects add to a speed in one substep that a closing speed must pass to be
+     * a blow: less is what one pass over a pile leaves unsolved.
+     */
+    private static final double PULLED = 0.25;
+
     private final Bodies bodies;
     private final Pairs pairs;
     private final Islands islands;
@@ -198,7 +204,14 @@ final class RowBuilder {
         double unseen = PairTolerances.restSpeed(pressing, width);
         d[at + Rows.KEPT] = OverlapSolver.KEPT_OVERLAP * width;
         d[at + Rows.ELASTICITY] = pairs.elasticity[pair];
-        d[at + Rows.BOUNCE_SPEED] = Math.max(unseen, pressing * h);
+        double pulled = Math.max(acceleration(a), acceleration(b)) * h * PULLED;
+        d[at + Rows.BOUNCE_SPEED] = Math.max(pulled, Math.max(unseen, pressing * h));
+    }
+
+    private double acceleration(int slot) {
+        double x = bodies.accelerationX[slot];
+        double y = bodies.accelerationY[slot];
+        return bodies.isMoved(slot) ? Math.sqrt(x * x + y * y) : 0;
     }
 
     /** What a unit impulse along one row gives another with the same direction, 1/kg. */
