@@ -1,0 +1,18 @@
+package rigibo.frontend.puzzle.check;
+
+import java.util.SplittableRandom;
+import rigibo.frontend.puzzle.level.Level;
+
+/** Levels whose bodies stand a little aside; the same seed gives the same level. */
+final class Jitter {
+
+    /** How far a body may be moved, m. */
+    static final double MOST = 0.010;
+
+    private Jitter() {}
+
+    static Level of(Level level, int seed) {
+        SplittableRandom random = new SplittableRandom(seed);
+        return level.shiftedSideways(() -> random.nextDouble(-MOST, MOST));
+    }
+}

@@ -1,0 +1,60 @@
+package rigibo.frontend.puzzle.check;
+
+import java.util.List;
+import java.util.Locale;
+import rigibo.backend.RigidBody;
+import rigibo.backend.setup.Accuracy;
+import rigibo.frontend.puzzle.level.LoadedLevel;
+import rigibo.frontend.puzzle.level.Level;
+import rigibo.frontend.puzzle.level.Steps;
+import rigibo.frontend.puzzle.rules.Piece;
+import rigibo.frontend.puzzle.rules.PuzzleGame;
+
+/** E160: the level is not at rest before the first click. */
+final class RestCheck {
+
+    /** How long a player may look before the first click without anything moving, steps. */
+    private static final int LOOKING = Steps.of(3);
+
+    /** Settling that nobody sees, m: less than a pixel and a half. */
+    private static final double SETTLING = 0.015;
+
+    private static final double MILLIMETRES = 1000;
+
+    private RestCheck() {}
+
+    static void check(LoadedLevel loaded, Level level, Accuracy accuracy) {
+        PuzzleGame game = new PuzzleGame(level, accuracy);
+        for (int i = 0; i < LOOKING; i++) {
+            game.step();
+        }
+        report(loaded, "/ball", "the ball", moved(game.ball(), level.ball().x(), level.ball().y()));
+        List<Piece> pieces = game.pieces();
+        for (int i = 0; i < pieces.size(); i++) {
+            Piece piece = pieces.get(i);
+            double distance =
+                    piece.body().isAlive()
+                            ? moved(piece.body(), piece.definition().x(), piece.definition().y())
+                            : Double.POSITIVE_INFINITY;
+            report(loaded, "/bodies/" + i, "\"" + piece.definition().id() + "\"", distance);
+        }
+    }
+
+    private static double moved(RigidBody body, double x, double y) {
+        return Math.hypot(body.x() - x, body.y() - y);
+    }
+
+    private static void report(LoadedLevel loaded, String pointer, String what, double metres) {
+        if (metres > SETTLING) {
+            String words = "E160 not at rest before the first click: %s moves by %.0f mm in %.0f s";
+            loaded.error(
+                    pointer,
+                    String.format(
+                            Locale.ROOT,
+                            words,
+                            what,
+                            metres * MILLIMETRES,
+                            Steps.seconds(LOOKING)));
+        }
+    }
+}

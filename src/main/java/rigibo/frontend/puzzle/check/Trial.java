@@ -1,0 +1,72 @@
+package rigibo.frontend.puzzle.check;
+
+import java.util.Optional;
+import rigibo.frontend.puzzle.level.Level;
+import rigibo.frontend.puzzle.level.Steps;
+import rigibo.frontend.puzzle.rules.Loss;
+import rigibo.frontend.puzzle.rules.Outcome;
+import rigibo.frontend.puzzle.rules.Playback;
+import rigibo.frontend.puzzle.rules.PuzzleGame;
+import rigibo.frontend.puzzle.rules.Replay;
+
+/** Plays given clicks to the end of the game. */
+final class Trial {
+
+    /** Time after the last click in which a level must come to its end, steps. */
+    private static final int PATIENCE = Steps.of(30);
+
+    private Trial() {}
+
+    static Verdict play(Level level, Replay replay) {
+        Playback playback = new Playback(level, replay);
+        int deadline = PATIENCE + lastClick(replay);
+        while (!isOver(playback) && playback.game().steps() < deadline) {
+            playback.step();
+        }
+        return verdict(playback);
+    }
+
+    private static int lastClick(Replay replay) {
+        int count = replay.deletions().size();
+        return count == 0 ? 0 : replay.deletions().get(count - 1).step();
+    }
+
+    private static boolean isOver(Playback playback) {
+        PuzzleGame game = playback.game();
+        return game.outcome() != Outcome.RUNNING
+                || playback.refusal().isPresent()
+                || playback.isDone() && game.isStuck();
+    }
+
+    private static Verdict verdict(Playback playback) {
+        PuzzleGame game = playback.game();
+        boolean isWon = game.outcome() == Outcome.WON && playback.refusal().isEmpty();
+        return new Verdict(isWon, game.seconds(), isWon ? "" : why(playback));
+    }
+
+    private static String why(Playback playback) {
+        Optional<Playback.Refusal> refusal = playback.refusal();
+        if (refusal.isPresent()) {
+            String body = "\"" + refusal.get().deletion().body() + "\"";
+            return switch (refusal.get().result()) {
+                case COOLING_DOWN -> "the click on " + body + " comes during the cooldown";
+                case NOT_DELETABLE -> body + " cannot be deleted";
+                case NO_CLICKS_LEFT -> "no clicks are left for " + body;
+                case NOTHING_THERE -> body + " is already gone";
+                case OVER -> "the game was over before the click on " + body;
+                case DELETED -> "the click on " + body + " was made";
+            };
+        }
+        PuzzleGame game = playback.game();
+        if (game.outcome() == Outcome.WON) {
+            return "won before all clicks were made";
+        }
+        if (game.loss().isPresent()) {
+            Loss loss = game.loss().get();
+            return "the ball is lost: " + loss.words();
+        }
+        return game.isStuck()
+                ? "everything rests and the ball is not on the platform"
+                : "nothing is decided " + Steps.seconds(PATIENCE) + " s after the last click";
+    }
+}

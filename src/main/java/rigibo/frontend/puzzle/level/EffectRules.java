@@ -1,0 +1,117 @@
+package rigibo.frontend.puzzle.level;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.ToDoubleFunction;
+import rigibo.backend.effect.Contacts;
+import rigibo.backend.effect.Drag;
+import rigibo.backend.effect.Effect;
+import rigibo.backend.effect.Effects;
+import rigibo.backend.effect.Friction;
+import rigibo.backend.effect.Gravity;
+import rigibo.backend.effect.Restitution;
+import rigibo.backend.effect.RollingResistance;
+import rigibo.backend.effect.Rotation;
+import rigibo.backend.effect.Thrust;
+import rigibo.backend.setup.Material;
+import tools.jackson.databind.JsonNode;
+
+/**
+ * E140: an effect is declared that nothing uses, or used and not declared. What a substance brings
+ * along counts as a use where the effect is declared, but only a number that the file itself states
+ * asks for an effect: a level of balls without rolling resistance is a choice.
+ */
+final class EffectRules {
+
+    private static final String POINTER = "/world/effects";
+
+    private final LevelSketch sketch;
+    private final Effects declared;
+    private final Problems problems;
+
+    private EffectRules(LevelSketch sketch, Effects declared, Problems problems) {
+        this.sketch = sketch;
+        this.declared = declared;
+        this.problems = problems;
+    }
+
+    static void check(LevelSketch sketch, Problems problems) {
+        boolean isWhole = sketch.bodies().size() == sketch.json().node("/bodies").size();
+        if (sketch.world().isPresent() && sketch.ball().isPresent() && isWhole) {
+            new EffectRules(sketch, sketch.world().get().part().effects(), problems).check();
+        }
+    }
+
+    private void check() {
+        gravity();
+        stated("friction", Friction.class, Material::friction);
+        stated("restitution", Restitution.class, Material::elasticity);
+        stated("rollingResistance", RollingResistance.class, Material::rollingResistance);
+        stated("drag", Drag.class, Material::drag);
+        stated("spin", Rotation.class, material -> 1);
+        if (declared.declares(Thrust.class)) {
+            unused("thrust");
+        }
+        if (!declared.declares(Contacts.class)) {
+            undeclared("contacts", "the ball has to stay on the platform");
+        }
+    }
+
+    private void gravity() {
+        JsonNode gravity = sketch.json().node("/world/gravity");
+        boolean pulls = gravity.path(0).asDouble() != 0 || gravity.path(1).asDouble() != 0;
+        if (declared.declares(Gravity.class) && !pulls) {
+            unused("gravity");
+        }
+        if (!declared.declares(Gravity.class) && pulls) {
+            undeclared("gravity", "/world/gravity is not zero");
+        }
+    }
+
+    private void stated(
+            String member, Class<? extends Effect> effect, ToDoubleFunction<Material> amount) {
+        String title = member.equals("spin") ? "rotation" : kebab(member);
+        if (declared.declares(effect)) {
+            if (materials().stream().allMatch(material -> amount.applyAsDouble(material) == 0)) {
+                unused(title);
+            }
+            return;
+        }
+        for (String part : parts()) {
+            if (sketch.json().node(part + "/" + member).asDouble(0) != 0) {
+                undeclared(title, part + "/" + member + " is not zero");
+                return;
+            }
+        }
+    }
+
+    private List<Material> materials() {
+        List<Material> materials = new ArrayList<>();
+        sketch.ball().ifPresent(ball -> materials.add(ball.part().substance().material()));
+        sketch.platform().ifPresent(platform -> materials.add(Substance.PLANK.material()));
+        sketch.bodies().forEach(body -> materials.add(body.part().material()));
+        return materials;
+    }
+
+    private List<String> parts() {
+        List<String> parts = new ArrayList<>(List.of("/ball"));
+        sketch.bodies().forEach(body -> parts.add(body.pointer()));
+        return parts;
+    }
+
+    private static String kebab(String member) {
+        return member.replace("rollingResistance", "rolling-resistance");
+    }
+
+    private void unused(String title) {
+        warn("the effect " + title + " is declared, but nothing uses it");
+    }
+
+    private void undeclared(String title, String use) {
+        warn("the effect " + title + " is not declared, but " + use);
+    }
+
+    private void warn(String words) {
+        problems.warning(sketch.json().at(POINTER), POINTER, "E140 " + words);
+    }
+}

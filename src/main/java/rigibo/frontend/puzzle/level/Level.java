@@ -1,0 +1,61 @@
+package rigibo.frontend.puzzle.level;
+
+import java.util.List;
+import java.util.function.DoubleSupplier;
+
+/**
+ * A level as its file states it.
+ *
+ * @param id unique among the levels
+ * @param title shown in menus
+ * @param hint shown on request; empty where there is none
+ * @param world its space and effects
+ * @param limits the numbers of its rules
+ * @param ball what must reach the platform
+ * @param platform where it must stay
+ * @param bodies everything else, in the file's order
+ * @param solutions clicks known to win
+ */
+public record Level(
+        String id,
+        Wording title,
+        Wording hint,
+        World world,
+        Limits limits,
+        Ball ball,
+        Platform platform,
+        List<LevelBody> bodies,
+        List<Solution> solutions) {
+
+    public Level {
+        bodies = List.copyOf(bodies);
+        solutions = List.copyOf(solutions);
+    }
+
+    /** A 64-bit hash of all that play depends on; texts and solutions do not count. */
+    public long hash() {
+        return LevelHash.of(this);
+    }
+
+    /**
+     * The same level with everything that can move a little aside, to tell skill from luck.
+     *
+     * @param metres draws how far the next body goes to the right, m
+     */
+    public Level shiftedSideways(DoubleSupplier metres) {
+        List<LevelBody> shifted =
+                bodies.stream()
+                        .map(body -> body.isDynamic() ? body.shifted(metres.getAsDouble()) : body)
+                        .toList();
+        return new Level(
+                id,
+                title,
+                hint,
+                world,
+                limits,
+                ball.shifted(metres.getAsDouble()),
+                platform,
+                shifted,
+                solutions);
+    }
+}

@@ -1,0 +1,69 @@
+package rigibo.frontend.puzzle.level;
+
+import rigibo.backend.geometry.Shape;
+import rigibo.backend.setup.BodyDefinition;
+import rigibo.backend.setup.Material;
+
+/**
+ * One body of a level, besides ball and platform.
+ *
+ * @param id unique in its level
+ * @param shape its outline about the centre of mass
+ * @param x of the centre of mass, m
+ * @param y of the centre of mass, m, up
+ * @param angle rad, counter-clockwise
+ * @param substance how it looks
+ * @param material how it behaves: the substance's numbers, or those the file states instead
+ * @param motion at the start
+ * @param mobility whether it moves
+ * @param deletable whether a click deletes it
+ */
+public record LevelBody(
+        String id,
+        Shape shape,
+        double x,
+        double y,
+        double angle,
+        Substance substance,
+        Material material,
+        Motion motion,
+        Mobility mobility,
+        boolean deletable) {
+
+    /** Whether a body moves. */
+    public enum Mobility {
+        DYNAMIC,
+        STATIC
+    }
+
+    public boolean isDynamic() {
+        return mobility == Mobility.DYNAMIC;
+    }
+
+    /** What the engine is told. */
+    public BodyDefinition definition() {
+        BodyDefinition placed =
+                switch (mobility) {
+                    case DYNAMIC ->
+                            BodyDefinition.dynamic(shape)
+                                    .velocity(motion.x(), motion.y())
+                                    .spin(motion.spin());
+                    case STATIC -> BodyDefinition.fixed(shape);
+                };
+        return placed.at(x, y).angle(angle).material(material).name(id);
+    }
+
+    LevelBody shifted(double metres) {
+        return new LevelBody(
+                id,
+                shape,
+                x + metres,
+                y,
+                angle,
+                substance,
+                material,
+                motion,
+                mobility,
+                deletable);
+    }
+}

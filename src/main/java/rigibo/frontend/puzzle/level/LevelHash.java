@@ -1,0 +1,100 @@
+package rigibo.frontend.puzzle.level;
+
+import rigibo.backend.effect.Effect;
+import rigibo.backend.effect.Gravity;
+import rigibo.backend.geometry.Circle;
+import rigibo.backend.geometry.Polygon;
+import rigibo.backend.setup.Material;
+
+/**
+ * The hash that ties a replay to its level: FNV-1a, 64 bit (Fowler, Noll, Vo), over the bits of
+ * every number in the order of the level's records. Not over their text, for Java's wording of a
+ * double changed between versions.
+ */
+final class LevelHash {
+
+    private static final long OFFSET_BASIS = 0xcbf29ce484222325L;
+    private static final long PRIME = 0x100000001b3L;
+
+    private long hash = OFFSET_BASIS;
+
+    private LevelHash() {}
+
+    static long of(Level level) {
+        LevelHash hashing = new LevelHash();
+        hashing.world(level.world());
+        hashing.limits(level.limits());
+        hashing.ball(level.ball());
+        hashing.platform(level.platform());
+        level.bodies().forEach(hashing::body);
+        return hashing.hash;
+    }
+
+    private void world(World world) {
+        numbers(world.width(), world.height());
+        for (Effect effect : world.effects().all()) {
+            text(effect.title());
+        }
+        world.effects().find(Gravity.class).ifPresent(g -> numbers(g.x(), g.y()));
+    }
+
+    private void limits(Limits limits) {
+        numbers(limits.cooldown(), limits.hold(), limits.contactGrace());
+        numbers(limits.maxClicks().orElse(0), limits.timeLimit().orElse(0));
+    }
+
+    private void ball(Ball ball) {
+        numbers(ball.x(), ball.y(), ball.radius());
+        material(ball.substance().material());
+        motion(ball.motion());
+    }
+
+    private void platform(Platform platform) {
+        numbers(platform.x(), platform.y(), platform.width(), platform.height(), platform.angle());
+    }
+
+    private void body(LevelBody body) {
+        text(body.id());
+        switch (body.shape().kind()) {
+            case CIRCLE -> numbers(((Circle) body.shape()).radius());
+            case POLYGON -> corners((Polygon) body.shape());
+        }
+        numbers(body.x(), body.y(), body.angle());
+        material(body.material());
+        motion(body.motion());
+        text(body.mobility().name());
+        numbers(body.deletable() ? 1 : 0);
+    }
+
+    private void corners(Polygon polygon) {
+        for (int i = 0; i < polygon.corners(); i++) {
+            numbers(polygon.cornerX(i), polygon.cornerY(i));
+        }
+    }
+
+    private void material(Material material) {
+        numbers(material.density(), material.friction(), material.elasticity());
+        numbers(material.rollingResistance(), material.surfaceSpeed(), material.drag());
+    }
+
+    private void motion(Motion motion) {
+        numbers(motion.x(), motion.y(), motion.spin());
+    }
+
+    private void numbers(double... values) {
+        for (double value : values) {
+            bits(Double.doubleToLongBits(value));
+        }
+    }
+
+    private void text(String words) {
+        words.chars().forEach(this::bits);
+        bits(words.length());
+    }
+
+    private void bits(long word) {
+        for (int shift = 0; shift < Long.SIZE; shift += Byte.SIZE) {
+            hash = (hash ^ (word >>> shift & 0xff)) * PRIME;
+        }
+    }
+}

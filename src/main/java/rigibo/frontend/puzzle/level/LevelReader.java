@@ -1,0 +1,144 @@
+package rigibo.frontend.puzzle.level;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.OptionalDouble;
+import java.util.OptionalInt;
+import rigibo.backend.effect.Contacts;
+import rigibo.backend.effect.ContinuousImpacts;
+import rigibo.backend.effect.Drag;
+import rigibo.backend.effect.Effect;
+import rigibo.backend.effect.Effects;
+import rigibo.backend.effect.Friction;
+import rigibo.backend.effect.Gravity;
+import rigibo.backend.effect.Restitution;
+import rigibo.backend.effect.RollingResistance;
+import rigibo.backend.effect.Rotation;
+import rigibo.backend.effect.Sleep;
+import rigibo.backend.effect.Thrust;
+import rigibo.backend.setup.Material;
+import tools.jackson.databind.JsonNode;
+
+/** Turns parts of a document that the schema accepts into records; degrees become radians. */
+final class LevelReader {
+
+    private LevelReader() {}
+
+    static Wording wording(JsonNode node) {
+        Map<String, String> texts = new HashMap<>();
+        for (Map.Entry<String, JsonNode> entry : node.properties()) {
+            texts.put(entry.getKey(), entry.getValue().asString());
+        }
+        return new Wording(texts);
+    }
+
+    /**
+     * The world.
+     *
+     * @throws IllegalArgumentException when an effect lacks another that it needs
+     */
+    static World world(JsonNode node) {
+        List<Effect> effects = new ArrayList<>();
+        for (JsonNode title : node.path("effects")) {
+            effects.add(effect(title.asString(), node.path("gravity")));
+        }
+        return new World(
+                node.path("width").asDouble(),
+                node.path("height").asDouble(),
+                Effects.of(effects.toArray(Effect[]::new)));
+    }
+
+    private static Effect effect(String title, JsonNode gravity) {
+        return switch (title) {
+            case "gravity" -> new Gravity(gravity.path(0).asDouble(), gravity.path(1).asDouble());
+            case "contacts" -> new Contacts();
+            case "rotation" -> new Rotation();
+            case "friction" -> new Friction();
+            case "restitution" -> new Restitution();
+            case "rolling-resistance" -> new RollingResistance();
+            case "drag" -> new Drag();
+            case "thrust" -> new Thrust();
+            case "continuous-impacts" -> new ContinuousImpacts();
+            case "sleep" -> new Sleep();
+            default -> throw new IllegalArgumentException("no effect is called " + title);
+        };
+    }
+
+    static Limits limits(JsonNode node) {
+        return new Limits(
+                node.path("cooldown").asDouble(),
+                node.path("hold").asDouble(),
+                node.path("contactGrace").asDouble(Limits.USUAL_GRACE),
+                node.path("par").asInt(),
+                node.has("maxClicks")
+                        ? OptionalInt.of(node.path("maxClicks").asInt())
+                        : OptionalInt.empty(),
+                node.has("timeLimit")
+                        ? OptionalDouble.of(node.path("timeLimit").asDouble())
+                        : OptionalDouble.empty());
+    }
+
+    static Ball ball(JsonNode node) {
+        return new Ball(
+                node.path("x").asDouble(),
+                node.path("y").asDouble(),
+                node.path("radius").asDouble(),
+                Substance.titled(node.path("material").asString(Substance.BALL.title())),
+                motion(node));
+    }
+
+    static Platform platform(JsonNode node) {
+        return new Platform(
+                node.path("x").asDouble(),
+                node.path("y").asDouble(),
+                node.path("w").asDouble(),
+                node.path("h").asDouble(Platform.USUAL_HEIGHT),
+                Math.toRadians(node.path("angle").asDouble(0)));
+    }
+
+    static LevelBody body(JsonNode node, Outline outline) {
+        double angle = Math.toRadians(node.path("angle").asDouble(0));
+        double cos = StrictMath.cos(angle);
+        double sin = StrictMath.sin(angle);
+        Substance substance = Substance.titled(node.path("material").asString());
+        return new LevelBody(
+                node.path("id").asString(),
+                outline.shape(),
+                node.path("x").asDouble() + cos * outline.centroidX() - sin * outline.centroidY(),
+                node.path("y").asDouble() + sin * outline.centroidX() + cos * outline.centroidY(),
+                angle,
+                substance,
+                material(node, substance.material()),
+                motion(node),
+                node.path("dynamic").asBoolean(true)
+                        ? LevelBody.Mobility.DYNAMIC
+                        : LevelBody.Mobility.STATIC,
+                node.path("deletable").asBoolean(false));
+    }
+
+    static Solution solution(JsonNode node) {
+        List<Click> clicks = new ArrayList<>();
+        for (JsonNode click : node.path("clicks")) {
+            clicks.add(new Click(click.path("t").asDouble(), click.path("body").asString()));
+        }
+        return new Solution(clicks);
+    }
+
+    private static Motion motion(JsonNode node) {
+        return new Motion(
+                node.path("vx").asDouble(0),
+                node.path("vy").asDouble(0),
+                node.path("spin").asDouble(0));
+    }
+
+    private static Material material(JsonNode node, Material usual) {
+        return usual.density(node.path("density").asDouble(usual.density()))
+                .friction(node.path("friction").asDouble(usual.friction()))
+                .elasticity(node.path("restitution").asDouble(usual.elasticity()))
+                .rollingResistance(
+                        node.path("rollingResistance").asDouble(usual.rollingResistance()))
+                .drag(node.path("drag").asDouble(usual.drag()));
+    }
+}

@@ -1,0 +1,26 @@
+package rigibo.frontend.puzzle.level;
+
+import java.util.Map;
+import tools.jackson.databind.JsonNode;
+
+/**
+ * A JSON document and where each of its values begins.
+ *
+ * @param root the document
+ * @param places by JSON pointer; a member's place is that of its value
+ */
+record LocatedJson(JsonNode root, Map<String, Place> places) {
+
+    /** Where a value begins; that of the nearest value around it when there is none. */
+    Place at(String pointer) {
+        String here = pointer;
+        while (!here.isEmpty() && !places.containsKey(here)) {
+            here = here.substring(0, here.lastIndexOf('/'));
+        }
+        return places.getOrDefault(here, Place.START);
+    }
+
+    JsonNode node(String pointer) {
+        return root.at(pointer);
+    }
+}

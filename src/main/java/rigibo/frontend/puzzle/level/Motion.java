@@ -1,0 +1,13 @@
+package rigibo.frontend.puzzle.level;
+
+/**
+ * How something moves at the start.
+ *
+ * @param x m/s, to the right
+ * @param y m/s, up
+ * @param spin rad/s, counter-clockwise
+ */
+public record Motion(double x, double y, double spin) {
+
+    public static final Motion NONE = new Motion(0, 0, 0);
+}

@@ -1,0 +1,55 @@
+package rigibo.frontend.puzzle.level;
+
+import java.util.List;
+
+/** E150 a click during the cooldown; E152 a par that a stored solution beats. */
+final class SolutionRules {
+
+    private SolutionRules() {}
+
+    static void check(LevelSketch sketch, Problems problems) {
+        sketch.limits().ifPresent(limits -> check(sketch, limits.part(), problems));
+    }
+
+    private static void check(LevelSketch sketch, Limits limits, Problems problems) {
+        for (Located<Solution> solution : sketch.solutions()) {
+            List<Click> clicks = solution.part().clicks();
+            for (int i = 1; i < clicks.size(); i++) {
+                requireCooled(sketch.json(), solution, i, limits.cooldown(), problems);
+            }
+            if (clicks.size() < limits.par()) {
+                String pointer = "/rules/par";
+                problems.error(
+                        sketch.json().at(pointer),
+                        pointer,
+                        "E152 par is "
+                                + limits.par()
+                                + ", but "
+                                + solution.pointer()
+                                + " needs only "
+                                + clicks.size());
+            }
+        }
+    }
+
+    private static void requireCooled(
+            LocatedJson json,
+            Located<Solution> solution,
+            int i,
+            double cooldown,
+            Problems problems) {
+        double last = solution.part().clicks().get(i - 1).seconds();
+        double next = solution.part().clicks().get(i).seconds();
+        if (Steps.of(next) - Steps.of(last) < Steps.of(cooldown)) {
+            String pointer = solution.pointer() + "/clicks/" + i + "/t";
+            problems.error(
+                    json.at(pointer),
+                    pointer,
+                    "E150 clicks at "
+                            + next
+                            + " s, during the cooldown that lasts until "
+                            + (last + cooldown)
+                            + " s");
+        }
+    }
+}

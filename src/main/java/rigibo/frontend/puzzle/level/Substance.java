@@ -1,0 +1,41 @@
+package rigibo.frontend.puzzle.level;
+
+import java.util.Locale;
+import rigibo.backend.setup.Material;
+
+/**
+ * What level files call a material. Densities are of plates about 1 m deep, so that ratios are those
+ * of the real materials, except iron's: a fifth of it keeps stacks within what GAME promises.
+ */
+public enum Substance {
+    RIGIBO(new Material(500, 0.5, 0.05)),
+    STONE(new Material(2400, 0.6, 0)),
+    PLANK(new Material(600, 0.4, 0.05)),
+    ICE(new Material(900, 0.03, 0.02)),
+    RUBBER(new Material(1100, 0.9, 0.7)),
+    IRON(new Material(1600, 0.35, 0.1)),
+    BALL(new Material(600, 0.5, 0.1).rollingResistance(Substance.BALL_LEVER));
+
+    /** A leather ball's lever on wood, m: at r = 0.35 m it brakes by about 0.2 m/s². */
+    private static final double BALL_LEVER = 0.01;
+
+    private final Material material;
+
+    Substance(Material material) {
+        this.material = material;
+    }
+
+    /** The engine's numbers. */
+    public Material material() {
+        return material;
+    }
+
+    /** The name in level files. */
+    public String title() {
+        return name().toLowerCase(Locale.ROOT);
+    }
+
+    static Substance titled(String title) {
+        return valueOf(title.toUpperCase(Locale.ROOT));
+    }
+}

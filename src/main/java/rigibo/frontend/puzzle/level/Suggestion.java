@@ -1,0 +1,48 @@
+package rigibo.frontend.puzzle.level;
+
+import java.util.Collection;
+import java.util.Comparator;
+import java.util.Locale;
+import java.util.stream.Collectors;
+
+/** Guesses which known word was meant by an unknown one. */
+final class Suggestion {
+
+    private Suggestion() {}
+
+    /** {@code , did you mean "legL"?}, or nothing where no known word is near. */
+    static String among(Collection<String> known, String word) {
+        // A third of the letters wrong is still a slip; more is another word.
+        int most = Math.max(1, (word.length() + 1) / 3);
+        return known.stream()
+                .filter(candidate -> distance(candidate, word) <= most)
+                .min(Comparator.comparingInt(candidate -> distance(candidate, word)))
+                .map(candidate -> ", did you mean \"" + candidate + "\"?")
+                .orElse("");
+    }
+
+    /** The known words in a row, for messages. */
+    static String list(Collection<String> known) {
+        return known.stream().collect(Collectors.joining(", "));
+    }
+
+    /** Levenshtein's distance, blind to case. */
+    private static int distance(String first, String second) {
+        String a = first.toLowerCase(Locale.ROOT);
+        String b = second.toLowerCase(Locale.ROOT);
+        int[] row = new int[b.length() + 1];
+        for (int j = 0; j <= b.length(); j++) {
+            row[j] = j;
+        }
+        for (int i = 1; i <= a.length(); i++) {
+            int diagonal = row[0];
+            row[0] = i;
+            for (int j = 1; j <= b.length(); j++) {
+                int swap = diagonal + (a.charAt(i - 1) == b.charAt(j - 1) ? 0 : 1);
+                diagonal = row[j];
+                row[j] = Math.min(swap, 1 + Math.min(row[j], row[j - 1]));
+            }
+        }
+        return row[b.length()];
+    }
+}

@@ -1,0 +1,74 @@
+package rigibo.frontend.puzzle.rules;
+
+import java.util.List;
+import java.util.Optional;
+import rigibo.backend.Pool;
+import rigibo.backend.RigidBody;
+import rigibo.backend.setup.Accuracy;
+import rigibo.frontend.puzzle.level.Level;
+import rigibo.frontend.puzzle.level.World;
+
+/**
+ * A level's bodies in a pool.
+ *
+ * @param world its bounds
+ * @param pool the bodies, in the order platform, level's bodies, ball
+ * @param platform where the ball must stay
+ * @param pieces the level's bodies in the file's order, also those that are gone
+ * @param ball the ball; last, so that it is what a click on it finds
+ */
+record Board(World world, Pool pool, RigidBody platform, List<Piece> pieces, RigidBody ball) {
+
+    /** How far outside the world a body is forgotten, m; the ball is judged at the edge itself. */
+    private static final double STRAY = 3;
+
+    static Board of(Level level, Accuracy accuracy) {
+        Pool pool = new Pool(level.world().effects(), accuracy);
+        RigidBody platform = pool.add(level.platform().definition());
+        List<Piece> pieces =
+                level.bodies().stream()
+                        .map(body -> new Piece(body, pool.add(body.definition())))
+                        .toList();
+        return new Board(
+                level.world(), pool, platform, pieces, pool.add(level.ball().definition()));
+    }
+
+    Optional<Piece> pieceAt(double x, double y) {
+        return pool.bodyAt(x, y).flatMap(this::piece);
+    }
+
+    Optional<Piece> piece(String id) {
+        return pieces.stream().filter(piece -> piece.definition().id().equals(id)).findFirst();
+    }
+
+    private Optional<Piece> piece(RigidBody body) {
+        return pieces.stream().filter(piece -> piece.body() == body).findFirst();
+    }
+
+    boolean hasDeletable() {
+        return pieces.stream().anyMatch(Piece::isDeletable);
+    }
+
+    boolean ballIsOnPlatform() {
+        return pool.touching(ball, platform);
+    }
+
+    /** The ball may fly above the world and come back; below and beside it there is no way back. */
+    boolean ballHasLeft() {
+        double radius = ball.shape().boundingRadius();
+        return isOutside(ball, radius) || ball.y() > 2 * world.height() + radius;
+    }
+
+    /** Takes out what fell so far that it can never matter again, or nothing would ever rest. */
+    void forgetStrays() {
+        for (Piece piece : pieces) {
+            if (piece.body().isAlive() && isOutside(piece.body(), STRAY)) {
+                pool.remove(piece.body());
+            }
+        }
+    }
+
+    private boolean isOutside(RigidBody body, double margin) {
+        return body.x() < -margin || body.x() > world.width() + margin || body.y() < -margin;
+    }
+}

@@ -1,0 +1,26 @@
+package rigibo.frontend.puzzle.rules;
+
+/** Keeps two deletions apart. Counts in steps, so that its end is exact. */
+final class Cooldown {
+
+    private final int length;
+    private int readyAt;
+
+    Cooldown(int steps) {
+        length = steps;
+    }
+
+    /** Exactly at its end the next deletion is allowed. */
+    boolean isReady(int now) {
+        return now >= readyAt;
+    }
+
+    void start(int now) {
+        readyAt = now + length;
+    }
+
+    /** What is left of it, from 1 just after a deletion to 0 when ready. */
+    double left(int now) {
+        return isReady(now) ? 0 : (readyAt - now) / (double) length;
+    }
+}

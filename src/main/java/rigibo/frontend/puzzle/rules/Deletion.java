@@ -1,0 +1,9 @@
+package rigibo.frontend.puzzle.rules;
+
+/**
+ * A click that deleted a body.
+ *
+ * @param step how many steps had been done before it
+ * @param body id of the body
+ */
+public record Deletion(int step, String body) {}

@@ -1,0 +1,56 @@
+package rigibo.frontend.puzzle.rules;
+
+/**
+ * Counts how long the ball has stayed on the platform. Gaps shorter than the grace do not reset it,
+ * but it can only run out while the two touch.
+ */
+final class HoldClock {
+
+    private static final int NEVER = -1;
+
+    private final int length;
+    private final int grace;
+    private int began = NEVER;
+    private int lastTouch = NEVER;
+    private boolean isTouching;
+
+    HoldClock(int holdSteps, int graceSteps) {
+        length = holdSteps;
+        grace = graceSteps;
+    }
+
+    /** Tells whether the two touched in the step that ended now. */
+    void observe(int now, boolean touches) {
+        isTouching = touches;
+        if (began != NEVER && isLetGo(now - lastTouch - (touches ? 1 : 0))) {
+            began = NEVER;
+        }
+        if (touches) {
+            began = began == NEVER ? now : began;
+            lastTouch = now;
+        }
+    }
+
+    /** A step without a gap never lets go, even where the grace is nought. */
+    private boolean isLetGo(int stepsApart) {
+        return stepsApart > 0 && stepsApart >= grace;
+    }
+
+    boolean isHeld(int now) {
+        return isTouching && steps(now) >= length;
+    }
+
+    /** Whether the ball has ever been on the platform. */
+    boolean hasTouched() {
+        return lastTouch != NEVER;
+    }
+
+    /** How much of the hold has passed, 0 to 1. */
+    double fraction(int now) {
+        return Math.min(1, steps(now) / (double) length);
+    }
+
+    private int steps(int now) {
+        return began == NEVER ? 0 : now - began;
+    }
+}

@@ -1,0 +1,24 @@
+package rigibo.frontend.puzzle.rules;
+
+/** Why a game is lost. */
+public enum Loss {
+    /** The ball left the world after it had been on the platform. */
+    ROLLED_OFF("rolled off"),
+    /** The ball left the world and never saw the platform. */
+    LEFT_THE_WORLD("left the world"),
+    /** All is at rest, the ball is elsewhere, and no click can change that. */
+    NOTHING_LEFT_TO_DELETE("nothing left to delete"),
+    /** The level's time limit has passed. */
+    TIME_IS_UP("time is up");
+
+    private final String words;
+
+    Loss(String words) {
+        this.words = words;
+    }
+
+    /** In English, for messages about level files. */
+    public String words() {
+        return words;
+    }
+}

@@ -1,0 +1,8 @@
+package rigibo.frontend.puzzle.rules;
+
+/** How a game stands. */
+public enum Outcome {
+    RUNNING,
+    WON,
+    LOST
+}

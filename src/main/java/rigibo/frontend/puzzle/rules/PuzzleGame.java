@@ -1,0 +1,204 @@
+package rigibo.frontend.puzzle.rules;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import rigibo.backend.Pool;
+import rigibo.backend.RigidBody;
+import rigibo.backend.setup.Accuracy;
+import rigibo.frontend.puzzle.level.Level;
+import rigibo.frontend.puzzle.level.Limits;
+import rigibo.frontend.puzzle.level.Steps;
+
+/**
+ * One attempt at a level. Clicks come between steps; the game judges after each step, and goes on
+ * moving, but no longer judging, once it is won or lost.
+ */
+public final class PuzzleGame {
+
+    private final Level level;
+    private final Board board;
+    private final Cooldown cooldown;
+    private final HoldClock hold;
+    private final RestWatch rest = new RestWatch();
+    private final List<Deletion> deletions = new ArrayList<>();
+    private Outcome outcome = Outcome.RUNNING;
+    private Optional<Loss> loss = Optional.empty();
+    private int steps;
+    private int endedAt;
+
+    /** An attempt at its start. */
+    public PuzzleGame(Level level, Accuracy accuracy) {
+        this.level = level;
+        Limits limits = level.limits();
+        board = Board.of(level, accuracy);
+        cooldown = new Cooldown(Steps.of(limits.cooldown()));
+        hold = new HoldClock(Steps.of(limits.hold()), Steps.of(limits.contactGrace()));
+    }
+
+    /** Advances by 1/60 s. */
+    public void step() {
+        board.pool().step(Steps.SECONDS);
+        steps++;
+        board.forgetStrays();
+        rest.observe(board);
+        if (outcome == Outcome.RUNNING) {
+            judge();
+        }
+    }
+
+    private void judge() {
+        hold.observe(steps, board.ballIsOnPlatform());
+        if (hold.isHeld(steps)) {
+            end(Outcome.WON, Optional.empty());
+        } else if (board.ballHasLeft()) {
+            lose(hold.hasTouched() ? Loss.ROLLED_OFF : Loss.LEFT_THE_WORLD);
+        } else if (isTimeUp()) {
+            lose(Loss.TIME_IS_UP);
+        } else if (isStuck() && !canDelete()) {
+            lose(Loss.NOTHING_LEFT_TO_DELETE);
+        }
+    }
+
+    private boolean isTimeUp() {
+        return level.limits().timeLimit().isPresent()
+                && steps >= Steps.of(level.limits().timeLimit().getAsDouble());
+    }
+
+    private boolean canDelete() {
+        return board.hasDeletable() && !areClicksUsedUp();
+    }
+
+    private boolean areClicksUsedUp() {
+        return level.limits().maxClicks().isPresent()
+                && deletions.size() >= level.limits().maxClicks().getAsInt();
+    }
+
+    private void lose(Loss reason) {
+        end(Outcome.LOST, Optional.of(reason));
+    }
+
+    private void end(Outcome how, Optional<Loss> reason) {
+        outcome = how;
+        loss = reason;
+        endedAt = steps;
+    }
+
+    /**
+     * A click at a point of the world.
+     *
+     * @param x m
+     * @param y m, up
+     */
+    public ClickResult click(double x, double y) {
+        if (outcome != Outcome.RUNNING) {
+            return ClickResult.OVER;
+        }
+        return pieceAt(x, y).map(this::delete).orElseGet(() -> nothing(x, y));
+    }
+
+    private ClickResult nothing(double x, double y) {
+        return board.pool().bodyAt(x, y).isPresent()
+                ? ClickResult.NOT_DELETABLE
+                : ClickResult.NOTHING_THERE;
+    }
+
+    /** Deletes a body by its id, by the same rules as a click on it. */
+    public ClickResult delete(String id) {
+        if (outcome != Outcome.RUNNING) {
+            return ClickResult.OVER;
+        }
+        return board.piece(id)
+                .filter(piece -> piece.body().isAlive())
+                .map(this::delete)
+                .orElse(ClickResult.NOTHING_THERE);
+    }
+
+    private ClickResult delete(Piece piece) {
+        if (!piece.isDeletable()) {
+            return ClickResult.NOT_DELETABLE;
+        }
+        if (areClicksUsedUp()) {
+            return ClickResult.NO_CLICKS_LEFT;
+        }
+        if (!cooldown.isReady(steps)) {
+            return ClickResult.COOLING_DOWN;
+        }
+        board.pool().remove(piece.body());
+        deletions.add(new Deletion(steps, piece.definition().id()));
+        cooldown.start(steps);
+        rest.restart();
+        return ClickResult.DELETED;
+    }
+
+    /** The level's body under a point, deletable or not; not the ball, not the platform. */
+    public Optional<Piece> pieceAt(double x, double y) {
+        return board.pieceAt(x, y);
+    }
+
+    public Level level() {
+        return level;
+    }
+
+    public Outcome outcome() {
+        return outcome;
+    }
+
+    /** Why it is lost; nothing as long as it is not. */
+    public Optional<Loss> loss() {
+        return loss;
+    }
+
+    /** Steps done since the start. */
+    public int steps() {
+        return steps;
+    }
+
+    /** Time played, s; it stops with the outcome. */
+    public double seconds() {
+        return Steps.seconds(outcome == Outcome.RUNNING ? steps : endedAt);
+    }
+
+    /** Deletions so far. */
+    public int clicks() {
+        return deletions.size();
+    }
+
+    /** What is left of the cooldown, 1 just after a deletion, 0 when the next is allowed. */
+    public double cooldownLeft() {
+        return cooldown.left(steps);
+    }
+
+    /** How much of the hold has passed, 0 to 1. */
+    public double held() {
+        return outcome == Outcome.WON ? 1 : hold.fraction(steps);
+    }
+
+    /** Whether all is at rest and the ball is not on the platform: only a click helps. */
+    public boolean isStuck() {
+        return rest.isAtRest() && !board.ballIsOnPlatform();
+    }
+
+    public RigidBody ball() {
+        return board.ball();
+    }
+
+    public RigidBody platform() {
+        return board.platform();
+    }
+
+    /** The level's bodies in the file's order, also those that are gone. */
+    public List<Piece> pieces() {
+        return board.pieces();
+    }
+
+    /** The pool, to be read: whoever changes it ends the promise of {@link #replay}. */
+    public Pool pool() {
+        return board.pool();
+    }
+
+    /** What has been played so far, to be kept or played again. */
+    public Replay replay() {
+        return new Replay(level.hash(), deletions, board.pool().accuracy());
+    }
+}

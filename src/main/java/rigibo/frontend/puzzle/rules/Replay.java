@@ -1,0 +1,36 @@
+package rigibo.frontend.puzzle.rules;
+
+import java.util.List;
+import rigibo.backend.setup.Accuracy;
+import rigibo.frontend.puzzle.level.Level;
+import rigibo.frontend.puzzle.level.Solution;
+import rigibo.frontend.puzzle.level.Steps;
+
+/**
+ * All that a game depends on: it plays back to the same bits.
+ *
+ * @param levelHash of the level it belongs to
+ * @param deletions in the order of their steps
+ * @param accuracy how exactly it was simulated
+ */
+public record Replay(long levelHash, List<Deletion> deletions, Accuracy accuracy) {
+
+    public Replay {
+        deletions = List.copyOf(deletions);
+    }
+
+    /** A stored solution as a replay. */
+    public static Replay of(Level level, Solution solution, Accuracy accuracy) {
+        List<Deletion> deletions =
+                solution.clicks().stream()
+                        .map(click -> new Deletion(Steps.of(click.seconds()), click.body()))
+                        .toList();
+        return new Replay(level.hash(), deletions, accuracy);
+    }
+
+    /** The same without its last deletion. */
+    public Replay withoutLast() {
+        return new Replay(
+                levelHash, deletions.subList(0, Math.max(0, deletions.size() - 1)), accuracy);
+    }
+}

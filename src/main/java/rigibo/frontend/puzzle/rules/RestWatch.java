@@ -1,0 +1,43 @@
+package rigibo.frontend.puzzle.rules;
+
+import rigibo.backend.RigidBody;
+import rigibo.backend.setup.BodyType;
+import rigibo.frontend.puzzle.level.Steps;
+
+/** Tells when everything has come to rest; also where sleep is not declared. */
+final class RestWatch {
+
+    /** Fastest motion that counts as rest, m/s: a hand's breadth in ten seconds. */
+    private static final double STILL = 0.01;
+
+    /** How long all must be still: a body at the top of its swing is still for a moment only. */
+    private static final int LONG_ENOUGH = Steps.of(1);
+
+    private int stillSteps;
+
+    /** Call after each step. */
+    void observe(Board board) {
+        boolean isStill = true;
+        for (RigidBody body : board.pool().bodies()) {
+            isStill &= isStill(body);
+        }
+        stillSteps = isStill ? stillSteps + 1 : 0;
+    }
+
+    /** A deletion moves things again, at the earliest in the next step. */
+    void restart() {
+        stillSteps = 0;
+    }
+
+    boolean isAtRest() {
+        return stillSteps >= LONG_ENOUGH;
+    }
+
+    private static boolean isStill(RigidBody body) {
+        if (body.type() != BodyType.DYNAMIC || !body.isAwake()) {
+            return true;
+        }
+        double rim = Math.abs(body.angularVelocity()) * body.shape().boundingRadius();
+        return Math.hypot(body.velocityX(), body.velocityY()) + rim < STILL;
+    }
+}

@@ -1,0 +1,113 @@
+package rigibo.frontend.puzzle.level;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+
+class LevelFilesTest {
+
+    @TempDir private Path folder;
+    private final LevelLoader loader = new LevelLoader();
+
+    private List<String> problems(Path file) {
+        return loader.load(file).problems().stream()
+                .map(problem -> problem.place() + " " + problem.message())
+                .toList();
+    }
+
+    private Path file(byte[] content) throws IOException {
+        return Files.write(folder.resolve("a.json"), content);
+    }
+
+    @Test
+    void aMissingFileIsAProblemAndNoException() {
+        assertThat(problems(folder.resolve("none.json")))
+                .containsExactly("1:1 cannot be read: there is no such file");
+    }
+
+    @Test
+    void aFolderIsNoLevel() {
+        assertThat(problems(folder)).containsExactly("1:1 cannot be read: it is a folder");
+    }
+
+    @Test
+    void aHugeFileIsNotReadToItsEnd() throws IOException {
+        assertThat(problems(file(new byte[LevelText.MOST_BYTES + 1])))
+                .containsExactly("1:1 is larger than 1000000 bytes, the most of a level");
+    }
+
+    @Test
+    void otherEncodingsAreRefused() throws IOException {
+        assertThat(problems(file("\"ä\"".getBytes(StandardCharsets.ISO_8859_1))))
+                .containsExactly("1:1 is not UTF-8 text");
+    }
+
+    @Test
+    void aByteOrderMarkDoesNoHarm() throws IOException {
+        byte[] marked = ("\uFEFF" + LevelTexts.SOUND).getBytes(StandardCharsets.UTF_8);
+        assertThat(problems(file(marked))).isEmpty();
+    }
+
+    static Stream<Arguments> malformed() {
+        return Stream.of(
+                Arguments.of("", "1:1 the file is empty, expected a level"),
+                Arguments.of("{\n  \"format\": 1,\n  \"id\": ?\n}", "3:9 not JSON: "),
+                Arguments.of("{\"format\": 1", "1:13 not JSON: "),
+                Arguments.of("{} {}", "1:4 not JSON: text after the end of the level"),
+                Arguments.of("[".repeat(100_000), "1:501 not JSON: "));
+    }
+
+    @ParameterizedTest
+    @MethodSource("malformed")
+    void brokenJsonIsToldWhereItBreaks(String text, String begin) throws IOException {
+        assertThat(problems(file(text.getBytes(StandardCharsets.UTF_8))))
+                .singleElement()
+                .asString()
+                .startsWith(begin);
+    }
+
+    @Test
+    void aKeyGivenTwiceIsToldWithBothPlaces() {
+        String text = LevelTexts.with("\"y\": 2.7", "\"y\": 2.7, \"x\": 1");
+        assertThat(loader.parse("a.json", text).problems())
+                .extracting(Problem::toString)
+                .containsExactly(
+                        "a.json:10:32: /ball/x: \"x\" is given twice (first at 10:12)");
+    }
+
+    @Test
+    void aNumberBeyondDoublesIsRefused() {
+        String text = LevelTexts.with("\"y\": 2.7", "\"y\": 1e999");
+        assertThat(loader.parse("a.json", text).problems())
+                .extracting(Problem::toString)
+                .containsExactly("a.json:10:27: /ball/y: the number 1e999 is too large");
+    }
+
+    @Test
+    void levelsAreSortedByTheirNumberNotByTheirLetters() throws IOException {
+        for (String name : List.of("10-b.json", "2-c.json", "02-a.json", "level.schema.json")) {
+            Files.createFile(folder.resolve(name));
+        }
+        assertThat(LevelShelf.filesIn(folder))
+                .extracting(file -> file.getFileName().toString())
+                .containsExactly("02-a.json", "2-c.json", "10-b.json");
+    }
+
+    @Test
+    void theGamesOwnLevelsLoadWithoutAWarning() {
+        assertThat(LevelShelf.files()).hasSizeGreaterThanOrEqualTo(3);
+        for (Path file : LevelShelf.files()) {
+            assertThat(loader.load(file).problems()).as(file.toString()).isEmpty();
+        }
+    }
+}
