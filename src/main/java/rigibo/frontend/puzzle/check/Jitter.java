@@ -1,7 +1,8 @@
 package rigibo.frontend.puzzle.check;
 
-import java.util.SplittableRandom;
 import rigibo.frontend.puzzle.level.Level;
+
+import java.util.SplittableRandom;
 
 /** Levels whose bodies stand a little aside; the same seed gives the same level. */
 final class Jitter {

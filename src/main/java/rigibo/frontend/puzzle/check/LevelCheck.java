@@ -1,11 +1,12 @@
 package rigibo.frontend.puzzle.check;
 
-import java.util.Optional;
 import rigibo.backend.setup.Accuracy;
 import rigibo.frontend.puzzle.level.Level;
 import rigibo.frontend.puzzle.level.LoadedLevel;
 import rigibo.frontend.puzzle.level.Steps;
 import rigibo.frontend.puzzle.rules.Deletion;
+
+import java.util.Optional;
 
 /**
  * What only playing shows. E151 a stored solution does not win, as stated or a little aside; E152

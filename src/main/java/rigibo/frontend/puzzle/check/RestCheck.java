@@ -1,14 +1,15 @@
 package rigibo.frontend.puzzle.check;
 
-import java.util.List;
-import java.util.Locale;
 import rigibo.backend.RigidBody;
 import rigibo.backend.setup.Accuracy;
-import rigibo.frontend.puzzle.level.LoadedLevel;
 import rigibo.frontend.puzzle.level.Level;
+import rigibo.frontend.puzzle.level.LoadedLevel;
 import rigibo.frontend.puzzle.level.Steps;
 import rigibo.frontend.puzzle.rules.Piece;
 import rigibo.frontend.puzzle.rules.PuzzleGame;
+
+import java.util.List;
+import java.util.Locale;
 
 /** E160: the level is not at rest before the first click. */
 final class RestCheck {

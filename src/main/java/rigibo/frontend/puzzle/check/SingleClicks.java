@@ -1,14 +1,15 @@
 package rigibo.frontend.puzzle.check;
 
-import java.util.List;
-import java.util.Optional;
-import java.util.stream.IntStream;
 import rigibo.backend.setup.Accuracy;
 import rigibo.frontend.puzzle.level.Level;
 import rigibo.frontend.puzzle.level.LevelBody;
 import rigibo.frontend.puzzle.level.Steps;
 import rigibo.frontend.puzzle.rules.Deletion;
 import rigibo.frontend.puzzle.rules.Replay;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.IntStream;
 
 /** Tries every level body that a click can delete, alone. */
 final class SingleClicks {
@@ -43,9 +44,7 @@ final class SingleClicks {
                         body ->
                                 IntStream.range(0, MOMENTS.length)
                                         .mapToObj(
-                                                i ->
-                                                        new Deletion(
-                                                                Steps.of(MOMENTS[i]), body.id())))
+                                                i -> new Deletion(Steps.of(MOMENTS[i]), body.id())))
                 .toList();
     }
 }

@@ -1,11 +1,12 @@
 package rigibo.frontend.puzzle.check;
 
-import java.util.List;
-import java.util.stream.IntStream;
 import rigibo.backend.setup.Accuracy;
 import rigibo.frontend.puzzle.level.Level;
 import rigibo.frontend.puzzle.level.Solution;
 import rigibo.frontend.puzzle.rules.Replay;
+
+import java.util.List;
+import java.util.stream.IntStream;
 
 /**
  * A stored solution played as the file states it and with everything a little aside.

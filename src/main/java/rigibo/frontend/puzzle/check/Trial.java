@@ -1,6 +1,5 @@
 package rigibo.frontend.puzzle.check;
 
-import java.util.Optional;
 import rigibo.frontend.puzzle.level.Level;
 import rigibo.frontend.puzzle.level.Steps;
 import rigibo.frontend.puzzle.rules.Loss;
@@ -8,6 +7,8 @@ import rigibo.frontend.puzzle.rules.Outcome;
 import rigibo.frontend.puzzle.rules.Playback;
 import rigibo.frontend.puzzle.rules.PuzzleGame;
 import rigibo.frontend.puzzle.rules.Replay;
+
+import java.util.Optional;
 
 /** Plays given clicks to the end of the game. */
 final class Trial {

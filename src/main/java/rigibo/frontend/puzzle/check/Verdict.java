@@ -13,7 +13,6 @@ record Verdict(boolean isWon, double seconds, String why) {
 
     @Override
     public String toString() {
-        return String.format(
-                Locale.ROOT, "%s at %.2f s", isWon ? "won" : why, seconds);
+        return String.format(Locale.ROOT, "%s at %.2f s", isWon ? "won" : why, seconds);
     }
 }

@@ -1,8 +1,5 @@
 package rigibo.frontend.puzzle.level;
 
-import java.util.ArrayList;
-import java.util.List;
-import java.util.function.ToDoubleFunction;
 import rigibo.backend.effect.Contacts;
 import rigibo.backend.effect.Drag;
 import rigibo.backend.effect.Effect;
@@ -14,7 +11,12 @@ import rigibo.backend.effect.RollingResistance;
 import rigibo.backend.effect.Rotation;
 import rigibo.backend.effect.Thrust;
 import rigibo.backend.setup.Material;
+
 import tools.jackson.databind.JsonNode;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.ToDoubleFunction;
 
 /**
  * E140: an effect is declared that nothing uses, or used and not declared. What a substance brings

@@ -1,9 +1,10 @@
 package rigibo.frontend.puzzle.level;
 
+import tools.jackson.databind.JsonNode;
+
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import tools.jackson.databind.JsonNode;
 
 /** E101 an id used twice; E102 a reference to an unknown one. */
 final class IdRules {

@@ -55,15 +55,6 @@ public record LevelBody(
 
     LevelBody shifted(double metres) {
         return new LevelBody(
-                id,
-                shape,
-                x + metres,
-                y,
-                angle,
-                substance,
-                material,
-                motion,
-                mobility,
-                deletable);
+                id, shape, x + metres, y, angle, substance, material, motion, mobility, deletable);
     }
 }

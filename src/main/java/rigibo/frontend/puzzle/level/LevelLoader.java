@@ -1,8 +1,9 @@
 package rigibo.frontend.puzzle.level;
 
+import tools.jackson.databind.JsonNode;
+
 import java.nio.file.Path;
 import java.util.Optional;
-import tools.jackson.databind.JsonNode;
 
 /**
  * Reads level files. Everything wrong with a file is told at once, unless it is no JSON at all or

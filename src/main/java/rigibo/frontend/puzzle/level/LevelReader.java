@@ -1,11 +1,5 @@
 package rigibo.frontend.puzzle.level;
 
-import java.util.ArrayList;
-import java.util.HashMap;
-import java.util.List;
-import java.util.Map;
-import java.util.OptionalDouble;
-import java.util.OptionalInt;
 import rigibo.backend.effect.Contacts;
 import rigibo.backend.effect.ContinuousImpacts;
 import rigibo.backend.effect.Drag;
@@ -19,7 +13,15 @@ import rigibo.backend.effect.Rotation;
 import rigibo.backend.effect.Sleep;
 import rigibo.backend.effect.Thrust;
 import rigibo.backend.setup.Material;
+
 import tools.jackson.databind.JsonNode;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.OptionalDouble;
+import java.util.OptionalInt;
 
 /** Turns parts of a document that the schema accepts into records; degrees become radians. */
 final class LevelReader {

@@ -6,6 +6,9 @@ import com.networknt.schema.Schema;
 import com.networknt.schema.SchemaRegistry;
 import com.networknt.schema.SpecificationVersion;
 import com.networknt.schema.path.NodePath;
+
+import tools.jackson.databind.JsonNode;
+
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
@@ -14,7 +17,6 @@ import java.util.Collection;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.StreamSupport;
-import tools.jackson.databind.JsonNode;
 
 /** Compares a level file with {@code level.schema.json} and words what differs. */
 final class LevelSchema {
@@ -45,14 +47,17 @@ final class LevelSchema {
         List<Error> errors =
                 schema.validate(
                         level.root(),
-                        context -> context.executionConfig(config -> config.locale(Locale.ENGLISH)));
+                        context ->
+                                context.executionConfig(config -> config.locale(Locale.ENGLISH)));
         for (Error error : errors) {
             String pointer = pointer(error);
             problems.error(level.at(pointer), pointer, sentence(error));
         }
     }
 
-    /** The value at fault; for an unknown member that member, which the library does not point at. */
+    /**
+     * The value at fault; for an unknown member that member, which the library does not point at.
+     */
     private static String pointer(Error error) {
         String pointer = pointer(error.getInstanceLocation());
         return error.getKeyword().equals("additionalProperties")
@@ -89,7 +94,8 @@ final class LevelSchema {
 
     private String unknown(Error error) {
         String object = pointer(error.getSchemaLocation().getFragment().getParent());
-        Collection<String> known = schema.getSchemaNode().at(object + "/properties").propertyNames();
+        Collection<String> known =
+                schema.getSchemaNode().at(object + "/properties").propertyNames();
         String name = error.getProperty();
         return "\"" + name + "\" is not known here" + Suggestion.among(known, name);
     }

@@ -5,7 +5,6 @@ import java.io.UncheckedIOException;
 import java.net.URI;
 import java.net.URISyntaxException;
 import java.net.URL;
-import java.nio.file.FileSystem;
 import java.nio.file.FileSystemAlreadyExistsException;
 import java.nio.file.FileSystems;
 import java.nio.file.Files;
@@ -17,7 +16,10 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
-/** Finds the level files that come with the game, beside the schema on the class path. */
+/**
+ * Finds the level files that come with the game: in the source tree where the game is started from
+ * one, so that an author sees an edit at once, else beside the schema on the class path.
+ */
 public final class LevelShelf {
 
     private static final Pattern NUMBERED = Pattern.compile("(\\d{1,9}).*\\.json");
@@ -43,6 +45,13 @@ public final class LevelShelf {
     }
 
     private static Path folder() {
+        Path sources = Path.of(System.getProperty("rigibo.home", ""), "levels");
+        return Files.exists(sources.resolve("level.schema.json"))
+                ? shortened(sources.toAbsolutePath())
+                : packaged();
+    }
+
+    private static Path packaged() {
         URL schema = LevelShelf.class.getResource(LevelSchema.RESOURCE);
         if (schema == null) {
             throw new IllegalStateException(LevelSchema.RESOURCE + " is missing");
@@ -58,19 +67,20 @@ public final class LevelShelf {
 
     private static Path path(URI resource) throws IOException {
         if (resource.getScheme().equals("jar")) {
-            openJar(resource);
+            try {
+                // Stays open for the life of the process: its levels are read later.
+                FileSystems.newFileSystem(resource, Map.of());
+            } catch (FileSystemAlreadyExistsException open) {
+                return Path.of(resource);
+            }
         }
         return Path.of(resource);
     }
 
-    /** A jar's file system stays open for the life of the process: its levels are read later. */
-    private static void openJar(URI resource) throws IOException {
-        try {
-            FileSystem opened = FileSystems.newFileSystem(resource, Map.of());
-            assert opened.isOpen();
-        } catch (FileSystemAlreadyExistsException open) {
-            // Opened by an earlier call; Path.of finds it by its address.
-        }
+    /** As a user in the working directory would type it, where that is shorter. */
+    private static Path shortened(Path folder) {
+        Path here = Path.of("").toAbsolutePath();
+        return folder.startsWith(here) ? here.relativize(folder) : folder;
     }
 
     private static int number(Path file) {

@@ -1,10 +1,11 @@
 package rigibo.frontend.puzzle.level;
 
+import tools.jackson.databind.JsonNode;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
-import tools.jackson.databind.JsonNode;
 
 /**
  * A level as far as its file could be read. A part with an error is left out, so that the rules

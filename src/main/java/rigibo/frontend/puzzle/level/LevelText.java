@@ -45,7 +45,8 @@ final class LevelText {
 
     private static Optional<String> decode(byte[] bytes, Problems problems) {
         if (bytes.length > MOST_BYTES) {
-            return refused(problems, "is larger than " + MOST_BYTES + " bytes, the most of a level");
+            return refused(
+                    problems, "is larger than " + MOST_BYTES + " bytes, the most of a level");
         }
         try {
             String text =

@@ -1,7 +1,8 @@
 package rigibo.frontend.puzzle.level;
 
-import java.util.Map;
 import tools.jackson.databind.JsonNode;
+
+import java.util.Map;
 
 /**
  * A JSON document and where each of its values begins.

@@ -1,9 +1,11 @@
 package rigibo.frontend.puzzle.level;
 
-import java.util.Optional;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
+
 import tools.jackson.databind.JsonNode;
+
+import java.util.Optional;
 
 /** Reads a body's shape; E110 where a polygon is not convex, E111 where its area is too small. */
 final class OutlineRules {
@@ -31,8 +33,7 @@ final class OutlineRules {
         return node.path(name).asDouble();
     }
 
-    private static Optional<Outline> polygon(
-            LocatedJson level, String pointer, Problems problems) {
+    private static Optional<Outline> polygon(LocatedJson level, String pointer, Problems problems) {
         JsonNode points = level.node(pointer);
         double area = signedArea(points);
         if (!(Math.abs(area) >= LEAST_AREA)) {
@@ -61,9 +62,7 @@ final class OutlineRules {
         } catch (IllegalArgumentException refused) {
             // A star turns left at every corner, and only the engine sees that it goes round twice.
             problems.error(
-                    level.at(pointer),
-                    pointer,
-                    "E110 polygon not convex: " + refused.getMessage());
+                    level.at(pointer), pointer, "E110 polygon not convex: " + refused.getMessage());
             return Optional.empty();
         }
     }

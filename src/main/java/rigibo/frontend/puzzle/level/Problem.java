@@ -9,8 +9,7 @@ package rigibo.frontend.puzzle.level;
  * @param pointer JSON pointer of the value at fault; empty for the whole file
  * @param message what is wrong and what was expected
  */
-public record Problem(
-        Severity severity, String file, Place place, String pointer, String message) {
+public record Problem(Severity severity, String file, Place place, String pointer, String message) {
 
     /** Whether a level with this problem may be played. */
     public enum Severity {

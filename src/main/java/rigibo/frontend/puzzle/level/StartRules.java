@@ -1,10 +1,11 @@
 package rigibo.frontend.puzzle.level;
 
+import rigibo.backend.setup.BodyDefinition;
+import rigibo.backend.setup.BodyType;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import rigibo.backend.setup.BodyDefinition;
-import rigibo.backend.setup.BodyType;
 
 /** E120 two bodies overlap at the start; E121 the ball starts outside the world. */
 final class StartRules {

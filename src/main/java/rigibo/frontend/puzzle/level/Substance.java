@@ -1,11 +1,12 @@
 package rigibo.frontend.puzzle.level;
 
-import java.util.Locale;
 import rigibo.backend.setup.Material;
 
+import java.util.Locale;
+
 /**
- * What level files call a material. Densities are of plates about 1 m deep, so that ratios are those
- * of the real materials, except iron's: a fifth of it keeps stacks within what GAME promises.
+ * What level files call a material. Densities are of plates about 1 m deep, so that ratios are
+ * those of the real materials, except iron's: a fifth of it keeps stacks within what GAME promises.
  */
 public enum Substance {
     RIGIBO(new Material(500, 0.5, 0.05)),

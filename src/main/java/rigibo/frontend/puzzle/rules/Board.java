@@ -1,12 +1,13 @@
 package rigibo.frontend.puzzle.rules;
 
-import java.util.List;
-import java.util.Optional;
 import rigibo.backend.Pool;
 import rigibo.backend.RigidBody;
 import rigibo.backend.setup.Accuracy;
 import rigibo.frontend.puzzle.level.Level;
 import rigibo.frontend.puzzle.level.World;
+
+import java.util.List;
+import java.util.Optional;
 
 /**
  * A level's bodies in a pool.

@@ -1,7 +1,8 @@
 package rigibo.frontend.puzzle.rules;
 
-import java.util.Optional;
 import rigibo.frontend.puzzle.level.Level;
+
+import java.util.Optional;
 
 /** Plays a replay step by step. */
 public final class Playback {

@@ -1,14 +1,15 @@
 package rigibo.frontend.puzzle.rules;
 
-import java.util.ArrayList;
-import java.util.List;
-import java.util.Optional;
 import rigibo.backend.Pool;
 import rigibo.backend.RigidBody;
 import rigibo.backend.setup.Accuracy;
 import rigibo.frontend.puzzle.level.Level;
 import rigibo.frontend.puzzle.level.Limits;
 import rigibo.frontend.puzzle.level.Steps;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
 
 /**
  * One attempt at a level. Clicks come between steps; the game judges after each step, and goes on

@@ -1,10 +1,11 @@
 package rigibo.frontend.puzzle.rules;
 
-import java.util.List;
 import rigibo.backend.setup.Accuracy;
 import rigibo.frontend.puzzle.level.Level;
 import rigibo.frontend.puzzle.level.Solution;
 import rigibo.frontend.puzzle.level.Steps;
+
+import java.util.List;
 
 /**
  * All that a game depends on: it plays back to the same bits.

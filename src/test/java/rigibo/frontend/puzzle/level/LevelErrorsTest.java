@@ -2,12 +2,13 @@ package rigibo.frontend.puzzle.level;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.util.List;
-import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
+
+import java.util.List;
+import java.util.stream.Stream;
 
 class LevelErrorsTest {
 
@@ -71,8 +72,8 @@ class LevelErrorsTest {
                 Arguments.of(
                         "\"material\": \"stone\"",
                         "\"material\": \"stone\", \"rollingResistance\": 0.1",
-                        "a.json:7:16: /world/effects: warning: E140 the effect rolling-resistance is"
-                                + " not declared, but /bodies/1/rollingResistance is not zero"),
+                        "a.json:7:16: /world/effects: warning: E140 the effect rolling-resistance"
+                                + " is not declared, but /bodies/1/rollingResistance is not zero"),
                 Arguments.of(
                         "{\"t\": 1.0, \"body\": \"box\"}",
                         "{\"t\": 1.0, \"body\": \"box\"}, {\"t\": 1.98, \"body\": \"box\"}",
@@ -105,18 +106,16 @@ class LevelErrorsTest {
                         "\"material\": \"stoen\"",
                         List.of(
                                 "a.json:16:18: /bodies/1/material: \"stoen\" is not one of rigibo,"
-                                    + " stone, plank, ice, rubber, iron, ball, did you mean"
-                                    + " \"stone\"?")),
+                                        + " stone, plank, ice, rubber, iron, ball, did you mean"
+                                        + " \"stone\"?")),
                 Arguments.of(
                         "\"cooldown\": 1.0",
                         "\"cooldown\": \"fast\"",
-                        List.of(
-                                "a.json:9:25: /rules/cooldown: must be a number, was \"fast\"")),
+                        List.of("a.json:9:25: /rules/cooldown: must be a number, was \"fast\"")),
                 Arguments.of(
                         "\"w\": 0.5, \"h\": 4",
                         "\"w\": 0.01, \"h\": 4",
-                        List.of(
-                                "a.json:15:50: /bodies/1/shape/w: must be 0.05 or more, was 0.01")),
+                        List.of("a.json:15:50: /bodies/1/shape/w: must be 0.05 or more, was 0.01")),
                 Arguments.of(
                         "\"type\": \"box\", \"w\": 0.5, \"h\": 4",
                         "\"type\": \"box\", \"w\": 0.5",

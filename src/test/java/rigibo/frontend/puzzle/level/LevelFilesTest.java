@@ -2,17 +2,18 @@ package rigibo.frontend.puzzle.level;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
-import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.Arguments;
-import org.junit.jupiter.params.provider.MethodSource;
 
 class LevelFilesTest {
 
@@ -81,8 +82,7 @@ class LevelFilesTest {
         String text = LevelTexts.with("\"y\": 2.7", "\"y\": 2.7, \"x\": 1");
         assertThat(loader.parse("a.json", text).problems())
                 .extracting(Problem::toString)
-                .containsExactly(
-                        "a.json:10:32: /ball/x: \"x\" is given twice (first at 10:12)");
+                .containsExactly("a.json:10:32: /ball/x: \"x\" is given twice (first at 10:12)");
     }
 
     @Test

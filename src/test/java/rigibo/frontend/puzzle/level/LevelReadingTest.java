@@ -3,10 +3,12 @@ package rigibo.frontend.puzzle.level;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import java.util.Locale;
 import org.junit.jupiter.api.Test;
+
 import rigibo.backend.effect.Gravity;
 import rigibo.backend.geometry.Polygon;
+
+import java.util.Locale;
 
 class LevelReadingTest {
 
@@ -44,7 +46,8 @@ class LevelReadingTest {
     /** Turned by 90° the offset (0.3, 0.3) becomes (-0.3, 0.3). */
     @Test
     void aTurnedPolygonTurnsAboutTheFilesPoint() {
-        String text = LevelTexts.with(WALL, TRIANGLE).replace("\"y\": 2,", "\"y\": 2, \"angle\": 90,");
+        String text =
+                LevelTexts.with(WALL, TRIANGLE).replace("\"y\": 2,", "\"y\": 2, \"angle\": 90,");
         LevelBody body = LevelTexts.level(text).bodies().get(1);
         assertThat(body.x()).isCloseTo(7.7, within(ROUNDING));
         assertThat(body.y()).isCloseTo(2.3, within(ROUNDING));

@@ -1,0 +1,26 @@
+package rigibo.frontend.puzzle;
+
+/** How fast the game runs; always in whole steps of 1/60 s, so that the outcome is the same. */
+enum Pace {
+    FULL(1),
+    HALF(2),
+    QUARTER(4);
+
+    private final int framesPerStep;
+
+    Pace(int framesPerStep) {
+        this.framesPerStep = framesPerStep;
+    }
+
+    int framesPerStep() {
+        return framesPerStep;
+    }
+
+    Pace slower() {
+        return values()[Math.min(ordinal() + 1, values().length - 1)];
+    }
+
+    Pace faster() {
+        return values()[Math.max(ordinal() - 1, 0)];
+    }
+}
