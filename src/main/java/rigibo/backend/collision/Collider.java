@@ -10,7 +10,21 @@ import rigibo.backend.geometry.Shape;
  */
 public final class Collider {
 
-    private final PolygonPolygon polygons = new PolygonPolygon();
+    private final PolygonPolygon polygons;
+
+    /** Manifolds for contacts, which keep their reference face while bodies rest on each other. */
+    public Collider() {
+        this(PolygonPolygon.REFERENCE_BIAS);
+    }
+
+    private Collider(double bias) {
+        polygons = new PolygonPolygon(bias);
+    }
+
+    /** Manifolds whose least separation is the distance also where two faces are near parallel. */
+    static Collider withoutBias() {
+        return new Collider(0);
+    }
 
     /**
      * Writes the manifold of two shapes. Where they are apart, the separation of one point is the

@@ -2,20 +2,25 @@ package rigibo.backend.collision;
 
 import rigibo.backend.geometry.Angle;
 import rigibo.backend.geometry.Shape;
-import rigibo.backend.geometry.ShapeKind;
 
 /**
  * How a body moves within a step: constant acceleration and linear drag, exactly. A plain carrier
  * that stages reuse; times are in s after the step's start.
  *
  * <p>With drag k: v' = a − k·v, so x = x₀ + v·E₁ + a·E₂ with E₁ = (1 − e^(−kτ))/k and E₂ = (τ −
- * E₁)/k, which become τ and τ²/2 without drag.
+ * E₁)/k, which become τ and τ²/2 without drag. The angle is θ + ωτ + ½ατ².
  */
 public final class Motion {
 
+    /** Product kτ below which E₂ is summed as a series: the closed form cancels there. */
+    private static final double SMALL_DECAY = 1.0 / 16;
+
+    /** Last term of that series: (1/16)¹⁰/12! is below round-off. */
+    private static final int SERIES_TERMS = 10;
+
     public Shape shape;
 
-    /** When the columns below hold, s. */
+    /** When the state below holds, s. */
     public double startTime;
 
     /** m and rad. */
@@ -36,23 +41,23 @@ public final class Motion {
     public double accelerationY;
     public double angularAcceleration;
 
-    /** 1/s. */
+    /** 1/s, zero or more. */
     public double drag;
 
     /** Writes where the body is at a time in s. */
     public void poseAt(double time, Pose out) {
         double elapsed = time - startTime;
-        double e1 = gained(elapsed);
-        double e2 = drag > 0 ? (elapsed - e1) / drag : elapsed * elapsed / 2;
+        double e1 = velocityShare(elapsed);
+        double e2 = accelerationShare(elapsed, e1);
         double turned = angleAt(time);
         out.set(
-                x + velocityX * e1 + accelerationX * e2,
-                y + velocityY * e1 + accelerationY * e2,
+                x + (velocityX * e1 + accelerationX * e2),
+                y + (velocityY * e1 + accelerationY * e2),
                 Angle.cos(turned),
                 Angle.sin(turned));
     }
 
-    /** rad, counter-clockwise. */
+    /** rad, counter-clockwise, at a time in s. */
     public double angleAt(double time) {
         double elapsed = time - startTime;
         return angle + elapsed * (spin + elapsed * angularAcceleration / 2);
@@ -60,14 +65,12 @@ public final class Motion {
 
     /** Velocity to the right at a time in s, m/s. */
     public double velocityXAt(double time) {
-        double e1 = gained(time - startTime);
-        return velocityX + (accelerationX - drag * velocityX) * e1;
+        return velocityX + accelerationXNow() * velocityShare(time - startTime);
     }
 
     /** Velocity upwards at a time in s, m/s. */
     public double velocityYAt(double time) {
-        double e1 = gained(time - startTime);
-        return velocityY + (accelerationY - drag * velocityY) * e1;
+        return velocityY + accelerationYNow() * velocityShare(time - startTime);
     }
 
     /** rad/s at a time in s. */
@@ -75,20 +78,97 @@ public final class Motion {
         return spin + (time - startTime) * angularAcceleration;
     }
 
-    /** A bound on how fast any point of the outline changes its velocity up to a time, m/s². */
-    double curvature(double end) {
-        double speed = Math.abs(velocityX) + Math.abs(velocityY);
-        double acceleration = Math.abs(accelerationX) + Math.abs(accelerationY) + drag * speed;
-        if (shape.kind() == ShapeKind.CIRCLE) {
-            return acceleration;
-        }
-        double fastest =
-                Math.abs(spin) + Math.abs(angularAcceleration) * Math.max(0, end - startTime);
-        double turning = fastest * fastest + Math.abs(angularAcceleration);
-        return acceleration + turning * shape.boundingRadius();
+    /** dv/dt at the start, drag included, m/s². */
+    private double accelerationXNow() {
+        return accelerationX - drag * velocityX;
     }
 
-    private double gained(double elapsed) {
+    private double accelerationYNow() {
+        return accelerationY - drag * velocityY;
+    }
+
+    /**
+     * The least that dv/dt along a direction is from a time on, drag included, m/s²: constant
+     * without drag, and with it decaying to 0 from either side.
+     */
+    double leastAcceleration(double directionX, double directionY, double time) {
+        double now = directionX * accelerationXNow() + directionY * accelerationYNow();
+        return drag > 0 ? Math.min(0, now * (1 - drag * velocityShare(time - startTime))) : now;
+    }
+
+    /** Whether the angle changes. */
+    boolean isTurning() {
+        return spin != 0 || angularAcceleration != 0;
+    }
+
+    /** The fastest spin between two times, rad/s, without sign. */
+    double mostSpin(double from, double to) {
+        return Math.max(Math.abs(spinAt(from)), Math.abs(spinAt(to)));
+    }
+
+    /** A bound on the acceleration that turning gives any point of the outline, m/s². */
+    double turningAcceleration(double from, double to) {
+        double fastest = mostSpin(from, to);
+        return (fastest * fastest + Math.abs(angularAcceleration)) * shape.boundingRadius();
+    }
+
+    /** Speed of this body's centre seen from another's at a time, m/s. */
+    double speedAgainst(Motion other, double time) {
+        double vx = velocityXAt(time) - other.velocityXAt(time);
+        double vy = velocityYAt(time) - other.velocityYAt(time);
+        return Math.sqrt(vx * vx + vy * vy);
+    }
+
+    /**
+     * A bound on the acceleration of this body's centre seen from another's, from a time on, m/s².
+     * Without drag both are constant; with it each decays by itself.
+     */
+    double accelerationAgainst(Motion other, double time) {
+        if (drag == 0 && other.drag == 0) {
+            double ax = accelerationX - other.accelerationX;
+            double ay = accelerationY - other.accelerationY;
+            return Math.sqrt(ax * ax + ay * ay);
+        }
+        return accelerationSize(time) + other.accelerationSize(time);
+    }
+
+    private double accelerationSize(double time) {
+        double ax = accelerationXNow();
+        double ay = accelerationYNow();
+        return Math.sqrt(ax * ax + ay * ay) * (1 - drag * velocityShare(time - startTime));
+    }
+
+    /** How far the centre has moved along a direction since the motion's start, m. */
+    double movedAlong(double directionX, double directionY, double time) {
+        double elapsed = time - startTime;
+        double e1 = velocityShare(elapsed);
+        double e2 = accelerationShare(elapsed, e1);
+        return directionX * (velocityX * e1 + accelerationX * e2)
+                + directionY * (velocityY * e1 + accelerationY * e2);
+    }
+
+    /** E₁ in s: what a unit of velocity has moved the body by. */
+    double velocityShare(double elapsed) {
         return drag > 0 ? -StrictMath.expm1(-drag * elapsed) / drag : elapsed;
+    }
+
+    /** E₂ in s²: what a unit of acceleration has moved the body by. */
+    double accelerationShare(double elapsed, double e1) {
+        double decay = drag * elapsed;
+        if (decay == 0) {
+            return elapsed * elapsed / 2;
+        }
+        return Math.abs(decay) < SMALL_DECAY
+                ? elapsed * elapsed * series(decay)
+                : (elapsed - e1) / drag;
+    }
+
+    /** ½ − z/3! · … : the series 1/2! − z/3! + z²/4! − … of (z − 1 + e^(−z))/z². */
+    private static double series(double z) {
+        double sum = 1;
+        for (int i = SERIES_TERMS; i > 0; i--) {
+            sum = 1 - sum * z / (i + 2);
+        }
+        return sum / 2;
     }
 }

@@ -14,7 +14,7 @@ final class PolygonPolygon {
      * much, per metre of the narrower polygon. Two stacked boxes of one size tilt by round-off, and
      * without the bias the reference would change from one to the other all the time.
      */
-    private static final double REFERENCE_BIAS = 1e-4;
+    static final double REFERENCE_BIAS = 1e-4;
 
     /**
      * Sine of the angle up to which two faces are parallel enough for the bias. Where corners meet,
@@ -22,11 +22,17 @@ final class PolygonPolygon {
      */
     private static final double PARALLEL = 1e-2;
 
+    private final double bias;
     private final CornersInFrame cornersA = new CornersInFrame();
     private final CornersInFrame cornersB = new CornersInFrame();
     private final FaceSearch facesA = new FaceSearch();
     private final FaceSearch facesB = new FaceSearch();
     private final FaceClip clip = new FaceClip();
+
+    /** With a bias of {@link #REFERENCE_BIAS}, or of 0 where the farthest face is wanted. */
+    PolygonPolygon(double bias) {
+        this.bias = bias;
+    }
 
     int collide(Polygon a, Pose poseA, Polygon b, Pose poseB, double reach, Manifold out) {
         double dx = poseB.x - poseA.x;
@@ -62,7 +68,7 @@ final class PolygonPolygon {
         if (facesB.separation <= facesA.separation) {
             return true;
         }
-        if (facesB.separation > facesA.separation + REFERENCE_BIAS * width) {
+        if (facesB.separation > facesA.separation + bias * width) {
             return false;
         }
         double ax = a.normalX(facesA.face);

@@ -3,49 +3,59 @@ package rigibo.backend.collision;
 import rigibo.backend.setup.ImpactSearch;
 
 /**
- * The time at which a gap along an axis has closed to the stopping gap, within a bracket, by
- * halving or by ITP (Oliveira and Takahashi, "An enhancement of the bisection method average
- * performance preserving minmax optimality", 2020): interpolate, truncate towards the middle, and
- * project so that the bracket never shrinks slower than by halving.
+ * The time at which the gap along an axis has closed to a wanted one, within a bracket: by halving,
+ * or by ITP (I. F. D. Oliveira and R. H. C. Takahashi, An Enhancement of the Bisection Method
+ * Average Performance Preserving Minmax Optimality, 2020): interpolate, truncate towards the
+ * middle, and project so that the bracket never shrinks slower than by halving.
  */
 final class RootSearch {
 
-    /** A gap of up to this many times the stopping gap will do. */
-    private static final double SLACK = 1.2;
+    /** A bracket halved this often is as short as doubles allow. */
+    private static final int MOST_EVALUATIONS = 80;
 
-    /** More halvings than doubles have bits change nothing. */
-    private static final int MOST_EVALUATIONS = 64;
+    /** ITP's κ₁ times the first bracket, with κ₂ = 2: how far it truncates. */
+    private static final double TRUNCATION = 0.2;
 
-    /** ITP's weight of the truncation, per length of the first bracket, and its exponent 2. */
-    private static final double TRUNCATION = 0.1;
+    /** The gap at the time returned, m. */
+    double gap;
 
-    /** Returns the latest time found at which the gap is still at least the stopping gap, s. */
+    /** How often the gap was measured in all. */
+    int evaluations;
+
+    /**
+     * Searches in [from, to], where the gap falls from {@code fromGap} to {@code toGap}, m.
+     *
+     * @return a time in s at which the gap lies in [least, most]; where rounding leaves none, the
+     *     latest found at which it is not less
+     */
     double find(
-            AxisGap gap,
+            GapAlong axis,
             double from,
             double fromGap,
             double to,
             double toGap,
-            double stop,
+            double least,
+            double most,
             ImpactSearch search) {
+        double aim = (least + most) / 2;
+        double slack = (most - least) / 2;
         double low = from;
         double high = to;
-        double above = fromGap - stop;
-        double below = toGap - stop;
-        double first = to - from;
-        double allowed = first;
-        for (int i = 0; i < MOST_EVALUATIONS && above > (SLACK - 1) * stop; i++) {
-            double middle = (low + high) / 2;
+        double above = fromGap - aim;
+        double below = toGap - aim;
+        double allowed = high - low;
+        for (int i = 0; i < MOST_EVALUATIONS && above > slack; i++) {
             double time =
                     switch (search) {
-                        case BISECTION -> middle;
-                        case ITP -> interpolate(low, above, high, below, first, allowed);
+                        case BISECTION -> low + (high - low) / 2;
+                        case ITP -> interpolate(low, above, high, below, to - from, allowed);
                     };
             if (!(time > low && time < high)) {
-                return low;
+                break;
             }
-            double value = gap.at(time) - stop;
-            if (value >= 0) {
+            evaluations++;
+            double value = axis.at(time) - aim;
+            if (value >= -slack) {
                 low = time;
                 above = value;
             } else {
@@ -54,17 +64,21 @@ final class RootSearch {
             }
             allowed /= 2;
         }
+        gap = above + aim;
         return low;
     }
 
     private static double interpolate(
             double low, double above, double high, double below, double first, double allowed) {
-        double middle = (low + high) / 2;
         double width = high - low;
-        double falsi = (low * -below + high * above) / (above - below);
-        double truncation = Math.min(TRUNCATION / first * width * width, Math.abs(middle - falsi));
-        // Towards the low end rather than the middle: the answer must not overlap.
-        double truncated = falsi - Math.min(truncation, falsi - low) / 2;
+        double middle = low + width / 2;
+        double straight = low + width * (above / (above - below));
+        double truncation = TRUNCATION * width * width / first;
+        double towards = middle - straight;
+        double truncated =
+                truncation <= Math.abs(towards)
+                        ? straight + Math.copySign(truncation, towards)
+                        : middle;
         double radius = Math.max(0, allowed - width / 2);
         if (Math.abs(truncated - middle) <= radius) {
             return truncated;

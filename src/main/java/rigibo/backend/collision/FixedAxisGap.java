@@ -1,0 +1,27 @@
+package rigibo.backend.collision;
+
+/** The gap along an axis that stays as it is in the world. */
+final class FixedAxisGap implements GapAlong {
+
+    private final AxisReach reachA = new AxisReach();
+    private final AxisReach reachB = new AxisReach();
+
+    /**
+     * Fixes the axis, a unit vector from A to B, at the time of two poses. Places are measured from
+     * where A started, so that far from the origin nothing is lost.
+     */
+    void fix(Motion a, Pose poseA, Motion b, Pose poseB, double x, double y) {
+        reachA.fix(a, poseA, x, y, a.x, a.y);
+        reachB.fix(b, poseB, -x, -y, a.x, a.y);
+    }
+
+    @Override
+    public double at(double time) {
+        return -(reachA.at(time) + reachB.at(time));
+    }
+
+    @Override
+    public double bend(double from, double to) {
+        return Math.max(0, reachA.bend(from, to) + reachB.bend(from, to));
+    }
+}

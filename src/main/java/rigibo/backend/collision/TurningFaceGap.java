@@ -1,0 +1,99 @@
+package rigibo.backend.collision;
+
+import rigibo.backend.geometry.Angle;
+import rigibo.backend.geometry.Polygon;
+import rigibo.backend.geometry.ShapeKind;
+
+/**
+ * The gap in front of a face, along a normal that turns with the face's body. Where a long face
+ * sweeps towards something near its middle, its end moves much faster along the present normal than
+ * the face does at the place that matters; an axis fixed in the world would then creep.
+ *
+ * <p>With u the normal, ω and α the carrier's spin and angular acceleration, and q a corner of the
+ * other body seen from the carrier's centre, a gap is u·q less a constant, and (u·q)'' = u·q'' + 2ω
+ * u⊥·q' + α u⊥·q − ω² u·q.
+ */
+final class TurningFaceGap implements GapAlong {
+
+    private final FarthestCorner farthest = new FarthestCorner();
+    private Motion carrier;
+    private Motion other;
+
+    /** The normal in the carrier's frame, and how far the carrier reaches along it, m. */
+    private double normalX;
+
+    private double normalY;
+    private double reach;
+
+    /** The other body's polygon, or null for a disc. */
+    private Polygon polygon;
+
+    /** Distance of the centres when the face was fixed, and the gap then, m. */
+    private double apart;
+
+    private double gap;
+
+    /**
+     * Fixes the face of a polygon by its outward unit normal in the world, at the time of the two
+     * poses, when the gap was the one given.
+     */
+    void fix(Motion of, Pose pose, Motion against, Pose otherPose, double x, double y, double now) {
+        carrier = of;
+        other = against;
+        gap = now;
+        normalX = pose.cos * x + pose.sin * y;
+        normalY = pose.cos * y - pose.sin * x;
+        reach = farthest.along((Polygon) of.shape, normalX, normalY);
+        polygon = against.shape.kind() == ShapeKind.POLYGON ? (Polygon) against.shape : null;
+        double dx = otherPose.x - pose.x;
+        double dy = otherPose.y - pose.y;
+        apart = Math.sqrt(dx * dx + dy * dy);
+    }
+
+    @Override
+    public double at(double time) {
+        double angle = carrier.angleAt(time);
+        double cos = Angle.cos(angle);
+        double sin = Angle.sin(angle);
+        double x = cos * normalX - sin * normalY;
+        double y = sin * normalX + cos * normalY;
+        double between =
+                x * (other.x - carrier.x)
+                        + y * (other.y - carrier.y)
+                        + (other.movedAlong(x, y, time) - carrier.movedAlong(x, y, time));
+        return between - reach - otherReach(angle, time);
+    }
+
+    /** How far the other body reaches back towards the face, m. */
+    private double otherReach(double angle, double time) {
+        if (polygon == null) {
+            return other.shape.boundingRadius();
+        }
+        double turned = angle - other.angleAt(time);
+        double cos = Angle.cos(turned);
+        double sin = Angle.sin(turned);
+        return farthest.along(
+                polygon, -(cos * normalX - sin * normalY), -(sin * normalX + cos * normalY));
+    }
+
+    @Override
+    public double bend(double from, double to) {
+        double interval = to - from;
+        double acceleration = other.accelerationAgainst(carrier, from);
+        double speed = other.speedAgainst(carrier, from) + acceleration * interval;
+        double spin = carrier.mostSpin(from, to);
+        double radius = 0;
+        if (polygon != null) {
+            radius = other.shape.boundingRadius();
+            acceleration += other.turningAcceleration(from, to);
+            speed += other.mostSpin(from, to) * radius;
+        }
+        double far = apart + speed * interval + radius;
+        // The last term pulls together as long as the corner is in front of the carrier's centre.
+        double behind = (speed + spin * far) * interval - gap - reach;
+        return acceleration
+                + 2 * spin * speed
+                + Math.abs(carrier.angularAcceleration) * far
+                + spin * spin * Math.max(0, behind);
+    }
+}
