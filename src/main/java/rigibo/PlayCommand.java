@@ -35,7 +35,7 @@ final class PlayCommand implements Callable<Integer> {
         try {
             new Display(Catalog::menu, true).run(first());
             return 0;
-        } catch (DisplayException e) {
+        } catch (DisplayException | IllegalArgumentException e) {
             spec.commandLine().getErr().println(e.getMessage());
             return 1;
         }
@@ -43,6 +43,9 @@ final class PlayCommand implements Callable<Integer> {
 
     /** The scene asked for, or null for the menu. */
     private Function<Director, Scene> first() {
+        if (level != null) {
+            return Catalog.level(level).open();
+        }
         if (scene == null) {
             return null;
         }

@@ -1,10 +1,13 @@
 package rigibo.frontend.catalog;
 
 import rigibo.frontend.menu.MenuScene;
+import rigibo.frontend.puzzle.Levels;
 import rigibo.frontend.scene.Director;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.SceneEntry;
 
+import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
@@ -15,12 +18,22 @@ public final class Catalog {
 
     /** The scenes in the order of the menu. */
     public static List<SceneEntry> entries() {
-        return List.of();
+        List<SceneEntry> entries = new ArrayList<>(Levels.entries());
+        return entries;
     }
 
     /** The scene of a name, for the command line. */
     public static Optional<SceneEntry> find(String name) {
         return entries().stream().filter(entry -> entry.name().equals(name)).findFirst();
+    }
+
+    /**
+     * The scene of a level file.
+     *
+     * @throws IllegalArgumentException with all that is wrong with the file, a line each
+     */
+    public static SceneEntry level(Path file) {
+        return Levels.entry(file);
     }
 
     /** The main menu. */

@@ -1,0 +1,61 @@
+package rigibo.frontend.puzzle;
+
+import rigibo.frontend.puzzle.level.Level;
+import rigibo.frontend.puzzle.level.LevelLoader;
+import rigibo.frontend.puzzle.level.LevelShelf;
+import rigibo.frontend.puzzle.level.LoadedLevel;
+import rigibo.frontend.puzzle.level.Problem;
+import rigibo.frontend.scene.SceneEntry;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+
+/** The levels as scenes: those of the game, or one file. */
+public final class Levels {
+
+    private Levels() {}
+
+    /** An entry for each level of the game that can be played, in the order of their files. */
+    public static List<SceneEntry> entries() {
+        LevelLoader loader = new LevelLoader();
+        List<Level> levels = new ArrayList<>();
+        for (Path file : LevelShelf.files()) {
+            loader.load(file).level().ifPresent(levels::add);
+        }
+        List<SceneEntry> entries = new ArrayList<>();
+        for (int i = 0; i < levels.size(); i++) {
+            entries.add(entry(levels, i));
+        }
+        return entries;
+    }
+
+    /**
+     * The scene of a level file.
+     *
+     * @throws IllegalArgumentException with all that is wrong with the file, a line each
+     */
+    public static SceneEntry entry(Path file) {
+        LoadedLevel loaded = new LevelLoader().load(file);
+        return loaded.level()
+                .map(level -> entry(List.of(level), 0))
+                .orElseThrow(() -> new IllegalArgumentException(words(loaded.problems())));
+    }
+
+    private static SceneEntry entry(List<Level> levels, int number) {
+        Level level = levels.get(number);
+        return new SceneEntry(
+                level.id(),
+                (number + 1) + "  " + level.title().in(Locale.getDefault()),
+                level.hint().in(Locale.getDefault()),
+                SceneEntry.Kind.LEVEL,
+                director -> new PuzzleScene(director, levels, number));
+    }
+
+    private static String words(List<Problem> problems) {
+        StringBuilder lines = new StringBuilder("this level cannot be played:");
+        problems.forEach(problem -> lines.append(System.lineSeparator()).append(problem));
+        return lines.toString();
+    }
+}

@@ -1,0 +1,62 @@
+package rigibo.frontend.puzzle;
+
+import rigibo.frontend.puzzle.level.Solution;
+import rigibo.frontend.puzzle.level.Steps;
+import rigibo.frontend.puzzle.rules.Outcome;
+import rigibo.frontend.puzzle.rules.Piece;
+import rigibo.frontend.puzzle.rules.PuzzleGame;
+import rigibo.frontend.scene.Camera;
+import rigibo.frontend.scene.Demonstration;
+
+import java.util.Optional;
+
+/** Plays a stored solution with the pointer: each click on the middle of its box, at its step. */
+final class SolutionShow implements Demonstration {
+
+    private final Session session;
+    private final Camera camera;
+    private final Solution solution;
+    private int next;
+
+    SolutionShow(Session session, Camera camera, Solution solution) {
+        this.session = session;
+        this.camera = camera;
+        this.solution = solution;
+    }
+
+    @Override
+    public Optional<Demonstration.Click> click() {
+        if (next == solution.clicks().size()) {
+            return Optional.empty();
+        }
+        var wanted = solution.clicks().get(next);
+        if (session.game().steps() < Steps.of(wanted.seconds())) {
+            return Optional.empty();
+        }
+        next++;
+        return piece(wanted.body()).map(this::at);
+    }
+
+    private Demonstration.Click at(Piece piece) {
+        return new Demonstration.Click(
+                camera.screenX(piece.body().x()), camera.screenY(piece.body().y()));
+    }
+
+    private Optional<Piece> piece(String id) {
+        PuzzleGame game = session.game();
+        return game.pieces().stream()
+                .filter(piece -> piece.definition().id().equals(id))
+                .filter(Piece::isDeletable)
+                .findFirst();
+    }
+
+    @Override
+    public boolean isOver() {
+        return session.game().outcome() != Outcome.RUNNING;
+    }
+
+    @Override
+    public boolean hasSucceeded() {
+        return session.game().outcome() == Outcome.WON;
+    }
+}
