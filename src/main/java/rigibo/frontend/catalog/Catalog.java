@@ -1,5 +1,6 @@
 package rigibo.frontend.catalog;
 
+import rigibo.frontend.demo.Demos;
 import rigibo.frontend.menu.MenuScene;
 import rigibo.frontend.puzzle.Levels;
 import rigibo.frontend.scene.Director;
@@ -19,6 +20,7 @@ public final class Catalog {
     /** The scenes in the order of the menu. */
     public static List<SceneEntry> entries() {
         List<SceneEntry> entries = new ArrayList<>(Levels.entries());
+        entries.addAll(Demos.entries());
         return entries;
     }
 

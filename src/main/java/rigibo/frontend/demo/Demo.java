@@ -1,0 +1,43 @@
+package rigibo.frontend.demo;
+
+import rigibo.backend.effect.Effects;
+import rigibo.frontend.scene.Camera;
+import rigibo.frontend.scene.Canvas;
+import rigibo.frontend.scene.Key;
+import rigibo.frontend.scene.widget.Widget;
+
+import java.util.List;
+
+/** What one demo is: its effects, its bodies, its controls and readouts. */
+interface Demo {
+
+    /** The window's title and the name on the screen. */
+    String title();
+
+    /** What the scene calls for. */
+    Effects effects();
+
+    /** Where to look. */
+    Camera camera();
+
+    /** Puts the bodies on a fresh workbench. */
+    void build(Workbench bench);
+
+    /** Controls and readouts, from above. */
+    List<Widget> widgets();
+
+    /** Before each step. */
+    default void beforeStep(Workbench bench) {}
+
+    /** After each step. */
+    default void afterStep(Workbench bench) {}
+
+    /** Draws what is special about it, above the bodies. */
+    default void draw(Workbench bench, Canvas canvas) {}
+
+    /** The right button went down, world m. */
+    default void rightClick(Workbench bench, double x, double y) {}
+
+    /** A key that is not shared. */
+    default void key(Workbench bench, Key key) {}
+}

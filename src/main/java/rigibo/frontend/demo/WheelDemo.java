@@ -1,0 +1,231 @@
+package rigibo.frontend.demo;
+
+import rigibo.backend.RigidBody;
+import rigibo.backend.effect.Contacts;
+import rigibo.backend.effect.ContinuousImpacts;
+import rigibo.backend.effect.Effects;
+import rigibo.backend.effect.Friction;
+import rigibo.backend.effect.Gravity;
+import rigibo.backend.effect.RollingResistance;
+import rigibo.backend.effect.Rotation;
+import rigibo.backend.effect.Thrust;
+import rigibo.backend.geometry.Circle;
+import rigibo.backend.geometry.Polygon;
+import rigibo.backend.setup.BodyDefinition;
+import rigibo.backend.setup.Material;
+import rigibo.frontend.scene.Camera;
+import rigibo.frontend.scene.Canvas;
+import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.SceneEntry;
+import rigibo.frontend.scene.Skin;
+import rigibo.frontend.scene.widget.Button;
+import rigibo.frontend.scene.widget.Readout;
+import rigibo.frontend.scene.widget.Slider;
+import rigibo.frontend.scene.widget.Toggle;
+import rigibo.frontend.scene.widget.Widget;
+
+import java.util.List;
+import java.util.Locale;
+
+/** Rotation: a wheel on a ramp, driven, braked, rolling or slipping as the formula says. */
+final class WheelDemo implements Demo {
+
+    private static final double GRAVITY = 9.81;
+    private static final double RADIUS = 0.45;
+    private static final double RAMP_LENGTH = 18;
+    private static final double STEP = 1.0 / 60;
+
+    private Workbench bench;
+    private RigidBody ramp;
+    private RigidBody wheel;
+    private boolean isHoop;
+    private boolean isBraking;
+    private double slope = 15;
+    private double friction = 0.6;
+    private double torque;
+    private double thrust;
+    private double lastSpeed;
+    private double measured;
+
+    /** How the menu lists it. */
+    static SceneEntry entry() {
+        return new SceneEntry(
+                "wheel",
+                "Wheel",
+                "Rolling, slipping, torque and thrust",
+                SceneEntry.Kind.DEMO,
+                director -> new DemoScene(WheelDemo::new));
+    }
+
+    @Override
+    public String title() {
+        return "Wheel";
+    }
+
+    @Override
+    public Effects effects() {
+        return Effects.of(
+                new Gravity(0, -GRAVITY),
+                new Contacts(),
+                new Rotation(),
+                new Friction(),
+                new RollingResistance(),
+                new Thrust(),
+                new ContinuousImpacts());
+    }
+
+    @Override
+    public Camera camera() {
+        return new Camera(0.2, 3.2, 50);
+    }
+
+    @Override
+    public void build(Workbench on) {
+        bench = on;
+        lay();
+    }
+
+    /** Lays the ramp anew and puts the wheel at its upper end. */
+    private void lay() {
+        if (ramp != null) {
+            bench.remove(ramp);
+            bench.remove(wheel);
+        }
+        double angle = -Math.toRadians(slope);
+        ramp =
+                bench.add(
+                        BodyDefinition.fixed(Polygon.box(RAMP_LENGTH, 0.6))
+                                .angle(angle)
+                                .material(new Material(1, friction, 0)),
+                        Skin.WOOD);
+        double along = -3.4;
+        double above = 0.3 + RADIUS;
+        double x = along * Math.cos(angle) - above * Math.sin(angle);
+        double y = along * Math.sin(angle) + above * Math.cos(angle);
+        BodyDefinition disc =
+                BodyDefinition.dynamic(new Circle(RADIUS))
+                        .at(x, y)
+                        .mass(10)
+                        .material(new Material(1, friction, 0));
+        // A hoop has all its mass at the rim: I = m·r².
+        BodyDefinition shaped = isHoop ? disc.inertia(10 * RADIUS * RADIUS) : disc;
+        wheel = bench.add(shaped, Skin.BALL);
+        lastSpeed = 0;
+    }
+
+    @Override
+    public List<Widget> widgets() {
+        return List.of(
+                new Slider("ramp", "%.0f deg", 0, 45, 1, () -> slope, this::tilt),
+                new Slider("friction", "%.2f", 0, 1, 0.05, () -> friction, this::grip),
+                new Slider("torque", "%.0f Nm", -60, 60, 5, () -> torque, v -> torque = v),
+                new Slider("thrust", "%.0f N", -120, 120, 10, () -> thrust, v -> thrust = v),
+                new Toggle("brake", () -> isBraking, () -> isBraking = !isBraking),
+                new Toggle("hoop", () -> isHoop, this::flip),
+                new Button("again", this::lay),
+                new Readout("speed v", () -> metres(speed())),
+                new Readout("rim wr", () -> metres(rim())),
+                new Readout("slip", () -> metres(speed() - rim())),
+                new Readout("used of uN", this::share),
+                new Readout("a predicted", () -> acceleration(predicted())),
+                new Readout("a measured", () -> acceleration(measured)));
+    }
+
+    private void tilt(double degrees) {
+        slope = degrees;
+        lay();
+    }
+
+    private void grip(double coefficient) {
+        friction = coefficient;
+        lay();
+    }
+
+    private void flip() {
+        isHoop = !isHoop;
+        lay();
+    }
+
+    /** Down the ramp, m/s. */
+    private double speed() {
+        double angle = ramp.angle();
+        return wheel.velocityX() * Math.cos(angle) + wheel.velocityY() * Math.sin(angle);
+    }
+
+    private double rim() {
+        return -wheel.angularVelocity() * RADIUS;
+    }
+
+    /** I/(m·r²): ½ for a disc, 1 for a hoop. */
+    private double k() {
+        return isHoop ? 1 : 0.5;
+    }
+
+    /**
+     * Down the ramp, m/s²: rolling (g·sin + τ/(mr) + F/m)/(1 + k) while the friction that takes is
+     * no more than μ·g·cos, else slipping.
+     */
+    double predicted() {
+        double pull = GRAVITY * Math.sin(Math.toRadians(slope)) + thrust / wheel.mass();
+        double drive = torque / (wheel.mass() * RADIUS);
+        double rolling = (pull + drive) / (1 + k());
+        double most = friction * GRAVITY * Math.cos(Math.toRadians(slope));
+        double needed = rolling - pull;
+        return Math.abs(needed) <= most ? rolling : pull + Math.signum(needed) * most;
+    }
+
+    private String share() {
+        double pull = GRAVITY * Math.sin(Math.toRadians(slope)) + thrust / wheel.mass();
+        double most = friction * GRAVITY * Math.cos(Math.toRadians(slope));
+        double used = most > 0 ? Math.min(1, Math.abs(measured - pull) / most) : 0;
+        return String.format(Locale.ROOT, "%.0f %%", 100 * used);
+    }
+
+    double measured() {
+        return measured;
+    }
+
+    @Override
+    public void beforeStep(Workbench on) {
+        double angle = ramp.angle();
+        wheel.applyTorque(-torque);
+        double fx = thrust * Math.cos(angle);
+        double fy = thrust * Math.sin(angle);
+        wheel.applyForce(fx, fy, wheel.x(), wheel.y());
+        if (isBraking) {
+            // As much as stops it within a step, and no more than a strong hand's worth.
+            double stop = -wheel.angularVelocity() * wheel.inertia() / STEP;
+            wheel.applyTorque(Math.max(-40, Math.min(40, stop)));
+        }
+    }
+
+    @Override
+    public void afterStep(Workbench on) {
+        measured = (speed() - lastSpeed) / STEP;
+        lastSpeed = speed();
+        if (wheel.y() < -12 || Math.abs(wheel.x()) > 30) {
+            lay();
+        }
+    }
+
+    @Override
+    public void draw(Workbench on, Canvas canvas) {
+        Camera camera = on.camera();
+        double x = camera.screenX(wheel.x());
+        double y = camera.screenY(wheel.y());
+        double length = 12 * speed();
+        double angle = ramp.angle();
+        double tipX = x + length * Math.cos(angle);
+        double tipY = y - length * Math.sin(angle);
+        canvas.line(x, y, tipX, tipY, 4, Color.GOOD);
+        canvas.disc(tipX, tipY, 6, Color.GOOD);
+    }
+
+    private static String metres(double speed) {
+        return String.format(Locale.ROOT, "%.3f m/s", speed);
+    }
+
+    private static String acceleration(double value) {
+        return String.format(Locale.ROOT, "%.3f m/s2", value);
+    }
+}

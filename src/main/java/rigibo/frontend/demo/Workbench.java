@@ -1,0 +1,152 @@
+package rigibo.frontend.demo;
+
+import rigibo.backend.ContactEvent;
+import rigibo.backend.Pool;
+import rigibo.backend.RigidBody;
+import rigibo.backend.effect.Effects;
+import rigibo.backend.setup.Accuracy;
+import rigibo.backend.setup.BodyDefinition;
+import rigibo.backend.setup.BodyType;
+import rigibo.frontend.scene.Camera;
+import rigibo.frontend.scene.Canvas;
+import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.Skin;
+
+import java.util.IdentityHashMap;
+import java.util.Map;
+
+/** A pool that is looked at: bodies with skins, a camera, a hand that drags and flings. */
+final class Workbench {
+
+    /** Share of the way to the pointer that a dragged body makes up per second. */
+    private static final double GRIP = 12;
+
+    /** Fastest fling, m/s. */
+    private static final double MOST_FLING = 30;
+
+    private static final double NORMAL_LENGTH_PX = 22;
+
+    private final Pool pool;
+    private final Camera camera;
+    private final Map<RigidBody, Skin> skins = new IdentityHashMap<>();
+    private RigidBody held;
+    private double pointerX;
+    private double pointerY;
+
+    Workbench(Effects effects, Camera camera) {
+        this.camera = camera;
+        pool = new Pool(effects, Accuracy.GAME);
+        pool.clock(System::nanoTime);
+    }
+
+    Pool pool() {
+        return pool;
+    }
+
+    Camera camera() {
+        return camera;
+    }
+
+    RigidBody add(BodyDefinition definition, Skin skin) {
+        RigidBody body = pool.add(definition);
+        skins.put(body, skin);
+        return body;
+    }
+
+    void remove(RigidBody body) {
+        skins.remove(body);
+        pool.remove(body);
+        if (held == body) {
+            held = null;
+        }
+    }
+
+    /** Takes out what fell far below everything. */
+    void removeBelow(double y) {
+        for (RigidBody body : pool.bodies().toArray(new RigidBody[0])) {
+            if (body.y() < y) {
+                remove(body);
+            }
+        }
+    }
+
+    /** Takes hold of a dynamic body under a point, world m; returns whether there is one. */
+    boolean grab(double x, double y) {
+        held = pool.bodyAt(x, y).filter(body -> body.type() == BodyType.DYNAMIC).orElse(null);
+        point(x, y);
+        return held != null;
+    }
+
+    void letGo() {
+        held = null;
+    }
+
+    /** Where the pointer is, world m. */
+    void point(double x, double y) {
+        pointerX = x;
+        pointerY = y;
+    }
+
+    double pointerX() {
+        return pointerX;
+    }
+
+    double pointerY() {
+        return pointerY;
+    }
+
+    /** Pulls what is held towards the pointer: it keeps its speed when it is let go. */
+    void pull() {
+        if (held != null && held.isAlive()) {
+            double vx = GRIP * (pointerX - held.x());
+            double vy = GRIP * (pointerY - held.y());
+            double speed = Math.max(1, Math.sqrt(vx * vx + vy * vy) / MOST_FLING);
+            held.velocity(vx / speed, vy / speed);
+        }
+    }
+
+    void draw(Canvas canvas) {
+        canvas.camera(camera);
+        canvas.gaze(pointerX, pointerY);
+        for (RigidBody body : pool.bodies()) {
+            if (isInView(body)) {
+                boolean isAsleep = body.type() == BodyType.DYNAMIC && !body.isAwake();
+                Canvas.Mood mood =
+                        body == held
+                                ? Canvas.Mood.HOVERED
+                                : isAsleep ? Canvas.Mood.ASLEEP : Canvas.Mood.PLAIN;
+                canvas.body(body.shape(), body.x(), body.y(), body.angle(), skins.get(body), mood);
+            }
+        }
+    }
+
+    private boolean isInView(RigidBody body) {
+        double radius = body.shape().boundingRadius() * camera.scale();
+        double x = camera.screenX(body.x());
+        double y = camera.screenY(body.y());
+        return x > -radius && x < Scene.WIDTH + radius && y > -radius && y < Scene.HEIGHT + radius;
+    }
+
+    /** Contacts with their normals, and centres of mass. */
+    void drawDebug(Canvas canvas) {
+        for (ContactEvent contact : pool.contactEvents()) {
+            double x = camera.screenX(contact.x());
+            double y = camera.screenY(contact.y());
+            canvas.disc(x, y, 3, Color.BAD);
+            canvas.line(
+                    x,
+                    y,
+                    x + NORMAL_LENGTH_PX * contact.normalX(),
+                    y - NORMAL_LENGTH_PX * contact.normalY(),
+                    1.5,
+                    Color.BAD);
+        }
+        for (RigidBody body : pool.bodies()) {
+            if (body.type() == BodyType.DYNAMIC && isInView(body)) {
+                Color color = body.isAwake() ? Color.GOOD : Color.TEXT_DIM;
+                canvas.disc(camera.screenX(body.x()), camera.screenY(body.y()), 3, color);
+            }
+        }
+    }
+}
