@@ -115,6 +115,14 @@ public final class Broadphase {
         return found;
     }
 
+    /** The slots of all bodies whose fixture a straight line (m) crosses on its way, ascending. */
+    public Found queryLine(double fromX, double fromY, double toX, double toY) {
+        found.clear();
+        tree.queryLine(fromX, fromY, toX, toY, found);
+        found.sort();
+        return found;
+    }
+
     private void cover(int slot, double dt) {
         sweep(slot, dt);
         if (!(swept.minX >= bodies.fixtureMinX[slot]

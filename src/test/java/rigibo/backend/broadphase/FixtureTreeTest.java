@@ -1,0 +1,230 @@
+package rigibo.backend.broadphase;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+import rigibo.backend.Allocation;
+
+import java.util.Arrays;
+import java.util.Random;
+import java.util.function.Predicate;
+
+/** What the tree finds, compared with looking at every box. */
+class FixtureTreeTest {
+
+    private static final int BOXES = 600;
+
+    private final FixtureTree tree = new FixtureTree();
+    private final Found found = new Found();
+
+    /** Boxes by number; null where removed. The leaves stand beside. */
+    private final double[][] boxes = new double[BOXES][];
+
+    private final int[] leaves = new int[BOXES];
+
+    @Test
+    void emptyTreeHoldsNothing() {
+        tree.query(-1e9, -1e9, 1e9, 1e9, found);
+        tree.queryLine(-1e9, -1e9, 1e9, 1e9, found);
+
+        assertThat(found.count).isZero();
+    }
+
+    @Test
+    void boxesThatOnlyTouchAreFound() {
+        tree.insert(7, 0, 0, 1, 1);
+
+        tree.query(1, 1, 2, 2, found);
+
+        assertThat(numbers()).containsExactly(7);
+    }
+
+    @Test
+    void theLastBoxCanBeRemovedAndAnotherAdded() {
+        tree.remove(tree.insert(1, 0, 0, 1, 1));
+        tree.insert(2, 0, 0, 1, 1);
+
+        tree.query(0, 0, 1, 1, found);
+
+        assertThat(numbers()).containsExactly(2);
+    }
+
+    @Test
+    void boxesInOnePlaceAreAllFound() {
+        for (int i = 0; i < 100; i++) {
+            tree.insert(i, 3, 3, 4, 4);
+        }
+
+        tree.query(3.5, 3.5, 3.5, 3.5, found);
+
+        assertThat(numbers()).hasSize(100).doesNotHaveDuplicates();
+    }
+
+    /** A line beside the corner of a box lies within the box's bounds, but does not cross it. */
+    @Test
+    void lineThatPassesACornerDoesNotCross() {
+        tree.insert(1, 0, 0, 1, 1);
+
+        tree.queryLine(0.5, 1.6, 1.6, 0.5, found);
+        assertThat(found.count).isZero();
+        tree.queryLine(0.5, 1.4, 1.4, 0.5, found);
+        assertThat(numbers()).containsExactly(1);
+    }
+
+    @Test
+    void lineThatEndsBeforeABoxDoesNotCross() {
+        tree.insert(1, 2, -1, 3, 1);
+
+        tree.queryLine(0, 0, 1.9, 0, found);
+        assertThat(found.count).isZero();
+        tree.queryLine(0, 0, 2, 0, found);
+        assertThat(numbers()).containsExactly(1);
+    }
+
+    /** After thousands of insertions, removals, short and long moves. */
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3, 4})
+    void findsWhatBruteForceFinds(long seed) {
+        Random random = new Random(seed);
+        for (int change = 0; change < 6000; change++) {
+            change(random);
+            if (change % 10 == 0) {
+                compare(anyBox(random), "seed " + seed + ", change " + change);
+            }
+        }
+    }
+
+    private void change(Random random) {
+        int number = random.nextInt(BOXES);
+        if (boxes[number] == null) {
+            boxes[number] = anyBox(random);
+            double[] b = boxes[number];
+            leaves[number] = tree.insert(number, b[0], b[1], b[2], b[3]);
+        } else if (random.nextInt(10) == 0) {
+            tree.remove(leaves[number]);
+            boxes[number] = null;
+        } else {
+            double[] b = random.nextInt(10) == 0 ? anyBox(random) : nudged(random, boxes[number]);
+            boxes[number] = b;
+            tree.move(leaves[number], b[0], b[1], b[2], b[3]);
+        }
+    }
+
+    /** Most are small, some are as wide as a floor. */
+    private static double[] anyBox(Random random) {
+        double x = random.nextDouble() * 100;
+        double y = random.nextDouble() * 100;
+        double width = random.nextInt(20) == 0 ? 80 : random.nextDouble() * 4;
+        return new double[] {x, y, x + width, y + random.nextDouble() * 4};
+    }
+
+    private static double[] nudged(Random random, double[] box) {
+        double dx = random.nextDouble() - 0.5;
+        double dy = random.nextDouble() - 0.5;
+        return new double[] {box[0] + dx, box[1] + dy, box[2] + dx, box[3] + dy};
+    }
+
+    private void compare(double[] q, String where) {
+        tree.query(q[0], q[1], q[2], q[3], found);
+        assertThat(numbers()).as(where).containsExactly(overlapping(q));
+        tree.queryLine(q[0], q[3], q[2], q[1], found);
+        assertThat(numbers()).as("line, " + where).containsExactly(crossing(q));
+    }
+
+    private int[] overlapping(double[] q) {
+        return numbersOf(b -> b[0] <= q[2] && q[0] <= b[2] && b[1] <= q[3] && q[1] <= b[3]);
+    }
+
+    /** The stretch falls from the upper left to the lower right corner: clipped slab by slab. */
+    private int[] crossing(double[] q) {
+        double dx = q[2] - q[0];
+        double dy = q[1] - q[3];
+        return numbersOf(
+                b -> {
+                    double in = Math.max((b[0] - q[0]) / dx, (b[3] - q[3]) / dy);
+                    double out = Math.min((b[2] - q[0]) / dx, (b[1] - q[3]) / dy);
+                    return Math.max(in, 0) <= Math.min(out, 1);
+                });
+    }
+
+    private int[] numbersOf(Predicate<double[]> isFound) {
+        int[] all = new int[BOXES];
+        int count = 0;
+        for (int i = 0; i < BOXES; i++) {
+            if (boxes[i] != null && isFound.test(boxes[i])) {
+                all[count++] = i;
+            }
+        }
+        return Arrays.copyOf(all, count);
+    }
+
+    /** The numbers found, ascending; empties the list. */
+    private int[] numbers() {
+        found.sort();
+        int[] numbers = Arrays.copyOf(found.numbers, found.count);
+        found.clear();
+        return numbers;
+    }
+
+    /**
+     * Boxes drift and mix for 300 steps. What queries cost goes with the perimeter of the branches;
+     * a tree that kept its first shape would have many times that of one built for the end.
+     */
+    @Test
+    void theTreeDoesNotDecayWhileBoxesMix() {
+        Random random = new Random(5);
+        double[][] way = new double[BOXES][];
+        for (int i = 0; i < BOXES; i++) {
+            double[] b = anyBox(random);
+            boxes[i] = new double[] {b[0], b[1], b[0] + 1, b[1] + 1};
+            leaves[i] = tree.insert(i, b[0], b[1], b[0] + 1, b[1] + 1);
+            way[i] = new double[] {random.nextDouble(), random.nextDouble()};
+        }
+        for (int step = 0; step < 300; step++) {
+            for (int i = 0; i < BOXES; i++) {
+                drift(boxes[i], way[i]);
+                tree.move(leaves[i], boxes[i][0], boxes[i][1], boxes[i][2], boxes[i][3]);
+            }
+        }
+        FixtureTree fresh = new FixtureTree();
+        for (int i = 0; i < BOXES; i++) {
+            fresh.insert(i, boxes[i][0], boxes[i][1], boxes[i][2], boxes[i][3]);
+        }
+        assertThat(tree.branchPerimeter()).isLessThan(1.25 * fresh.branchPerimeter());
+    }
+
+    /** Moves a box within a square of 100 m, mirrored at its sides. */
+    private static void drift(double[] box, double[] way) {
+        for (int axis = 0; axis < 2; axis++) {
+            if (box[axis] + way[axis] < 0 || box[axis] + way[axis] > 100) {
+                way[axis] = -way[axis];
+            }
+            box[axis] += way[axis];
+            box[axis + 2] += way[axis];
+        }
+    }
+
+    @Test
+    void nothingIsAllocatedOnceWarm() {
+        Random random = new Random(6);
+        for (int i = 0; i < BOXES; i++) {
+            boxes[i] = anyBox(random);
+            leaves[i] = tree.insert(i, boxes[i][0], boxes[i][1], boxes[i][2], boxes[i][3]);
+        }
+        assertThat(Allocation.ofThirdRun(() -> shuffle(300))).isZero();
+    }
+
+    private void shuffle(int rounds) {
+        for (int round = 0; round < rounds; round++) {
+            for (int i = 0; i < BOXES; i++) {
+                double[] b = boxes[(i + round) % BOXES];
+                tree.move(leaves[i], b[0], b[1], b[2], b[3]);
+                found.clear();
+                tree.query(b[0], b[1], b[2], b[3], found);
+            }
+        }
+    }
+}
