@@ -7,6 +7,7 @@ import rigibo.backend.geometry.Angle;
 import rigibo.backend.geometry.MassProperties;
 import rigibo.backend.geometry.Shape;
 import rigibo.backend.geometry.ShapeKind;
+import rigibo.backend.rest.SupportLoss;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.BodyType;
 import rigibo.backend.setup.Material;
@@ -27,6 +28,7 @@ final class BodyEditor {
     private final StepPlan plan;
     private final Broadphase broadphase;
     private final Waking waking;
+    private final SupportLoss supportLoss;
 
     BodyEditor(DataStorage data, StepPlan plan) {
         this.data = data;
@@ -34,6 +36,7 @@ final class BodyEditor {
         bodies = data.bodies;
         broadphase = plan.broadphase();
         waking = new Waking(data);
+        supportLoss = new SupportLoss(data, waking);
     }
 
     int add(BodyDefinition definition) {
@@ -60,7 +63,7 @@ final class BodyEditor {
     }
 
     void remove(int slot) {
-        waking.wakeNeighbours(slot);
+        supportLoss.wakeNeighbours(slot);
         broadphase.remove(slot);
         bodies.release(slot);
         data.roster.isStale = true;

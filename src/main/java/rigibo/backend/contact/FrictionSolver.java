@@ -14,9 +14,9 @@ final class FrictionSolver {
 
     private final Motions motions;
     private final Rows rows;
-    private int[] sliding = new int[16];
+    private int[] slidingRows = new int[16];
     private int slidingCount;
-    private int[] rolling = new int[16];
+    private int[] rollingRows = new int[16];
     private int rollingCount;
 
     FrictionSolver(Motions motions, Rows rows) {
@@ -26,18 +26,17 @@ final class FrictionSolver {
 
     /** Lists the rows of the packed island that need it. */
     void prepare() {
-        if (sliding.length < rows.count) {
-            sliding = new int[2 * rows.count];
-            rolling = new int[2 * rows.count];
+        if (slidingRows.length < rows.count) {
+            slidingRows = new int[2 * rows.count];
+            rollingRows = new int[2 * rows.count];
         }
         slidingCount = 0;
         rollingCount = 0;
         for (int row = 0; row < rows.count; row++) {
-            if (rows.data[row * Rows.STRIDE + Rows.FRICTION] > 0) {
-                sliding[slidingCount++] = row;
-            }
             if (rows.data[row * Rows.STRIDE + Rows.ROLLING] > 0) {
-                rolling[rollingCount++] = row;
+                rollingRows[rollingCount++] = row;
+            } else if (rows.data[row * Rows.STRIDE + Rows.FRICTION] > 0) {
+                slidingRows[slidingCount++] = row;
             }
         }
     }
@@ -50,51 +49,109 @@ final class FrictionSolver {
     /** One pass over both kinds of rows. */
     void solve(int substep) {
         for (int i = 0; i < slidingCount; i++) {
-            if (rows.firstSubstep[sliding[i]] <= substep) {
-                slide(sliding[i]);
+            if (rows.firstSubstep[slidingRows[i]] <= substep) {
+                slide(slidingRows[i]);
             }
         }
         for (int i = 0; i < rollingCount; i++) {
-            if (rows.firstSubstep[rolling[i]] <= substep) {
-                roll(rolling[i]);
+            if (rows.firstSubstep[rollingRows[i]] <= substep) {
+                rollWithoutSliding(rollingRows[i]);
             }
+        }
+    }
+
+    /**
+     * Rolling brakes the turning, and friction then the moving: where both hold they hold together,
+     * or one would keep undoing a part of the other and the wheel would creep back.
+     */
+    private void rollWithoutSliding(int row) {
+        double[] d = rows.data;
+        int at = row * Rows.STRIDE;
+        double load = d[at + Rows.IMPULSE0] + d[at + Rows.IMPULSE1];
+        double mostSlide = d[at + Rows.FRICTION] * load;
+        double mostRoll = d[at + Rows.ROLLING] * load;
+        double ia = motions.data[rows.bodyA[row] + INVERSE_INERTIA];
+        double ib = motions.data[rows.bodyB[row] + INVERSE_INERTIA];
+        double slides = mostSlide > 0 ? 1 / d[at + Rows.MASS_T] : 0;
+        double both = d[at + Rows.LEVER_TB] * ib + d[at + Rows.LEVER_TA] * ia;
+        double determinant = slides * (ia + ib) - both * both;
+        if (determinant > 0) {
+            double vt = sliding(row);
+            double wr = turning(row);
+            double tangent = d[at + Rows.IMPULSE_T] + (both * wr - (ia + ib) * vt) / determinant;
+            double roll = d[at + Rows.IMPULSE_R] + (both * vt - slides * wr) / determinant;
+            if (Math.abs(tangent) <= mostSlide && Math.abs(roll) <= mostRoll) {
+                keepTangent(row, tangent);
+                keepRoll(row, roll);
+                return;
+            }
+        }
+        roll(row);
+        if (mostSlide > 0) {
+            slide(row);
         }
     }
 
     private void slide(int row) {
         double[] d = rows.data;
-        double[] m = motions.data;
         int at = row * Rows.STRIDE;
-        int a = rows.bodyA[row];
-        int b = rows.bodyB[row];
-        double nx = d[at + Rows.NX];
-        double ny = d[at + Rows.NY];
-        double la = d[at + Rows.LEVER_TA];
-        double lb = d[at + Rows.LEVER_TB];
-        double vt =
-                nx * (m[b + VY] - m[a + VY])
-                        - ny * (m[b + VX] - m[a + VX])
-                        + lb * m[b + SPIN]
-                        - la * m[a + SPIN];
-        double old = d[at + Rows.IMPULSE_T];
         double most = d[at + Rows.FRICTION] * (d[at + Rows.IMPULSE0] + d[at + Rows.IMPULSE1]);
-        double impulse = clamp(old - d[at + Rows.MASS_T] * vt, most);
-        d[at + Rows.IMPULSE_T] = impulse;
-        applyTangent(m, a, b, nx, ny, impulse - old, la, lb);
+        double wanted = d[at + Rows.IMPULSE_T] - d[at + Rows.MASS_T] * sliding(row);
+        keepTangent(row, clamp(wanted, most));
     }
 
-    private void roll(int row) {
+    /** Speed in m/s at which B slides along the tangent on A. */
+    private double sliding(int row) {
         double[] d = rows.data;
         double[] m = motions.data;
         int at = row * Rows.STRIDE;
         int a = rows.bodyA[row];
         int b = rows.bodyB[row];
-        double old = d[at + Rows.IMPULSE_R];
+        return d[at + Rows.NX] * (m[b + VY] - m[a + VY])
+                - d[at + Rows.NY] * (m[b + VX] - m[a + VX])
+                + d[at + Rows.LEVER_TB] * m[b + SPIN]
+                - d[at + Rows.LEVER_TA] * m[a + SPIN];
+    }
+
+    private void keepTangent(int row, double impulse) {
+        double[] d = rows.data;
+        int at = row * Rows.STRIDE;
+        double change = impulse - d[at + Rows.IMPULSE_T];
+        d[at + Rows.IMPULSE_T] = impulse;
+        applyTangent(
+                motions.data,
+                rows.bodyA[row],
+                rows.bodyB[row],
+                d[at + Rows.NX],
+                d[at + Rows.NY],
+                change,
+                d[at + Rows.LEVER_TA],
+                d[at + Rows.LEVER_TB]);
+    }
+
+    private void roll(int row) {
+        double[] d = rows.data;
+        int at = row * Rows.STRIDE;
         double most = d[at + Rows.ROLLING] * (d[at + Rows.IMPULSE0] + d[at + Rows.IMPULSE1]);
-        double impulse = clamp(old - d[at + Rows.INERTIA_R] * (m[b + SPIN] - m[a + SPIN]), most);
+        double wanted = d[at + Rows.IMPULSE_R] - d[at + Rows.INERTIA_R] * turning(row);
+        keepRoll(row, clamp(wanted, most));
+    }
+
+    /** Angular speed of B against A, rad/s. */
+    private double turning(int row) {
+        return motions.data[rows.bodyB[row] + SPIN] - motions.data[rows.bodyA[row] + SPIN];
+    }
+
+    private void keepRoll(int row, double impulse) {
+        double[] d = rows.data;
+        double[] m = motions.data;
+        int at = row * Rows.STRIDE;
+        int a = rows.bodyA[row];
+        int b = rows.bodyB[row];
+        double change = impulse - d[at + Rows.IMPULSE_R];
         d[at + Rows.IMPULSE_R] = impulse;
-        m[a + SPIN] -= m[a + INVERSE_INERTIA] * (impulse - old);
-        m[b + SPIN] += m[b + INVERSE_INERTIA] * (impulse - old);
+        m[a + SPIN] -= m[a + INVERSE_INERTIA] * change;
+        m[b + SPIN] += m[b + INVERSE_INERTIA] * change;
     }
 
     /** Applies an impulse along the tangent (−ny, nx). */

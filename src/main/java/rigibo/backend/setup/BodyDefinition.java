@@ -266,13 +266,22 @@ public final class BodyDefinition {
         MassProperties plate = shape.massProperties(material.density());
         double kilograms = mass > 0 ? mass : plate.mass();
         double aboutCentre = inertia > 0 ? inertia : plate.inertia() * (kilograms / plate.mass());
-        Require.positive("BodyDefinition.mass from density and area", kilograms, "kg");
-        Require.positive("BodyDefinition.inertia from density and shape", aboutCentre, "kg·m²");
+        String field = "BodyDefinition.mass, stated or from density and area,";
+        Require.within(field, kilograms, LEAST_MASS, MOST_MASS, "kg");
+        field = "BodyDefinition.inertia, stated or from mass and shape,";
+        Require.within(field, aboutCentre, LEAST_MASS, MOST_MASS, "kg·m²");
         return new MassProperties(kilograms, aboutCentre, 0, 0);
     }
 
     /** Highest speed accepted, m/s: light's. Beyond it squares of speeds soon overflow. */
     public static final double MOST_SPEED = 299_792_458;
+
+    /**
+     * Least and greatest mass in kg and inertia in kg·m²: their squares and inverses are finite.
+     */
+    public static final double LEAST_MASS = 1e-100;
+
+    public static final double MOST_MASS = 1e100;
 
     /** Highest spin accepted, rad/s. */
     public static final double MOST_SPIN = 1e6;

@@ -67,7 +67,7 @@ final class FrictionDemo implements Demo {
         return new SceneEntry(
                 "friction",
                 "Friction",
-                "Ice, wood and rubber, to the millimetre",
+                "Ice, wood, rubber: where it stops",
                 SceneEntry.Kind.DEMO,
                 director -> new DemoScene(FrictionDemo::new));
     }

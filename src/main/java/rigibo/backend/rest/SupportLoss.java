@@ -1,0 +1,132 @@
+package rigibo.backend.rest;
+
+import rigibo.backend.storage.Bodies;
+import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.PairTolerances;
+import rigibo.backend.storage.Pairs;
+import rigibo.backend.storage.Waking;
+
+/**
+ * Who wakes when a body goes: all that leaned on it, and of what it stood on whatever might not be
+ * steady without it. A box in the middle of a tower sleeps on when the upper half is taken away; a
+ * seesaw that loses a weight does not.
+ *
+ * <p>A sleeper is steady whatever it carries if its centre of mass and every place where something
+ * stands on it lie above the span of its supports, and if the same holds for what supports it.
+ */
+public final class SupportLoss {
+
+    /** Contacts this upright (cosine to gravity) carry; others hold from the side. */
+    private static final double UPRIGHT = 0.999;
+
+    private final Bodies bodies;
+    private final Pairs pairs;
+    private final Waking waking;
+
+    /** Gravity's direction for the body looked at. */
+    private double downX;
+
+    private double downY;
+
+    /** The span of its supports and of what it must stand under, m across gravity. */
+    private double supportLeft;
+
+    private double supportRight;
+    private double loadLeft;
+    private double loadRight;
+
+    /** Waking in this storage. */
+    public SupportLoss(DataStorage data, Waking waking) {
+        bodies = data.bodies;
+        pairs = data.pairs;
+        this.waking = waking;
+    }
+
+    /** Wakes who must, before a body goes. */
+    public void wakeNeighbours(int going) {
+        // Waking spreads through sleepers; it is not to spread through the one that goes.
+        bodies.awake[going] = true;
+        for (int p = bodies.firstPair[going]; p != Pairs.NONE; p = pairs.nextOf(p, going)) {
+            int other = pairs.other(p, going);
+            boolean sleeps = bodies.isDynamic(other) && !bodies.awake[other];
+            if (pairs.touching[p] && sleeps && !(isUnder(p, other) && isSteady(other))) {
+                waking.wake(other);
+            }
+        }
+    }
+
+    /** Whether a body of a pair lies under the other, by its own gravity. */
+    private boolean isUnder(int pair, int body) {
+        return findDown(body) && sideOf(pair, body) < -UPRIGHT;
+    }
+
+    /** Cosine between gravity and the normal out of the body: 1 where the other supports it. */
+    private double sideOf(int pair, int body) {
+        double sign = pairs.bodyA[pair] == body ? 1 : -1;
+        return sign * (pairs.normalX[pair] * downX + pairs.normalY[pair] * downY);
+    }
+
+    private boolean findDown(int body) {
+        double ax = bodies.accelerationX[body];
+        double ay = bodies.accelerationY[body];
+        double length = Math.sqrt(ax * ax + ay * ay);
+        downX = ax / length;
+        downY = ay / length;
+        return length > 0;
+    }
+
+    private boolean isSteady(int body) {
+        if (!findDown(body) || !measure(body)) {
+            return false;
+        }
+        double slack = PairTolerances.INVISIBLE_LIFT * bodies.smallestWidth[body];
+        if (loadLeft < supportLeft - slack || loadRight > supportRight + slack) {
+            return false;
+        }
+        for (int p = bodies.firstPair[body]; p != Pairs.NONE; p = pairs.nextOf(p, body)) {
+            int other = pairs.other(p, body);
+            findDown(body);
+            boolean supports = pairs.touching[p] && sideOf(p, body) > 0;
+            if (supports && bodies.isDynamic(other) && !isSteady(other)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /** Measures both spans; false where something holds from the side or moves. */
+    private boolean measure(int body) {
+        supportLeft = Double.POSITIVE_INFINITY;
+        supportRight = Double.NEGATIVE_INFINITY;
+        loadLeft = across(bodies.x[body], bodies.y[body]);
+        loadRight = loadLeft;
+        for (int p = bodies.firstPair[body]; p != Pairs.NONE; p = pairs.nextOf(p, body)) {
+            if (pairs.touching[p] && !take(p, body)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private boolean take(int pair, int body) {
+        double side = sideOf(pair, body);
+        if (Math.abs(side) < UPRIGHT || bodies.isDriven(pairs.other(pair, body))) {
+            return false;
+        }
+        for (int point = 2 * pair; point < 2 * pair + pairs.points[pair]; point++) {
+            double at = across(pairs.pointX[point], pairs.pointY[point]);
+            if (side > 0) {
+                supportLeft = Math.min(supportLeft, at);
+                supportRight = Math.max(supportRight, at);
+            } else {
+                loadLeft = Math.min(loadLeft, at);
+                loadRight = Math.max(loadRight, at);
+            }
+        }
+        return true;
+    }
+
+    private double across(double x, double y) {
+        return x * -downY + y * downX;
+    }
+}

@@ -1,0 +1,77 @@
+package rigibo.lab.hardcase;
+
+import rigibo.backend.RigidBody;
+import rigibo.backend.geometry.Circle;
+import rigibo.backend.setup.BodyDefinition;
+
+/**
+ * Truth: {@link Bounces}, for ten apexes. The sweep over 25 phases of the first impact within a
+ * step is essential: errors depend on where in the step the impact falls.
+ */
+final class BallDrop implements HardCase {
+
+    private static final double RADIUS = 0.25;
+    private static final double HEIGHT = 2;
+    private static final int PHASES = 25;
+    private static final int APEXES = 10;
+    private static final double[] ELASTICITIES = {0, 0.3, 0.5, 0.8, 0.95, 1};
+
+    /** Least evaluations per impact that would be a defect: bisection to 1e-9 m takes about 30. */
+    private static final double MANY_EVALUATIONS = 64;
+
+    @Override
+    public String row() {
+        return "10";
+    }
+
+    @Override
+    public String title() {
+        return "a ball rebounds to e² of its height, at every phase of the step";
+    }
+
+    @Override
+    public void run(Trial trial) {
+        for (double e : ELASTICITIES) {
+            for (int phase = 0; phase < PHASES; phase++) {
+                trial.variant("e " + e + ", phase " + phase);
+                double fall = Math.sqrt(2 * HEIGHT / Trial.GRAVITY) + phase * Trial.DT / PHASES;
+                drop(trial, new Bounces(Bounces.heightOfFall(fall), e), e);
+            }
+        }
+        double perImpact = trial.work().evaluations() / Math.max(1.0, trial.work().impacts());
+        trial.measure("evaluations per impact", perImpact, "", MANY_EVALUATIONS);
+    }
+
+    private static void drop(Trial trial, Bounces truth, double e) {
+        WatchedPool pool = trial.pool(Surroundings.earth());
+        pool.add(Surroundings.floor(0.5, e));
+        double start = RADIUS + Bounces.heightOfFall(truth.firstImpact());
+        RigidBody ball =
+                pool.add(
+                        BodyDefinition.dynamic(new Circle(RADIUS))
+                                .at(0, start)
+                                .material(Surroundings.matter(0.5, e)));
+        double leeway = trial.preset() == Preset.EXACT ? 1e-5 : 1e-2;
+        double end = Math.min(truth.impactTime(APEXES + 1), truth.restTime());
+        while (pool.time() < end - leeway) {
+            pool.step();
+            double t = pool.time();
+            if (t < end - leeway) {
+                double error = truth.apexError(t, leeway, Bounces.apexOf(ball, RADIUS));
+                trial.measure("apex", error, "of H", 1e-6, 5e-3);
+            }
+        }
+        if (e < 1) {
+            restsAfterwards(trial, pool, ball, truth);
+        }
+    }
+
+    /** After the last impact the ball lies on the floor: below 1, it stops in the end. */
+    private static void restsAfterwards(
+            Trial trial, WatchedPool pool, RigidBody ball, Bounces truth) {
+        pool.run(truth.restTime() + 2 * Trial.DT - pool.time());
+        pool.run(0.5);
+        double off = Math.abs(Bounces.apexOf(ball, RADIUS));
+        trial.measure("height at rest", off, "m", 2 * Trial.TOLERATED_OVERLAP * 2 * RADIUS);
+    }
+}

@@ -1,0 +1,85 @@
+package rigibo.lab.hardcase;
+
+import rigibo.backend.RigidBody;
+
+/**
+ * A body that falls from the height H and rebounds by e. Truth: the n-th apex is e^(2n)·H; the n-th
+ * impact comes at t1·(1 + 2(e + e² + … + e^(n−1))) with t1 = √(2H/g), and for e < 1 all of them
+ * before T = t1(1 + e)/(1 − e).
+ *
+ * <p>In flight y + v²/2g is the apex of the flight at every instant, so every step is a
+ * measurement, and flights shorter than a step are measured too.
+ */
+final class Bounces {
+
+    private final double height;
+    private final double elasticity;
+    private final double firstImpact;
+
+    Bounces(double height, double elasticity) {
+        this.height = height;
+        this.elasticity = elasticity;
+        firstImpact = Math.sqrt(2 * height / Trial.GRAVITY);
+    }
+
+    /** The height whose fall takes so long, m. */
+    static double heightOfFall(double seconds) {
+        return Trial.GRAVITY * seconds * seconds / 2;
+    }
+
+    /** When the n-th impact comes, n from 1, s. */
+    double impactTime(int n) {
+        double time = firstImpact;
+        double flight = 2 * firstImpact;
+        for (int i = 1; i < n; i++) {
+            flight *= elasticity;
+            time += flight;
+        }
+        return time;
+    }
+
+    /** When the last of infinitely many impacts is over, s; infinite for e = 1. */
+    double restTime() {
+        return firstImpact * (1 + elasticity) / (1 - elasticity);
+    }
+
+    double firstImpact() {
+        return firstImpact;
+    }
+
+    /**
+     * Error of the present apex as a share of H.
+     *
+     * @param time s since the fall began
+     * @param leeway s by which an impact may be early or late: a flight's error is not judged by
+     *     the flight before it
+     * @param apex that the body is flying to, m above the floor
+     */
+    double apexError(double time, double leeway, double apex) {
+        int most = impactsUntil(time + leeway);
+        double least = Double.POSITIVE_INFINITY;
+        for (int n = impactsUntil(time - leeway); n <= most; n++) {
+            double truth = Math.pow(elasticity, 2.0 * n) * height;
+            least = Math.min(least, Math.abs(apex - truth) / height);
+        }
+        return least;
+    }
+
+    /** The apex that a body is flying to, m above the height at which it touches. */
+    static double apexOf(RigidBody body, double touching) {
+        double v = body.velocityY();
+        return body.y() - touching + v * v / (2 * Trial.GRAVITY);
+    }
+
+    private int impactsUntil(double time) {
+        int n = 0;
+        double next = firstImpact;
+        double flight = 2 * firstImpact;
+        while (next <= time && flight > 1e-12) {
+            n++;
+            flight *= elasticity;
+            next += flight;
+        }
+        return n;
+    }
+}

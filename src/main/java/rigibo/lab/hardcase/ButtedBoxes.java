@@ -1,0 +1,80 @@
+package rigibo.lab.hardcase;
+
+import rigibo.backend.RigidBody;
+import rigibo.backend.geometry.Circle;
+import rigibo.backend.geometry.Polygon;
+import rigibo.backend.geometry.Shape;
+import rigibo.backend.setup.BodyDefinition;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+
+/**
+ * Smooth sliding over a floor of forty separate boxes side by side. Truth: the floor is one plane,
+ * so speed and height are constant; the edges between the boxes are inside the floor.
+ */
+final class ButtedBoxes implements HardCase {
+
+    private static final int BOXES = 40;
+    private static final double WAY = 34;
+
+    @Override
+    public String row() {
+        return "47";
+    }
+
+    @Override
+    public String title() {
+        return "nothing catches at the joints of a floor";
+    }
+
+    @Override
+    public void run(Trial trial) {
+        Map<String, Shape> shapes = new LinkedHashMap<>();
+        shapes.put("box", Polygon.box(1, 1));
+        shapes.put("disc", new Circle(0.5));
+        shapes.put("triangle", Polygon.of(-0.5, 0, 0.5, 0, 0, 0.8));
+        for (double speed : new double[] {2, 20}) {
+            shapes.forEach(
+                    (name, shape) -> {
+                        trial.variant(name + " at " + speed + " m/s");
+                        slide(trial, shape, speed);
+                    });
+        }
+    }
+
+    private static void slide(Trial trial, Shape shape, double speed) {
+        WatchedPool pool = trial.pool(Surroundings.earth());
+        BodyDefinition box =
+                BodyDefinition.fixed(Polygon.box(1, 1)).material(Surroundings.matter(0, 0));
+        for (int i = 0; i < BOXES; i++) {
+            pool.add(box.at(i, -0.5));
+        }
+        RigidBody body =
+                pool.add(
+                        BodyDefinition.dynamic(shape)
+                                .at(2, height(shape))
+                                .velocity(speed, 0)
+                                .material(Surroundings.matter(0, 0)));
+        double y = body.y();
+        while (pool.time() < WAY / speed) {
+            pool.step();
+            double change = Math.abs(body.velocityX() / speed - 1);
+            trial.measure("speed changed", change, "of v", 1e-6);
+            trial.measure("height changed", Math.abs(body.y() - y), "m", Trial.TOLERATED_OVERLAP);
+        }
+    }
+
+    /** Of the centre of mass above the lowest point. */
+    private static double height(Shape shape) {
+        if (shape instanceof Circle) {
+            return ((Circle) shape).radius();
+        }
+        Polygon polygon = (Polygon) shape;
+        double lowest = 0;
+        for (int i = 0; i < polygon.corners(); i++) {
+            lowest = Math.min(lowest, polygon.cornerY(i));
+        }
+        return -lowest;
+    }
+}

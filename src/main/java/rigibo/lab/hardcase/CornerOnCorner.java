@@ -1,0 +1,56 @@
+package rigibo.lab.hardcase;
+
+import rigibo.backend.RigidBody;
+import rigibo.backend.geometry.Polygon;
+import rigibo.backend.setup.BodyDefinition;
+
+/**
+ * Two smooth squares at 45° fly at each other vertex to vertex, e = 1. Truth: whatever normal the
+ * vertices choose, energy is kept; and the mirrored scene does the mirrored thing.
+ */
+final class CornerOnCorner implements HardCase {
+
+    private static final double SPEED = 4;
+    private static final double HALF_DIAGONAL = Math.sqrt(0.5);
+
+    @Override
+    public String row() {
+        return "16";
+    }
+
+    @Override
+    public String title() {
+        return "vertex meets vertex without harm";
+    }
+
+    @Override
+    public void run(Trial trial) {
+        for (double offset : new double[] {0, 1e-9, 1e-4}) {
+            RigidBody left = meet(trial, -offset);
+            RigidBody right = meet(trial, offset);
+            double off =
+                    Math.hypot(
+                                    left.velocityX() - right.velocityX(),
+                                    left.velocityY() + right.velocityY())
+                            + Math.abs(left.angularVelocity() + right.angularVelocity());
+            trial.measure("mirrored", off / SPEED, "of v", 1e-6);
+        }
+    }
+
+    private static RigidBody meet(Trial trial, double offset) {
+        trial.variant("offset " + offset);
+        WatchedPool pool = trial.pool(Surroundings.space());
+        BodyDefinition square =
+                BodyDefinition.dynamic(Polygon.box(1, 1))
+                        .angle(Math.PI / 4)
+                        .material(Surroundings.matter(0, 1));
+        double x = HALF_DIAGONAL + SPEED * 6.4 * Trial.DT;
+        RigidBody a = pool.add(square.at(-x, offset / 2).velocity(SPEED, 0));
+        RigidBody b = pool.add(square.at(x, -offset / 2).velocity(-SPEED, 0));
+        double energy = a.kineticEnergy() + b.kineticEnergy();
+        pool.run(1);
+        double change = (a.kineticEnergy() + b.kineticEnergy()) / energy - 1;
+        trial.measure("energy changed", Math.abs(change), "of E", 1e-6);
+        return a;
+    }
+}

@@ -1,0 +1,51 @@
+package rigibo.lab.hardcase;
+
+import rigibo.backend.RigidBody;
+import rigibo.backend.geometry.Polygon;
+import rigibo.backend.setup.BodyDefinition;
+
+/**
+ * A kinematic wall pushes a box at 0.5 m/s against a fixed one, along a floor. Truth: there is no
+ * room for the box, so either the overlap grows or the box leaves; but it never gets through a wall
+ * unseen, nothing explodes, and both contacts are told as events.
+ */
+final class Crush implements HardCase {
+
+    private static final double MOST_SPEED = 3;
+    private static final double HORIZON = 3;
+
+    @Override
+    public String row() {
+        return "64";
+    }
+
+    @Override
+    public String title() {
+        return "a box crushed between walls does not explode";
+    }
+
+    @Override
+    public void run(Trial trial) {
+        WatchedPool pool = trial.pool(Surroundings.earth()).allowingOverlap();
+        pool.add(Surroundings.floor(0.5, 0));
+        RigidBody fixed = pool.add(BodyDefinition.fixed(Polygon.box(1, 6)).at(2, 3.01));
+        RigidBody press =
+                pool.add(BodyDefinition.kinematic(Polygon.box(1, 6)).at(-1, 3.01).velocity(0.5, 0));
+        RigidBody box = pool.add(BodyDefinition.dynamic(Polygon.box(1, 1)).at(0.2, 0.5));
+        boolean isPressed = false;
+        while (pool.time() < HORIZON) {
+            pool.step();
+            double speed = Math.hypot(box.velocityX(), box.velocityY());
+            trial.measure("fastest", speed, "m/s", MOST_SPEED);
+            isPressed |=
+                    pool.pool().touching(box, press)
+                            && pool.pool().touching(box, fixed)
+                            && pool.impulseBetween(box, press) > 0
+                            && pool.impulseBetween(box, fixed) > 0;
+        }
+        trial.require("both contacts are told", isPressed);
+        boolean isOutside = box.y() > 6.5;
+        boolean isBetween = box.x() > press.x() && box.x() < fixed.x();
+        trial.require("the box is between the walls or above them", isBetween || isOutside);
+    }
+}

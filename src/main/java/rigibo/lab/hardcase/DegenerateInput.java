@@ -1,0 +1,106 @@
+package rigibo.lab.hardcase;
+
+import rigibo.backend.RigidBody;
+import rigibo.backend.effect.Thrust;
+import rigibo.backend.geometry.Circle;
+import rigibo.backend.geometry.Polygon;
+import rigibo.backend.setup.BodyDefinition;
+
+import java.util.Locale;
+
+/**
+ * Truth: what has no meaning is refused with an exception that names the field, before anything
+ * changes; what is merely extreme stays finite; and a body driven beyond all numbers is put to rest
+ * without a trace in its neighbours.
+ */
+final class DegenerateInput implements HardCase {
+
+    @Override
+    public String row() {
+        return "57";
+    }
+
+    @Override
+    public String title() {
+        return "senseless input is refused and extreme input stays finite";
+    }
+
+    @Override
+    public void run(Trial trial) {
+        refuse(trial);
+        extreme(trial);
+        trial.variant("one body driven beyond all numbers");
+        poison(trial);
+    }
+
+    private static void refuse(Trial trial) {
+        WatchedPool pool = trial.pool(Surroundings.earth().with(new Thrust()));
+        pool.add(Surroundings.floor(0.5, 0));
+        RigidBody box = pool.add(BodyDefinition.dynamic(Polygon.box(1, 1)).at(0, 0.5));
+        pool.step();
+        new Refusals(pool.pool())
+                .attempts()
+                .forEach(
+                        (name, attempt) -> {
+                            trial.variant(name);
+                            long before = pool.pool().stateHash();
+                            String field = name.split(" ")[0].toLowerCase(Locale.ROOT);
+                            String message = "";
+                            try {
+                                attempt.accept(box);
+                            } catch (IllegalArgumentException refusal) {
+                                message = refusal.getMessage().toLowerCase(Locale.ROOT);
+                            }
+                            trial.requireAlways("refused by name", message.contains(field));
+                            boolean isSame = before == pool.pool().stateHash();
+                            trial.requireAlways("a refusal changes nothing", isSame);
+                        });
+    }
+
+    private static void extreme(Trial trial) {
+        trial.variant("empty pool");
+        trial.pool(Surroundings.earth()).step();
+        trial.variant("a step of 10 s");
+        WatchedPool longStep = trial.pool(Surroundings.earth());
+        longStep.add(Surroundings.floor(0.5, 0));
+        longStep.add(BodyDefinition.dynamic(Polygon.box(1, 1)).at(0, 3));
+        longStep.step(10);
+        longStep.run(1);
+        trial.variant("a step of 1 ns");
+        WatchedPool shortStep = trial.pool(Surroundings.earth());
+        shortStep.add(Surroundings.floor(0.5, 0));
+        shortStep.add(BodyDefinition.dynamic(Polygon.box(1, 1)).at(0, 0.5));
+        shortStep.step(1e-9);
+        shortStep.run(1);
+        trial.variant("a sliver of 1 to 10,000");
+        WatchedPool sliver = trial.pool(Surroundings.earth());
+        sliver.add(Surroundings.floor(0.5, 0));
+        sliver.add(BodyDefinition.dynamic(Polygon.box(10, 1e-3)).at(0, 1).angle(0.2));
+        sliver.run(3);
+        trial.variant("a grain and a planet");
+        WatchedPool sizes = trial.pool(Surroundings.space());
+        sizes.add(BodyDefinition.dynamic(new Circle(1e-6)).at(-1, 0).velocity(1, 0));
+        sizes.add(BodyDefinition.dynamic(new Circle(1e6)).at(1e6, 0));
+        sizes.run(3);
+        trial.variant("as fast as light");
+        WatchedPool fast = trial.pool(Surroundings.space());
+        fast.add(BodyDefinition.fixed(Polygon.box(1, 10)).at(100, 0));
+        fast.add(BodyDefinition.dynamic(new Circle(1)).velocity(299_792_458, 0));
+        fast.run(0.5);
+    }
+
+    private static void poison(Trial trial) {
+        WatchedPool pool = trial.pool(Surroundings.earth().with(new Thrust())).allowingOverlap();
+        pool.add(Surroundings.floor(0.5, 0));
+        RigidBody neighbour = pool.add(BodyDefinition.dynamic(Polygon.box(1, 1)).at(0, 0.5));
+        RigidBody poisoned = pool.add(BodyDefinition.dynamic(Polygon.box(1, 1)).at(0, 1.5));
+        pool.run(0.5);
+        poisoned.applyForce(Double.MAX_VALUE, 0, 0, 5);
+        poisoned.applyForce(Double.MAX_VALUE, Double.MAX_VALUE, 0, 5);
+        int quarantined = pool.step().quarantined();
+        trial.requireAlways("one body is put to rest and reported", quarantined == 1);
+        pool.run(0.5);
+        double moved = Math.hypot(neighbour.x(), neighbour.y() - 0.5);
+        trial.measure("neighbour moved", moved, "m", 2 * Trial.TOLERATED_OVERLAP);
+    }
+}

@@ -1,0 +1,59 @@
+package rigibo.lab.hardcase;
+
+import rigibo.backend.RigidBody;
+import rigibo.backend.geometry.Polygon;
+import rigibo.backend.setup.BodyDefinition;
+
+/**
+ * Truth: a box that lands flat with e = 1 meets the floor at both corners at once; by symmetry it
+ * does not turn, and it rebounds to its height, also on a pedestal narrower than itself. One
+ * impulse per corner after the other would overshoot.
+ */
+final class FlatLanding implements HardCase {
+
+    private static final double HEIGHT = 2;
+    private static final int PHASES = 5;
+    private static final int APEXES = 10;
+
+    @Override
+    public String row() {
+        return "15";
+    }
+
+    @Override
+    public String title() {
+        return "a box that lands flat rebounds flat";
+    }
+
+    @Override
+    public void run(Trial trial) {
+        for (double width : new double[] {20, 0.75}) {
+            for (int phase = 0; phase < PHASES; phase++) {
+                trial.variant("ground of " + width + " m, phase " + phase);
+                double fall = Math.sqrt(2 * HEIGHT / Trial.GRAVITY) + phase * Trial.DT / PHASES;
+                drop(trial, width, fall);
+            }
+        }
+    }
+
+    private static void drop(Trial trial, double width, double fall) {
+        WatchedPool pool = trial.pool(Surroundings.earth());
+        pool.add(
+                BodyDefinition.fixed(Polygon.box(width, 1))
+                        .at(0, -0.5)
+                        .material(Surroundings.matter(0.5, 1)));
+        Bounces truth = new Bounces(Bounces.heightOfFall(fall), 1);
+        RigidBody box =
+                pool.add(
+                        BodyDefinition.dynamic(Polygon.box(1, 1))
+                                .at(0, 0.5 + Bounces.heightOfFall(fall))
+                                .material(Surroundings.matter(0.5, 1)));
+        double leeway = trial.preset() == Preset.EXACT ? 1e-5 : 1e-2;
+        while (pool.time() < truth.impactTime(APEXES + 1) - 2 * leeway - Trial.DT) {
+            pool.step();
+            trial.measure("spin", Math.abs(box.angularVelocity()), "rad/s", 1e-9);
+            double error = truth.apexError(pool.time(), leeway, Bounces.apexOf(box, 0.5));
+            trial.measure("apex", error, "of H", 1e-6, 5e-3);
+        }
+    }
+}

@@ -1,0 +1,61 @@
+package rigibo.lab.hardcase;
+
+import java.util.List;
+import java.util.stream.Collectors;
+
+/** A scene that is hard to simulate and whose truth is known. */
+public interface HardCase {
+
+    /** The case's number in the catalogue of hard cases. */
+    String row();
+
+    /** What is true of the scene, as a sentence. */
+    String title();
+
+    /** The fastest preset that the case is counted for. */
+    default Preset fastest() {
+        return Preset.DRAFT;
+    }
+
+    /** Simulates every variant of the case and hands each figure to the trial. */
+    void run(Trial trial);
+
+    /** Runs the case twice, for the second run must end in the same bits. */
+    default Result run(Preset preset) {
+        Trial first = new Trial(preset);
+        run(first);
+        Trial second = new Trial(preset);
+        run(second);
+        first.compare(second);
+        return new Result(this, preset, first.measures(), first.work());
+    }
+
+    /**
+     * What came of a case at a preset.
+     *
+     * @param hardCase the case
+     * @param preset how exactly it was run
+     * @param measures the case's own first, then the invariants
+     * @param work what the first of the two runs cost
+     */
+    record Result(HardCase hardCase, Preset preset, List<Measure> measures, Work work) {
+
+        public boolean passes() {
+            return measures.stream().allMatch(Measure::passes);
+        }
+
+        @Override
+        public String toString() {
+            return hardCase.row()
+                    + " "
+                    + preset
+                    + ": "
+                    + hardCase.title()
+                    + measures.stream()
+                            .map(measure -> "\n  " + measure)
+                            .collect(Collectors.joining())
+                    + "\n  work: "
+                    + work;
+        }
+    }
+}

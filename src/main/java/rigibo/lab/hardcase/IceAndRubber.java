@@ -1,0 +1,82 @@
+package rigibo.lab.hardcase;
+
+import rigibo.backend.RigidBody;
+import rigibo.backend.effect.Thrust;
+import rigibo.backend.geometry.Polygon;
+import rigibo.backend.setup.BodyDefinition;
+
+/**
+ * Truth on a slope of 20°: ice (μ = 0.03) slides with a = g(sin − μ·cos), rubber (μ = 0.9) holds.
+ * Truth for a force F pushing a box of 0.5 × 1.5 at its upper edge: it slides beyond μmg and tips
+ * about its lower edge beyond F·h = mg·w/2, F = mg/6. So 0.1 mg moves it on ice and not on rubber,
+ * and on rubber 0.4 mg makes it tumble.
+ */
+final class IceAndRubber implements HardCase {
+
+    private static final double ICE = 0.03;
+    private static final double RUBBER = 0.9;
+    private static final double ANGLE = Math.toRadians(20);
+    private static final double WIDTH = 0.5;
+    private static final double HEIGHT = 1.5;
+
+    @Override
+    public String row() {
+        return "origin/ice-rubber";
+    }
+
+    @Override
+    public String title() {
+        return "ice lets slide, rubber holds, and with enough force it tumbles";
+    }
+
+    @Override
+    public void run(Trial trial) {
+        trial.variant("slope of ice");
+        double truth = Trial.GRAVITY * (Math.sin(ANGLE) - ICE * Math.cos(ANGLE));
+        double way = wayDown(trial, ICE, 3);
+        trial.measure("way on ice", Math.abs(way / (truth * 9 / 2) - 1), "of truth", 1e-4, 1e-2);
+        trial.variant("slope of rubber");
+        trial.measure("way on rubber", Math.abs(wayDown(trial, RUBBER, 3)), "m", 1e-3);
+        trial.variant("0.1 mg on ice");
+        RigidBody onIce = push(trial, ICE, 0.1);
+        double sliding = (0.1 - ICE) * Trial.GRAVITY * 9 / 2;
+        trial.measure("way pushed", Math.abs(onIce.x() / sliding - 1), "of truth", 1e-4, 1e-2);
+        trial.variant("0.1 mg on rubber");
+        RigidBody held = push(trial, RUBBER, 0.1);
+        trial.measure("moved though held", Math.abs(held.x()), "m", 1e-3);
+        trial.measure("turned though held", Math.abs(held.angle()), "rad", 1e-3);
+        trial.variant("0.4 mg on rubber");
+        RigidBody tumbled = push(trial, RUBBER, 0.4);
+        trial.require("enough force makes it tumble", tumbled.angle() < -1);
+    }
+
+    private static double wayDown(Trial trial, double friction, double seconds) {
+        Slope slope = new Slope(ANGLE);
+        WatchedPool pool = trial.pool(Surroundings.earth());
+        pool.add(slope.plank(Surroundings.matter(friction, 0)));
+        BodyDefinition box =
+                BodyDefinition.dynamic(Polygon.box(1, 1))
+                        .material(Surroundings.matter(friction, 0));
+        RigidBody body = pool.add(slope.place(box, 0.5));
+        double startX = body.x();
+        double startY = body.y();
+        pool.run(seconds);
+        return slope.down(body.x() - startX, body.y() - startY);
+    }
+
+    private static RigidBody push(Trial trial, double friction, double weights) {
+        WatchedPool pool = trial.pool(Surroundings.earth().with(new Thrust()));
+        pool.add(Surroundings.floor(friction, 0));
+        RigidBody box =
+                pool.add(
+                        BodyDefinition.dynamic(Polygon.box(WIDTH, HEIGHT))
+                                .at(0, HEIGHT / 2)
+                                .material(Surroundings.matter(friction, 0)));
+        double force = weights * box.mass() * Trial.GRAVITY;
+        for (int i = 0; i < 180 && box.angle() > -1; i++) {
+            box.applyForce(force, 0, box.x(), box.y() + HEIGHT / 2);
+            pool.step();
+        }
+        return box;
+    }
+}

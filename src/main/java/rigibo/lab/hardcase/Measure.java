@@ -1,0 +1,46 @@
+package rigibo.lab.hardcase;
+
+import java.util.Locale;
+
+/**
+ * One figure of a case: an error or a count, so less is better.
+ *
+ * @param name what was measured
+ * @param figure the worst value seen
+ * @param limit the largest value that passes; infinite where the figure is only reported
+ * @param unit of both
+ * @param where in which variant and step of the case the worst value was seen
+ */
+public record Measure(String name, double figure, double limit, String unit, String where) {
+
+    /** Whether the figure keeps its limit; NaN does not. */
+    public boolean passes() {
+        return figure <= limit;
+    }
+
+    /** The share of the limit that is left, 1 at a figure of 0, negative beyond the limit. */
+    public double margin() {
+        if (limit == Double.POSITIVE_INFINITY || figure == limit) {
+            return limit == figure ? 0 : 1;
+        }
+        return 1 - figure / limit;
+    }
+
+    /** Which of two values of the same measure is worse. */
+    Measure worse(Measure other) {
+        return other.figure > figure || Double.isNaN(other.figure) ? other : this;
+    }
+
+    @Override
+    public String toString() {
+        return String.format(
+                Locale.ROOT,
+                "%-4s %-44s %12.4g of %-10.4g %-7s %s",
+                passes() ? "ok" : "FAIL",
+                name,
+                figure,
+                limit,
+                unit,
+                where);
+    }
+}

@@ -1,0 +1,30 @@
+package rigibo.lab.hardcase;
+
+import rigibo.backend.setup.Accuracy;
+
+/** The named choices of accuracy, from the fastest to the most exact. */
+public enum Preset {
+    DRAFT(Accuracy.DRAFT),
+    GAME(Accuracy.GAME),
+    FINE(Accuracy.FINE),
+    EXACT(Accuracy.EXACT);
+
+    private final Accuracy accuracy;
+
+    Preset(Accuracy accuracy) {
+        this.accuracy = accuracy;
+    }
+
+    public Accuracy accuracy() {
+        return accuracy;
+    }
+
+    /** The limit this preset is held to; DRAFT is held to the invariants of every case only. */
+    double limit(double exact, double game) {
+        return switch (this) {
+            case DRAFT -> Double.POSITIVE_INFINITY;
+            case GAME, FINE -> game;
+            case EXACT -> exact;
+        };
+    }
+}

@@ -1,0 +1,51 @@
+package rigibo.lab.hardcase;
+
+import rigibo.backend.RigidBody;
+import rigibo.backend.geometry.Polygon;
+import rigibo.backend.setup.BodyDefinition;
+
+/**
+ * Truth: from v0 = 10 with μ = ½ a box slides d = v0²/2μg = 10.194 m in t = v0/μg = 2.039 s, and
+ * does not reverse. Where between two steps it stopped follows from its last speed: v/μg later.
+ */
+final class SlideToStop implements HardCase {
+
+    private static final double SPEED = 10;
+    private static final double FRICTION = 0.5;
+    private static final double THICKNESS = 0.25;
+
+    @Override
+    public String row() {
+        return "27";
+    }
+
+    @Override
+    public String title() {
+        return "a sliding box stops where friction says and stays there";
+    }
+
+    @Override
+    public void run(Trial trial) {
+        WatchedPool pool = trial.pool(Surroundings.earth());
+        pool.add(Surroundings.floor(FRICTION, 0));
+        RigidBody box =
+                pool.add(
+                        BodyDefinition.dynamic(Polygon.box(1, THICKNESS))
+                                .at(-5, THICKNESS / 2)
+                                .velocity(SPEED, 0)
+                                .material(Surroundings.matter(FRICTION, 0)));
+        double braking = FRICTION * Trial.GRAVITY;
+        double stop = 0;
+        double reverse = 0;
+        while (pool.time() < 2 * SPEED / braking) {
+            pool.step();
+            double v = box.velocityX();
+            stop = v > braking * Trial.DT ? pool.time() + v / braking : stop;
+            reverse = Math.max(reverse, -v);
+        }
+        double way = SPEED * SPEED / (2 * braking);
+        trial.measure("way", Math.abs((box.x() + 5) / way - 1), "of d", 1e-5, 5e-3);
+        trial.measure("time", Math.abs(stop / (SPEED / braking) - 1), "of t", 1e-5, 5e-3);
+        trial.measure("backwards", reverse, "m/s", 1e-6);
+    }
+}

@@ -1,0 +1,35 @@
+package rigibo.lab.hardcase;
+
+import rigibo.backend.geometry.Polygon;
+import rigibo.backend.setup.BodyDefinition;
+import rigibo.backend.setup.Material;
+
+/**
+ * A fixed plank whose upper face passes through the origin and falls to the right.
+ *
+ * @param angle rad below the horizontal
+ */
+record Slope(double angle) {
+
+    private static final double LENGTH = 400;
+    private static final double THICKNESS = 2;
+
+    BodyDefinition plank(Material material) {
+        double x = -THICKNESS / 2 * Math.sin(angle);
+        double y = -THICKNESS / 2 * Math.cos(angle);
+        return BodyDefinition.fixed(Polygon.box(LENGTH, THICKNESS))
+                .at(x, y)
+                .angle(-angle)
+                .material(material);
+    }
+
+    /** A body lying at the origin, its centre so far from the face. */
+    BodyDefinition place(BodyDefinition body, double above) {
+        return body.at(above * Math.sin(angle), above * Math.cos(angle)).angle(-angle);
+    }
+
+    /** The component of a vector down the slope. */
+    double down(double x, double y) {
+        return x * Math.cos(angle) - y * Math.sin(angle);
+    }
+}

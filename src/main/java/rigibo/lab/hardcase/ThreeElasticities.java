@@ -1,0 +1,69 @@
+package rigibo.lab.hardcase;
+
+import rigibo.backend.RigidBody;
+import rigibo.backend.geometry.Polygon;
+import rigibo.backend.setup.BodyDefinition;
+
+/**
+ * Boxes dropped flat from 2 m. Truth: with e = 1 the box returns to its height for ever, here forty
+ * times; with e = ½ it stops after T = t1(1 + e)/(1 − e); with e = 0 it stays where it lands. The
+ * limit for an apex is that of ten bounces for every ten.
+ */
+final class ThreeElasticities implements HardCase {
+
+    private static final double HEIGHT = 2;
+    private static final int BOUNCES = 40;
+
+    @Override
+    public String row() {
+        return "origin/elasticity";
+    }
+
+    @Override
+    public String title() {
+        return "elasticity 1 never stops, one half stops in the end, 0 stays where it lands";
+    }
+
+    @Override
+    public void run(Trial trial) {
+        trial.variant("e 1");
+        bounceOn(trial);
+        trial.variant("e 0.5");
+        stop(trial, 0.5);
+        trial.variant("e 0");
+        stop(trial, 0);
+    }
+
+    private static RigidBody drop(WatchedPool pool, double e) {
+        pool.add(Surroundings.floor(0.5, e));
+        return pool.add(
+                BodyDefinition.dynamic(Polygon.box(1, 1))
+                        .at(0, 0.5 + HEIGHT)
+                        .material(Surroundings.matter(0.5, e)));
+    }
+
+    private static void bounceOn(Trial trial) {
+        WatchedPool pool = trial.pool(Surroundings.earth());
+        RigidBody box = drop(pool, 1);
+        Bounces truth = new Bounces(HEIGHT, 1);
+        double tens = BOUNCES / 10.0;
+        while (pool.time() < truth.impactTime(BOUNCES)) {
+            pool.step();
+            double error = Math.abs(Bounces.apexOf(box, 0.5) / HEIGHT - 1);
+            trial.measure("apex", error, "of H", 1e-6 * tens, 5e-3 * tens);
+        }
+    }
+
+    private static void stop(Trial trial, double e) {
+        WatchedPool pool = trial.pool(Surroundings.earth());
+        RigidBody box = drop(pool, e);
+        Bounces truth = new Bounces(HEIGHT, e);
+        pool.run(truth.restTime() + 2 * Trial.DT);
+        while (pool.time() < truth.restTime() + 5) {
+            pool.step();
+            double off = Math.abs(Bounces.apexOf(box, 0.5));
+            trial.measure("leaves the floor", off, "m", 2 * Trial.TOLERATED_OVERLAP);
+            trial.measure("moves sideways", Math.abs(box.x()), "m", 1e-6);
+        }
+    }
+}

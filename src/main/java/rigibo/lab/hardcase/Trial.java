@@ -1,0 +1,133 @@
+package rigibo.lab.hardcase;
+
+import rigibo.backend.effect.Effects;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+
+/** One run of a case at one preset: makes its pools and keeps the worst of every figure. */
+public final class Trial {
+
+    /** Acceleration of the Earth's gravity, m/s². */
+    static final double GRAVITY = 9.81;
+
+    /** The game's step, s. */
+    static final double DT = 1.0 / 60;
+
+    /** L: the overlap tolerated at rest, m, for bodies of one metre. */
+    static final double TOLERATED_OVERLAP = 1e-3;
+
+    /** Largest overlap at any time as a share of the smaller body's width. */
+    private static final double MOST_OVERLAP = 0.02;
+
+    /** Momentum that may go astray, as a share of all momentum there is. */
+    private static final double MOST_MOMENTUM_LOST = 1e-9;
+
+    /** A prime, so that the order of hashes counts. */
+    private static final long HASH_FACTOR = 0x100000001b3L;
+
+    private final Preset preset;
+    private final Map<String, Measure> measures = new LinkedHashMap<>();
+    private final Map<String, Measure> invariants = new LinkedHashMap<>();
+    private final Work work = new Work();
+    private String variant = "";
+    private long hash;
+
+    Trial(Preset preset) {
+        this.preset = preset;
+    }
+
+    Preset preset() {
+        return preset;
+    }
+
+    /** Names the variant that is tried from now on, for the figures that fail. */
+    void variant(String words) {
+        variant = words;
+    }
+
+    /** A pool at this trial's preset, watched from now on. */
+    WatchedPool pool(Effects effects) {
+        return new WatchedPool(this, variant, effects);
+    }
+
+    /** Keeps a figure with a limit for EXACT and one for GAME and FINE. */
+    void measure(String name, double figure, String unit, double exact, double game) {
+        keep(measures, name, figure, unit, preset.limit(exact, game), variant);
+    }
+
+    /** Keeps a figure with the same limit for all presets but DRAFT. */
+    void measure(String name, double figure, String unit, double limit) {
+        measure(name, figure, unit, limit, limit);
+    }
+
+    /** Keeps a figure that has no limit. */
+    void report(String name, double figure, String unit) {
+        measure(name, figure, unit, Double.POSITIVE_INFINITY);
+    }
+
+    /** Counts a statement that does not hold; none may fail. */
+    void require(String statement, boolean holds) {
+        measure(statement, holds ? 0 : 1, "broken", 0);
+    }
+
+    /** Counts a statement that holds for every preset, DRAFT included. */
+    void requireAlways(String statement, boolean holds) {
+        keep(invariants, statement, holds ? 0 : 1, "broken", 0, variant);
+    }
+
+    void energyGain(double share, String where) {
+        double limit = preset == Preset.EXACT ? 1e-6 : 1e-3;
+        keep(invariants, "energy gained in a step", share, "of E0", limit, where);
+    }
+
+    void overlap(double share, String where) {
+        keep(invariants, "overlap", share, "width", MOST_OVERLAP, where);
+    }
+
+    void momentumError(double share, String where) {
+        keep(invariants, "momentum lost", share, "of all", MOST_MOMENTUM_LOST, where);
+    }
+
+    void notFinite(int bodies, String where) {
+        keep(invariants, "bodies that are not finite", bodies, "bodies", 0, where);
+    }
+
+    void fold(long stateHash) {
+        hash = hash * HASH_FACTOR + stateHash;
+    }
+
+    void compare(Trial again) {
+        String difference = Long.toHexString(hash) + " and " + Long.toHexString(again.hash);
+        boolean isEqual = hash == again.hash;
+        keep(
+                invariants,
+                "hashes of two runs that differ",
+                isEqual ? 0 : 1,
+                "hashes",
+                0,
+                isEqual ? "" : difference);
+    }
+
+    List<Measure> measures() {
+        List<Measure> all = new ArrayList<>(measures.values());
+        all.addAll(invariants.values());
+        return all;
+    }
+
+    Work work() {
+        return work;
+    }
+
+    private static void keep(
+            Map<String, Measure> kept,
+            String name,
+            double figure,
+            String unit,
+            double limit,
+            String where) {
+        kept.merge(name, new Measure(name, figure, limit, unit, where), Measure::worse);
+    }
+}

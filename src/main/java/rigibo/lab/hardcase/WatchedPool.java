@@ -1,0 +1,137 @@
+package rigibo.lab.hardcase;
+
+import rigibo.backend.ContactEvent;
+import rigibo.backend.Pool;
+import rigibo.backend.RigidBody;
+import rigibo.backend.StepReport;
+import rigibo.backend.effect.Drag;
+import rigibo.backend.effect.Effects;
+import rigibo.backend.effect.Gravity;
+import rigibo.backend.effect.Thrust;
+import rigibo.backend.setup.BodyDefinition;
+import rigibo.backend.setup.BodyType;
+
+/** A pool whose every step is held to what is true in every case. */
+final class WatchedPool {
+
+    /** Bodies up to which the state is hashed after every step. */
+    private static final int FEW = 8;
+
+    /** Steps between two hashes of a pool of many bodies. */
+    private static final int STEPS_PER_HASH = 16;
+
+    private final Trial trial;
+    private final String variant;
+    private final Pool pool;
+    private final Gravity gravity;
+    private final Balance balance;
+    private final Overlap overlap = new Overlap();
+    private boolean isEnergyKept;
+    private boolean isMomentumKept;
+    private boolean mayOverlap;
+    private double deepestShare;
+    private int steps;
+
+    WatchedPool(Trial trial, String variant, Effects effects) {
+        this.trial = trial;
+        this.variant = variant;
+        pool = new Pool(effects, trial.preset().accuracy());
+        gravity = effects.find(Gravity.class).orElse(new Gravity(0, 0));
+        balance = new Balance(gravity);
+        isEnergyKept = !effects.declares(Thrust.class);
+        isMomentumKept = isEnergyKept && !effects.declares(Drag.class);
+    }
+
+    RigidBody add(BodyDefinition definition) {
+        isMomentumKept &= definition.type() == BodyType.DYNAMIC && definition.gravityScale() == 1;
+        isEnergyKept &= definition.type() != BodyType.KINEMATIC && definition.gravityScale() == 1;
+        balance.restart();
+        return pool.add(definition);
+    }
+
+    /** For scenes that begin in overlap or are crushed: how deep is not judged at every step. */
+    WatchedPool allowingOverlap() {
+        mayOverlap = true;
+        isEnergyKept = false;
+        return this;
+    }
+
+    /** After something was changed from outside, the books begin anew. */
+    void changed() {
+        balance.restart();
+    }
+
+    void remove(RigidBody body) {
+        pool.remove(body);
+        changed();
+    }
+
+    StepReport step() {
+        return step(Trial.DT);
+    }
+
+    StepReport step(double dt) {
+        balance.begin(pool.bodies());
+        StepReport report = pool.step(dt);
+        steps++;
+        trial.work().add(report);
+        watch(dt);
+        if (pool.bodies().size() <= FEW || steps % STEPS_PER_HASH == 0) {
+            trial.fold(pool.stateHash());
+        }
+        return report;
+    }
+
+    /** Steps of the game's length until so much time has passed. */
+    void run(double seconds) {
+        long count = Math.round(seconds / Trial.DT);
+        for (long i = 0; i < count; i++) {
+            step();
+        }
+    }
+
+    Pool pool() {
+        return pool;
+    }
+
+    double time() {
+        return pool.time();
+    }
+
+    /** Deepest overlap now as a share of the smaller body's width, by our own measure. */
+    double overlapNow() {
+        return overlap.deepestShare(pool.bodies());
+    }
+
+    /** Deepest overlap seen at any step, as a share of the smaller body's width. */
+    double deepestShare() {
+        return deepestShare;
+    }
+
+    /** Normal impulse between two bodies in the last step, N·s. */
+    double impulseBetween(RigidBody one, RigidBody other) {
+        double sum = 0;
+        for (ContactEvent event : pool.contactEvents()) {
+            boolean isPair =
+                    event.a() == one && event.b() == other
+                            || event.a() == other && event.b() == one;
+            sum += isPair ? event.impulse() : 0;
+        }
+        return sum;
+    }
+
+    private void watch(double dt) {
+        String where = variant + " step " + steps;
+        trial.notFinite(balance.end(pool.bodies(), dt), where);
+        if (isEnergyKept) {
+            trial.energyGain(balance.energyGainShare(), where);
+        }
+        if (isMomentumKept) {
+            trial.momentumError(balance.momentumErrorShare(), where);
+        }
+        deepestShare = Math.max(deepestShare, overlapNow());
+        if (!mayOverlap) {
+            trial.overlap(deepestShare, where);
+        }
+    }
+}

@@ -1,0 +1,72 @@
+package rigibo.lab.hardcase;
+
+import rigibo.backend.RigidBody;
+import rigibo.backend.geometry.Circle;
+import rigibo.backend.geometry.Polygon;
+import rigibo.backend.setup.BodyDefinition;
+
+/**
+ * Truth: a smooth disc between two faces, each at the angle a from the vertical, is held by N =
+ * mg/(2 sin a) at each: 5.74 mg at 5°, 14.3 mg at 2°.
+ */
+final class Wedge implements HardCase {
+
+    private static final double RADIUS = 0.5;
+    private static final double LENGTH = 40;
+    private static final int STEPS_WEIGHED = 60;
+
+    @Override
+    public String row() {
+        return "32";
+    }
+
+    @Override
+    public String title() {
+        return "a disc in a narrow wedge presses both faces as statics says";
+    }
+
+    @Override
+    public void run(Trial trial) {
+        for (double degrees : new double[] {30, 5, 2}) {
+            trial.variant("half-angle " + degrees + "°");
+            hold(trial, Math.toRadians(degrees));
+        }
+    }
+
+    private static void hold(Trial trial, double a) {
+        WatchedPool pool = trial.pool(Surroundings.earth());
+        RigidBody right = pool.add(face(a, 1));
+        RigidBody left = pool.add(face(a, -1));
+        RigidBody disc =
+                pool.add(
+                        BodyDefinition.dynamic(new Circle(RADIUS))
+                                .at(0, RADIUS / Math.sin(a))
+                                .material(Surroundings.matter(0, 0)));
+        pool.run(2);
+        double onRight = 0;
+        double onLeft = 0;
+        for (int i = 0; i < STEPS_WEIGHED; i++) {
+            pool.step();
+            onRight += pool.impulseBetween(disc, right);
+            onLeft += pool.impulseBetween(disc, left);
+        }
+        double weight = disc.mass() * Trial.GRAVITY * Trial.DT * STEPS_WEIGHED;
+        double truth = weight / (2 * Math.sin(a));
+        trial.measure("force, right", Math.abs(onRight / truth - 1), "of N", 1e-4, 2e-2);
+        trial.measure("force, left", Math.abs(onLeft / truth - 1), "of N", 1e-4, 2e-2);
+        double limit = 2 * Trial.TOLERATED_OVERLAP;
+        trial.measure("overlap at rest", pool.overlapNow(), "width", limit);
+    }
+
+    /** A plank whose inner face starts at the origin and leans to one side. */
+    private static BodyDefinition face(double a, int side) {
+        double alongX = side * Math.sin(a);
+        double alongY = Math.cos(a);
+        double outX = side * Math.cos(a);
+        double outY = -Math.sin(a);
+        return BodyDefinition.fixed(Polygon.box(LENGTH, 2))
+                .at(alongX * LENGTH / 2 + outX, alongY * LENGTH / 2 + outY)
+                .angle(Math.atan2(alongY, alongX))
+                .material(Surroundings.matter(0, 0));
+    }
+}

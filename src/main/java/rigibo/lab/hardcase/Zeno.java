@@ -1,0 +1,71 @@
+package rigibo.lab.hardcase;
+
+import rigibo.backend.RigidBody;
+import rigibo.backend.geometry.Circle;
+import rigibo.backend.setup.BodyDefinition;
+
+/**
+ * Truth: infinitely many bounces are over at T = t1(1 + e)/(1 − e), 5.747 s for H = 2 and e = 0.8.
+ * Steps show only in which of them the ball came to rest; the error counted is the distance of T
+ * from that step, and 25 phases of T within a step make it an error in time.
+ */
+final class Zeno implements HardCase {
+
+    private static final double RADIUS = 0.25;
+    private static final double HEIGHT = 2;
+    private static final int PHASES = 25;
+
+    /** A rebound of 0.1 mm/s, with e = 0.8, leaves 0.1 ms of bounces: no motion to speak of. */
+    private static final double NO_SPEED = 1e-4;
+
+    @Override
+    public String row() {
+        return "49";
+    }
+
+    @Override
+    public String title() {
+        return "a bouncing ball comes to rest after infinitely many bounces, in time";
+    }
+
+    @Override
+    public void run(Trial trial) {
+        for (double e : new double[] {0.8, 0.5}) {
+            for (double vx : new double[] {0, 1}) {
+                for (int phase = 0; phase < PHASES; phase++) {
+                    trial.variant("e " + e + ", vx " + vx + ", phase " + phase);
+                    bounce(trial, e, vx, phase);
+                }
+            }
+        }
+    }
+
+    private static void bounce(Trial trial, double e, double vx, int phase) {
+        double stretch = (1 + e) / (1 - e);
+        double fall = Math.sqrt(2 * HEIGHT / Trial.GRAVITY) + phase * Trial.DT / PHASES / stretch;
+        Bounces truth = new Bounces(Bounces.heightOfFall(fall), e);
+        WatchedPool pool = trial.pool(Surroundings.earth());
+        pool.add(Surroundings.floor(0, e));
+        RigidBody ball =
+                pool.add(
+                        BodyDefinition.dynamic(new Circle(RADIUS))
+                                .at(0, RADIUS + Bounces.heightOfFall(fall))
+                                .velocity(vx, 0)
+                                .material(Surroundings.matter(0, e)));
+        double lastMotion = 0;
+        while (pool.time() < truth.restTime() + 1) {
+            int impacts = pool.step().impacts();
+            int most = trial.preset().accuracy().maxImpactsPerPair();
+            trial.measure("impacts of a step beyond K", impacts - most, "impacts", 0);
+            if (Math.abs(ball.velocityY()) > NO_SPEED) {
+                lastMotion = pool.time();
+            }
+        }
+        double early = truth.restTime() - (lastMotion + Trial.DT);
+        double late = lastMotion - truth.restTime();
+        trial.measure("time of rest", Math.max(0, Math.max(early, late)), "s", 1e-3, 20e-3);
+        trial.measure("sideways speed", Math.abs(ball.velocityX() - vx), "m/s", 1e-9);
+        double off = Math.abs(ball.y() - RADIUS);
+        trial.measure("height at rest", off, "m", 2 * Trial.TOLERATED_OVERLAP * 2 * RADIUS);
+    }
+}
