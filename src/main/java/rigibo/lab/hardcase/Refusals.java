@@ -99,9 +99,6 @@ final class Refusals {
         attempts.put("inertia NaN", b -> box.inertia(NAN));
         attempts.put("gravityScale NaN", b -> box.gravityScale(NAN));
         attempts.put("velocity of a static body", b -> floor.velocity(1, 0));
-        attempts.put(
-                "mass that overflows",
-                b -> pool.add(box.material(new Material(1e308, 0, 0)).mass(Double.MIN_VALUE)));
     }
 
     private void effectsAndAccuracy() {
