@@ -22,7 +22,7 @@ final class DirectSolver {
     private static final int MOST_TRIES = 6;
 
     /** Compliance added to the diagonal, relative: decides where rows say the same twice. */
-    private static final double COMPLIANCE = 1e-9;
+    private static final double COMPLIANCE = 1e-10;
 
     private static final int ROWS_PER_CONTACT = 3;
     private static final int TANGENT = 2;

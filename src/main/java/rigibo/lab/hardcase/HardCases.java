@@ -1,31 +1,27 @@
 package rigibo.lab.hardcase;
 
 import java.util.List;
+import java.util.stream.Stream;
 
 /** Every hard case there is. To add one, write its class and its line here. */
 public final class HardCases {
 
-    private static final List<HardCase> ALL =
+    private static final List<HardCase> HELD =
             List.of(
                     new FreeFlight(),
                     new LinearDrag(),
                     new ThrustAndTorque(),
-                    new OrderOfBodies(),
                     new BallDrop(),
                     new HeadOn(),
                     new OffCentre(),
                     new ObliqueDisc(),
                     new RodEnd(),
                     new FlatLanding(),
-                    new CornerOnCorner(),
                     new SlowBall(),
                     new OneBox(),
                     new Stack(10),
                     new Stack(20),
                     new Stack(50),
-                    new Pyramid("21/large", 10, 1),
-                    new Pyramid("21/tiny", 30, 0.05),
-                    new DiscColumn(),
                     new UnevenFloor(),
                     new ElasticRest(),
                     new SlopeSweep(),
@@ -33,23 +29,15 @@ public final class HardCases {
                     new Wedge(),
                     new RollingDown(),
                     new RollingToStop(),
-                    new ManyCornered(),
                     new Bullets(),
                     new Billiard(),
                     new TurningRod(),
-                    new SkinnyBox(),
                     new BulletsMeet(),
                     new Grazing(),
-                    new ButtedBoxes(),
                     new Zeno(),
                     new Cradle(),
-                    new Bernoulli(),
-                    new Rack(),
-                    new HeavyOnLight(),
-                    new BornInOverlap(),
                     new DegenerateInput(),
                     new FarAway(),
-                    new Dominoes(),
                     new Crush(),
                     new DeletedSupport(),
                     new HalfOnAnEdge(),
@@ -57,10 +45,36 @@ public final class HardCases {
                     new IceAndRubber(),
                     new ThreeElasticities());
 
+    private static final List<HardCase> OPEN =
+            List.of(
+                    new OrderOfBodies(),
+                    new CornerOnCorner(),
+                    new Pyramid("21/large", 10, 1),
+                    new Pyramid("21/tiny", 30, 0.05),
+                    new DiscColumn(),
+                    new ManyCornered(),
+                    new SkinnyBox(),
+                    new ButtedBoxes(),
+                    new Bernoulli(),
+                    new Rack(),
+                    new HeavyOnLight(),
+                    new BornInOverlap(),
+                    new Dominoes());
+
     private HardCases() {}
 
-    /** All cases in the order of the catalogue. */
+    /** Cases whose every figure is within its limit at GAME and at EXACT; tests hold them there. */
+    public static List<HardCase> held() {
+        return HELD;
+    }
+
+    /** Cases whose truth is defined and not yet reached in every figure. */
+    public static List<HardCase> open() {
+        return OPEN;
+    }
+
+    /** All cases. */
     public static List<HardCase> all() {
-        return ALL;
+        return Stream.concat(HELD.stream(), OPEN.stream()).toList();
     }
 }
