@@ -1,0 +1,271 @@
+package rigibo;
+
+import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAPackage;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.classes;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
+import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.tngtech.archunit.base.DescribedPredicate;
+import com.tngtech.archunit.core.domain.JavaClass;
+import com.tngtech.archunit.core.domain.JavaClasses;
+import com.tngtech.archunit.core.domain.JavaMethodCall;
+import com.tngtech.archunit.core.importer.ClassFileImporter;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+
+/** The arrows between the rooms run one way. */
+class ArchitectureTest {
+
+    /** Of the directory or archive that {@code Main} is in, which leaves tests and examples out. */
+    private static final JavaClasses CLASSES =
+            new ClassFileImporter()
+                    .importUrl(Main.class.getProtectionDomain().getCodeSource().getLocation());
+
+    private static final String BACKEND = "rigibo.backend";
+    private static final String FRONTEND = "rigibo.frontend";
+
+    /** What the engine shows of itself; only these rooms are seen from outside it. */
+    private static final String[] PUBLIC_FACE = {
+        BACKEND, BACKEND + ".geometry", BACKEND + ".setup", BACKEND + ".effect"
+    };
+
+    /** Mathematics whose last bit a JVM may choose; {@code StrictMath} and our own are exact. */
+    private static final Set<String> LOOSE_MATHEMATICS =
+            Set.of(
+                    "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sinh", "cosh", "tanh",
+                    "exp", "expm1", "log", "log10", "log1p", "pow", "cbrt", "hypot", "random");
+
+    private static final Set<String> CLOCKS = Set.of("nanoTime", "currentTimeMillis");
+
+    /** A room and the rooms it may use, besides itself. */
+    private record Room(String name, String... uses) {
+        @Override
+        public String toString() {
+            return name;
+        }
+    }
+
+    static Stream<Room> backendRooms() {
+        String[][] fromLeftToRight = {
+            {"geometry"},
+            {"setup"},
+            {"effect"},
+            {"storage"},
+            {"force", "broadphase", "collision"},
+            {"impact"},
+            {"flight", "contact", "rest"},
+            {"step"}
+        };
+        Stream.Builder<Room> rooms = Stream.builder();
+        String[] left = {};
+        for (String[] siblings : fromLeftToRight) {
+            for (String name : siblings) {
+                rooms.add(new Room(BACKEND + "." + name, left));
+            }
+            String[] names =
+                    Arrays.stream(siblings)
+                            .map(name -> BACKEND + "." + name)
+                            .toArray(String[]::new);
+            left = plus(left, names);
+        }
+        return rooms.add(new Room(BACKEND, left)).build();
+    }
+
+    static Stream<Room> otherRooms() {
+        String scene = FRONTEND + ".scene";
+        String[] withScene = plus(PUBLIC_FACE, scene);
+        String[] scenes = {
+            FRONTEND + ".menu", FRONTEND + ".demo", FRONTEND + ".puzzle", FRONTEND + ".laboratory"
+        };
+        Stream<Room> sceneRooms = Arrays.stream(scenes).map(name -> new Room(name, withScene));
+        String draw = FRONTEND + ".draw";
+        String sound = FRONTEND + ".sound";
+        return Stream.concat(
+                sceneRooms,
+                Stream.of(
+                        new Room(scene, PUBLIC_FACE),
+                        new Room(draw, withScene),
+                        new Room(sound, withScene),
+                        new Room(FRONTEND + ".display", plus(withScene, draw, sound)),
+                        new Room(FRONTEND + ".catalog", plus(withScene, scenes)),
+                        new Room("rigibo.lab", PUBLIC_FACE)));
+    }
+
+    private static String[] plus(String[] some, String... more) {
+        return Stream.concat(Arrays.stream(some), Arrays.stream(more)).toArray(String[]::new);
+    }
+
+    @ParameterizedTest
+    @MethodSource({"backendRooms", "otherRooms"})
+    void roomUsesOnlyRoomsToItsLeft(Room room) {
+        Set<String> allowed = Arrays.stream(room.uses()).collect(Collectors.toSet());
+        classes()
+                .that(areIn(room.name()))
+                .should()
+                .onlyDependOnClassesThat(
+                        DescribedPredicate.describe(
+                                "are in " + room + " or to its left " + allowed,
+                                other ->
+                                        !other.getPackageName().startsWith("rigibo")
+                                                || roomOf(other).equals(room.name())
+                                                || allowed.contains(roomOf(other))))
+                .allowEmptyShould(true)
+                .check(CLASSES);
+    }
+
+    @Test
+    void everyPackageIsOfARoom() {
+        Set<String> rooms =
+                Stream.concat(backendRooms(), otherRooms())
+                        .map(Room::name)
+                        .collect(Collectors.toSet());
+        assertThat(CLASSES)
+                .isNotEmpty()
+                .allSatisfy(
+                        type ->
+                                assertThat(
+                                                roomOf(type).equals("rigibo")
+                                                        || rooms.contains(roomOf(type)))
+                                        .as("%s is in none of the rooms %s", type.getName(), rooms)
+                                        .isTrue());
+    }
+
+    /** The room is the second word after {@code rigibo}, or the first where there is none. */
+    private static String roomOf(JavaClass type) {
+        String[] words = type.getBaseComponentType().getPackageName().split("\\.");
+        boolean hasInnerRooms =
+                words.length > 2 && (words[1].equals("backend") || words[1].equals("frontend"));
+        int length = Math.min(words.length, hasInnerRooms ? 3 : 2);
+        return String.join(".", Arrays.copyOf(words, length));
+    }
+
+    private static DescribedPredicate<JavaClass> areIn(String room) {
+        return DescribedPredicate.describe("are in " + room, type -> roomOf(type).equals(room));
+    }
+
+    @Test
+    void packagesHaveNoCycles() {
+        slices().matching("rigibo.(**)").should().beFreeOfCycles().check(CLASSES);
+    }
+
+    @Test
+    void engineStandsOnItselfAndTheCoreOfJavaAlone() {
+        classes()
+                .that()
+                .resideInAPackage("rigibo.backend..")
+                .should()
+                .onlyDependOnClassesThat(
+                        resideInAPackage("rigibo.backend..")
+                                .or(resideInAPackage("java.lang"))
+                                .or(resideInAPackage("java.lang.invoke"))
+                                .or(resideInAPackage("java.lang.runtime"))
+                                .or(resideInAPackage("java.util"))
+                                .or(resideInAPackage("java.util.function"))
+                                .or(resideInAPackage("java.util.stream"))
+                                .or(isPrimitive()))
+                .check(CLASSES);
+    }
+
+    private static DescribedPredicate<JavaClass> isPrimitive() {
+        return DescribedPredicate.describe(
+                "are primitive", type -> type.getBaseComponentType().isPrimitive());
+    }
+
+    @Test
+    void engineKnowsNoChanceAndNoTime() {
+        List<String> names =
+                List.of(
+                        "java.util.Random",
+                        "java.util.SplittableRandom",
+                        "java.util.UUID",
+                        "java.util.Date",
+                        "java.util.Timer",
+                        "java.util.Calendar",
+                        "java.lang.Thread",
+                        "java.lang.Process");
+        noClasses()
+                .that()
+                .resideInAPackage("rigibo.backend..")
+                .should()
+                .dependOnClassesThat(
+                        DescribedPredicate.describe(
+                                "are chance or time", type -> names.contains(type.getName())))
+                .orShould()
+                .callMethodWhere(
+                        DescribedPredicate.<JavaMethodCall>describe(
+                                "asks a clock",
+                                call ->
+                                        call.getTargetOwner().getName().equals("java.lang.System")
+                                                && CLOCKS.contains(call.getName())))
+                .check(CLASSES);
+    }
+
+    @Test
+    void engineComputesTheSameBitsEverywhere() {
+        noClasses()
+                .that()
+                .resideInAPackage("rigibo.backend..")
+                .should()
+                .callMethodWhere(
+                        DescribedPredicate.<JavaMethodCall>describe(
+                                "calls Math where the last bit is free",
+                                call ->
+                                        call.getTargetOwner().getName().equals("java.lang.Math")
+                                                && LOOSE_MATHEMATICS.contains(call.getName())))
+                .check(CLASSES);
+    }
+
+    @Test
+    void onlyDrawSoundAndDisplaySeeTheLibraryOfWindows() {
+        noClasses()
+                .that()
+                .resideOutsideOfPackages(
+                        FRONTEND + ".draw..", FRONTEND + ".sound..", FRONTEND + ".display..")
+                .should()
+                .dependOnClassesThat()
+                .resideInAPackage("org.lwjgl..")
+                .check(CLASSES);
+    }
+
+    @Test
+    void onlyPlotsUseAwt() {
+        noClasses()
+                .that()
+                .resideOutsideOfPackage("rigibo.lab.plot..")
+                .should()
+                .dependOnClassesThat()
+                .resideInAnyPackage("java.awt..", "javax.swing..", "org.knowm.xchart..")
+                .check(CLASSES);
+    }
+
+    @Test
+    void everyPackageSaysWhatItIsFor() throws IOException {
+        Path sources = Path.of(System.getProperty("rigibo.home", ""), "src", "main", "java");
+        try (Stream<Path> files = Files.walk(sources)) {
+            List<Path> packages =
+                    files.filter(file -> file.toString().endsWith(".java"))
+                            .map(Path::getParent)
+                            .distinct()
+                            .collect(Collectors.toList());
+            assertThat(packages).isNotEmpty();
+            for (Path directory : packages) {
+                Path words = directory.resolve("package-info.java");
+                assertThat(words).exists();
+                assertThat(Files.readString(words)).as("%s", words).contains("/**");
+            }
+        }
+    }
+}

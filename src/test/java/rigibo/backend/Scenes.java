@@ -1,0 +1,137 @@
+package rigibo.backend;
+
+import rigibo.backend.effect.Contacts;
+import rigibo.backend.effect.ContinuousImpacts;
+import rigibo.backend.effect.Effects;
+import rigibo.backend.effect.Friction;
+import rigibo.backend.effect.Gravity;
+import rigibo.backend.effect.Restitution;
+import rigibo.backend.effect.Rotation;
+import rigibo.backend.geometry.Circle;
+import rigibo.backend.geometry.Polygon;
+import rigibo.backend.setup.Accuracy;
+import rigibo.backend.setup.BodyDefinition;
+import rigibo.backend.setup.Material;
+
+import java.util.Random;
+
+/** Scenes that several tests of the engine run. */
+enum Scenes {
+    /** Ten boxes on each other, sleep off. */
+    STACK {
+        @Override
+        Pool build() {
+            Pool pool = restless();
+            addFloor(pool);
+            for (int i = 0; i < 10; i++) {
+                pool.add(BodyDefinition.dynamic(Polygon.box(1, 1)).at(0, i + 0.5));
+            }
+            return pool;
+        }
+    },
+    /** Three hundred discs poured into a tray, sleep off. */
+    FLOOD {
+        @Override
+        Pool build() {
+            Pool pool = restless();
+            addTray(pool);
+            Random random = new Random(SEED);
+            for (int i = 0; i < 300; i++) {
+                pool.add(
+                        BodyDefinition.dynamic(new Circle(0.2 + 0.1 * random.nextDouble()))
+                                .at(i % 15 - 7, 1 + i / 15)
+                                .material(new Material(1, 0.3, 0.2)));
+            }
+            return pool;
+        }
+    },
+    /** Balls that bounce in a tray without loss. */
+    ELASTIC_BALLS {
+        @Override
+        Pool build() {
+            Pool pool = restless();
+            addTray(pool);
+            for (int i = 0; i < 12; i++) {
+                pool.add(
+                        BodyDefinition.dynamic(new Circle(0.3))
+                                .at(i - 5.5, 3 + 0.37 * i)
+                                .material(new Material(1, 0, 1)));
+            }
+            return pool;
+        }
+    },
+    /** Boxes, polygons and discs in a heap that falls asleep. */
+    SLEEPERS {
+        @Override
+        Pool build() {
+            Pool pool = new Pool();
+            addTray(pool);
+            addMixture(pool, 30);
+            return pool;
+        }
+    },
+    /** The same without sleep, tumbling. */
+    MIXTURE {
+        @Override
+        Pool build() {
+            Pool pool = restless();
+            addTray(pool);
+            addMixture(pool, 60);
+            return pool;
+        }
+    };
+
+    static final double DT = 1.0 / 60;
+    static final long SEED = 2;
+
+    abstract Pool build();
+
+    /** Everything usual but sleep. */
+    static Effects usualWithoutSleep() {
+        return Effects.of(
+                new Gravity(0, -9.81),
+                new Contacts(),
+                new Rotation(),
+                new Friction(),
+                new Restitution(),
+                new ContinuousImpacts());
+    }
+
+    static Pool restless() {
+        return new Pool(usualWithoutSleep(), Accuracy.GAME);
+    }
+
+    static RigidBody addFloor(Pool pool) {
+        return pool.add(BodyDefinition.fixed(Polygon.box(40, 1)).at(0, -0.5).name("floor"));
+    }
+
+    static void addTray(Pool pool) {
+        addFloor(pool);
+        Material smooth = new Material(1, 0.3, 0.2);
+        pool.add(BodyDefinition.fixed(Polygon.box(1, 40)).at(-9, 20).material(smooth));
+        pool.add(BodyDefinition.fixed(Polygon.box(1, 40)).at(9, 20).material(smooth));
+    }
+
+    static void addMixture(Pool pool, int count) {
+        Random random = new Random(SEED);
+        for (int i = 0; i < count; i++) {
+            BodyDefinition pattern =
+                    switch (i % 3) {
+                        case 0 -> BodyDefinition.dynamic(Polygon.box(0.8, 0.5));
+                        case 1 -> BodyDefinition.dynamic(Polygon.regular(5, 0.4));
+                        default -> BodyDefinition.dynamic(new Circle(0.35));
+                    };
+            pool.add(
+                    pattern.at(1.6 * (i % 9) - 6.4, 1 + 1.2 * (i / 9))
+                            .angle(6 * random.nextDouble())
+                            .velocity(random.nextDouble() - 0.5, 0)
+                            .material(new Material(1, 0.5, 0.3)));
+        }
+    }
+
+    static void run(Pool pool, int steps) {
+        for (int i = 0; i < steps; i++) {
+            pool.step(DT);
+        }
+    }
+}
