@@ -81,7 +81,9 @@ final class FaceClip {
         double facingAfter =
                 turnedX * other.normalX(found.corner) + turnedY * other.normalY(found.corner);
         double facingBefore = turnedX * other.normalX(before) + turnedY * other.normalY(before);
-        isLowNearest = facingBefore < facingAfter;
+        isLowNearest =
+                facingBefore < facingAfter
+                        || facingBefore == facingAfter && isBeforeLower(corners, found.corner);
         edge = isLowNearest ? before : found.corner;
         edgeEnd = corners.after(edge);
         highX = corners.x[edge];
@@ -93,6 +95,14 @@ final class FaceClip {
         lowFromEnd = -alongFace(lowX - endX, lowY - endY);
         highFromEnd = -alongFace(highX - endX, highY - endY);
         isBetweenCorners = findCorners();
+    }
+
+    /** On its corner at 45° either edge faces as much: the one that stays nearer mirrors well. */
+    private boolean isBeforeLower(CornersInFrame corners, int corner) {
+        int before = corners.before(corner);
+        int after = corners.after(corner);
+        return height(corners.x[before], corners.y[before])
+                < height(corners.x[after], corners.y[after]);
     }
 
     private double alongFace(double x, double y) {

@@ -55,12 +55,16 @@ public final class PointAndRay {
         return fraction;
     }
 
-    /** The smaller root of |p + t·d|² = r². */
+    /**
+     * The smaller root of |p + t·d|² = r². The discriminant is written with p × d, how far the ray
+     * passes the centre: (p·d)² − d²(p² − r²) would lose a small disc far from the ray's start.
+     */
     private double entersDisc(double radius, double x, double y, double dx, double dy) {
         double a = dx * dx + dy * dy;
         double b = x * dx + y * dy;
         double c = x * x + y * y - radius * radius;
-        double discriminant = b * b - a * c;
+        double beside = x * dy - y * dx;
+        double discriminant = a * radius * radius - beside * beside;
         if (c < 0 || b >= 0 || discriminant < 0) {
             return MISS;
         }

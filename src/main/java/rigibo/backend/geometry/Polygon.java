@@ -11,6 +11,12 @@ public final class Polygon implements Shape {
     /** Most corners of a polygon: enough for a wheel that rolls within 2 % of a disc. */
     public static final int MAX_CORNERS = 256;
 
+    /**
+     * Offset of the centroid, per size of the coordinates, that is round-off of the sums: corners
+     * given about the centroid stay as they are, so that a box is its own mirror image to the bit.
+     */
+    private static final double CENTROID_ROUNDING = 1e-15;
+
     private final double[] cornerX;
     private final double[] cornerY;
     private final double[] normalX;
@@ -27,9 +33,11 @@ public final class Polygon implements Shape {
         cornerY = new double[count];
         normalX = new double[count];
         normalY = new double[count];
+        double shiftX = offset(xy, 0, plate.centroidX());
+        double shiftY = offset(xy, 1, plate.centroidY());
         for (int i = 0; i < count; i++) {
-            cornerX[i] = xy[2 * i] - plate.centroidX();
-            cornerY[i] = xy[2 * i + 1] - plate.centroidY();
+            cornerX[i] = xy[2 * i] - shiftX;
+            cornerY[i] = xy[2 * i + 1] - shiftY;
         }
         area = plate.mass();
         inertiaPerDensity = plate.inertia();
@@ -170,6 +178,17 @@ public final class Polygon implements Shape {
             throw new IllegalArgumentException(
                     what + " must be positive and finite (m), was " + metres);
         }
+    }
+
+    /**
+     * What to take off the coordinates of one axis: the centroid's, or 0 where that is round-off.
+     */
+    private static double offset(double[] xy, int axis, double centroid) {
+        double size = 0;
+        for (int i = axis; i < xy.length; i += 2) {
+            size = Math.max(size, Math.abs(xy[i]));
+        }
+        return Math.abs(centroid) > CENTROID_ROUNDING * size ? centroid : 0;
     }
 
     private void writeNormal(int i, int next) {

@@ -1,0 +1,93 @@
+package rigibo.backend.collision;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import static rigibo.backend.collision.Meeting.pose;
+import static rigibo.backend.collision.Motions.between;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+import rigibo.backend.geometry.Circle;
+import rigibo.backend.geometry.Polygon;
+
+import java.util.Random;
+
+class DistanceTest {
+
+    private static final double ROUND_OFF = 1e-14;
+
+    private final Distance distance = new Distance();
+
+    /** Corner (½, ½) to a disc's centre on a 3-4-5 triangle. */
+    @Test
+    void witnessPointsLieOnBothOutlines() {
+        double gap =
+                distance.measure(
+                        Polygon.box(1, 1), pose(0, 0, 0), new Circle(0.25), pose(0.8, 0.9, 0));
+
+        assertThat(gap).isEqualTo(0.25, within(ROUND_OFF));
+        assertThat(distance.pointAX).isEqualTo(0.5, within(ROUND_OFF));
+        assertThat(distance.pointAY).isEqualTo(0.5, within(ROUND_OFF));
+        assertThat(distance.pointBX).isEqualTo(0.8 - 0.6 * 0.25, within(ROUND_OFF));
+        assertThat(distance.pointBY).isEqualTo(0.9 - 0.8 * 0.25, within(ROUND_OFF));
+    }
+
+    /** However near parallel two faces are, and whichever comes first: no bias. */
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2})
+    void distanceIsExactWhereFacesAreNearlyParallel(long seed) {
+        Random random = new Random(seed);
+        Polygon box = Polygon.box(1, 1);
+        for (int i = 0; i < 5000; i++) {
+            Pose low = pose(0, 0, 0);
+            double tilt = between(random, -2e-4, 2e-4);
+            Pose high = pose(between(random, -1.5, 1.5), between(random, 1.0002, 1.001), tilt);
+            double truth = Outline.gap(new Outline(box, low), new Outline(box, high));
+
+            assertThat(distance.measure(box, low, box, high))
+                    .as("seed %s, pair %s", seed, i)
+                    .isEqualTo(truth, within(ROUND_OFF));
+            assertThat(distance.measure(box, high, box, low))
+                    .as("seed %s, pair %s", seed, i)
+                    .isEqualTo(truth, within(ROUND_OFF));
+        }
+    }
+
+    /** Hundreds of short edges, where walking from corner to corner must not stop too soon. */
+    @ParameterizedTest
+    @ValueSource(longs = {3, 4})
+    void distanceOfManySidedPolygonsIsExact(long seed) {
+        Random random = new Random(seed);
+        for (int i = 0; i < 200; i++) {
+            Polygon a = Polygon.regular(3 + random.nextInt(254), between(random, 0.1, 1));
+            Polygon b = Polygon.regular(3 + random.nextInt(254), between(random, 0.1, 1));
+            Pose poseA = pose(0, 0, between(random, 0, 7));
+            Pose poseB = pose(between(random, -2, 2), between(random, -2, 2), i);
+            double truth = Outline.gap(new Outline(a, poseA), new Outline(b, poseB));
+
+            assertThat(distance.measure(a, poseA, b, poseB))
+                    .as("seed %s, pair %s", seed, i)
+                    .isEqualTo(truth, within(ROUND_OFF));
+        }
+    }
+
+    /** A sliver of 1:10⁴ against another, in any position. */
+    @Test
+    void sliversAreMeasuredAsExactly() {
+        long seed = 5;
+        Random random = new Random(seed);
+        Polygon sliver = Polygon.box(2, 2e-4);
+        for (int i = 0; i < 5000; i++) {
+            Pose poseA = pose(0, 0, between(random, 0, 7));
+            Pose poseB = pose(between(random, -1, 1), between(random, -1, 1), i);
+            double truth = Outline.gap(new Outline(sliver, poseA), new Outline(sliver, poseB));
+
+            assertThat(distance.measure(sliver, poseA, sliver, poseB))
+                    .as("seed %s, pair %s", seed, i)
+                    .isEqualTo(truth, within(ROUND_OFF));
+        }
+    }
+}
