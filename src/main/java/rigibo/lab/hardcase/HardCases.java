@@ -59,7 +59,10 @@ public final class HardCases {
                     new Rack(),
                     new HeavyOnLight(),
                     new BornInOverlap(),
-                    new Dominoes());
+                    new Dominoes(),
+                    new Painleve(),
+                    new Arch(),
+                    new UntidyStack());
 
     private HardCases() {}
 
