@@ -56,15 +56,11 @@ final class FaceClip {
     private boolean isAtStart;
     private boolean isLowClosest;
 
-    /** Takes the face that a search found and the edge of the other polygon that faces it most. */
-    void reference(
-            Polygon polygon,
-            FaceSearch found,
-            CornersInFrame corners,
-            Polygon other,
-            double cos,
-            double sin,
-            double width) {
+    /**
+     * Takes the face that a search found and the edge of the other polygon, which sits at a place
+     * in the reference's frame, that faces it most.
+     */
+    void reference(Polygon polygon, FaceSearch found, Polygon other, Pose place, double width) {
         face = found.face;
         faceEnd = face + 1 == polygon.corners() ? 0 : face + 1;
         normalX = polygon.normalX(face);
@@ -75,34 +71,44 @@ final class FaceClip {
         endY = polygon.cornerY(faceEnd);
         separation = found.separation;
         samePlace = SAME_PLACE * width;
-        double turnedX = cos * normalX + sin * normalY;
-        double turnedY = cos * normalY - sin * normalX;
-        int before = corners.before(found.corner);
-        double facingAfter =
-                turnedX * other.normalX(found.corner) + turnedY * other.normalY(found.corner);
-        double facingBefore = turnedX * other.normalX(before) + turnedY * other.normalY(before);
-        isLowNearest =
-                facingBefore < facingAfter
-                        || facingBefore == facingAfter && isBeforeLower(corners, found.corner);
-        edge = isLowNearest ? before : found.corner;
-        edgeEnd = corners.after(edge);
-        highX = corners.x[edge];
-        highY = corners.y[edge];
-        lowX = corners.x[edgeEnd];
-        lowY = corners.y[edgeEnd];
+        chooseEdge(other, found.corner, place);
+        placeEdge(other, place);
+        isBetweenCorners = findCorners();
+    }
+
+    private void chooseEdge(Polygon other, int corner, Pose place) {
+        double x = place.cos * normalX + place.sin * normalY;
+        double y = place.cos * normalY - place.sin * normalX;
+        int last = other.corners() - 1;
+        int before = corner == 0 ? last : corner - 1;
+        int after = corner == last ? 0 : corner + 1;
+        double facingBefore = x * other.normalX(before) + y * other.normalY(before);
+        double facingAfter = x * other.normalX(corner) + y * other.normalY(corner);
+        isLowNearest = facingBefore < facingAfter;
+        if (facingBefore == facingAfter) {
+            // On its corner at 45° either edge faces as much: the shorter rises less, and choosing
+            // by that gives a mirrored scene the mirrored edge.
+            isLowNearest =
+                    x * other.cornerX(before) + y * other.cornerY(before)
+                            < x * other.cornerX(after) + y * other.cornerY(after);
+        }
+        edge = isLowNearest ? before : corner;
+        edgeEnd = isLowNearest ? corner : after;
+    }
+
+    private void placeEdge(Polygon other, Pose place) {
+        double x = other.cornerX(edge);
+        double y = other.cornerY(edge);
+        highX = place.x + (place.cos * x - place.sin * y);
+        highY = place.y + (place.sin * x + place.cos * y);
+        x = other.cornerX(edgeEnd);
+        y = other.cornerY(edgeEnd);
+        lowX = place.x + (place.cos * x - place.sin * y);
+        lowY = place.y + (place.sin * x + place.cos * y);
         lowFromStart = alongFace(lowX - startX, lowY - startY);
         highFromStart = alongFace(highX - startX, highY - startY);
         lowFromEnd = -alongFace(lowX - endX, lowY - endY);
         highFromEnd = -alongFace(highX - endX, highY - endY);
-        isBetweenCorners = findCorners();
-    }
-
-    /** On its corner at 45° either edge faces as much: the one that stays nearer mirrors well. */
-    private boolean isBeforeLower(CornersInFrame corners, int corner) {
-        int before = corners.before(corner);
-        int after = corners.after(corner);
-        return height(corners.x[before], corners.y[before])
-                < height(corners.x[after], corners.y[after]);
     }
 
     private double alongFace(double x, double y) {
@@ -117,10 +123,6 @@ final class FaceClip {
      * Whether the polygons are apart and the two closest points are corners: the nearest corner
      * lies beside the face, and the face's own corner does not lie over the inside of the edge.
      */
-    boolean isBetweenCorners() {
-        return isBetweenCorners;
-    }
-
     private boolean findCorners() {
         if (!(separation > 0)) {
             return false;

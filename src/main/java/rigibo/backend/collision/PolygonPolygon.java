@@ -23,10 +23,13 @@ final class PolygonPolygon {
     private static final double PARALLEL = 1e-2;
 
     private final double bias;
-    private final CornersInFrame cornersA = new CornersInFrame();
-    private final CornersInFrame cornersB = new CornersInFrame();
     private final FaceSearch facesA = new FaceSearch();
     private final FaceSearch facesB = new FaceSearch();
+
+    /** B in the frame of A, and A in the frame of B. */
+    private final Pose placeB = new Pose();
+
+    private final Pose placeA = new Pose();
     private final FaceClip clip = new FaceClip();
 
     /** With a bias of {@link #REFERENCE_BIAS}, or of 0 where the farthest face is wanted. */
@@ -45,26 +48,28 @@ final class PolygonPolygon {
         double sin = poseA.cos * poseB.sin - poseA.sin * poseB.cos;
         // Each polygon's faces are tried in its own frame: a floor 10^6 m wide then keeps its
         // height exactly, whatever the angle of the small box on it.
-        cornersB.write(
-                b, poseA.cos * dx + poseA.sin * dy, poseA.cos * dy - poseA.sin * dx, cos, sin);
-        if (facesA.isApart(a, cornersB, reach)) {
-            return 0;
-        }
-        cornersA.write(
-                a, -(poseB.cos * dx + poseB.sin * dy), poseB.sin * dx - poseB.cos * dy, cos, -sin);
-        if (facesB.isApart(b, cornersA, reach)) {
+        placeB.set(poseA.cos * dx + poseA.sin * dy, poseA.cos * dy - poseA.sin * dx, cos, sin);
+        placeA.set(-(poseB.cos * dx + poseB.sin * dy), poseB.sin * dx - poseB.cos * dy, cos, -sin);
+        if (areApart(a, b, reach)) {
             return 0;
         }
         double width = Math.min(a.smallestWidth(), b.smallestWidth());
-        if (isReferenceA(a, b, cos, sin, width)) {
-            clip.reference(a, facesA, cornersB, b, cos, sin, width);
+        if (isReferenceA(a, b, width)) {
+            clip.reference(a, facesA, b, placeB, width);
             return clip.write(poseA, NormalSource.FACE_A, reach, out);
         }
-        clip.reference(b, facesB, cornersA, a, cos, -sin, width);
+        clip.reference(b, facesB, a, placeA, width);
         return clip.write(poseB, NormalSource.FACE_B, reach, out);
     }
 
-    private boolean isReferenceA(Polygon a, Polygon b, double cos, double sin, double width) {
+    private boolean areApart(Polygon a, Polygon b, double reach) {
+        return a.isBox() && b.isBox()
+                ? BoxFaces.isApart(a, b, placeB, reach, facesA)
+                        || BoxFaces.isApart(b, a, placeA, reach, facesB)
+                : facesA.isApart(a, b, placeB, reach) || facesB.isApart(b, a, placeA, reach);
+    }
+
+    private boolean isReferenceA(Polygon a, Polygon b, double width) {
         if (facesB.separation <= facesA.separation) {
             return true;
         }
@@ -73,8 +78,10 @@ final class PolygonPolygon {
         }
         double ax = a.normalX(facesA.face);
         double ay = a.normalY(facesA.face);
-        double bx = cos * b.normalX(facesB.face) - sin * b.normalY(facesB.face);
-        double by = sin * b.normalX(facesB.face) + cos * b.normalY(facesB.face);
+        double nx = b.normalX(facesB.face);
+        double ny = b.normalY(facesB.face);
+        double bx = placeB.cos * nx - placeB.sin * ny;
+        double by = placeB.sin * nx + placeB.cos * ny;
         return Math.abs(ax * by - ay * bx) < PARALLEL && ax * bx + ay * by < 0;
     }
 }

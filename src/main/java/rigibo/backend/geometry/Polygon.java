@@ -25,6 +25,7 @@ public final class Polygon implements Shape {
     private final double inertiaPerDensity;
     private final double boundingRadius;
     private final double smallestWidth;
+    private final boolean isBox;
 
     private Polygon(double[] xy) {
         MassProperties plate = MassProperties.ofPolygon(1, xy);
@@ -46,6 +47,7 @@ public final class Polygon implements Shape {
         }
         boundingRadius = farthestCorner();
         smallestWidth = narrowest();
+        isBox = findBox();
     }
 
     /**
@@ -96,6 +98,14 @@ public final class Polygon implements Shape {
     public static Polygon of(double... xy) {
         PolygonCheck.requireConvex(xy);
         return new Polygon(xy);
+    }
+
+    /**
+     * Whether this is a rectangle about its centre, with sides along its own axes and the lower
+     * left corner first: then corner 2 holds half the width and half the height.
+     */
+    public boolean isBox() {
+        return isBox;
     }
 
     /** Number of corners, which is also the number of edges. */
@@ -205,6 +215,14 @@ public final class Polygon implements Shape {
             most = Math.max(most, cornerX[i] * cornerX[i] + cornerY[i] * cornerY[i]);
         }
         return Math.sqrt(most);
+    }
+
+    private boolean findBox() {
+        double w = cornerX[2];
+        double h = cornerY[2];
+        return cornerX.length == 4
+                && Arrays.equals(cornerX, new double[] {-w, w, w, -w})
+                && Arrays.equals(cornerY, new double[] {-h, -h, h, h});
     }
 
     /** A convex polygon is narrowest across one of its edges (rotating calipers). */
