@@ -62,7 +62,8 @@ public final class HardCases {
                     new Dominoes(),
                     new Painleve(),
                     new Arch(),
-                    new UntidyStack());
+                    new UntidyStack(),
+                    new TurningPress());
 
     private HardCases() {}
 
