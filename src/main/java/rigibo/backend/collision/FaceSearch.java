@@ -16,34 +16,26 @@ final class FaceSearch {
 
     /**
      * Searches all faces; true, without a result, as soon as one is farther than {@code reach} m
-     * from the other polygon, which sits at a place in this one's frame. The nearest corner walks
-     * around the other polygon as the face walks around this one, so that n faces and m corners
-     * cost n + m evaluations (rotating calipers).
+     * from the other polygon, which sits at a place in this one's frame. A face that cannot be
+     * farther than the best so far, even if the other polygon came no nearer to it than its inner
+     * radius, is passed over. The nearest corner walks around the other polygon as the face walks
+     * around this one (rotating calipers).
      */
     boolean isApart(Polygon polygon, Polygon other, Pose place, double reach) {
-        int last = other.corners() - 1;
         int nearest = 0;
         separation = Double.NEGATIVE_INFINITY;
         for (int i = 0; i < polygon.corners(); i++) {
             double nx = polygon.normalX(i);
             double ny = polygon.normalY(i);
-            double mx = place.cos * nx + place.sin * ny;
-            double my = place.cos * ny - place.sin * nx;
-            if (i == 0) {
-                nearest = nearestTo(other, mx, my);
-            }
-            double least = mx * other.cornerX(nearest) + my * other.cornerY(nearest);
-            int next = nearest == last ? 0 : nearest + 1;
-            double following = mx * other.cornerX(next) + my * other.cornerY(next);
-            while (following < least) {
-                least = following;
-                nearest = next;
-                next = nearest == last ? 0 : nearest + 1;
-                following = mx * other.cornerX(next) + my * other.cornerY(next);
-            }
             double front =
                     nx * (place.x - polygon.cornerX(i)) + ny * (place.y - polygon.cornerY(i));
-            double gap = front + least;
+            if (front - other.innerRadius() <= separation) {
+                continue;
+            }
+            double x = place.cos * nx + place.sin * ny;
+            double y = place.cos * ny - place.sin * nx;
+            nearest = nearestTo(other, x, y, nearest);
+            double gap = front + (x * other.cornerX(nearest) + y * other.cornerY(nearest));
             if (gap > separation) {
                 if (gap > reach) {
                     return true;
@@ -56,16 +48,41 @@ final class FaceSearch {
         return false;
     }
 
-    private static int nearestTo(Polygon other, double mx, double my) {
-        int nearest = 0;
-        double least = mx * other.cornerX(0) + my * other.cornerY(0);
-        for (int i = 1; i < other.corners(); i++) {
-            double height = mx * other.cornerX(i) + my * other.cornerY(i);
+    /** Whether the corner found lies over the face found, not beside it. */
+    boolean isOverFace(Polygon polygon, Polygon other, Pose place) {
+        double x = place.x + place.cos * other.cornerX(corner) - place.sin * other.cornerY(corner);
+        double y = place.y + place.sin * other.cornerX(corner) + place.cos * other.cornerY(corner);
+        double nx = polygon.normalX(face);
+        double ny = polygon.normalY(face);
+        int end = face + 1 == polygon.corners() ? 0 : face + 1;
+        return nx * (y - polygon.cornerY(face)) - ny * (x - polygon.cornerX(face)) > 0
+                && nx * (y - polygon.cornerY(end)) - ny * (x - polygon.cornerX(end)) < 0;
+    }
+
+    /**
+     * The corner nearest to a face with an inward normal, from a guess: strides of a quarter of the
+     * way round and then ever smaller ones, as long as they lead nearer. On a convex outline the
+     * corner that both its neighbours are farther than is the nearest of all.
+     */
+    private static int nearestTo(Polygon polygon, double x, double y, int guess) {
+        int corners = polygon.corners();
+        int at = guess;
+        double least = x * polygon.cornerX(at) + y * polygon.cornerY(at);
+        int stride = Math.max(1, corners / 4);
+        while (stride > 0) {
+            int ahead = at + stride < corners ? at + stride : at + stride - corners;
+            double height = x * polygon.cornerX(ahead) + y * polygon.cornerY(ahead);
+            if (height >= least) {
+                ahead = at >= stride ? at - stride : at - stride + corners;
+                height = x * polygon.cornerX(ahead) + y * polygon.cornerY(ahead);
+            }
             if (height < least) {
                 least = height;
-                nearest = i;
+                at = ahead;
+            } else {
+                stride /= 2;
             }
         }
-        return nearest;
+        return at;
     }
 }

@@ -22,6 +22,14 @@ final class PolygonPolygon {
      */
     private static final double PARALLEL = 1e-2;
 
+    /**
+     * Overlap, per metre of the narrower polygon, up to which a face is good enough when the other
+     * polygon's nearest corner lies over it. Apart, no face of the other is farther then, for the
+     * corner and its foot on the face are the closest points; in overlap δ one may be by δ times 1
+     * less the cosine of the angle between the two, which for so little overlap is small.
+     */
+    private static final double SHALLOW = 1e-2;
+
     private final double bias;
     private final FaceSearch facesA = new FaceSearch();
     private final FaceSearch facesB = new FaceSearch();
@@ -63,10 +71,36 @@ final class PolygonPolygon {
     }
 
     private boolean areApart(Polygon a, Polygon b, double reach) {
-        return a.isBox() && b.isBox()
-                ? BoxFaces.isApart(a, b, placeB, reach, facesA)
-                        || BoxFaces.isApart(b, a, placeA, reach, facesB)
-                : facesA.isApart(a, b, placeB, reach) || facesB.isApart(b, a, placeA, reach);
+        if (a.isBox() && b.isBox()) {
+            return BoxFaces.isApart(a, b, placeB, reach, facesA)
+                    || BoxFaces.isApart(b, a, placeA, reach, facesB);
+        }
+        return b.corners() < a.corners()
+                ? isEitherApart(b, facesB, placeA, a, facesA, placeB, reach)
+                : isEitherApart(a, facesA, placeB, b, facesB, placeA, reach);
+    }
+
+    /**
+     * Searches the faces of one polygon, and those of the other, which has more, only where they
+     * may be farther.
+     */
+    private static boolean isEitherApart(
+            Polygon one,
+            FaceSearch faces,
+            Pose place,
+            Polygon other,
+            FaceSearch otherFaces,
+            Pose otherPlace,
+            double reach) {
+        if (faces.isApart(one, other, place, reach)) {
+            return true;
+        }
+        double shallow = SHALLOW * Math.min(one.smallestWidth(), other.smallestWidth());
+        if (faces.separation > -shallow && faces.isOverFace(one, other, place)) {
+            otherFaces.separation = Double.NEGATIVE_INFINITY;
+            return false;
+        }
+        return otherFaces.isApart(other, one, otherPlace, reach);
     }
 
     private boolean isReferenceA(Polygon a, Polygon b, double width) {

@@ -24,6 +24,7 @@ public final class Polygon implements Shape {
     private final double area;
     private final double inertiaPerDensity;
     private final double boundingRadius;
+    private final double innerRadius;
     private final double smallestWidth;
     private final boolean isBox;
 
@@ -46,6 +47,7 @@ public final class Polygon implements Shape {
             writeNormal(i, (i + 1) % count);
         }
         boundingRadius = farthestCorner();
+        innerRadius = nearestEdge();
         smallestWidth = narrowest();
         isBox = findBox();
     }
@@ -154,6 +156,11 @@ public final class Polygon implements Shape {
         return boundingRadius;
     }
 
+    /** Distance in m from the centre of mass to the nearest edge. */
+    public double innerRadius() {
+        return innerRadius;
+    }
+
     @Override
     public double smallestWidth() {
         return smallestWidth;
@@ -215,6 +222,14 @@ public final class Polygon implements Shape {
             most = Math.max(most, cornerX[i] * cornerX[i] + cornerY[i] * cornerY[i]);
         }
         return Math.sqrt(most);
+    }
+
+    private double nearestEdge() {
+        double least = Double.POSITIVE_INFINITY;
+        for (int i = 0; i < cornerX.length; i++) {
+            least = Math.min(least, normalX[i] * cornerX[i] + normalY[i] * cornerY[i]);
+        }
+        return least;
     }
 
     private boolean findBox() {
