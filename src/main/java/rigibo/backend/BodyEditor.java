@@ -2,6 +2,8 @@ package rigibo.backend;
 
 import rigibo.backend.broadphase.Broadphase;
 import rigibo.backend.effect.Effects;
+import rigibo.backend.effect.Friction;
+import rigibo.backend.effect.Restitution;
 import rigibo.backend.effect.Rotation;
 import rigibo.backend.geometry.Angle;
 import rigibo.backend.geometry.MassProperties;
@@ -190,6 +192,11 @@ final class BodyEditor {
                 waking.wake(slot);
             }
         }
+        for (int pair = 0; pair < data.pairs.slots.high; pair++) {
+            if (data.pairs.bodyA[pair] != Pairs.NONE) {
+                data.pairs.mix(bodies, pair);
+            }
+        }
     }
 
     private void writePose(int slot, double x, double y, double angle) {
@@ -210,8 +217,11 @@ final class BodyEditor {
 
     private void writeMaterial(int slot, Material material) {
         bodies.material[slot] = material;
-        bodies.friction[slot] = material.friction();
-        bodies.elasticity[slot] = material.elasticity();
+        // An effect that is not declared leaves its column neutral, so no contact has a row for it.
+        boolean rubs = plan.effects().declares(Friction.class);
+        boolean bounces = plan.effects().declares(Restitution.class);
+        bodies.friction[slot] = rubs ? material.friction() : 0;
+        bodies.elasticity[slot] = bounces ? material.elasticity() : 0;
         if (bodies.rollingResistance != null) {
             bodies.rollingResistance[slot] = material.rollingResistance();
         }

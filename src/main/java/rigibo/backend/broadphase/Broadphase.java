@@ -188,11 +188,13 @@ public final class Broadphase {
         bodies.fixtureMaxY[slot] = swept.maxY + margin;
     }
 
+    /** A contact that just ended is kept for one more step, in which its end is told. */
     private void dropPairsApart(int slot) {
         int p = bodies.firstPair[slot];
         while (p != Pairs.NONE) {
             int after = pairs.nextOf(p, slot);
-            if (!fixturesOverlap(slot, pairs.other(p, slot))) {
+            boolean touched = pairs.touching[p] || pairs.impacts[p] > 0;
+            if (!touched && !fixturesOverlap(slot, pairs.other(p, slot))) {
                 pairs.remove(bodies, p);
             }
             p = after;

@@ -24,6 +24,14 @@ final class DirectSolver {
     /** Compliance added to the diagonal, relative: decides where rows say the same twice. */
     private static final double COMPLIANCE = 1e-10;
 
+    /** Relative growth of energy that round-off explains, and the energy in J of nothing moving. */
+    private static final double ROUND_OFF = 1e-6;
+
+    private static final double NO_ENERGY = 1e-12;
+
+    /** An impulse may exceed the momentum it answers by this factor: a wedge of a thousandth. */
+    private static final double MOST_LEVERAGE = 1e3;
+
     private static final int ROWS_PER_CONTACT = 3;
     private static final int TANGENT = 2;
 
@@ -47,6 +55,7 @@ final class DirectSolver {
     private int[] start = new int[65];
     private int[] first = new int[64];
     private double[] unknown = new double[64];
+    private double[] saved = new double[64];
 
     DirectSolver(Motions motions, Rows rows, OverlapSolver overlap) {
         this.motions = motions;
@@ -74,6 +83,56 @@ final class DirectSolver {
         if (isUncoupled()) {
             return;
         }
+        save();
+        double energy = motions.kineticEnergy();
+        double momentum = motions.momentum();
+        eliminate(h, substep);
+        boolean gainsEnergy = motions.kineticEnergy() > energy * (1 + ROUND_OFF) + NO_ENERGY;
+        if (gainsEnergy || largestChange() > MOST_LEVERAGE * momentum + NO_ENERGY) {
+            restore();
+        }
+    }
+
+    /** By how much an impulse changed at most since the save, N·s. */
+    private double largestChange() {
+        int offset = motions.count * Motions.STRIDE;
+        double most = 0;
+        for (int at = 0; at < rows.count * Rows.STRIDE; at += Rows.STRIDE) {
+            most = Math.max(most, change(offset, at + Rows.IMPULSE0));
+            most = Math.max(most, change(offset, at + Rows.IMPULSE1));
+            most = Math.max(most, change(offset, at + Rows.IMPULSE_T));
+        }
+        return most;
+    }
+
+    private double change(int offset, int column) {
+        return Math.abs(rows.data[column] - saved[offset + column]);
+    }
+
+    /** Keeps velocities and impulses, to come back to. */
+    private void save() {
+        int motion = motions.count * Motions.STRIDE;
+        int contact = rows.count * Rows.STRIDE;
+        if (saved.length < motion + contact) {
+            saved = new double[2 * (motion + contact)];
+        }
+        System.arraycopy(motions.data, 0, saved, 0, motion);
+        System.arraycopy(rows.data, 0, saved, motion, contact);
+    }
+
+    /**
+     * A body squeezed between what cannot give way has no solution that is at rest, or one by
+     * impulses without measure: the equations answer with whatever lets it slip out. The passes
+     * over the rows are gentler.
+     */
+    private void restore() {
+        int motion = motions.count * Motions.STRIDE;
+        System.arraycopy(saved, 0, motions.data, 0, motion);
+        System.arraycopy(saved, motion, rows.data, 0, rows.count * Rows.STRIDE);
+        factoredSize = -1;
+    }
+
+    private void eliminate(double h, int substep) {
         chooseLoaded(substep);
         for (int attempt = 0; attempt < MOST_TRIES && size > 0; attempt++) {
             factorize();

@@ -97,4 +97,32 @@ final class Motions {
                 + d[at + 2 * point + Rows.LEVER_B0] * data[b + TURN]
                 - d[at + 2 * point + Rows.LEVER_A0] * data[a + TURN];
     }
+
+    /** J of motion and rotation of all that can be moved. */
+    double kineticEnergy() {
+        double twice = 0;
+        for (int at = STRIDE; at < count * STRIDE; at += STRIDE) {
+            if (data[at + INVERSE_MASS] > 0) {
+                double squared = data[at + VX] * data[at + VX] + data[at + VY] * data[at + VY];
+                twice += squared / data[at + INVERSE_MASS];
+            }
+            if (data[at + INVERSE_INERTIA] > 0) {
+                twice += data[at + SPIN] * data[at + SPIN] / data[at + INVERSE_INERTIA];
+            }
+        }
+        return twice / 2;
+    }
+
+    /** N·s of all that can be moved, without regard to direction. */
+    double momentum() {
+        double sum = 0;
+        for (int at = STRIDE; at < count * STRIDE; at += STRIDE) {
+            if (data[at + INVERSE_MASS] > 0) {
+                sum +=
+                        (Math.abs(data[at + VX]) + Math.abs(data[at + VY]))
+                                / data[at + INVERSE_MASS];
+            }
+        }
+        return sum;
+    }
 }

@@ -92,8 +92,10 @@ final class RowBuilder {
         d[at + Rows.LOAD1] = isPair ? load1 : 0;
         d[at + Rows.IMPULSE0] = isPair ? impulse0 : impulse0 + impulse1;
         d[at + Rows.IMPULSE1] = isPair ? impulse1 : 0;
-        d[at + Rows.IMPULSE_T] = pairs.frictionForce[pair] * firstKick;
-        d[at + Rows.IMPULSE_R] = pairs.rollingTorque[pair] * firstKick;
+        boolean rubs = d[at + Rows.FRICTION] > 0;
+        boolean rolls = d[at + Rows.ROLLING] > 0;
+        d[at + Rows.IMPULSE_T] = rubs ? pairs.frictionForce[pair] * firstKick : 0;
+        d[at + Rows.IMPULSE_R] = rolls ? pairs.rollingTorque[pair] * firstKick : 0;
     }
 
     private void writeLevers(int at, int pair, int a, int b) {

@@ -6,7 +6,6 @@ import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.PairTolerances;
 import rigibo.backend.storage.Pairs;
-import rigibo.backend.storage.Roster;
 import rigibo.backend.storage.Waking;
 
 /**
@@ -25,7 +24,6 @@ public final class PileClassifier {
 
     private final Bodies bodies;
     private final Pairs pairs;
-    private final Roster roster;
     private final Waking waking;
     private final double touchTolerance;
     private final ImpactMode mode;
@@ -34,18 +32,13 @@ public final class PileClassifier {
     public PileClassifier(DataStorage data, Accuracy accuracy, ImpactMode mode) {
         bodies = data.bodies;
         pairs = data.pairs;
-        roster = data.roster;
         waking = new Waking(data);
         touchTolerance = accuracy.impactTolerance();
         this.mode = mode;
     }
 
-    /** Marks every awake dynamic body as piled or not. */
+    /** Marks the piled among the bodies, all of which count as flyers before. */
     public void classify(double dt) {
-        for (int i = 0; i < roster.awakeCount; i++) {
-            bodies.piled[roster.awake[i]] = false;
-            bodies.pileTime[roster.awake[i]] = 0;
-        }
         // Both lists grow while they are read: bodies that wake bring their pairs.
         for (int i = 0; i < pairs.activeCount; i++) {
             classifyPair(pairs.active[i]);
