@@ -40,6 +40,7 @@ public final class HardCases {
                     new FarAway(),
                     new Crush(),
                     new DeletedSupport(),
+                    new RemovedOnContact(),
                     new HalfOnAnEdge(),
                     new RoundRolls(),
                     new IceAndRubber(),

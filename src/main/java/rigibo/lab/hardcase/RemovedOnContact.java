@@ -1,0 +1,114 @@
+package rigibo.lab.hardcase;
+
+import rigibo.backend.ContactEvent;
+import rigibo.backend.RigidBody;
+import rigibo.backend.geometry.Circle;
+import rigibo.backend.geometry.Polygon;
+import rigibo.backend.setup.BodyDefinition;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * A body that a contact event names is removed as soon as the event is read, while all are awake.
+ * Truth: what stood on it, or just struck it, keeps the velocity it had and falls freely from the
+ * very next step, v = v₀ − g·t; what is below stays. Nothing of the contact acts once more.
+ */
+final class RemovedOnContact implements HardCase {
+
+    private static final int COUNT = 10;
+    private static final int STEPS_OF_FALL = 6;
+    private static final double RADIUS = 0.25;
+    private static final double DROP = 1.5;
+
+    /** Long enough for the drop, which takes 0.55 s. */
+    private static final double MOST_SECONDS = 2;
+
+    @Override
+    public String row() {
+        return "65/event";
+    }
+
+    @Override
+    public String title() {
+        return "what a contact event names can be removed at once";
+    }
+
+    @Override
+    public void run(Trial trial) {
+        for (int removed : new int[] {0, 5, 9}) {
+            trial.variant("box " + removed + " of a stack awake");
+            fromAStack(trial, removed);
+        }
+        for (double e : new double[] {0, 0.5, 1}) {
+            trial.variant("the floor that a disc struck, e " + e);
+            underADisc(trial, e);
+        }
+    }
+
+    private static void fromAStack(Trial trial, int removed) {
+        WatchedPool pool = trial.pool(Surroundings.earth());
+        List<RigidBody> bodies = new ArrayList<>();
+        bodies.add(pool.add(Surroundings.floor(0.5, 0)));
+        for (int i = 0; i < COUNT; i++) {
+            bodies.add(pool.add(BodyDefinition.dynamic(Polygon.box(1, 1)).at(0, i + 0.5)));
+        }
+        pool.run(1);
+        RigidBody victim = bodies.get(removed + 1);
+        boolean isNamed =
+                pool.pool().contactEvents().stream().anyMatch(event -> names(event, victim));
+        trial.require("an event names the body", isNamed);
+        double[] heights = bodies.stream().mapToDouble(RigidBody::y).toArray();
+        pool.remove(victim);
+        judge(trial, pool, bodies.subList(removed + 2, COUNT + 1));
+        for (int i = 1; i <= removed; i++) {
+            double moved = Math.abs(bodies.get(i).y() - heights[i]);
+            trial.measure("move of what is below", moved, "m", Trial.TOLERATED_OVERLAP);
+        }
+    }
+
+    private static void underADisc(Trial trial, double e) {
+        WatchedPool pool = trial.pool(Surroundings.earth());
+        RigidBody floor = pool.add(Surroundings.floor(0, e));
+        RigidBody disc =
+                pool.add(
+                        BodyDefinition.dynamic(new Circle(RADIUS))
+                                .at(0, RADIUS + DROP)
+                                .velocity(1, 0)
+                                .material(Surroundings.matter(0, e)));
+        boolean isStruck = false;
+        while (!isStruck && pool.time() < MOST_SECONDS) {
+            pool.step();
+            isStruck =
+                    pool.pool().contactEvents().stream()
+                            .anyMatch(
+                                    event ->
+                                            event.phase() == ContactEvent.Phase.BEGIN
+                                                    && names(event, floor));
+        }
+        trial.require("the impact is told", isStruck);
+        pool.remove(floor);
+        judge(trial, pool, List.of(disc));
+    }
+
+    private static boolean names(ContactEvent event, RigidBody body) {
+        return event.a() == body || event.b() == body;
+    }
+
+    /** Limits are those of what loses its support asleep. */
+    private static void judge(Trial trial, WatchedPool pool, List<RigidBody> falling) {
+        double[] vx = falling.stream().mapToDouble(RigidBody::velocityX).toArray();
+        double[] vy = falling.stream().mapToDouble(RigidBody::velocityY).toArray();
+        double step = Trial.GRAVITY * Trial.DT;
+        for (int n = 1; n <= STEPS_OF_FALL; n++) {
+            pool.step();
+            for (int i = 0; i < vx.length; i++) {
+                RigidBody body = falling.get(i);
+                double off = Math.abs(body.velocityY() - (vy[i] - n * step));
+                double aside = Math.abs(body.velocityX() - vx[i]);
+                double kick = off + aside + Math.abs(body.angularVelocity());
+                trial.measure("free fall", kick / step, "of g·dt", 1e-9, 1e-2);
+            }
+        }
+    }
+}
