@@ -7,7 +7,7 @@ package rigibo.backend.contact;
  * a₂), which damps what one pass over a large pile leaves unsolved.
  *
  * <p>Unlike there, that rest is not 0 but the load the contact carried of late: drawn towards 0, a
- * pile sinks until the overlap's spring carries it, 11 mm under twenty boxes.
+ * pile sinks until the overlap's spring carries it.
  */
 final class SoftPush {
 
