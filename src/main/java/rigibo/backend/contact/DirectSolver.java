@@ -1,5 +1,8 @@
 package rigibo.backend.contact;
 
+import static rigibo.backend.contact.SingleRows.ROWS_PER_CONTACT;
+import static rigibo.backend.contact.SingleRows.TANGENT;
+
 import java.util.Arrays;
 
 /**
@@ -32,12 +35,10 @@ final class DirectSolver {
     /** An impulse may exceed the momentum it answers by this factor: a wedge of a thousandth. */
     private static final double MOST_LEVERAGE = 1e3;
 
-    private static final int ROWS_PER_CONTACT = 3;
-    private static final int TANGENT = 2;
-
     private final Motions motions;
     private final Rows rows;
     private final OverlapSolver overlap;
+    private final SingleRows single;
 
     /** The rows of the present set: 3·contact + point, or + 2 for the tangent. */
     private int[] set = new int[64];
@@ -61,6 +62,7 @@ final class DirectSolver {
         this.motions = motions;
         this.rows = rows;
         this.overlap = overlap;
+        single = new SingleRows(motions, rows);
     }
 
     /** Begins an island: the factor of the last one is worth nothing. */
@@ -162,7 +164,7 @@ final class DirectSolver {
         if (isAny) {
             substitute();
             for (int i = 0; i < size; i++) {
-                push(set[i], unknown[i], Motions.DX, Motions.DY, Motions.TURN);
+                single.push(set[i], unknown[i], Motions.DX, Motions.DY, Motions.TURN);
             }
         }
     }
@@ -210,34 +212,8 @@ final class DirectSolver {
     private double approach(int id, double h) {
         int row = id / ROWS_PER_CONTACT;
         int kind = id % ROWS_PER_CONTACT;
-        double v = relative(id, Motions.VX, Motions.VY, Motions.SPIN);
+        double v = single.relative(id, Motions.VX, Motions.VY, Motions.SPIN);
         return kind == TANGENT ? v : v + Math.max(0, motions.gap(rows, row, kind)) / h;
-    }
-
-    private double relative(int id, int ix, int iy, int turn) {
-        double[] m = motions.data;
-        int row = id / ROWS_PER_CONTACT;
-        int a = rows.bodyA[row];
-        int b = rows.bodyB[row];
-        return directionX(id) * (m[b + ix] - m[a + ix])
-                + directionY(id) * (m[b + iy] - m[a + iy])
-                + leverB(id) * m[b + turn]
-                - leverA(id) * m[a + turn];
-    }
-
-    private void push(int id, double impulse, int ix, int iy, int turn) {
-        double[] m = motions.data;
-        int row = id / ROWS_PER_CONTACT;
-        int a = rows.bodyA[row];
-        int b = rows.bodyB[row];
-        double ma = m[a + Motions.INVERSE_MASS] * impulse;
-        double mb = m[b + Motions.INVERSE_MASS] * impulse;
-        m[a + ix] -= ma * directionX(id);
-        m[a + iy] -= ma * directionY(id);
-        m[a + turn] -= m[a + Motions.INVERSE_INERTIA] * leverA(id) * impulse;
-        m[b + ix] += mb * directionX(id);
-        m[b + iy] += mb * directionY(id);
-        m[b + turn] += m[b + Motions.INVERSE_INERTIA] * leverB(id) * impulse;
     }
 
     /**
@@ -258,8 +234,8 @@ final class DirectSolver {
         for (int i = 0; i < size; i++) {
             int at = set[i] / ROWS_PER_CONTACT * Rows.STRIDE;
             double change = step * unknown[i];
-            rows.data[at + impulseColumn(set[i])] += change;
-            push(set[i], change, Motions.VX, Motions.VY, Motions.SPIN);
+            rows.data[at + SingleRows.impulseColumn(set[i])] += change;
+            single.push(set[i], change, Motions.VX, Motions.VY, Motions.SPIN);
         }
         if (met >= 0) {
             drop(met);
@@ -270,7 +246,7 @@ final class DirectSolver {
     /** The share of a change that its row can take before it meets its bound. */
     private double roomFor(int id, double change) {
         int row = id / ROWS_PER_CONTACT;
-        double impulse = rows.data[row * Rows.STRIDE + impulseColumn(id)];
+        double impulse = rows.data[row * Rows.STRIDE + SingleRows.impulseColumn(id)];
         if (id % ROWS_PER_CONTACT != TANGENT) {
             return change < 0 ? -impulse / change : 1;
         }
@@ -282,39 +258,10 @@ final class DirectSolver {
     private void drop(int place) {
         int id = set[place];
         if (id % ROWS_PER_CONTACT != TANGENT) {
-            rows.data[id / ROWS_PER_CONTACT * Rows.STRIDE + impulseColumn(id)] = 0;
+            rows.data[id / ROWS_PER_CONTACT * Rows.STRIDE + SingleRows.impulseColumn(id)] = 0;
         }
         System.arraycopy(set, place + 1, set, place, size - place - 1);
         size--;
-    }
-
-    private static int impulseColumn(int id) {
-        int kind = id % ROWS_PER_CONTACT;
-        return kind == TANGENT ? Rows.IMPULSE_T : Rows.IMPULSE0 + kind;
-    }
-
-    private double directionX(int id) {
-        int at = id / ROWS_PER_CONTACT * Rows.STRIDE;
-        return id % ROWS_PER_CONTACT == TANGENT
-                ? -rows.data[at + Rows.NY]
-                : rows.data[at + Rows.NX];
-    }
-
-    private double directionY(int id) {
-        int at = id / ROWS_PER_CONTACT * Rows.STRIDE;
-        return id % ROWS_PER_CONTACT == TANGENT ? rows.data[at + Rows.NX] : rows.data[at + Rows.NY];
-    }
-
-    private double leverA(int id) {
-        int at = id / ROWS_PER_CONTACT * Rows.STRIDE;
-        int kind = id % ROWS_PER_CONTACT;
-        return rows.data[at + (kind == TANGENT ? Rows.LEVER_TA : Rows.LEVER_A0 + 2 * kind)];
-    }
-
-    private double leverB(int id) {
-        int at = id / ROWS_PER_CONTACT * Rows.STRIDE;
-        int kind = id % ROWS_PER_CONTACT;
-        return rows.data[at + (kind == TANGENT ? Rows.LEVER_TB : Rows.LEVER_B0 + 2 * kind)];
     }
 
     /** Factors the matrix of the set, unless the last factor is of the same set. */
@@ -327,7 +274,7 @@ final class DirectSolver {
         layEnvelope();
         for (int i = 0; i < size; i++) {
             for (int j = first[i]; j <= i; j++) {
-                double sum = response(set[i], set[j]) * (i == j ? 1 + COMPLIANCE : 1);
+                double sum = single.response(set[i], set[j]) * (i == j ? 1 + COMPLIANCE : 1);
                 int from = Math.max(first[i], first[j]);
                 for (int k = from; k < j; k++) {
                     sum -= factor[start[i] + k - first[i]] * factor[start[j] + k - first[j]];
@@ -340,14 +287,15 @@ final class DirectSolver {
 
     /** A row that repeats others leaves nothing on its diagonal; its compliance stays. */
     private double root(double remainder, int id) {
-        return Math.sqrt(Math.max(remainder, COMPLIANCE * response(id, id)));
+        return Math.sqrt(Math.max(remainder, COMPLIANCE * single.response(id, id)));
     }
 
     private void layEnvelope() {
         int length = 0;
         for (int i = 0; i < size; i++) {
             int j = 0;
-            while (j < i && !shareBody(set[i] / ROWS_PER_CONTACT, set[j] / ROWS_PER_CONTACT)) {
+            while (j < i
+                    && !single.shareBody(set[i] / ROWS_PER_CONTACT, set[j] / ROWS_PER_CONTACT)) {
                 j++;
             }
             first[i] = j;
@@ -357,43 +305,6 @@ final class DirectSolver {
         if (factor.length < length) {
             factor = new double[2 * length];
         }
-    }
-
-    /** Whether two contacts hold the same body; the ground, offset 0, passes nothing on. */
-    private boolean shareBody(int row, int other) {
-        int a = rows.bodyA[row];
-        int b = rows.bodyB[row];
-        int c = rows.bodyA[other];
-        int d = rows.bodyB[other];
-        return a != 0 && (a == c || a == d) || b != 0 && (b == c || b == d);
-    }
-
-    /** What a unit impulse of one row gives another, 1/kg. */
-    private double response(int i, int j) {
-        double direct = directionX(i) * directionX(j) + directionY(i) * directionY(j);
-        int row = i / ROWS_PER_CONTACT;
-        int other = j / ROWS_PER_CONTACT;
-        int a = rows.bodyA[row];
-        int b = rows.bodyB[row];
-        double sum = 0;
-        if (a == rows.bodyA[other]) {
-            sum += through(a, direct, leverA(i) * leverA(j));
-        }
-        if (b == rows.bodyB[other]) {
-            sum += through(b, direct, leverB(i) * leverB(j));
-        }
-        if (a == rows.bodyB[other]) {
-            sum -= through(a, direct, leverA(i) * leverB(j));
-        }
-        if (b == rows.bodyA[other]) {
-            sum -= through(b, direct, leverB(i) * leverA(j));
-        }
-        return sum;
-    }
-
-    private double through(int body, double direct, double levers) {
-        double[] m = motions.data;
-        return m[body + Motions.INVERSE_MASS] * direct + m[body + Motions.INVERSE_INERTIA] * levers;
     }
 
     /** Forward and backward substitution, in place. */

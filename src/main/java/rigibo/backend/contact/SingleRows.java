@@ -1,0 +1,114 @@
+package rigibo.backend.contact;
+
+/**
+ * The rows of packed contacts one by one: row {@code 3·contact + kind}, where kind is the point of
+ * a normal row or {@link #TANGENT}.
+ */
+final class SingleRows {
+
+    static final int ROWS_PER_CONTACT = 3;
+    static final int TANGENT = 2;
+
+    private final Motions motions;
+    private final Rows rows;
+
+    SingleRows(Motions motions, Rows rows) {
+        this.motions = motions;
+        this.rows = rows;
+    }
+
+    /** How fast (or far) B moves against A along a row, by the columns named. */
+    double relative(int id, int ix, int iy, int turn) {
+        double[] m = motions.data;
+        int row = id / ROWS_PER_CONTACT;
+        int a = rows.bodyA[row];
+        int b = rows.bodyB[row];
+        return directionX(id) * (m[b + ix] - m[a + ix])
+                + directionY(id) * (m[b + iy] - m[a + iy])
+                + leverB(id) * m[b + turn]
+                - leverA(id) * m[a + turn];
+    }
+
+    /** Applies an impulse along a row to the columns named. */
+    void push(int id, double impulse, int ix, int iy, int turn) {
+        double[] m = motions.data;
+        int row = id / ROWS_PER_CONTACT;
+        int a = rows.bodyA[row];
+        int b = rows.bodyB[row];
+        double ma = m[a + Motions.INVERSE_MASS] * impulse;
+        double mb = m[b + Motions.INVERSE_MASS] * impulse;
+        m[a + ix] -= ma * directionX(id);
+        m[a + iy] -= ma * directionY(id);
+        m[a + turn] -= m[a + Motions.INVERSE_INERTIA] * leverA(id) * impulse;
+        m[b + ix] += mb * directionX(id);
+        m[b + iy] += mb * directionY(id);
+        m[b + turn] += m[b + Motions.INVERSE_INERTIA] * leverB(id) * impulse;
+    }
+
+    /** Where a row keeps its impulse, from its contact's start on. */
+    static int impulseColumn(int id) {
+        int kind = id % ROWS_PER_CONTACT;
+        return kind == TANGENT ? Rows.IMPULSE_T : Rows.IMPULSE0 + kind;
+    }
+
+    private double directionX(int id) {
+        int at = id / ROWS_PER_CONTACT * Rows.STRIDE;
+        return id % ROWS_PER_CONTACT == TANGENT
+                ? -rows.data[at + Rows.NY]
+                : rows.data[at + Rows.NX];
+    }
+
+    private double directionY(int id) {
+        int at = id / ROWS_PER_CONTACT * Rows.STRIDE;
+        return id % ROWS_PER_CONTACT == TANGENT ? rows.data[at + Rows.NX] : rows.data[at + Rows.NY];
+    }
+
+    private double leverA(int id) {
+        int at = id / ROWS_PER_CONTACT * Rows.STRIDE;
+        int kind = id % ROWS_PER_CONTACT;
+        return rows.data[at + (kind == TANGENT ? Rows.LEVER_TA : Rows.LEVER_A0 + 2 * kind)];
+    }
+
+    private double leverB(int id) {
+        int at = id / ROWS_PER_CONTACT * Rows.STRIDE;
+        int kind = id % ROWS_PER_CONTACT;
+        return rows.data[at + (kind == TANGENT ? Rows.LEVER_TB : Rows.LEVER_B0 + 2 * kind)];
+    }
+
+    /** Whether two contacts hold the same body; the ground, offset 0, passes nothing on. */
+    boolean shareBody(int row, int other) {
+        int a = rows.bodyA[row];
+        int b = rows.bodyB[row];
+        int c = rows.bodyA[other];
+        int d = rows.bodyB[other];
+        return a != 0 && (a == c || a == d) || b != 0 && (b == c || b == d);
+    }
+
+    /** What a unit impulse of one row gives another, 1/kg. */
+    double response(int i, int j) {
+        double direct = directionX(i) * directionX(j) + directionY(i) * directionY(j);
+        int row = i / ROWS_PER_CONTACT;
+        int other = j / ROWS_PER_CONTACT;
+        int a = rows.bodyA[row];
+        int b = rows.bodyB[row];
+        double sum = 0;
+        if (a == rows.bodyA[other]) {
+            sum += through(a, direct, leverA(i) * leverA(j));
+        }
+        if (b == rows.bodyB[other]) {
+            sum += through(b, direct, leverB(i) * leverB(j));
+        }
+        if (a == rows.bodyB[other]) {
+            sum -= through(a, direct, leverA(i) * leverB(j));
+        }
+        if (b == rows.bodyA[other]) {
+            sum -= through(b, direct, leverB(i) * leverA(j));
+        }
+        return sum;
+    }
+
+    private double through(int body, double direct, double levers) {
+        double[] m = motions.data;
+        return m[body + Motions.INVERSE_MASS] * direct + m[body + Motions.INVERSE_INERTIA] * levers;
+    }
+}
