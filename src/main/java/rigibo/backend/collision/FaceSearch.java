@@ -48,15 +48,17 @@ final class FaceSearch {
         return false;
     }
 
-    /** Whether the corner found lies over the face found, not beside it. */
-    boolean isOverFace(Polygon polygon, Polygon other, Pose place) {
+    /**
+     * Whether the corner found lies over the face found, and so far in m from either of its ends.
+     */
+    boolean isOverFace(Polygon polygon, Polygon other, Pose place, double inside) {
         double x = place.x + place.cos * other.cornerX(corner) - place.sin * other.cornerY(corner);
         double y = place.y + place.sin * other.cornerX(corner) + place.cos * other.cornerY(corner);
         double nx = polygon.normalX(face);
         double ny = polygon.normalY(face);
         int end = face + 1 == polygon.corners() ? 0 : face + 1;
-        return nx * (y - polygon.cornerY(face)) - ny * (x - polygon.cornerX(face)) > 0
-                && nx * (y - polygon.cornerY(end)) - ny * (x - polygon.cornerX(end)) < 0;
+        return nx * (y - polygon.cornerY(face)) - ny * (x - polygon.cornerX(face)) > inside
+                && ny * (x - polygon.cornerX(end)) - nx * (y - polygon.cornerY(end)) > inside;
     }
 
     /**

@@ -23,12 +23,16 @@ final class PolygonPolygon {
     private static final double PARALLEL = 1e-2;
 
     /**
-     * Overlap, per metre of the narrower polygon, up to which a face is good enough when the other
-     * polygon's nearest corner lies over it. Apart, no face of the other is farther then, for the
-     * corner and its foot on the face are the closest points; in overlap δ one may be by δ times 1
-     * less the cosine of the angle between the two, which for so little overlap is small.
+     * Overlap, per metre of the narrower polygon, up to which the other polygon's faces need not be
+     * searched where its nearest corner lies well over a face. Apart, the corner and its foot on
+     * the face are the closest points, and no face is farther. In overlap δ, a face at an angle θ
+     * to this one can only be farther where the foot is within δ·tan(θ/2) of the face's end, since
+     * that end lies deep behind it; θ is at most a right angle for the edges at the corner.
      */
     private static final double SHALLOW = 1e-2;
+
+    /** How far from the face's ends the foot must be, per overlap: up to θ of 150°. */
+    private static final double WELL_OVER = 4;
 
     private final double bias;
     private final FaceSearch facesA = new FaceSearch();
@@ -95,8 +99,9 @@ final class PolygonPolygon {
         if (faces.isApart(one, other, place, reach)) {
             return true;
         }
+        double overlap = Math.max(0, -faces.separation);
         double shallow = SHALLOW * Math.min(one.smallestWidth(), other.smallestWidth());
-        if (faces.separation > -shallow && faces.isOverFace(one, other, place)) {
+        if (overlap <= shallow && faces.isOverFace(one, other, place, WELL_OVER * overlap)) {
             otherFaces.separation = Double.NEGATIVE_INFINITY;
             return false;
         }

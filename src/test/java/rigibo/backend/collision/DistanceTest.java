@@ -90,4 +90,38 @@ class DistanceTest {
                     .isEqualTo(truth, within(ROUND_OFF));
         }
     }
+
+    /**
+     * Any two polygons, moved along the axis between them until they nearly touch or barely
+     * overlap: corners that pass each other are where a face is easily taken for the nearest.
+     */
+    @ParameterizedTest
+    @ValueSource(longs = {6, 7, 8})
+    void gapIsExactWherePolygonsNearlyTouch(long seed) {
+        Random random = new Random(seed);
+        for (int i = 0; i < 20_000; i++) {
+            Polygon a = anyPolygon(random);
+            Polygon b = anyPolygon(random);
+            Pose poseA = pose(0, 0, between(random, 0, 7));
+            Pose poseB = pose(between(random, -3, 3), between(random, -3, 3), i);
+            double gap = distance.measure(a, poseA, b, poseB);
+            double rest = Math.pow(10, between(random, -6, -1)) * (random.nextBoolean() ? 1 : -1);
+            poseB.x -= (gap - rest) * distance.axisX;
+            poseB.y -= (gap - rest) * distance.axisY;
+            double truth = Outline.gap(new Outline(a, poseA), new Outline(b, poseB));
+
+            assertThat(distance.measure(a, poseA, b, poseB))
+                    .as("seed %s, pair %s", seed, i)
+                    .isEqualTo(truth, within(ROUND_OFF));
+        }
+    }
+
+    private static Polygon anyPolygon(Random random) {
+        return switch (random.nextInt(4)) {
+            case 0 -> Polygon.box(between(random, 0.05, 2), between(random, 0.05, 1));
+            case 1 -> Polygon.of(0, 0, between(random, 1, 2), between(random, 0, 0.5), 0.3, 1);
+            case 2 -> Polygon.of(0, 0, 2, -0.02, 2, between(random, 0, 0.3));
+            default -> Polygon.regular(3 + random.nextInt(20), between(random, 0.2, 1));
+        };
+    }
 }
