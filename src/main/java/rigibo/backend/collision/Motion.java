@@ -44,17 +44,32 @@ public final class Motion {
     /** 1/s, zero or more. */
     public double drag;
 
+    /** The angle whose cosine and sine were last computed: many bodies do not turn. */
+    private double knownAngle;
+
+    private double knownCos = 1;
+    private double knownSin;
+
     /** Writes where the body is at a time in s. */
     public void poseAt(double time, Pose out) {
+        placeAt(time, out);
+        double turned = angleAt(time);
+        if (turned != knownAngle) {
+            knownAngle = turned;
+            knownCos = Angle.cos(turned);
+            knownSin = Angle.sin(turned);
+        }
+        out.cos = knownCos;
+        out.sin = knownSin;
+    }
+
+    /** Writes where the centre of mass is at a time in s, and leaves the orientation as it was. */
+    public void placeAt(double time, Pose out) {
         double elapsed = time - startTime;
         double e1 = velocityShare(elapsed);
         double e2 = accelerationShare(elapsed, e1);
-        double turned = angleAt(time);
-        out.set(
-                x + (velocityX * e1 + accelerationX * e2),
-                y + (velocityY * e1 + accelerationY * e2),
-                Angle.cos(turned),
-                Angle.sin(turned));
+        out.x = x + (velocityX * e1 + accelerationX * e2);
+        out.y = y + (velocityY * e1 + accelerationY * e2);
     }
 
     /** rad, counter-clockwise, at a time in s. */

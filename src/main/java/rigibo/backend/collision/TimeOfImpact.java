@@ -79,12 +79,14 @@ public final class TimeOfImpact {
         advance.begin(how);
         evaluations = 0;
         isConservative = false;
-        setTolerance(metres);
-        a.poseAt(from, poseA);
-        b.poseAt(from, poseB);
         approach.between(a, b);
-        boolean mayMeet = approach.mayMeet(poseA, poseB, from, to, advance.largest);
-        double time = mayMeet ? run(from) : NEVER;
+        a.placeAt(from, poseA);
+        b.placeAt(from, poseB);
+        if (!approach.mayMeet(poseA, poseB, from, to, metres)) {
+            return NEVER;
+        }
+        setTolerance(metres);
+        double time = run(from);
         evaluations += advance.evaluations;
         return time;
     }
