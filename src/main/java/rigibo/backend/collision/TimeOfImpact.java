@@ -32,6 +32,11 @@ public final class TimeOfImpact {
     /** Rounds before the safe time reached so far is taken; met only by long, close passes. */
     private static final int MOST_ROUNDS = 100;
 
+    /**
+     * Longest step of the last correction, of the time searched: the speed must not change in it.
+     */
+    private static final double MOST_POLISH = 0.01;
+
     private final Distance distance = new Distance();
     private final Pose poseA = new Pose();
     private final Pose poseB = new Pose();
@@ -111,7 +116,7 @@ public final class TimeOfImpact {
             } else if (gap <= advance.largest) {
                 if ((round > 0 || gap <= rounding)
                         && approach.isClosing(distance, poseA, poseB, time, tolerance)) {
-                    return time;
+                    return polished(from, time, gap);
                 }
                 stopBelow(gap);
             }
@@ -126,6 +131,18 @@ public final class TimeOfImpact {
         }
         isConservative = true;
         return time;
+    }
+
+    /**
+     * The root lies anywhere within the stopping gap; one step of Newton's puts it on its middle,
+     * so that a mirrored or exchanged pair meets at the same time, to nearly all digits.
+     */
+    private double polished(double from, double time, double gap) {
+        double aim = (advance.least + advance.largest) / 2;
+        double speed = approach.partingSpeed(distance, poseA, poseB, time, tolerance);
+        double better = time + (gap - aim) / -speed;
+        boolean isNear = speed < 0 && Math.abs(better - time) <= MOST_POLISH * (end - from);
+        return isNear && better >= from && better <= end ? better : time;
     }
 
     /** Lets a pair that is close, but parts, come back to half its gap, or to deeper overlap. */

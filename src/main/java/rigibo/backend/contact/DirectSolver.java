@@ -213,7 +213,12 @@ final class DirectSolver {
         int row = id / ROWS_PER_CONTACT;
         int kind = id % ROWS_PER_CONTACT;
         double v = single.relative(id, Motions.VX, Motions.VY, Motions.SPIN);
-        return kind == TANGENT ? v : v + Math.max(0, motions.gap(rows, row, kind)) / h;
+        if (kind == TANGENT) {
+            return v;
+        }
+        int at = row * Rows.STRIDE;
+        double given = rows.data[at + Rows.GIVE] * rows.data[at + Rows.IMPULSE0 + kind];
+        return v + given + Math.max(0, motions.gap(rows, row, kind)) / h;
     }
 
     /**
@@ -274,7 +279,10 @@ final class DirectSolver {
         layEnvelope();
         for (int i = 0; i < size; i++) {
             for (int j = first[i]; j <= i; j++) {
-                double sum = single.response(set[i], set[j]) * (i == j ? 1 + COMPLIANCE : 1);
+                double sum = single.response(set[i], set[j]);
+                if (i == j) {
+                    sum += COMPLIANCE * sum + single.give(set[i]);
+                }
                 int from = Math.max(first[i], first[j]);
                 for (int k = from; k < j; k++) {
                     sum -= factor[start[i] + k - first[i]] * factor[start[j] + k - first[j]];

@@ -100,6 +100,24 @@ final class FrictionSolver {
         keepTangent(row, clamp(wanted, most));
     }
 
+    /** The worst speed in m/s at which a row slides whose friction could hold it. */
+    double unsolved(int substep) {
+        double worst = 0;
+        for (int i = 0; i < slidingCount; i++) {
+            int row = slidingRows[i];
+            if (rows.firstSubstep[row] <= substep) {
+                int at = row * Rows.STRIDE;
+                double[] d = rows.data;
+                double most =
+                        d[at + Rows.FRICTION] * (d[at + Rows.IMPULSE0] + d[at + Rows.IMPULSE1]);
+                double wanted = d[at + Rows.IMPULSE_T] - d[at + Rows.MASS_T] * sliding(row);
+                double change = clamp(wanted, most) - d[at + Rows.IMPULSE_T];
+                worst = Math.max(worst, Math.abs(change) / d[at + Rows.MASS_T]);
+            }
+        }
+        return worst;
+    }
+
     /** Speed in m/s at which B slides along the tangent on A. */
     private double sliding(int row) {
         double[] d = rows.data;

@@ -5,12 +5,46 @@ import rigibo.backend.storage.Bodies;
 /** Adds accelerations to the velocities of an island's bodies. */
 final class Kick {
 
+    /** Where the length of the kick in s is kept, beside the velocities before it. */
+    private static final int LENGTH = Motions.DX;
+
     private final Bodies bodies;
     private final Motions motions;
+
+    /** Velocities before the kick, then what they gained; and how long the kick was, s. */
+    private double[] gained = new double[16 * Motions.STRIDE];
 
     Kick(Bodies bodies, Motions motions) {
         this.bodies = bodies;
         this.motions = motions;
+    }
+
+    /** Keeps the velocities that the next kick begins with. */
+    void remember() {
+        int length = motions.count * Motions.STRIDE;
+        if (gained.length < length) {
+            gained = new double[2 * length];
+        }
+        System.arraycopy(motions.data, 0, gained, 0, length);
+        for (int at = 0; at < length; at += Motions.STRIDE) {
+            gained[at + LENGTH] = 0;
+        }
+    }
+
+    /** Measures what all velocities have gained per second of the kick, by loads too. */
+    void measureGain() {
+        for (int at = Motions.STRIDE; at < motions.count * Motions.STRIDE; at += Motions.STRIDE) {
+            double length = gained[at + LENGTH];
+            for (int column = at; column < at + Motions.DX; column++) {
+                double gain = motions.data[column] - gained[column];
+                gained[column] = length > 0 ? gain / length : 0;
+            }
+        }
+    }
+
+    /** What a body's velocity gained in the kick, m/s², or rad/s² for its spin. */
+    double gained(int body, int column) {
+        return gained[body + column];
     }
 
     /**
@@ -30,6 +64,7 @@ final class Kick {
     }
 
     private void accelerate(double[] m, int at, int slot, double length) {
+        gained[at + LENGTH] = length;
         if (bodies.drag != null && bodies.drag[slot] > 0) {
             // v' = a − k·v, exactly: v·e^(−kh) + a·(1 − e^(−kh))/k.
             double k = bodies.drag[slot];

@@ -98,6 +98,18 @@ final class Motions {
                 - d[at + 2 * point + Rows.LEVER_A0] * data[a + TURN];
     }
 
+    /** Speed in m/s at which a contact's point parts; negative when it closes. */
+    double parting(Rows rows, int row, int point) {
+        double[] d = rows.data;
+        int at = row * Rows.STRIDE;
+        int a = rows.bodyA[row];
+        int b = rows.bodyB[row];
+        return d[at + Rows.NX] * (data[b + VX] - data[a + VX])
+                + d[at + Rows.NY] * (data[b + VY] - data[a + VY])
+                + d[at + 2 * point + Rows.LEVER_B0] * data[b + SPIN]
+                - d[at + 2 * point + Rows.LEVER_A0] * data[a + SPIN];
+    }
+
     /** J of motion and rotation of all that can be moved. */
     double kineticEnergy() {
         double twice = 0;
@@ -111,6 +123,24 @@ final class Motions {
             }
         }
         return twice / 2;
+    }
+
+    /** The highest speed along an axis, m/s, of what can be moved and what is driven. */
+    double fastest() {
+        double most = 0;
+        for (int at = STRIDE; at < count * STRIDE; at += STRIDE) {
+            most = Math.max(most, Math.max(Math.abs(data[at + VX]), Math.abs(data[at + VY])));
+        }
+        return most;
+    }
+
+    /** kg of all that can be moved. */
+    double mass() {
+        double sum = 0;
+        for (int at = STRIDE; at < count * STRIDE; at += STRIDE) {
+            sum += data[at + INVERSE_MASS] > 0 ? 1 / data[at + INVERSE_MASS] : 0;
+        }
+        return sum;
     }
 
     /** N·s of all that can be moved, without regard to direction. */

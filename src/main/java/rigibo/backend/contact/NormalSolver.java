@@ -61,6 +61,31 @@ final class NormalSolver {
         }
     }
 
+    /** The worst violation of v + gap/h ≥ 0 ⊥ j ≥ 0 by a row, m/s. */
+    double unsolved(double h, int substep) {
+        double worst = 0;
+        for (int row = 0; row < rows.count; row++) {
+            if (rows.firstSubstep[row] <= substep) {
+                for (int point = 0; point < rows.points[row]; point++) {
+                    worst = Math.max(worst, unsolved(row, point, h));
+                }
+            }
+        }
+        return worst;
+    }
+
+    private double unsolved(int row, int point, double h) {
+        double[] d = rows.data;
+        int at = row * Rows.STRIDE;
+        double impulse = d[at + Rows.IMPULSE0 + point];
+        double w =
+                motions.parting(rows, row, point)
+                        + Math.max(0, motions.gap(rows, row, point)) / h
+                        + d[at + Rows.GIVE] * impulse;
+        double held = impulse * (point == 0 ? d[at + Rows.K00] : d[at + Rows.K11]);
+        return w < 0 ? -w : Math.min(w, held);
+    }
+
     private void solve(int row, double perSubstep, SoftPush soft) {
         double[] d = rows.data;
         double[] m = motions.data;
@@ -75,8 +100,9 @@ final class NormalSolver {
         double lb0 = d[at + Rows.LEVER_B0];
         double v0 = vn + lb0 * m[b + SPIN] - la0 * m[a + SPIN];
         double gap0 = d[at + Rows.GAP0] + dn + lb0 * m[b + TURN] - la0 * m[a + TURN];
-        double w0 = v0 + soft.bias(gap0, perSubstep);
         double old0 = d[at + Rows.IMPULSE0];
+        double give = d[at + Rows.GIVE];
+        double w0 = v0 + soft.bias(gap0, perSubstep) + give * old0;
         if (rows.points[row] == 1) {
             double rigid = Math.max(0, old0 - w0 * d[at + Rows.M00]);
             double impulse = gap0 > 0 ? rigid : soft.soften(rigid, d[at + Rows.LOAD0]);
@@ -87,8 +113,9 @@ final class NormalSolver {
         double la1 = d[at + Rows.LEVER_A1];
         double lb1 = d[at + Rows.LEVER_B1];
         double gap1 = d[at + Rows.GAP1] + dn + lb1 * m[b + TURN] - la1 * m[a + TURN];
-        double w1 = vn + lb1 * m[b + SPIN] - la1 * m[a + SPIN] + soft.bias(gap1, perSubstep);
         double old1 = d[at + Rows.IMPULSE1];
+        double v1 = vn + lb1 * m[b + SPIN] - la1 * m[a + SPIN];
+        double w1 = v1 + soft.bias(gap1, perSubstep) + give * old1;
         solvePair(d, at, w0, w1);
         if (gap0 <= 0 && gap1 <= 0) {
             d[at + Rows.IMPULSE0] = soft.soften(d[at + Rows.IMPULSE0], d[at + Rows.LOAD0]);

@@ -44,8 +44,10 @@ final class OverlapSolver {
 
     /** How far in m a point's gap is to open within h seconds; 0 where it does not overlap. */
     double wanted(int row, int point, double h) {
-        double overlap = -motions.gap(rows, row, point) - rows.data[row * Rows.STRIDE + Rows.KEPT];
-        return overlap > 0 ? Math.min(overlap * RATE * h / (1 + RATE * h), MOST_PUSH * h) : 0;
+        int at = row * Rows.STRIDE;
+        double overlap = -motions.gap(rows, row, point) - rows.data[at + Rows.KEPT];
+        double rate = rows.data[at + Rows.RECOVERY];
+        return overlap > 0 ? Math.min(overlap * rate * h / (1 + rate * h), MOST_PUSH * h) : 0;
     }
 
     private void correct(int row, double h) {

@@ -93,7 +93,7 @@ final class PileImpacts {
     }
 
     private boolean strikes(int row, int point, double h, double limit) {
-        double v = parting(row, point);
+        double v = motions.parting(rows, row, point);
         return v < limit && v < -ROUND_OFF && motions.gap(rows, row, point) + h * v < 0;
     }
 
@@ -101,20 +101,8 @@ final class PileImpacts {
     private static final double ROUND_OFF = 1e-9;
 
     private double slowest(int row) {
-        double v0 = parting(row, 0);
-        return rows.points[row] == 1 ? v0 : Math.min(v0, parting(row, 1));
-    }
-
-    private double parting(int row, int point) {
-        double[] d = rows.data;
-        double[] m = motions.data;
-        int at = row * Rows.STRIDE;
-        int a = rows.bodyA[row];
-        int b = rows.bodyB[row];
-        return d[at + Rows.NX] * (m[b + VX] - m[a + VX])
-                + d[at + Rows.NY] * (m[b + VY] - m[a + VY])
-                + d[at + 2 * point + Rows.LEVER_B0] * m[b + SPIN]
-                - d[at + 2 * point + Rows.LEVER_A0] * m[a + SPIN];
+        double v0 = motions.parting(rows, row, 0);
+        return rows.points[row] == 1 ? v0 : Math.min(v0, motions.parting(rows, row, 1));
     }
 
     private void strike(int row, double h) {
@@ -186,9 +174,10 @@ final class PileImpacts {
         impact.points = 0;
         double time = h;
         for (int point = 0; point < rows.points[row]; point++) {
-            if (motions.gap(rows, row, point) + h * Math.min(0, parting(row, point)) <= 0) {
+            if (motions.gap(rows, row, point) + h * Math.min(0, motions.parting(rows, row, point))
+                    <= 0) {
                 addPoint(at, point);
-                double speed = -parting(row, point);
+                double speed = -motions.parting(rows, row, point);
                 double when = speed > 0 ? Math.max(0, motions.gap(rows, row, point)) / speed : h;
                 time = Math.min(time, when);
             }

@@ -1,5 +1,6 @@
 package rigibo.backend.contact;
 
+import rigibo.backend.collision.Narrowphase;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.ContactSolver;
 import rigibo.backend.setup.Correction;
@@ -18,6 +19,12 @@ public final class PileSolver {
     /** Share of a substep that stands for no time at all, yet lets a gap of round-off rest. */
     private static final double NO_TIME = 1e-3;
 
+    /** Share of the fastest speed that may be left unsolved. */
+    private static final double SETTLED = 1e-9;
+
+    /** Rounds that a small pile is given per substep. */
+    private static final int MOST_ROUNDS = 20;
+
     private final Bodies bodies;
     private final Pairs pairs;
     private final Islands islands;
@@ -32,16 +39,26 @@ public final class PileSolver {
     private final NormalSolver normals;
     private final FrictionSolver friction;
     private final PileImpacts impacts;
+    private final JointBlows joint;
     private final OverlapSolver overlap;
+    private final EnergyGuard guard;
     private final DirectSolver direct;
     private final SoftPush soft = new SoftPush();
     private final boolean isDirect;
+
+    private final TurningRows turning;
+
+    /** The highest speed before contacts answer, m/s. */
+    private double fastest;
+
+    /** Substeps that the packed island is given. */
+    private int substeps;
 
     /** Whether the packed island is solved whole. */
     private boolean isSmall;
 
     /** A solver at an accuracy. */
-    public PileSolver(DataStorage data, Accuracy accuracy) {
+    public PileSolver(DataStorage data, Narrowphase narrowphase, Accuracy accuracy) {
         bodies = data.bodies;
         pairs = data.pairs;
         islands = data.islands;
@@ -49,6 +66,7 @@ public final class PileSolver {
         this.accuracy = accuracy;
         isCorrecting = accuracy.correction() == Correction.SOFT;
         builder = new RowBuilder(data, motions, rows);
+        turning = new TurningRows(data, narrowphase, motions, rows, builder);
         kick = new Kick(bodies, motions);
         warmStart = new WarmStart(motions, rows);
         normals =
@@ -56,18 +74,20 @@ public final class PileSolver {
                         motions, rows, accuracy.contactSolver() != ContactSolver.SEQUENTIAL);
         friction = new FrictionSolver(motions, rows);
         overlap = new OverlapSolver(motions, rows);
+        guard = new EnergyGuard(motions, rows);
         direct = new DirectSolver(motions, rows, overlap);
         isDirect = accuracy.contactSolver() == ContactSolver.DIRECT;
         impacts = new PileImpacts(motions, rows, pairs, counters);
+        joint = new JointBlows(data, motions, rows, kick);
     }
 
     /** Advances every island to the end of a step of {@code dt} seconds. */
     public void solve(double dt) {
         for (int island = 0; island < islands.count; island++) {
             double start = startOf(island);
-            double h = (dt - start) / accuracy.substeps();
-            if (h > 0) {
-                advance(island, start, h, dt);
+            if (dt > start) {
+                substeps = turning.substepsFor(island, dt - start, accuracy.substeps());
+                advance(island, start, (dt - start) / substeps, dt);
             }
         }
     }
@@ -86,21 +106,39 @@ public final class PileSolver {
         friction.prepare();
         impacts.prepare();
         direct.prepare();
+        warmStart.prepare();
         isSmall = isDirect && direct.isSmallEnough();
         delayLateJoiners(start, h);
         counters.rows += friction.rowCount() + rows.count;
-        for (int substep = 0; substep < accuracy.substeps(); substep++) {
+        for (int substep = 0; substep < substeps; substep++) {
             double middle = start + (substep + 0.5) * h;
+            kick.remember();
+            if (substep > 0) {
+                turning.refresh((substeps - substep) * h);
+            }
             kick.accelerate(substep == 0 ? start : middle - h, middle);
-            warmStart.apply(substep == 1 ? 2 : 1, substep);
+            fastest = motions.fastest();
+            begin(substep == 1 ? 2 : 1, substep);
             substep(h, substep);
         }
         finish(h, dt);
         store(h);
     }
 
+    private void begin(double scale, int substep) {
+        if (isSmall && substep > 0) {
+            warmStart.leaveOutBlows();
+        }
+        warmStart.apply(scale, substep);
+    }
+
     private void substep(double h, int substep) {
-        impacts.resolve(h, substep);
+        if (isSmall) {
+            kick.measureGain();
+            joint.resolve(h, substep);
+        } else {
+            impacts.resolve(h, substep);
+        }
         if (isSmall) {
             hold(h, substep);
             addUpImpulses();
@@ -135,13 +173,32 @@ public final class PileSolver {
 
     /** Keeps contacts from closing and from sliding. */
     private void hold(double h, int substep) {
+        if (isSmall) {
+            settle(h, substep);
+            return;
+        }
         for (int i = 0; i < accuracy.velocityIterations(); i++) {
             friction.solve(substep);
             normals.back(h, substep);
-            if (isSmall) {
-                direct.solve(h, substep);
-                friction.solve(substep);
-                normals.forth(h, substep);
+        }
+    }
+
+    /** Goes on until a small pile is solved, which at rest it is after the first round. */
+    private void settle(double h, int substep) {
+        settleRows(h, substep);
+        guard.limit();
+    }
+
+    private void settleRows(double h, int substep) {
+        double settled = SETTLED * fastest;
+        for (int i = 0; i < MOST_ROUNDS; i++) {
+            friction.solve(substep);
+            normals.back(h, substep);
+            direct.solve(h, substep);
+            friction.solve(substep);
+            normals.forth(h, substep);
+            if (Math.max(normals.unsolved(h, substep), friction.unsolved(substep)) <= settled) {
+                return;
             }
         }
     }
@@ -152,11 +209,12 @@ public final class PileSolver {
      * down in this one. A large pile is never solved so well: there that reason keeps it calm.
      */
     private void finish(double h, double dt) {
-        int last = accuracy.substeps();
+        int last = substeps;
         kick.accelerate(dt - h / 2, dt);
-        warmStart.apply(last == 1 ? 1 : 0.5, last);
+        fastest = motions.fastest();
+        begin(last == 1 ? 1 : 0.5, last);
         if (isSmall) {
-            impacts.resolve(h * NO_TIME, last);
+            joint.resolveAtOnce(h * NO_TIME, last);
             hold(h * NO_TIME, last);
         } else {
             hold(h, last);
@@ -244,7 +302,7 @@ public final class PileSolver {
 
     /** Moves a point's remembered load towards the force it carries. */
     private void remember(int point, double h) {
-        double share = Math.min(1, h * accuracy.substeps() / LOAD_MEMORY);
+        double share = Math.min(1, h * substeps / LOAD_MEMORY);
         pairs.load[point] += share * (pairs.normalForce[point] - pairs.load[point]);
     }
 }

@@ -21,11 +21,25 @@ final class RowBuilder {
      */
     private static final double PULLED = 0.25;
 
+    /** Gap in m of a contact that has parted beyond all reach. */
+    private static final double OUT_OF_REACH = 1e9;
+
+    /**
+     * What moves as it is told presses with what force it takes, and against a wall no force is
+     * enough: there the equations would squeeze a body out at any speed. So its contacts give way,
+     * at this share of the speed that the same impulse would give the whole island: under a load of
+     * its weight that is 1 % of g·h.
+     */
+    private static final double GIVE_OF_DRIVEN = 0.01;
+
     private final Bodies bodies;
     private final Pairs pairs;
     private final Islands islands;
     private final Motions motions;
     private final Rows rows;
+
+    /** Of all that can be moved in the packed island, kg. */
+    private double mass;
 
     RowBuilder(DataStorage data, Motions motions, Rows rows) {
         bodies = data.bodies;
@@ -44,6 +58,7 @@ final class RowBuilder {
         for (int i = islands.bodyStart[island]; i < islands.bodyStart[island + 1]; i++) {
             motions.offset(bodies, islands.bodies[i]);
         }
+        mass = motions.mass();
         for (int i = islands.pairStart[island]; i < islands.pairStart[island + 1]; i++) {
             if (!isAgainstGround(islands.pairs[i])) {
                 addRow(islands.pairs[i], firstKick);
@@ -70,10 +85,7 @@ final class RowBuilder {
         rows.bodyA[row] = motions.offset(bodies, a);
         rows.bodyB[row] = motions.offset(bodies, b);
         int at = row * Rows.STRIDE;
-        double[] d = rows.data;
-        d[at + Rows.NX] = pairs.normalX[pair];
-        d[at + Rows.NY] = pairs.normalY[pair];
-        writeLevers(at, pair, a, b);
+        writeLevers(row, at, pair);
         writeNormalMasses(row, at);
         writeFriction(row, at, pair);
         writeBounce(at, pair, 2 * firstKick);
@@ -98,10 +110,33 @@ final class RowBuilder {
         d[at + Rows.IMPULSE_R] = rolls ? pairs.rollingTorque[pair] * firstKick : 0;
     }
 
-    private void writeLevers(int at, int pair, int a, int b) {
+    /**
+     * Writes a contact anew whose manifold was measured where its bodies are now. Its gaps stay
+     * those that it had when they entered the pile, for that is what they are compared with.
+     */
+    void rewrite(int row) {
+        int pair = rows.pair[row];
+        int at = row * Rows.STRIDE;
+        double[] d = rows.data;
+        rows.points[row] = Math.max(1, pairs.points[pair]);
+        writeLevers(row, at, pair);
+        writeNormalMasses(row, at);
+        writeFriction(row, at, pair);
+        d[at + Rows.GAP0] = 2 * d[at + Rows.GAP0] - motions.gap(rows, row, 0);
+        d[at + Rows.GAP1] = 2 * d[at + Rows.GAP1] - motions.gap(rows, row, 1);
+        if (pairs.points[pair] == 0) {
+            d[at + Rows.GAP0] = OUT_OF_REACH;
+        }
+    }
+
+    private void writeLevers(int row, int at, int pair) {
         double[] d = rows.data;
         double nx = pairs.normalX[pair];
         double ny = pairs.normalY[pair];
+        double ax = centreX(pairs.bodyA[pair], rows.bodyA[row]);
+        double ay = centreY(pairs.bodyA[pair], rows.bodyA[row]);
+        double bx = centreX(pairs.bodyB[pair], rows.bodyB[row]);
+        double by = centreY(pairs.bodyB[pair], rows.bodyB[row]);
         double middleX = 0;
         double middleY = 0;
         int points = pairs.points[pair];
@@ -109,14 +144,24 @@ final class RowBuilder {
             double px = pairs.pointX[2 * pair + i];
             double py = pairs.pointY[2 * pair + i];
             int shift = at + 2 * i;
-            d[shift + Rows.LEVER_A0] = (px - bodies.x[a]) * ny - (py - bodies.y[a]) * nx;
-            d[shift + Rows.LEVER_B0] = (px - bodies.x[b]) * ny - (py - bodies.y[b]) * nx;
+            d[shift + Rows.LEVER_A0] = (px - ax) * ny - (py - ay) * nx;
+            d[shift + Rows.LEVER_B0] = (px - bx) * ny - (py - by) * nx;
             d[at + Rows.GAP0 + i] = pairs.separation[2 * pair + i];
             middleX += px / points;
             middleY += py / points;
         }
-        d[at + Rows.LEVER_TA] = (middleX - bodies.x[a]) * nx + (middleY - bodies.y[a]) * ny;
-        d[at + Rows.LEVER_TB] = (middleX - bodies.x[b]) * nx + (middleY - bodies.y[b]) * ny;
+        d[at + Rows.NX] = nx;
+        d[at + Rows.NY] = ny;
+        d[at + Rows.LEVER_TA] = (middleX - ax) * nx + (middleY - ay) * ny;
+        d[at + Rows.LEVER_TB] = (middleX - bx) * nx + (middleY - by) * ny;
+    }
+
+    private double centreX(int slot, int entry) {
+        return bodies.x[slot] + motions.data[entry + Motions.DX];
+    }
+
+    private double centreY(int slot, int entry) {
+        return bodies.y[slot] + motions.data[entry + Motions.DY];
     }
 
     private void writeNormalMasses(int row, int at) {
@@ -142,6 +187,10 @@ final class RowBuilder {
                         d[at + Rows.LEVER_B1],
                         d[at + Rows.LEVER_A1],
                         d[at + Rows.LEVER_B1]);
+        double give = isDriven(row) ? GIVE_OF_DRIVEN / mass : 0;
+        k00 += give;
+        k11 += give;
+        d[at + Rows.GIVE] = give;
         d[at + Rows.K00] = k00;
         d[at + Rows.K01] = k01;
         d[at + Rows.K11] = k11;
@@ -153,6 +202,11 @@ final class RowBuilder {
         } else {
             keepDeeper(row, at);
         }
+    }
+
+    private boolean isDriven(int row) {
+        int pair = rows.pair[row];
+        return bodies.isDriven(pairs.bodyA[pair]) || bodies.isDriven(pairs.bodyB[pair]);
     }
 
     /** One point, or two that are as good as one: the deeper is kept as the first. */
@@ -204,6 +258,7 @@ final class RowBuilder {
                                 bodies, a, b, pairs.normalX[pair], pairs.normalY[pair]));
         double width = PairTolerances.width(bodies, a, b);
         double unseen = PairTolerances.restSpeed(pressing, width);
+        d[at + Rows.RECOVERY] = OverlapSolver.RATE;
         d[at + Rows.KEPT] = OverlapSolver.KEPT_OVERLAP * width;
         d[at + Rows.ELASTICITY] = pairs.elasticity[pair];
         double pulled = Math.max(acceleration(a), acceleration(b)) * h * PULLED;

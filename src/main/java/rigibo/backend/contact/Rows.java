@@ -71,6 +71,12 @@ final class Rows {
 
     static final int LOAD1 = 29;
 
+    /** Speed at which the contact gives way to a unit impulse, 1/kg; 0 but against the driven. */
+    static final int GIVE = 31;
+
+    /** Share of an overlap taken back per second, 1/s. */
+    static final int RECOVERY = 30;
+
     static final int STRIDE = 32;
 
     double[] data = new double[16 * STRIDE];

@@ -19,7 +19,11 @@ final class SingleRows {
 
     /** How fast (or far) B moves against A along a row, by the columns named. */
     double relative(int id, int ix, int iy, int turn) {
-        double[] m = motions.data;
+        return relative(motions.data, id, ix, iy, turn);
+    }
+
+    /** The same for columns laid out as the motions. */
+    double relative(double[] m, int id, int ix, int iy, int turn) {
         int row = id / ROWS_PER_CONTACT;
         int a = rows.bodyA[row];
         int b = rows.bodyB[row];
@@ -31,7 +35,11 @@ final class SingleRows {
 
     /** Applies an impulse along a row to the columns named. */
     void push(int id, double impulse, int ix, int iy, int turn) {
-        double[] m = motions.data;
+        push(motions.data, id, impulse, ix, iy, turn);
+    }
+
+    /** The same for columns laid out as the motions. */
+    void push(double[] m, int id, double impulse, int ix, int iy, int turn) {
         int row = id / ROWS_PER_CONTACT;
         int a = rows.bodyA[row];
         int b = rows.bodyB[row];
@@ -49,6 +57,12 @@ final class SingleRows {
     static int impulseColumn(int id) {
         int kind = id % ROWS_PER_CONTACT;
         return kind == TANGENT ? Rows.IMPULSE_T : Rows.IMPULSE0 + kind;
+    }
+
+    /** Speed at which a row gives way to a unit impulse, 1/kg. */
+    double give(int id) {
+        int row = id / ROWS_PER_CONTACT;
+        return id % ROWS_PER_CONTACT == TANGENT ? 0 : rows.data[row * Rows.STRIDE + Rows.GIVE];
     }
 
     private double directionX(int id) {

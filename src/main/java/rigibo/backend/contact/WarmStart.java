@@ -6,15 +6,55 @@ import static rigibo.backend.contact.Motions.SPIN;
 import static rigibo.backend.contact.Motions.VX;
 import static rigibo.backend.contact.Motions.VY;
 
-/** Begins a kick with the impulses of the one before, scaled by the kicks' lengths. */
+/**
+ * Begins a kick with the impulses of the one before, scaled by the kicks' lengths. What a contact
+ * carries it carries for two kicks at least; what stopped a fall it did once, and given again it
+ * would throw the body back. So a pile that is solved whole begins with the lesser of its last two
+ * impulses.
+ */
 final class WarmStart {
 
     private final Motions motions;
     private final Rows rows;
 
+    /** The normal impulses of the kick before the last, per row and point. */
+    private double[] before = new double[32];
+
     WarmStart(Motions motions, Rows rows) {
         this.motions = motions;
         this.rows = rows;
+    }
+
+    /** Takes the packed island's impulses for those of the last two kicks. */
+    void prepare() {
+        if (before.length < 2 * rows.count) {
+            before = new double[4 * rows.count];
+        }
+        for (int row = 0; row < rows.count; row++) {
+            keep(row, row * Rows.STRIDE);
+        }
+    }
+
+    /** Leaves out of every impulse what it has more than the one before. */
+    void leaveOutBlows() {
+        double[] d = rows.data;
+        for (int row = 0; row < rows.count; row++) {
+            int at = row * Rows.STRIDE;
+            double j0 = Math.min(d[at + Rows.IMPULSE0], before[2 * row]);
+            double j1 = Math.min(d[at + Rows.IMPULSE1], before[2 * row + 1]);
+            double both = d[at + Rows.IMPULSE0] + d[at + Rows.IMPULSE1];
+            double share = both > 0 ? (j0 + j1) / both : 0;
+            keep(row, at);
+            d[at + Rows.IMPULSE0] = j0;
+            d[at + Rows.IMPULSE1] = j1;
+            d[at + Rows.IMPULSE_T] *= share;
+            d[at + Rows.IMPULSE_R] *= share;
+        }
+    }
+
+    private void keep(int row, int at) {
+        before[2 * row] = rows.data[at + Rows.IMPULSE0];
+        before[2 * row + 1] = rows.data[at + Rows.IMPULSE1];
     }
 
     /** Scales every impulse and applies it. */
@@ -34,6 +74,8 @@ final class WarmStart {
         int b = rows.bodyB[row];
         double nx = d[at + Rows.NX];
         double ny = d[at + Rows.NY];
+        before[2 * row] *= scale;
+        before[2 * row + 1] *= scale;
         double j0 = d[at + Rows.IMPULSE0] *= scale;
         double j1 = d[at + Rows.IMPULSE1] *= scale;
         double jt = d[at + Rows.IMPULSE_T] *= scale;

@@ -3,25 +3,28 @@ package rigibo.backend.flight;
 import rigibo.backend.broadphase.Broadphase;
 import rigibo.backend.collision.Motion;
 import rigibo.backend.collision.Narrowphase;
-import rigibo.backend.collision.Pose;
 import rigibo.backend.collision.TimeOfImpact;
-import rigibo.backend.geometry.ShapeKind;
-import rigibo.backend.impact.Impact;
-import rigibo.backend.impact.ImpactLaw;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.Counters;
 import rigibo.backend.storage.DataStorage;
-import rigibo.backend.storage.PairTolerances;
 import rigibo.backend.storage.Pairs;
 import rigibo.backend.storage.Roster;
 import rigibo.backend.storage.Waking;
+
+import java.util.Arrays;
 
 /**
  * Moves the bodies in flight, with their impacts in the order of time. At an impact only its two
  * bodies are brought to that time; their other impacts are predicted anew.
  */
 public final class Flight {
+
+    /**
+     * Impacts this close are one instant, s per metre of the tolerance: a thousandth of what a body
+     * of 1 m/s may miss the other by.
+     */
+    private static final double TIE_PER_METRE = 1e-3;
 
     private final Bodies bodies;
     private final Pairs pairs;
@@ -32,14 +35,16 @@ public final class Flight {
     private final Broadphase broadphase;
     private final Accuracy accuracy;
     private final Trajectories paths;
+    private final Blows blows;
     private final ImpactQueue queue = new ImpactQueue();
     private final TimeOfImpact timeOfImpact = new TimeOfImpact();
-    private final ImpactLaw law = new ImpactLaw();
-    private final Impact impact = new Impact();
     private final Motion motionA = new Motion();
     private final Motion motionB = new Motion();
-    private final Pose poseA = new Pose();
-    private final Pose poseB = new Pose();
+
+    /** Pairs whose impacts fall on the instant that is looked at. */
+    private int[] tied = new int[16];
+
+    private int tiedCount;
 
     /** Flight at an accuracy. */
     public Flight(
@@ -53,17 +58,18 @@ public final class Flight {
         this.broadphase = broadphase;
         this.accuracy = accuracy;
         paths = new Trajectories(bodies);
+        blows = new Blows(data, narrowphase, accuracy, paths);
     }
 
     /** Moves every flyer to the end of a step of {@code dt} seconds, through everything. */
     public void fly(double dt) {
-        paths.begin();
+        paths.begin(dt);
         finish(dt);
     }
 
     /** Moves every flyer to the end of a step of {@code dt} seconds, impact by impact. */
     public void flyWithImpacts(double dt) {
-        paths.begin();
+        paths.begin(dt);
         queue.clear(pairs.bodyA.length);
         for (int i = 0; i < pairs.activeCount; i++) {
             if (pairs.points[pairs.active[i]] > 0) {
@@ -71,10 +77,9 @@ public final class Flight {
             }
         }
         while (!queue.isEmpty()) {
-            int pair = queue.first();
             double time = queue.firstTime();
-            queue.remove(pair);
-            strike(pair, time, dt);
+            takeTies();
+            strikeTies(time, dt);
         }
         finish(dt);
     }
@@ -87,12 +92,16 @@ public final class Flight {
         }
     }
 
-    /** Notes when a pair with a flyer hits within the step, seen from a time on. */
+    /**
+     * Notes when a pair with a flyer hits within the step, seen from a time on. A pair that has met
+     * as often as it may is left to the next step.
+     */
     private void predict(int pair, double from, double dt) {
         queue.remove(pair);
         int a = pairs.bodyA[pair];
         int b = pairs.bodyB[pair];
-        if (!paths.isFlyer(a) && !paths.isFlyer(b)) {
+        boolean isExhausted = pairs.impacts[pair] >= accuracy.maxImpactsPerPair();
+        if (isExhausted || !paths.isFlyer(a) && !paths.isFlyer(b)) {
             return;
         }
         paths.load(a, motionA);
@@ -106,41 +115,48 @@ public final class Flight {
         }
     }
 
-    private void strike(int pair, double time, double dt) {
+    /** Takes the earliest impact from the queue, and all that fall on the same instant. */
+    private void takeTies() {
+        double until = queue.firstTime() + TIE_PER_METRE * accuracy.impactTolerance();
+        tiedCount = 0;
+        while (!queue.isEmpty() && queue.firstTime() <= until) {
+            if (tiedCount == tied.length) {
+                tied = Arrays.copyOf(tied, 2 * tiedCount);
+            }
+            tied[tiedCount] = queue.first();
+            queue.remove(tied[tiedCount++]);
+        }
+    }
+
+    /** Flyers that hit a pile join it; the others strike each other, alone or together. */
+    private void strikeTies(double time, double dt) {
+        int left = 0;
+        for (int i = 0; i < tiedCount; i++) {
+            if (!joinsPile(tied[i], time, dt)) {
+                tied[left++] = tied[i];
+            }
+        }
+        blows.strike(tied, left, time, dt);
+        for (int i = 0; i < left; i++) {
+            repredict(pairs.bodyA[tied[i]], time, dt);
+            repredict(pairs.bodyB[tied[i]], time, dt);
+        }
+    }
+
+    private boolean joinsPile(int pair, double time, double dt) {
         int a = pairs.bodyA[pair];
         int b = pairs.bodyB[pair];
-        meet(pair, time);
-        if (hitsPile(a)) {
-            joinPile(b, a, pair, time, dt);
-        } else if (hitsPile(b)) {
-            joinPile(a, b, pair, time, dt);
-        } else {
-            blow(pair, time, dt);
+        boolean isPileA = hitsPile(a);
+        if (!isPileA && !hitsPile(b)) {
+            return false;
         }
+        blows.meet(pair, time);
+        joinPile(isPileA ? b : a, isPileA ? a : b, pair, time, dt);
+        return true;
     }
 
     private boolean hitsPile(int slot) {
         return bodies.isDynamic(slot) && !paths.isFlyer(slot);
-    }
-
-    /** Brings both bodies to the time of their impact and finds where they touch. */
-    private void meet(int pair, double time) {
-        int a = pairs.bodyA[pair];
-        int b = pairs.bodyB[pair];
-        bring(a, time);
-        bring(b, time);
-        paths.load(a, motionA);
-        paths.load(b, motionB);
-        motionA.poseAt(time, poseA);
-        motionB.poseAt(time, poseB);
-        double width = PairTolerances.width(bodies, a, b);
-        narrowphase.measure(pair, poseA, poseB, PairTolerances.TOUCHING_GAP * width);
-    }
-
-    private void bring(int slot, double time) {
-        if (paths.isFlyer(slot)) {
-            paths.advance(slot, time);
-        }
     }
 
     /** A flyer that hits a pile becomes part of it; the pile's solver resolves the blow. */
@@ -148,112 +164,9 @@ public final class Flight {
         if (!bodies.awake[pileBody]) {
             waking.wakeIntoPile(pileBody);
         }
-        join(flyer, time);
+        paths.land(flyer, time);
         pairs.impacts[pair]++;
         repredict(flyer, time, dt);
-    }
-
-    private void join(int slot, double time) {
-        if (paths.isFlyer(slot)) {
-            bodies.piled[slot] = true;
-            bodies.pileTime[slot] = time;
-        }
-    }
-
-    private void blow(int pair, double time, double dt) {
-        int a = pairs.bodyA[pair];
-        int b = pairs.bodyB[pair];
-        loadImpact(pair);
-        counters.impacts++;
-        pairs.impacts[pair]++;
-        double end = impact.points == 0 ? time : time + bouncesLeft(pair);
-        boolean comesToRest = end <= dt || pairs.impacts[pair] >= accuracy.maxImpactsPerPair();
-        if (impact.points > 0) {
-            law.resolve(impact, comesToRest ? 0 : impact.elasticity);
-            impact.store(bodies, pairs, pair);
-            pairs.impulse[pair] += impact.totalNormalImpulse();
-        }
-        if (comesToRest) {
-            endBounces(pair, time, Math.min(end, dt));
-        }
-        repredict(a, time, dt);
-        repredict(b, time, dt);
-    }
-
-    /** Takes the points that touch: those as near as the nearest, within the tolerance. */
-    private void loadImpact(int pair) {
-        impact.load(bodies, pairs, pair);
-        double width = PairTolerances.width(bodies, pairs.bodyA[pair], pairs.bodyB[pair]);
-        double nearest = pairs.gap(pair) + accuracy.impactTolerance() * width;
-        for (int point = 2 * pair; point < 2 * pair + pairs.points[pair]; point++) {
-            if (pairs.separation[point] <= nearest) {
-                impact.addPoint(
-                        pairs.pointX[point],
-                        pairs.pointY[point],
-                        poseA.x,
-                        poseA.y,
-                        poseB.x,
-                        poseB.y);
-            }
-        }
-    }
-
-    /**
-     * How long in s all bounces still to come take: Zeno's series 2ev/(a(1 − e)) for an approach at
-     * speed v against an acceleration a; infinite where nothing presses or nothing is lost.
-     */
-    private double bouncesLeft(int pair) {
-        double speed = Math.max(0, -impact.slowestParting());
-        double pressing = relativePressing(pair);
-        double e = impact.elasticity;
-        if (!(pressing > 0)) {
-            return Double.POSITIVE_INFINITY;
-        }
-        return e * speed == 0 ? 0 : 2 * e * speed / (pressing * (1 - e));
-    }
-
-    /** The acceleration in m/s² at which A and B close along the normal. */
-    private double relativePressing(int pair) {
-        int a = pairs.bodyA[pair];
-        int b = pairs.bodyB[pair];
-        double ax = accelerationX(a) - accelerationX(b);
-        double ay = accelerationY(a) - accelerationY(b);
-        return ax * pairs.normalX[pair] + ay * pairs.normalY[pair];
-    }
-
-    private double accelerationX(int slot) {
-        return paths.isFlyer(slot) ? bodies.accelerationX[slot] : 0;
-    }
-
-    private double accelerationY(int slot) {
-        return paths.isFlyer(slot) ? bodies.accelerationY[slot] : 0;
-    }
-
-    /**
-     * Ends a series of bounces: the bodies rest on each other from its end on. A disc slides on
-     * while its last bounces go by unseen; other shapes also turn, so they rest at once.
-     */
-    private void endBounces(int pair, double time, double end) {
-        int a = pairs.bodyA[pair];
-        int b = pairs.bodyB[pair];
-        pairs.resting[pair] = true;
-        pairs.touching[pair] = true;
-        settle(a, time, end);
-        settle(b, time, end);
-    }
-
-    private void settle(int slot, double time, double end) {
-        if (!paths.isFlyer(slot)) {
-            return;
-        }
-        double when = bodies.shape[slot].kind() == ShapeKind.CIRCLE ? end : time;
-        double elapsed = when - time;
-        bodies.x[slot] += elapsed * bodies.velocityX[slot];
-        bodies.y[slot] += elapsed * bodies.velocityY[slot];
-        if (bodies.spin[slot] != 0) {
-            bodies.turn(slot, elapsed * bodies.spin[slot]);
-        }
-        join(slot, when);
     }
 
     /**

@@ -17,12 +17,15 @@ final class Trajectories {
     /** The time in s after the step's start that a flyer's columns hold. */
     private double[] since = new double[16];
 
+    private double end;
+
     Trajectories(Bodies bodies) {
         this.bodies = bodies;
     }
 
-    /** Begins a step: all columns hold its start. */
-    void begin() {
+    /** Begins a step of dt seconds: all columns hold its start. */
+    void begin(double dt) {
+        end = dt;
         if (since.length < bodies.type.length) {
             since = new double[bodies.type.length];
         }
@@ -33,10 +36,29 @@ final class Trajectories {
         return bodies.isDynamic(slot) && bodies.awake[slot] && !bodies.piled[slot];
     }
 
+    /** Ends a flyer's flight for this step: from a time in s on, it is part of a pile. */
+    void land(int slot, double time) {
+        if (isFlyer(slot)) {
+            bodies.piled[slot] = true;
+            bodies.pileTime[slot] = time;
+        }
+    }
+
+    /** Keeps a flyer where it is until a step of dt seconds ends; it keeps its velocity too. */
+    void hold(int slot, double dt) {
+        if (isFlyer(slot)) {
+            since[slot] = dt;
+        }
+    }
+
+    private boolean isHeld(int slot) {
+        return since[slot] == end;
+    }
+
     /** Writes a body's path within the step. */
     void load(int slot, Motion out) {
-        boolean flies = isFlyer(slot);
-        boolean moves = bodies.isMoved(slot);
+        boolean flies = isFlyer(slot) && !isHeld(slot);
+        boolean moves = bodies.isMoved(slot) && !isHeld(slot);
         out.shape = bodies.shape[slot];
         out.startTime = flies || !bodies.isDynamic(slot) ? since[slot] : bodies.pileTime[slot];
         out.x = bodies.x[slot];
@@ -54,7 +76,7 @@ final class Trajectories {
     /** Brings a flyer's columns to a time in s after the step's start. */
     void advance(int slot, double time) {
         double elapsed = time - since[slot];
-        if (elapsed == 0) {
+        if (elapsed == 0 || isHeld(slot)) {
             return;
         }
         load(slot, motion);

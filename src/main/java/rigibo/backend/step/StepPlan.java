@@ -111,7 +111,7 @@ public final class StepPlan {
         add(
                 StepStage.CONTACT,
                 "solve piles in " + accuracy.substeps() + " substeps",
-                new PileSolver(data, accuracy)::solve);
+                new PileSolver(data, narrowphase, accuracy)::solve);
     }
 
     /** Advances by {@code dt} seconds; the clock counts ns. */

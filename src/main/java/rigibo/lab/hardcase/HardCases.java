@@ -44,25 +44,25 @@ public final class HardCases {
                     new HalfOnAnEdge(),
                     new RoundRolls(),
                     new IceAndRubber(),
-                    new ThreeElasticities());
+                    new ThreeElasticities(),
+                    new OrderOfBodies(),
+                    new CornerOnCorner(),
+                    new SkinnyBox(),
+                    new Bernoulli(),
+                    new Rack(),
+                    new Dominoes(),
+                    new Painleve(),
+                    new Arch());
 
     private static final List<HardCase> OPEN =
             List.of(
-                    new OrderOfBodies(),
-                    new CornerOnCorner(),
                     new Pyramid("21/large", 10, 1),
                     new Pyramid("21/tiny", 30, 0.05),
                     new DiscColumn(),
                     new ManyCornered(),
-                    new SkinnyBox(),
                     new ButtedBoxes(),
-                    new Bernoulli(),
-                    new Rack(),
                     new HeavyOnLight(),
                     new BornInOverlap(),
-                    new Dominoes(),
-                    new Painleve(),
-                    new Arch(),
                     new UntidyStack(),
                     new TurningPress());
 

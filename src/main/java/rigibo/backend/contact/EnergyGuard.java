@@ -1,0 +1,98 @@
+package rigibo.backend.contact;
+
+import static rigibo.backend.contact.SingleRows.ROWS_PER_CONTACT;
+
+/**
+ * Keeps contacts from adding energy. What impulses j do to bodies beside the work of what is driven
+ * is Σ j·(w₀ + w₁)/2, with w₀ and w₁ the speeds along the rows before and after; contacts only push
+ * apart what does not close and brake what slides, so it is never positive. Where rows could not be
+ * solved to the end it may be: then all impulses are scaled back until it is not, which keeps
+ * momentum and angular momentum.
+ */
+final class EnergyGuard {
+
+    /** Share of the work that is round-off. */
+    private static final double ROUND_OFF = 1e-9;
+
+    private final Motions motions;
+    private final Rows rows;
+    private final SingleRows single;
+
+    /** Velocities before the contacts, laid out as the motions. */
+    private double[] before = new double[16 * Motions.STRIDE];
+
+    EnergyGuard(Motions motions, Rows rows) {
+        this.motions = motions;
+        this.rows = rows;
+        single = new SingleRows(motions, rows);
+    }
+
+    /** Scales all impulses back to what adds no energy, if they do. */
+    void limit() {
+        takeBack();
+        double first = work(before);
+        // The work of impulses scaled by s is s·Σ j·w₀ + s²·Σ j·(w₁ − w₀)/2.
+        double growth = (work(motions.data) - first) / 2;
+        if (first + growth > ROUND_OFF * growth) {
+            scale(Math.max(0, -first / growth));
+        }
+    }
+
+    /** Finds the velocities that there were without the impulses. */
+    private void takeBack() {
+        int length = motions.count * Motions.STRIDE;
+        if (before.length < length) {
+            before = new double[2 * length];
+        }
+        System.arraycopy(motions.data, 0, before, 0, length);
+        for (int id = 0; id < ROWS_PER_CONTACT * rows.count; id++) {
+            double impulse = impulse(id);
+            if (impulse != 0) {
+                single.push(before, id, -impulse, Motions.VX, Motions.VY, Motions.SPIN);
+            }
+        }
+        for (int row = 0; row < rows.count; row++) {
+            double turn = rows.data[row * Rows.STRIDE + Rows.IMPULSE_R];
+            int a = rows.bodyA[row];
+            int b = rows.bodyB[row];
+            before[a + Motions.SPIN] += motions.data[a + Motions.INVERSE_INERTIA] * turn;
+            before[b + Motions.SPIN] -= motions.data[b + Motions.INVERSE_INERTIA] * turn;
+        }
+    }
+
+    private double impulse(int id) {
+        int at = id / ROWS_PER_CONTACT * Rows.STRIDE;
+        return rows.data[at + SingleRows.impulseColumn(id)];
+    }
+
+    /** Σ j·w at velocities laid out as the motions, J. */
+    private double work(double[] m) {
+        double sum = 0;
+        for (int id = 0; id < ROWS_PER_CONTACT * rows.count; id++) {
+            double impulse = impulse(id);
+            if (impulse != 0) {
+                sum += impulse * single.relative(m, id, Motions.VX, Motions.VY, Motions.SPIN);
+            }
+        }
+        for (int row = 0; row < rows.count; row++) {
+            double turning = m[rows.bodyB[row] + Motions.SPIN] - m[rows.bodyA[row] + Motions.SPIN];
+            sum += rows.data[row * Rows.STRIDE + Rows.IMPULSE_R] * turning;
+        }
+        return sum;
+    }
+
+    private void scale(double share) {
+        double[] m = motions.data;
+        for (int at = Motions.STRIDE; at < motions.count * Motions.STRIDE; at += Motions.STRIDE) {
+            for (int column = at; column < at + Motions.DX; column++) {
+                m[column] = before[column] + share * (m[column] - before[column]);
+            }
+        }
+        for (int at = 0; at < rows.count * Rows.STRIDE; at += Rows.STRIDE) {
+            rows.data[at + Rows.IMPULSE0] *= share;
+            rows.data[at + Rows.IMPULSE1] *= share;
+            rows.data[at + Rows.IMPULSE_T] *= share;
+            rows.data[at + Rows.IMPULSE_R] *= share;
+        }
+    }
+}

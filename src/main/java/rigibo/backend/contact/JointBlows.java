@@ -1,0 +1,218 @@
+package rigibo.backend.contact;
+
+import rigibo.backend.impact.Impact;
+import rigibo.backend.impact.TiedImpacts;
+import rigibo.backend.storage.Bodies;
+import rigibo.backend.storage.Counters;
+import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.Pairs;
+
+/**
+ * Blows inside a small pile, in the order of time, each answered by all contacts that touch then: a
+ * ball that falls on a box that stands on the floor rebounds as from the floor.
+ *
+ * <p>A substep is split at the blow: up to then bodies move with their old velocities, from there
+ * with the new ones. Between two kicks a velocity is that of the middle of the substep; at a time τ
+ * of it, it is v + a·(τ − h/2), and that is what the law of impact is asked with. So a ball that
+ * loses nothing keeps its height at any length of the substep.
+ */
+final class JointBlows {
+
+    /** Blows in one substep; a longer chain goes on in the next one. */
+    private static final int MOST_BLOWS = 32;
+
+    /** Gap up to which a contact takes part, as a multiple of the overlap that is left alone. */
+    private static final double TOUCHING = 10;
+
+    /** Closing speeds under this (m/s) are what is left of solved rows, not blows. */
+    private static final double ROUND_OFF = 1e-9;
+
+    private final Bodies bodies;
+    private final Pairs pairs;
+    private final Counters counters;
+    private final Motions motions;
+    private final Rows rows;
+    private final Kick kick;
+    private final Impact impact = new Impact();
+    private final TiedImpacts together;
+
+    /** The substep looked at, its length in s, and how far velocities are from its start, s. */
+    private int substep;
+
+    private double h;
+    private double middle;
+
+    JointBlows(DataStorage data, Motions motions, Rows rows, Kick kick) {
+        bodies = data.bodies;
+        pairs = data.pairs;
+        counters = data.counters;
+        this.motions = motions;
+        this.rows = rows;
+        this.kick = kick;
+        together = new TiedImpacts(bodies, pairs);
+    }
+
+    /** Resolves all blows that fall into a substep of h seconds. */
+    void resolve(double length, int number) {
+        resolve(length, length / 2, number);
+    }
+
+    /** Resolves the blows of velocities as they are, within next to no time. */
+    void resolveAtOnce(double length, int number) {
+        resolve(length, 0, number);
+    }
+
+    private void resolve(double length, double middleOfVelocities, int number) {
+        h = length;
+        middle = middleOfVelocities;
+        substep = number;
+        for (int blow = 0; blow < MOST_BLOWS; blow++) {
+            double time = firstBlow();
+            if (time > h) {
+                return;
+            }
+            strike(time);
+        }
+    }
+
+    /** When the first row strikes, s into the substep; infinite where none does. */
+    private double firstBlow() {
+        double first = Double.POSITIVE_INFINITY;
+        for (int row = 0; row < rows.count; row++) {
+            boolean isElastic = rows.data[row * Rows.STRIDE + Rows.ELASTICITY] > 0;
+            if (isElastic && rows.firstSubstep[row] <= substep) {
+                for (int point = 0; point < rows.points[row]; point++) {
+                    first = Math.min(first, strikesAt(row, point));
+                }
+            }
+        }
+        return first;
+    }
+
+    /** When a point strikes, s into the substep; infinite where it does not, or too softly. */
+    private double strikesAt(int row, int point) {
+        double speed = motions.parting(rows, row, point);
+        double gap = motions.gap(rows, row, point);
+        if (gap + h * speed >= 0) {
+            return Double.POSITIVE_INFINITY;
+        }
+        double pull = gained(row, point);
+        double time = Math.min(h, timeToClose(gap, speed - middle * pull, pull));
+        double limit = Math.max(ROUND_OFF, rows.data[row * Rows.STRIDE + Rows.BOUNCE_SPEED]);
+        return speed + (time - middle) * pull < -limit ? time : Double.POSITIVE_INFINITY;
+    }
+
+    /** The first root of gap + v·τ + a·τ²/2, by the form that does not cancel. */
+    private static double timeToClose(double gap, double v, double a) {
+        if (gap <= 0) {
+            return 0;
+        }
+        double discriminant = v * v - 2 * a * gap;
+        return v < 0 && discriminant >= 0
+                ? 2 * gap / (-v + Math.sqrt(discriminant))
+                : a < 0 ? (v + Math.sqrt(Math.max(0, discriminant))) / -a : 0;
+    }
+
+    /** How fast the parting of a point grows, m/s². */
+    private double gained(int row, int point) {
+        int at = row * Rows.STRIDE;
+        double[] d = rows.data;
+        int a = rows.bodyA[row];
+        int b = rows.bodyB[row];
+        return d[at + Rows.NX] * (kick.gained(b, Motions.VX) - kick.gained(a, Motions.VX))
+                + d[at + Rows.NY] * (kick.gained(b, Motions.VY) - kick.gained(a, Motions.VY))
+                + d[at + 2 * point + Rows.LEVER_B0] * kick.gained(b, Motions.SPIN)
+                - d[at + 2 * point + Rows.LEVER_A0] * kick.gained(a, Motions.SPIN);
+    }
+
+    private void strike(double time) {
+        moveVelocities(time - middle);
+        together.clear();
+        for (int row = 0; row < rows.count; row++) {
+            if (rows.firstSubstep[row] <= substep) {
+                add(row, time);
+            }
+        }
+        together.resolve();
+        takeVelocities(time);
+    }
+
+    /** Hands all velocities to the columns, as they are some seconds later. */
+    private void moveVelocities(double later) {
+        for (int entry = 1; entry < motions.count; entry++) {
+            int slot = motions.slots[entry];
+            int at = entry * Motions.STRIDE;
+            bodies.velocityX[slot] = at(at, Motions.VX, later);
+            bodies.velocityY[slot] = at(at, Motions.VY, later);
+            bodies.spin[slot] = at(at, Motions.SPIN, later);
+        }
+    }
+
+    private double at(int body, int column, double later) {
+        return motions.data[body + column] + later * kick.gained(body, column);
+    }
+
+    /** Adds the points of a row that touch at a time, and its elasticity if it strikes then. */
+    private void add(int row, double time) {
+        double[] d = rows.data;
+        int at = row * Rows.STRIDE;
+        load(row, at);
+        boolean strikes = false;
+        for (int point = 0; point < rows.points[row]; point++) {
+            if (gapAt(row, point, time) <= TOUCHING * d[at + Rows.KEPT]) {
+                addPoint(at, point);
+                strikes |= impact.parting(impact.points - 1) < -d[at + Rows.BOUNCE_SPEED];
+            }
+        }
+        together.add(rows.pair[row], impact, strikes ? d[at + Rows.ELASTICITY] : 0);
+        if (strikes) {
+            pairs.impacts[rows.pair[row]]++;
+            counters.impacts++;
+        }
+    }
+
+    private double gapAt(int row, int point, double time) {
+        double pull = gained(row, point);
+        double speed = motions.parting(rows, row, point) - middle * pull;
+        return motions.gap(rows, row, point) + time * (speed + time * pull / 2);
+    }
+
+    private void load(int row, int at) {
+        impact.load(bodies, pairs, rows.pair[row]);
+        impact.normalX = rows.data[at + Rows.NX];
+        impact.normalY = rows.data[at + Rows.NY];
+    }
+
+    /** Rebuilds the arms from the levers along the normal and the tangent. */
+    private void addPoint(int at, int point) {
+        double[] d = rows.data;
+        int i = impact.points++;
+        double nx = d[at + Rows.NX];
+        double ny = d[at + Rows.NY];
+        double acrossA = d[at + 2 * point + Rows.LEVER_A0];
+        double acrossB = d[at + 2 * point + Rows.LEVER_B0];
+        double alongA = d[at + Rows.LEVER_TA];
+        double alongB = d[at + Rows.LEVER_TB];
+        impact.armAX[i] = acrossA * ny + alongA * nx;
+        impact.armAY[i] = -acrossA * nx + alongA * ny;
+        impact.armBX[i] = acrossB * ny + alongB * nx;
+        impact.armBY[i] = -acrossB * nx + alongB * ny;
+    }
+
+    /** Takes what the blow changed, and the way gone with the old velocities before it. */
+    private void takeVelocities(double time) {
+        for (int entry = 1; entry < motions.count; entry++) {
+            int slot = motions.slots[entry];
+            int at = entry * Motions.STRIDE;
+            take(at, Motions.VX, Motions.DX, bodies.velocityX[slot], time);
+            take(at, Motions.VY, Motions.DY, bodies.velocityY[slot], time);
+            take(at, Motions.SPIN, Motions.TURN, bodies.spin[slot], time);
+        }
+    }
+
+    private void take(int body, int speed, int way, double after, double time) {
+        double gained = after - at(body, speed, time - middle);
+        motions.data[body + speed] += gained;
+        motions.data[body + way] -= time * gained;
+    }
+}

@@ -1,0 +1,156 @@
+package rigibo.backend.contact;
+
+import rigibo.backend.collision.Narrowphase;
+import rigibo.backend.collision.Pose;
+import rigibo.backend.geometry.Angle;
+import rigibo.backend.storage.Bodies;
+import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.Islands;
+import rigibo.backend.storage.Pairs;
+
+/**
+ * The contacts of bodies that turn fast. A row takes the outline of its bodies for straight, and
+ * the way they go for straight too; while a body of reach R turns by φ, its outline leaves that
+ * line by the sagitta Rφ²/2, and by sφ more where it slides on for s. Where a step's sagitta
+ * counts, the contact is measured anew before every substep; where a substep's would, the island is
+ * given more of them, and takes back at once what it missed.
+ */
+final class TurningRows {
+
+    /** Sagitta of a whole step that may be passed over, as a share of the body's width. */
+    private static final double STRAIGHT = 1e-4;
+
+    /** What all substeps may miss together, likewise; n of them miss an n-th of the whole way. */
+    private static final double CALM = 0.02;
+
+    /** An island is given at most this many times the substeps of a calm one; */
+    private static final double MOST_MORE = 16;
+
+    /** no more than this over its number of bodies, for one wild body in a heap costs them all. */
+    private static final double MOST_IN_ALL = 1024;
+
+    /** Share of an overlap taken back per second for each such time: all of it, 1/s. */
+    private static final double AT_ONCE = 1e4;
+
+    private final Bodies bodies;
+    private final Pairs pairs;
+    private final Islands islands;
+    private final Narrowphase narrowphase;
+    private final Motions motions;
+    private final Rows rows;
+    private final RowBuilder builder;
+    private final Pose poseA = new Pose();
+    private final Pose poseB = new Pose();
+
+    /** How many times the usual substeps the packed island has. */
+    private double more;
+
+    TurningRows(
+            DataStorage data,
+            Narrowphase narrowphase,
+            Motions motions,
+            Rows rows,
+            RowBuilder builder) {
+        bodies = data.bodies;
+        pairs = data.pairs;
+        islands = data.islands;
+        this.narrowphase = narrowphase;
+        this.motions = motions;
+        this.rows = rows;
+        this.builder = builder;
+    }
+
+    /** How many substeps the bodies of an island need for the rest of a step, usually as usual. */
+    int substepsFor(int island, double left, int usual) {
+        double wanted = 1;
+        int end = islands.bodyStart[island + 1];
+        for (int i = islands.bodyStart[island]; i < end; i++) {
+            int slot = islands.bodies[i];
+            double missed = leaves(slot, left) / usual;
+            wanted = Math.max(wanted, missed / (CALM * bodies.smallestWidth[slot]));
+        }
+        double most = Math.min(MOST_MORE, MOST_IN_ALL / (end - islands.bodyStart[island]));
+        more = Math.max(1, Math.min(most, wanted));
+        return (int) Math.ceil(usual * more);
+    }
+
+    /** How far in m the outline leaves its line in h seconds, by turning and by sliding off it. */
+    private double leaves(int slot, double h) {
+        double turn = bodies.sweepRadius[slot] > 0 ? Math.abs(bodies.spin[slot]) * h : 0;
+        double way = h * (Math.abs(bodies.velocityX[slot]) + Math.abs(bodies.velocityY[slot]));
+        return sagitta(slot, turn) + way * turn;
+    }
+
+    /** Measures anew what turned too far or is about to, with {@code left} seconds to go. */
+    void refresh(double left) {
+        if (!isAnyTurning(left)) {
+            return;
+        }
+        for (int row = 0; row < rows.count; row++) {
+            if (isTurning(rows.bodyA[row], left) || isTurning(rows.bodyB[row], left)) {
+                refresh(row, left);
+            }
+        }
+    }
+
+    private boolean isAnyTurning(double left) {
+        for (int entry = 1; entry < motions.count; entry++) {
+            if (isTurning(entry * Motions.STRIDE, left)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private boolean isTurning(int entry, double left) {
+        if (entry == 0) {
+            return false;
+        }
+        int slot = motions.slots[entry / Motions.STRIDE];
+        double turn =
+                Math.abs(motions.data[entry + Motions.TURN])
+                        + Math.abs(motions.data[entry + Motions.SPIN]) * left;
+        return sagitta(slot, turn) > STRAIGHT * bodies.smallestWidth[slot];
+    }
+
+    private double sagitta(int slot, double turn) {
+        return bodies.sweepRadius[slot] * turn * turn / 2;
+    }
+
+    private void refresh(int row, double left) {
+        int pair = rows.pair[row];
+        int at = row * Rows.STRIDE;
+        // The manifold hands on what its columns hold from the points it had to those it has.
+        pairs.normalForce[2 * pair] = rows.data[at + Rows.IMPULSE0];
+        pairs.normalForce[2 * pair + 1] = rows.data[at + Rows.IMPULSE1];
+        place(pairs.bodyA[pair], rows.bodyA[row], poseA);
+        place(pairs.bodyB[pair], rows.bodyB[row], poseB);
+        narrowphase.measure(pair, poseA, poseB, reach(row, pair, left));
+        rows.data[at + Rows.IMPULSE0] = pairs.normalForce[2 * pair];
+        rows.data[at + Rows.IMPULSE1] = pairs.normalForce[2 * pair + 1];
+        builder.rewrite(row);
+        rows.data[at + Rows.RECOVERY] = OverlapSolver.RATE + (more - 1) * AT_ONCE;
+    }
+
+    private void place(int slot, int entry, Pose pose) {
+        double angle = bodies.angle[slot] + motions.data[entry + Motions.TURN];
+        pose.set(
+                bodies.x[slot] + motions.data[entry + Motions.DX],
+                bodies.y[slot] + motions.data[entry + Motions.DY],
+                Angle.cos(angle),
+                Angle.sin(angle));
+    }
+
+    /** The gap in m that could close in what is left of the step. */
+    private double reach(int row, int pair, double left) {
+        double[] m = motions.data;
+        int a = rows.bodyA[row];
+        int b = rows.bodyB[row];
+        double speed =
+                Math.abs(m[b + Motions.VX] - m[a + Motions.VX])
+                        + Math.abs(m[b + Motions.VY] - m[a + Motions.VY])
+                        + Math.abs(m[a + Motions.SPIN]) * bodies.sweepRadius[pairs.bodyA[pair]]
+                        + Math.abs(m[b + Motions.SPIN]) * bodies.sweepRadius[pairs.bodyB[pair]];
+        return 2 * speed * left + bodies.smallestWidth[pairs.bodyA[pair]];
+    }
+}

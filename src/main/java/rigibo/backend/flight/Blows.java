@@ -1,0 +1,226 @@
+package rigibo.backend.flight;
+
+import rigibo.backend.collision.Motion;
+import rigibo.backend.collision.Narrowphase;
+import rigibo.backend.collision.Pose;
+import rigibo.backend.geometry.ShapeKind;
+import rigibo.backend.impact.Impact;
+import rigibo.backend.impact.ImpactLaw;
+import rigibo.backend.impact.TiedImpacts;
+import rigibo.backend.setup.Accuracy;
+import rigibo.backend.storage.Bodies;
+import rigibo.backend.storage.Counters;
+import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.PairTolerances;
+import rigibo.backend.storage.Pairs;
+
+/** What happens when flyers meet: they part again, or their bounces have come to an end. */
+final class Blows {
+
+    private final Bodies bodies;
+    private final Pairs pairs;
+    private final Counters counters;
+    private final Narrowphase narrowphase;
+    private final Accuracy accuracy;
+    private final Trajectories paths;
+    private final ImpactLaw law = new ImpactLaw();
+    private final Impact impact = new Impact();
+    private final TiedImpacts together;
+    private final Motion motionA = new Motion();
+    private final Motion motionB = new Motion();
+    private final Pose poseA = new Pose();
+    private final Pose poseB = new Pose();
+
+    /** For each body in how many of the pairs of this instant it is; 0 between instants. */
+    private int[] meetings = new int[16];
+
+    /** For each pair of this instant when it rests, s after the step's start. */
+    private double[] restsAt = new double[16];
+
+    Blows(DataStorage data, Narrowphase narrowphase, Accuracy accuracy, Trajectories paths) {
+        bodies = data.bodies;
+        pairs = data.pairs;
+        counters = data.counters;
+        this.narrowphase = narrowphase;
+        this.accuracy = accuracy;
+        this.paths = paths;
+        together = new TiedImpacts(bodies, pairs);
+    }
+
+    /** Resolves the impacts of one instant, at once where they share a body. */
+    void strike(int[] tied, int count, double time, double dt) {
+        reserve(count);
+        countMeetings(tied, count, 1);
+        together.clear();
+        for (int i = 0; i < count; i++) {
+            strike(tied[i], i, time, dt);
+        }
+        together.resolve();
+        countMeetings(tied, count, -1);
+        for (int i = 0; i < count; i++) {
+            end(tied[i], time, restsAt[i], dt);
+        }
+    }
+
+    private void reserve(int count) {
+        if (restsAt.length < count) {
+            restsAt = new double[2 * count];
+        }
+        if (meetings.length < bodies.type.length) {
+            meetings = new int[bodies.type.length];
+        }
+    }
+
+    private void countMeetings(int[] tied, int count, int by) {
+        for (int i = 0; i < count; i++) {
+            meetings[pairs.bodyA[tied[i]]] += by;
+            meetings[pairs.bodyB[tied[i]]] += by;
+        }
+    }
+
+    private void strike(int pair, int i, double time, double dt) {
+        meet(pair, time);
+        loadImpact(pair);
+        counters.impacts++;
+        pairs.impacts[pair]++;
+        restsAt[i] = restsAt(pair, time, dt);
+        double elasticity = restsAt[i] <= dt ? 0 : impact.elasticity;
+        if (sharesBody(pair)) {
+            together.add(pair, impact, elasticity);
+        } else if (impact.points > 0) {
+            law.resolve(impact, elasticity);
+            impact.store(bodies, pairs, pair);
+            pairs.impulse[pair] += impact.totalNormalImpulse();
+        }
+    }
+
+    /** When the bounces of the pair whose blow is loaded have ended, s; infinite if not yet. */
+    private double restsAt(int pair, double time, double dt) {
+        double end = impact.points == 0 ? time : time + bouncesLeft(pair);
+        return isExhausted(pair) && isInvisible(pair) ? Math.min(end, dt) : end;
+    }
+
+    /** What is not dynamic passes nothing on. */
+    private boolean sharesBody(int pair) {
+        int a = pairs.bodyA[pair];
+        int b = pairs.bodyB[pair];
+        return bodies.isDynamic(a) && meetings[a] > 1 || bodies.isDynamic(b) && meetings[b] > 1;
+    }
+
+    private boolean isExhausted(int pair) {
+        return pairs.impacts[pair] >= accuracy.maxImpactsPerPair();
+    }
+
+    private boolean isInvisible(int pair) {
+        double width = PairTolerances.width(bodies, pairs.bodyA[pair], pairs.bodyB[pair]);
+        double unseen = PairTolerances.restSpeed(relativePressing(pair), width);
+        return impact.points == 0 || -impact.slowestParting() <= unseen;
+    }
+
+    /**
+     * A pair rests from the end of its bounces on. One that could go on for ever, too fast to rest,
+     * waits where it is for the next step: time is lost, and neither place nor energy.
+     */
+    private void end(int pair, double time, double restsAt, double dt) {
+        if (restsAt <= dt) {
+            endBounces(pair, time, restsAt);
+        } else if (isExhausted(pair)) {
+            paths.hold(pairs.bodyA[pair], dt);
+            paths.hold(pairs.bodyB[pair], dt);
+        }
+    }
+
+    /** Brings both bodies to the time of their impact and finds where they touch. */
+    void meet(int pair, double time) {
+        int a = pairs.bodyA[pair];
+        int b = pairs.bodyB[pair];
+        bring(a, time);
+        bring(b, time);
+        paths.load(a, motionA);
+        paths.load(b, motionB);
+        motionA.poseAt(time, poseA);
+        motionB.poseAt(time, poseB);
+        double width = PairTolerances.width(bodies, a, b);
+        narrowphase.measure(pair, poseA, poseB, PairTolerances.TOUCHING_GAP * width);
+    }
+
+    private void bring(int slot, double time) {
+        if (paths.isFlyer(slot)) {
+            paths.advance(slot, time);
+        }
+    }
+
+    /** Takes the points that touch: those as near as the nearest, within the tolerance. */
+    private void loadImpact(int pair) {
+        impact.load(bodies, pairs, pair);
+        double width = PairTolerances.width(bodies, pairs.bodyA[pair], pairs.bodyB[pair]);
+        double nearest = pairs.gap(pair) + accuracy.impactTolerance() * width;
+        for (int point = 2 * pair; point < 2 * pair + pairs.points[pair]; point++) {
+            if (pairs.separation[point] <= nearest) {
+                impact.addPoint(
+                        pairs.pointX[point],
+                        pairs.pointY[point],
+                        poseA.x,
+                        poseA.y,
+                        poseB.x,
+                        poseB.y);
+            }
+        }
+    }
+
+    /**
+     * How long in s all bounces still to come take: Zeno's series 2ev/(a(1 − e)) for an approach at
+     * speed v against an acceleration a; infinite where nothing presses or nothing is lost.
+     */
+    private double bouncesLeft(int pair) {
+        double speed = Math.max(0, -impact.slowestParting());
+        double pressing = relativePressing(pair);
+        double e = impact.elasticity;
+        if (!(pressing > 0)) {
+            return Double.POSITIVE_INFINITY;
+        }
+        return e * speed == 0 ? 0 : 2 * e * speed / (pressing * (1 - e));
+    }
+
+    /** The acceleration in m/s² at which A and B close along the normal. */
+    private double relativePressing(int pair) {
+        int a = pairs.bodyA[pair];
+        int b = pairs.bodyB[pair];
+        double ax = accelerationX(a) - accelerationX(b);
+        double ay = accelerationY(a) - accelerationY(b);
+        return ax * pairs.normalX[pair] + ay * pairs.normalY[pair];
+    }
+
+    private double accelerationX(int slot) {
+        return paths.isFlyer(slot) ? bodies.accelerationX[slot] : 0;
+    }
+
+    private double accelerationY(int slot) {
+        return paths.isFlyer(slot) ? bodies.accelerationY[slot] : 0;
+    }
+
+    /**
+     * Ends a series of bounces: the bodies rest on each other from its end on. A disc slides on
+     * while its last bounces go by unseen; other shapes also turn, so they rest at once.
+     */
+    private void endBounces(int pair, double time, double end) {
+        pairs.resting[pair] = true;
+        pairs.touching[pair] = true;
+        settle(pairs.bodyA[pair], time, end);
+        settle(pairs.bodyB[pair], time, end);
+    }
+
+    private void settle(int slot, double time, double end) {
+        if (!paths.isFlyer(slot)) {
+            return;
+        }
+        double when = bodies.shape[slot].kind() == ShapeKind.CIRCLE ? end : time;
+        double elapsed = when - time;
+        bodies.x[slot] += elapsed * bodies.velocityX[slot];
+        bodies.y[slot] += elapsed * bodies.velocityY[slot];
+        if (bodies.spin[slot] != 0) {
+            bodies.turn(slot, elapsed * bodies.spin[slot]);
+        }
+        paths.land(slot, when);
+    }
+}

@@ -1,0 +1,184 @@
+package rigibo.backend.impact;
+
+import rigibo.backend.storage.Bodies;
+import rigibo.backend.storage.Pairs;
+
+import java.util.Arrays;
+
+/**
+ * Blows that fall on the same instant and share bodies, resolved at once: one after the other they
+ * would give the first of two equals more than the second.
+ *
+ * <p>Every point asks for vₙ' ≥ −e·vₙ, j ≥ 0, and one of the two as an equation; every pair for
+ * |jₜ| ≤ μ·Σjₙ. Passes over the rows go on until nothing changes (projected Gauss–Seidel, which
+ * converges for such problems; R. W. Cottle et al., The Linear Complementarity Problem, 1992, ch.
+ * 5). For e = 1 and μ = 0 the limit keeps the energy, as one blow does; where friction would add to
+ * it, all impulses are scaled back.
+ */
+public final class TiedImpacts {
+
+    private static final int MOST_PASSES = 300;
+
+    /** A change of speed that is round-off, as a share of the fastest approach. */
+    private static final double ROUND_OFF = 1e-15;
+
+    /** Doubles per row, and where each quantity sits. */
+    private static final int STRIDE = 9;
+
+    private static final int DX = 0;
+    private static final int DY = 1;
+    private static final int LEVER_A = 2;
+    private static final int LEVER_B = 3;
+    private static final int RESPONSE = 4;
+    private static final int TARGET = 5;
+    private static final int IMPULSE = 6;
+    private static final int FRICTION = 7;
+    private static final int SPEED_BEFORE = 8;
+
+    private final Bodies bodies;
+    private final Pairs pairs;
+    private double[] row = new double[16 * STRIDE];
+    private int[] pairOf = new int[16];
+
+    /** For a tangent row its number of normal rows, which stand before it; 0 for a normal row. */
+    private int[] points = new int[16];
+
+    private int count;
+    private double fastest;
+
+    /** Blows between bodies of these columns. */
+    public TiedImpacts(Bodies bodies, Pairs pairs) {
+        this.bodies = bodies;
+        this.pairs = pairs;
+    }
+
+    /** Begins another instant. */
+    public void clear() {
+        count = 0;
+        fastest = 0;
+    }
+
+    /** Adds the blow of a pair, with the elasticity it is to have; nothing moves yet. */
+    public void add(int pair, Impact blow, double elasticity) {
+        for (int i = 0; i < blow.points; i++) {
+            double speed = blow.parting(i);
+            fastest = Math.max(fastest, -speed);
+            add(pair, blow.normalX, blow.normalY, blow, i, i);
+            row[(count - 1) * STRIDE + TARGET] = speed < 0 ? -elasticity * speed : 0;
+        }
+        if (blow.friction > 0 && blow.points > 0) {
+            add(pair, -blow.normalY, blow.normalX, blow, 0, blow.points - 1);
+            row[(count - 1) * STRIDE + FRICTION] = blow.friction;
+            points[count - 1] = blow.points;
+        }
+    }
+
+    /** A row through the middle of two of the blow's points. */
+    private void add(int pair, double x, double y, Impact blow, int i, int j) {
+        if (count == pairOf.length) {
+            row = Arrays.copyOf(row, 2 * count * STRIDE);
+            pairOf = Arrays.copyOf(pairOf, 2 * count);
+            points = Arrays.copyOf(points, 2 * count);
+        }
+        double leverA =
+                ((blow.armAX[i] + blow.armAX[j]) * y - (blow.armAY[i] + blow.armAY[j]) * x) / 2;
+        double leverB =
+                ((blow.armBX[i] + blow.armBX[j]) * y - (blow.armBY[i] + blow.armBY[j]) * x) / 2;
+        int at = count * STRIDE;
+        Arrays.fill(row, at, at + STRIDE, 0);
+        row[at + DX] = x;
+        row[at + DY] = y;
+        row[at + LEVER_A] = leverA;
+        row[at + LEVER_B] = leverB;
+        row[at + RESPONSE] =
+                blow.inverseMassA
+                        + blow.inverseMassB
+                        + blow.inverseInertiaA * leverA * leverA
+                        + blow.inverseInertiaB * leverB * leverB;
+        pairOf[count] = pair;
+        points[count++] = 0;
+        row[at + SPEED_BEFORE] = speed(count - 1);
+    }
+
+    /** Changes the velocities of all bodies, and adds up the impulses of the pairs. */
+    public void resolve() {
+        double settled = ROUND_OFF * fastest;
+        int passes = 0;
+        while (pass() > settled && passes < MOST_PASSES) {
+            passes++;
+        }
+        limitEnergy();
+        for (int i = 0; i < count; i++) {
+            if (points[i] == 0) {
+                pairs.impulse[pairOf[i]] += row[i * STRIDE + IMPULSE];
+            }
+        }
+    }
+
+    /** The work of impulses scaled by s is s·j·v + ½s²·j·Δv; it must not be positive. */
+    private void limitEnergy() {
+        double linear = 0;
+        double quadratic = 0;
+        for (int i = 0; i < count; i++) {
+            int at = i * STRIDE;
+            linear += row[at + IMPULSE] * row[at + SPEED_BEFORE];
+            quadratic += row[at + IMPULSE] * (speed(i) - row[at + SPEED_BEFORE]) / 2;
+        }
+        if (linear + quadratic > 0) {
+            double scale = Math.max(0, -linear / quadratic);
+            for (int i = 0; i < count; i++) {
+                push(i, (scale - 1) * row[i * STRIDE + IMPULSE]);
+                row[i * STRIDE + IMPULSE] *= scale;
+            }
+        }
+    }
+
+    /** One pass over all rows; returns the largest change of speed, m/s. */
+    private double pass() {
+        double most = 0;
+        for (int i = 0; i < count; i++) {
+            int at = i * STRIDE;
+            double old = row[at + IMPULSE];
+            double wanted = old + (row[at + TARGET] - speed(i)) / row[at + RESPONSE];
+            double limited = points[i] == 0 ? Math.max(0, wanted) : withinCone(i, wanted);
+            row[at + IMPULSE] = limited;
+            push(i, limited - old);
+            most = Math.max(most, Math.abs(limited - old) * row[at + RESPONSE]);
+        }
+        return most;
+    }
+
+    private double withinCone(int tangent, double wanted) {
+        double normal = 0;
+        for (int i = tangent - points[tangent]; i < tangent; i++) {
+            normal += row[i * STRIDE + IMPULSE];
+        }
+        double most = row[tangent * STRIDE + FRICTION] * normal;
+        return Math.max(-most, Math.min(most, wanted));
+    }
+
+    /** How fast B moves against A along a row, m/s. */
+    private double speed(int i) {
+        int at = i * STRIDE;
+        int a = pairs.bodyA[pairOf[i]];
+        int b = pairs.bodyB[pairOf[i]];
+        return row[at + DX] * (bodies.velocityX[b] - bodies.velocityX[a])
+                + row[at + DY] * (bodies.velocityY[b] - bodies.velocityY[a])
+                + row[at + LEVER_B] * bodies.spin[b]
+                - row[at + LEVER_A] * bodies.spin[a];
+    }
+
+    private void push(int i, double impulse) {
+        int at = i * STRIDE;
+        double x = row[at + DX] * impulse;
+        double y = row[at + DY] * impulse;
+        push(pairs.bodyA[pairOf[i]], -x, -y, -row[at + LEVER_A] * impulse);
+        push(pairs.bodyB[pairOf[i]], x, y, row[at + LEVER_B] * impulse);
+    }
+
+    private void push(int slot, double x, double y, double turn) {
+        bodies.velocityX[slot] += bodies.inverseMass[slot] * x;
+        bodies.velocityY[slot] += bodies.inverseMass[slot] * y;
+        bodies.spin[slot] += bodies.inverseInertia[slot] * turn;
+    }
+}
