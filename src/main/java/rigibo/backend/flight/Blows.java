@@ -130,6 +130,34 @@ final class Blows {
         }
     }
 
+    /**
+     * Expects a body that has met a pile to go on as from a wall. The pile gives way at most, so
+     * that whatever follows behind is not met later than expected.
+     */
+    void expectRebound(int pair, int lander) {
+        loadImpact(pair);
+        if (impact.points == 0) {
+            return;
+        }
+        impact.velocityAX = motionA.velocityX;
+        impact.velocityAY = motionA.velocityY;
+        impact.spinA = motionA.spin;
+        impact.velocityBX = motionB.velocityX;
+        impact.velocityBY = motionB.velocityY;
+        impact.spinB = motionB.spin;
+        if (pairs.bodyA[pair] == lander) {
+            impact.inverseMassB = 0;
+            impact.inverseInertiaB = 0;
+            law.resolve(impact);
+            paths.expect(lander, impact.velocityAX, impact.velocityAY, impact.spinA);
+        } else {
+            impact.inverseMassA = 0;
+            impact.inverseInertiaA = 0;
+            law.resolve(impact);
+            paths.expect(lander, impact.velocityBX, impact.velocityBY, impact.spinB);
+        }
+    }
+
     /** Brings both bodies to the time of their impact and finds where they touch. */
     void meet(int pair, double time) {
         int a = pairs.bodyA[pair];

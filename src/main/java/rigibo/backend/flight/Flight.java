@@ -165,6 +165,7 @@ public final class Flight {
             waking.wakeIntoPile(pileBody);
         }
         paths.land(flyer, time);
+        blows.expectRebound(pair, flyer);
         pairs.impacts[pair]++;
         repredict(flyer, time, dt);
     }

@@ -4,6 +4,8 @@ import rigibo.backend.collision.Motion;
 import rigibo.backend.collision.Pose;
 import rigibo.backend.storage.Bodies;
 
+import java.util.Arrays;
+
 /**
  * How each body moves within the step. A body in flight follows its exact path from the time its
  * columns were last brought to; one in a pile is predicted by its velocity.
@@ -19,6 +21,11 @@ final class Trajectories {
 
     private double end;
 
+    /** Whether a body joined a pile in this step, and its velocity from then on as expected. */
+    private boolean[] hasLanded = new boolean[16];
+
+    private double[] expected = new double[3 * 16];
+
     Trajectories(Bodies bodies) {
         this.bodies = bodies;
     }
@@ -28,8 +35,11 @@ final class Trajectories {
         end = dt;
         if (since.length < bodies.type.length) {
             since = new double[bodies.type.length];
+            hasLanded = new boolean[bodies.type.length];
+            expected = new double[3 * bodies.type.length];
         }
-        java.util.Arrays.fill(since, 0, bodies.slots.high, 0);
+        Arrays.fill(since, 0, bodies.slots.high, 0);
+        Arrays.fill(hasLanded, 0, bodies.slots.high, false);
     }
 
     boolean isFlyer(int slot) {
@@ -41,7 +51,16 @@ final class Trajectories {
         if (isFlyer(slot)) {
             bodies.piled[slot] = true;
             bodies.pileTime[slot] = time;
+            expect(slot, bodies.velocityX[slot], bodies.velocityY[slot], bodies.spin[slot]);
         }
+    }
+
+    /** Notes how a body that has landed is expected to go on, for those that may meet it. */
+    void expect(int slot, double velocityX, double velocityY, double spin) {
+        hasLanded[slot] = true;
+        expected[3 * slot] = velocityX;
+        expected[3 * slot + 1] = velocityY;
+        expected[3 * slot + 2] = spin;
     }
 
     /** Keeps a flyer where it is until a step of dt seconds ends; it keeps its velocity too. */
@@ -70,6 +89,11 @@ final class Trajectories {
         out.accelerationX = flies ? bodies.accelerationX[slot] : 0;
         out.accelerationY = flies ? bodies.accelerationY[slot] : 0;
         out.angularAcceleration = flies ? bodies.angularAcceleration[slot] : 0;
+        if (hasLanded[slot]) {
+            out.velocityX = expected[3 * slot];
+            out.velocityY = expected[3 * slot + 1];
+            out.spin = expected[3 * slot + 2];
+        }
         out.drag = flies && bodies.drag != null ? bodies.drag[slot] : 0;
     }
 
