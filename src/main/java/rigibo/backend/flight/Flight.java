@@ -164,6 +164,7 @@ public final class Flight {
         if (!bodies.awake[pileBody]) {
             waking.wakeIntoPile(pileBody);
         }
+        paths.landEarlier(pileBody, time);
         paths.land(flyer, time);
         blows.expectRebound(pair, flyer);
         pairs.impacts[pair]++;

@@ -55,6 +55,17 @@ final class Trajectories {
         }
     }
 
+    /** A body that was to come to rest later comes to rest now, for something hits it. */
+    void landEarlier(int slot, double time) {
+        double left = bodies.pileTime[slot] - time;
+        if (hasLanded[slot] && left > 0) {
+            bodies.x[slot] -= left * bodies.velocityX[slot];
+            bodies.y[slot] -= left * bodies.velocityY[slot];
+            bodies.turn(slot, -left * bodies.spin[slot]);
+            bodies.pileTime[slot] = time;
+        }
+    }
+
     /** Notes how a body that has landed is expected to go on, for those that may meet it. */
     void expect(int slot, double velocityX, double velocityY, double spin) {
         hasLanded[slot] = true;
