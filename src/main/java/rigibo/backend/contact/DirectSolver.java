@@ -24,6 +24,9 @@ final class DirectSolver {
     /** Sets tried within one solve; passes over the rows see to what is left. */
     private static final int MOST_TRIES = 6;
 
+    /** Halvings of a step; after them nothing is left to gain along it. */
+    private static final int MOST_HALVINGS = 6;
+
     /** Compliance added to the diagonal, relative: decides where rows say the same twice. */
     private static final double COMPLIANCE = 1e-10;
 
@@ -56,6 +59,11 @@ final class DirectSolver {
     private int[] start = new int[65];
     private int[] first = new int[64];
     private double[] unknown = new double[64];
+
+    /** By how much the rows of the set moved last, and each contact's bound of friction, N·s. */
+    private double[] moved = new double[64];
+
+    private double[] cone = new double[64];
     private double[] saved = new double[64];
 
     DirectSolver(Motions motions, Rows rows, OverlapSolver overlap) {
@@ -142,7 +150,7 @@ final class DirectSolver {
                 unknown[i] = -approach(set[i], h);
             }
             substitute();
-            if (stepToBound() < 0) {
+            if (stepWithinBounds(h)) {
                 return;
             }
         }
@@ -177,6 +185,8 @@ final class DirectSolver {
             start = new int[capacity + 1];
             first = new int[capacity];
             unknown = new double[capacity];
+            moved = new double[capacity];
+            cone = new double[capacity];
             factoredSize = -1;
         }
         size = 0;
@@ -197,6 +207,7 @@ final class DirectSolver {
             set[size++] = ROWS_PER_CONTACT * row + 1;
         }
         double most = friction(row);
+        cone[row] = most;
         if (most > 0 && Math.abs(d[at + Rows.IMPULSE_T]) < most) {
             set[size++] = ROWS_PER_CONTACT * row + TANGENT;
         }
@@ -222,51 +233,75 @@ final class DirectSolver {
     }
 
     /**
-     * Goes towards the solution until a bound is met and drops the row that met it.
+     * Goes towards the solution, each row no farther than to its bound, and half as far again and
+     * again until that lowers what is minimized: ½jᵀKj + wᵀj, whose gradient is w. Rows that met
+     * their bounds are dropped.
      *
-     * @return the place of the dropped row in the set, or -1 where the solution was reached
+     * @return whether the solution was reached
      */
-    private int stepToBound() {
-        double step = 1;
-        int met = -1;
-        for (int i = 0; i < size; i++) {
-            double room = roomFor(set[i], unknown[i]);
-            if (room < step) {
-                step = room;
-                met = i;
+    private boolean stepWithinBounds(double h) {
+        double share = 1;
+        for (int halving = 0; halving < MOST_HALVINGS; halving++, share /= 2) {
+            if (moveBy(share, h) <= 0) {
+                return dropBounded() == 0 && share == 1;
+            }
+            for (int i = 0; i < size; i++) {
+                push(set[i], -moved[i]);
             }
         }
-        for (int i = 0; i < size; i++) {
-            int at = set[i] / ROWS_PER_CONTACT * Rows.STRIDE;
-            double change = step * unknown[i];
-            rows.data[at + SingleRows.impulseColumn(set[i])] += change;
-            single.push(set[i], change, Motions.VX, Motions.VY, Motions.SPIN);
-        }
-        if (met >= 0) {
-            drop(met);
-        }
-        return met;
+        return true;
     }
 
-    /** The share of a change that its row can take before it meets its bound. */
-    private double roomFor(int id, double change) {
+    /** Moves along the step as far as bounds allow; returns by how much the minimized rises, J. */
+    private double moveBy(double share, double h) {
+        double rise = 0;
+        for (int i = 0; i < size; i++) {
+            moved[i] = withinBounds(set[i], share * unknown[i]);
+            rise += moved[i] * approach(set[i], h) / 2;
+        }
+        for (int i = 0; i < size; i++) {
+            push(set[i], moved[i]);
+        }
+        for (int i = 0; i < size; i++) {
+            rise += moved[i] * approach(set[i], h) / 2;
+        }
+        return rise;
+    }
+
+    private void push(int id, double change) {
+        rows.data[id / ROWS_PER_CONTACT * Rows.STRIDE + SingleRows.impulseColumn(id)] += change;
+        single.push(id, change, Motions.VX, Motions.VY, Motions.SPIN);
+    }
+
+    /** The part of a change that leaves its row within its bounds. */
+    private double withinBounds(int id, double change) {
         int row = id / ROWS_PER_CONTACT;
         double impulse = rows.data[row * Rows.STRIDE + SingleRows.impulseColumn(id)];
         if (id % ROWS_PER_CONTACT != TANGENT) {
-            return change < 0 ? -impulse / change : 1;
+            return Math.max(change, -impulse);
         }
-        double most = friction(row);
-        double limit = change < 0 ? -most : most;
-        return Math.abs(impulse + change) <= most ? 1 : Math.max(0, (limit - impulse) / change);
+        double most = cone[row];
+        return Math.max(-most, Math.min(most, impulse + change)) - impulse;
     }
 
-    private void drop(int place) {
-        int id = set[place];
-        if (id % ROWS_PER_CONTACT != TANGENT) {
-            rows.data[id / ROWS_PER_CONTACT * Rows.STRIDE + SingleRows.impulseColumn(id)] = 0;
+    /** Leaves out the rows that went less far than the step; returns how many. */
+    private int dropBounded() {
+        int kept = 0;
+        for (int i = 0; i < size; i++) {
+            if (isBounded(set[i])) {
+                continue;
+            }
+            set[kept++] = set[i];
         }
-        System.arraycopy(set, place + 1, set, place, size - place - 1);
-        size--;
+        int dropped = size - kept;
+        size = kept;
+        return dropped;
+    }
+
+    private boolean isBounded(int id) {
+        int row = id / ROWS_PER_CONTACT;
+        double impulse = rows.data[row * Rows.STRIDE + SingleRows.impulseColumn(id)];
+        return id % ROWS_PER_CONTACT == TANGENT ? Math.abs(impulse) >= cone[row] : impulse <= 0;
     }
 
     /** Factors the matrix of the set, unless the last factor is of the same set. */

@@ -113,8 +113,8 @@ public final class PileSolver {
         for (int substep = 0; substep < substeps; substep++) {
             double middle = start + (substep + 0.5) * h;
             kick.remember();
-            if (substep > 0) {
-                turning.refresh((substeps - substep) * h);
+            if (substep > 0 && turning.refresh((substeps - substep) * h)) {
+                direct.prepare();
             }
             kick.accelerate(substep == 0 ? start : middle - h, middle);
             fastest = motions.fastest();

@@ -81,16 +81,21 @@ final class TurningRows {
         return sagitta(slot, turn) + way * turn;
     }
 
-    /** Measures anew what turned too far or is about to, with {@code left} seconds to go. */
-    void refresh(double left) {
+    /**
+     * Measures anew what turned too far or is about to, with {@code left} seconds to go.
+     *
+     * @return whether there was anything
+     */
+    boolean refresh(double left) {
         if (!isAnyTurning(left)) {
-            return;
+            return false;
         }
         for (int row = 0; row < rows.count; row++) {
             if (isTurning(rows.bodyA[row], left) || isTurning(rows.bodyB[row], left)) {
                 refresh(row, left);
             }
         }
+        return true;
     }
 
     private boolean isAnyTurning(double left) {
