@@ -22,21 +22,7 @@ final class DirectSolver {
     static final int MOST_ROWS = 192;
 
     /** Sets tried within one solve; passes over the rows see to what is left. */
-    private static final int MOST_TRIES = 6;
-
-    /** Halvings of a step; after them nothing is left to gain along it. */
-    private static final int MOST_HALVINGS = 6;
-
-    /** Compliance added to the diagonal, relative: decides where rows say the same twice. */
-    private static final double COMPLIANCE = 1e-10;
-
-    /** Relative growth of energy that round-off explains, and the energy in J of nothing moving. */
-    private static final double ROUND_OFF = 1e-6;
-
-    private static final double NO_ENERGY = 1e-12;
-
-    /** An impulse may exceed the momentum it answers by this factor: a wedge of a thousandth. */
-    private static final double MOST_LEVERAGE = 1e3;
+    private static final int MOST_TRIES = 40;
 
     private final Motions motions;
     private final Rows rows;
@@ -64,7 +50,6 @@ final class DirectSolver {
     private double[] moved = new double[64];
 
     private double[] cone = new double[64];
-    private double[] saved = new double[64];
 
     DirectSolver(Motions motions, Rows rows, OverlapSolver overlap) {
         this.motions = motions;
@@ -88,70 +73,25 @@ final class DirectSolver {
         return rows.count == 1 && rows.points[0] == 1;
     }
 
-    /** Brings the loaded rows to rest against each other, for a substep of h seconds. */
-    void solve(double h, int substep) {
+    /**
+     * Brings the loaded rows to rest against each other, for a substep of h seconds, but for a speed
+     * of {@code settled} m/s.
+     */
+    void solve(double h, int substep, double settled) {
         if (isUncoupled()) {
             return;
         }
-        save();
-        double energy = motions.kineticEnergy();
-        double momentum = motions.momentum();
-        eliminate(h, substep);
-        boolean gainsEnergy = motions.kineticEnergy() > energy * (1 + ROUND_OFF) + NO_ENERGY;
-        if (gainsEnergy || largestChange() > MOST_LEVERAGE * momentum + NO_ENERGY) {
-            restore();
-        }
-    }
-
-    /** By how much an impulse changed at most since the save, N·s. */
-    private double largestChange() {
-        int offset = motions.count * Motions.STRIDE;
-        double most = 0;
-        for (int at = 0; at < rows.count * Rows.STRIDE; at += Rows.STRIDE) {
-            most = Math.max(most, change(offset, at + Rows.IMPULSE0));
-            most = Math.max(most, change(offset, at + Rows.IMPULSE1));
-            most = Math.max(most, change(offset, at + Rows.IMPULSE_T));
-        }
-        return most;
-    }
-
-    private double change(int offset, int column) {
-        return Math.abs(rows.data[column] - saved[offset + column]);
-    }
-
-    /** Keeps velocities and impulses, to come back to. */
-    private void save() {
-        int motion = motions.count * Motions.STRIDE;
-        int contact = rows.count * Rows.STRIDE;
-        if (saved.length < motion + contact) {
-            saved = new double[2 * (motion + contact)];
-        }
-        System.arraycopy(motions.data, 0, saved, 0, motion);
-        System.arraycopy(rows.data, 0, saved, motion, contact);
-    }
-
-    /**
-     * A body squeezed between what cannot give way has no solution that is at rest, or one by
-     * impulses without measure: the equations answer with whatever lets it slip out. The passes
-     * over the rows are gentler.
-     */
-    private void restore() {
-        int motion = motions.count * Motions.STRIDE;
-        System.arraycopy(saved, 0, motions.data, 0, motion);
-        System.arraycopy(saved, motion, rows.data, 0, rows.count * Rows.STRIDE);
-        factoredSize = -1;
-    }
-
-    private void eliminate(double h, int substep) {
-        chooseLoaded(substep);
-        for (int attempt = 0; attempt < MOST_TRIES && size > 0; attempt++) {
+        chooseLoaded(h, substep);
+        for (int attempt = 0; attempt < MOST_TRIES && !isSolved(h, settled); attempt++) {
             factorize();
             for (int i = 0; i < size; i++) {
                 unknown[i] = -approach(set[i], h);
             }
             substitute();
-            if (stepWithinBounds(h)) {
-                return;
+            if (stepToAllBounds(h)) {
+                chooseLoaded(h, substep);
+            } else {
+                stepToFirstBound();
             }
         }
     }
@@ -177,7 +117,7 @@ final class DirectSolver {
         }
     }
 
-    private void chooseLoaded(int substep) {
+    private void chooseLoaded(double h, int substep) {
         if (set.length < ROWS_PER_CONTACT * rows.count) {
             int capacity = 2 * ROWS_PER_CONTACT * rows.count;
             set = new int[capacity];
@@ -192,25 +132,34 @@ final class DirectSolver {
         size = 0;
         for (int row = 0; row < rows.count; row++) {
             if (rows.firstSubstep[row] <= substep) {
-                chooseLoadedOf(row);
+                chooseLoadedOf(row, h);
             }
         }
     }
 
-    private void chooseLoadedOf(int row) {
-        double[] d = rows.data;
-        int at = row * Rows.STRIDE;
-        if (d[at + Rows.IMPULSE0] > 0) {
-            set[size++] = ROWS_PER_CONTACT * row;
+    /**
+     * A row is solved for if it is loaded after its own next change: one that is about to let go
+     * would only shorten the step of all.
+     */
+    private void chooseLoadedOf(int row, double h) {
+        for (int point = 0; point < rows.points[row]; point++) {
+            int id = ROWS_PER_CONTACT * row + point;
+            if (afterOwnChange(id, h) > 0) {
+                set[size++] = id;
+            }
         }
-        if (d[at + Rows.IMPULSE1] > 0) {
-            set[size++] = ROWS_PER_CONTACT * row + 1;
+        cone[row] = friction(row);
+        int tangent = ROWS_PER_CONTACT * row + TANGENT;
+        if (cone[row] > 0 && Math.abs(afterOwnChange(tangent, h)) < cone[row]) {
+            set[size++] = tangent;
         }
-        double most = friction(row);
-        cone[row] = most;
-        if (most > 0 && Math.abs(d[at + Rows.IMPULSE_T]) < most) {
-            set[size++] = ROWS_PER_CONTACT * row + TANGENT;
-        }
+    }
+
+    /** The impulse that would solve a row alone, N·s. */
+    private double afterOwnChange(int id, double h) {
+        double impulse =
+                rows.data[id / ROWS_PER_CONTACT * Rows.STRIDE + SingleRows.impulseColumn(id)];
+        return impulse - approach(id, h) / (single.response(id, id) + single.give(id));
     }
 
     private double friction(int row) {
@@ -224,39 +173,51 @@ final class DirectSolver {
         int row = id / ROWS_PER_CONTACT;
         int kind = id % ROWS_PER_CONTACT;
         double v = single.relative(id, Motions.VX, Motions.VY, Motions.SPIN);
-        if (kind == TANGENT) {
-            return v;
-        }
-        int at = row * Rows.STRIDE;
-        double given = rows.data[at + Rows.GIVE] * rows.data[at + Rows.IMPULSE0 + kind];
-        return v + given + Math.max(0, motions.gap(rows, row, kind)) / h;
+        double impulse = rows.data[row * Rows.STRIDE + SingleRows.impulseColumn(id)];
+        double given = v + single.give(id) * impulse;
+        return kind == TANGENT ? given : given + Math.max(0, motions.gap(rows, row, kind)) / h;
     }
 
     /**
-     * Goes towards the solution, each row no farther than to its bound, and half as far again and
-     * again until that lowers what is minimized: ½jᵀKj + wᵀj, whose gradient is w. Rows that met
-     * their bounds are dropped.
-     *
-     * @return whether the solution was reached
+     * Goes to the solution, each row no farther than to its bound, if that lowers what is
+     * minimized: ½jᵀKj + wᵀj, whose gradient is w.
      */
-    private boolean stepWithinBounds(double h) {
-        double share = 1;
-        for (int halving = 0; halving < MOST_HALVINGS; halving++, share /= 2) {
-            if (moveBy(share, h) <= 0) {
-                return dropBounded() == 0 && share == 1;
-            }
-            for (int i = 0; i < size; i++) {
-                push(set[i], -moved[i]);
+    private boolean stepToAllBounds(double h) {
+        if (moveBy(h) <= 0) {
+            return true;
+        }
+        for (int i = 0; i < size; i++) {
+            push(set[i], -moved[i]);
+        }
+        return false;
+    }
+
+    /** Goes towards the solution until the first bound is met, and drops the row that met it. */
+    private void stepToFirstBound() {
+        double step = 1;
+        int met = -1;
+        for (int i = 0; i < size; i++) {
+            double change = withinBounds(set[i], unknown[i]);
+            double room = change == unknown[i] ? 1 : change / unknown[i];
+            if (room < step) {
+                step = room;
+                met = i;
             }
         }
-        return true;
+        for (int i = 0; i < size; i++) {
+            push(set[i], withinBounds(set[i], step * unknown[i]));
+        }
+        if (met >= 0) {
+            System.arraycopy(set, met + 1, set, met, size - met - 1);
+            size--;
+        }
     }
 
     /** Moves along the step as far as bounds allow; returns by how much the minimized rises, J. */
-    private double moveBy(double share, double h) {
+    private double moveBy(double h) {
         double rise = 0;
         for (int i = 0; i < size; i++) {
-            moved[i] = withinBounds(set[i], share * unknown[i]);
+            moved[i] = withinBounds(set[i], unknown[i]);
             rise += moved[i] * approach(set[i], h) / 2;
         }
         for (int i = 0; i < size; i++) {
@@ -284,29 +245,21 @@ final class DirectSolver {
         return Math.max(-most, Math.min(most, impulse + change)) - impulse;
     }
 
-    /** Leaves out the rows that went less far than the step; returns how many. */
-    private int dropBounded() {
-        int kept = 0;
-        for (int i = 0; i < size; i++) {
-            if (isBounded(set[i])) {
-                continue;
-            }
-            set[kept++] = set[i];
-        }
-        int dropped = size - kept;
-        size = kept;
-        return dropped;
+    private boolean isFactored() {
+        return factoredSize == size && Arrays.equals(set, 0, size, factored, 0, size);
     }
 
-    private boolean isBounded(int id) {
-        int row = id / ROWS_PER_CONTACT;
-        double impulse = rows.data[row * Rows.STRIDE + SingleRows.impulseColumn(id)];
-        return id % ROWS_PER_CONTACT == TANGENT ? Math.abs(impulse) >= cone[row] : impulse <= 0;
+    private boolean isSolved(double h, double settled) {
+        double worst = 0;
+        for (int i = 0; i < size; i++) {
+            worst = Math.max(worst, Math.abs(approach(set[i], h)));
+        }
+        return worst <= settled;
     }
 
     /** Factors the matrix of the set, unless the last factor is of the same set. */
     private void factorize() {
-        if (factoredSize == size && Arrays.equals(set, 0, size, factored, 0, size)) {
+        if (isFactored()) {
             return;
         }
         System.arraycopy(set, 0, factored, 0, size);
@@ -316,7 +269,7 @@ final class DirectSolver {
             for (int j = first[i]; j <= i; j++) {
                 double sum = single.response(set[i], set[j]);
                 if (i == j) {
-                    sum += COMPLIANCE * sum + single.give(set[i]);
+                    sum += single.give(set[i]);
                 }
                 int from = Math.max(first[i], first[j]);
                 for (int k = from; k < j; k++) {
@@ -330,7 +283,7 @@ final class DirectSolver {
 
     /** A row that repeats others leaves nothing on its diagonal; its compliance stays. */
     private double root(double remainder, int id) {
-        return Math.sqrt(Math.max(remainder, COMPLIANCE * single.response(id, id)));
+        return Math.sqrt(Math.max(remainder, single.give(id)));
     }
 
     private void layEnvelope() {

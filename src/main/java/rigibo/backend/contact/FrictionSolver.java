@@ -96,8 +96,7 @@ final class FrictionSolver {
         double[] d = rows.data;
         int at = row * Rows.STRIDE;
         double most = d[at + Rows.FRICTION] * (d[at + Rows.IMPULSE0] + d[at + Rows.IMPULSE1]);
-        double wanted = d[at + Rows.IMPULSE_T] - d[at + Rows.MASS_T] * sliding(row);
-        keepTangent(row, clamp(wanted, most));
+        keepTangent(row, clamp(wanted(row), most));
     }
 
     /** The worst speed in m/s at which a row slides whose friction could hold it. */
@@ -110,12 +109,18 @@ final class FrictionSolver {
                 double[] d = rows.data;
                 double most =
                         d[at + Rows.FRICTION] * (d[at + Rows.IMPULSE0] + d[at + Rows.IMPULSE1]);
-                double wanted = d[at + Rows.IMPULSE_T] - d[at + Rows.MASS_T] * sliding(row);
-                double change = clamp(wanted, most) - d[at + Rows.IMPULSE_T];
+                double change = clamp(wanted(row), most) - d[at + Rows.IMPULSE_T];
                 worst = Math.max(worst, Math.abs(change) / d[at + Rows.MASS_T]);
             }
         }
         return worst;
+    }
+
+    /** The impulse that would stop the sliding, but for what the row gives way, N·s. */
+    private double wanted(int row) {
+        int at = row * Rows.STRIDE;
+        double stopping = rows.data[at + Rows.IMPULSE_T] - rows.data[at + Rows.MASS_T] * sliding(row);
+        return stopping / (1 + Rows.COMPLIANCE);
     }
 
     /** Speed in m/s at which B slides along the tangent on A. */

@@ -20,7 +20,7 @@ public final class PileSolver {
     private static final double NO_TIME = 1e-3;
 
     /** Share of the fastest speed that may be left unsolved. */
-    private static final double SETTLED = 1e-9;
+    private static final double SETTLED = 1e-10;
 
     /** Rounds that a small pile is given per substep. */
     private static final int MOST_ROUNDS = 20;
@@ -194,13 +194,20 @@ public final class PileSolver {
         for (int i = 0; i < MOST_ROUNDS; i++) {
             friction.solve(substep);
             normals.back(h, substep);
-            direct.solve(h, substep);
+            if (unsolved(h, substep) <= settled) {
+                return;
+            }
+            direct.solve(h, substep, settled);
             friction.solve(substep);
             normals.forth(h, substep);
-            if (Math.max(normals.unsolved(h, substep), friction.unsolved(substep)) <= settled) {
+            if (unsolved(h, substep) <= settled) {
                 return;
             }
         }
+    }
+
+    private double unsolved(double h, int substep) {
+        return Math.max(normals.unsolved(h, substep), friction.unsolved(substep));
     }
 
     /**

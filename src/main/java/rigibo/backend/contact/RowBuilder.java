@@ -187,7 +187,7 @@ final class RowBuilder {
                         d[at + Rows.LEVER_B1],
                         d[at + Rows.LEVER_A1],
                         d[at + Rows.LEVER_B1]);
-        double give = isDriven(row) ? GIVE_OF_DRIVEN / mass : 0;
+        double give = Rows.COMPLIANCE * k00 + (isDriven(row) ? GIVE_OF_DRIVEN / mass : 0);
         k00 += give;
         k11 += give;
         d[at + Rows.GIVE] = give;

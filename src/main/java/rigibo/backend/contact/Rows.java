@@ -71,13 +71,20 @@ final class Rows {
 
     static final int LOAD1 = 29;
 
-    /** Speed at which the contact gives way to a unit impulse, 1/kg; 0 but against the driven. */
+    /** Speed at which the contact gives way to a unit impulse, 1/kg. */
     static final int GIVE = 31;
 
     /** Share of an overlap taken back per second, 1/s. */
     static final int RECOVERY = 30;
 
     static final int STRIDE = 32;
+
+    /**
+     * What every row gives way, as a share of what its impulse does to its bodies: nothing that is
+     * seen, yet of many ways to share a load among more contacts than are needed it makes one the
+     * answer. Without it the others leave impulses that grow and do nothing.
+     */
+    static final double COMPLIANCE = 1e-9;
 
     double[] data = new double[16 * STRIDE];
 

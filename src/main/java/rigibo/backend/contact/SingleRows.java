@@ -61,8 +61,9 @@ final class SingleRows {
 
     /** Speed at which a row gives way to a unit impulse, 1/kg. */
     double give(int id) {
-        int row = id / ROWS_PER_CONTACT;
-        return id % ROWS_PER_CONTACT == TANGENT ? 0 : rows.data[row * Rows.STRIDE + Rows.GIVE];
+        int at = id / ROWS_PER_CONTACT * Rows.STRIDE;
+        boolean isTangent = id % ROWS_PER_CONTACT == TANGENT;
+        return isTangent ? Rows.COMPLIANCE / rows.data[at + Rows.MASS_T] : rows.data[at + Rows.GIVE];
     }
 
     private double directionX(int id) {
