@@ -74,8 +74,8 @@ final class DirectSolver {
     }
 
     /**
-     * Brings the loaded rows to rest against each other, for a substep of h seconds, but for a speed
-     * of {@code settled} m/s.
+     * Brings the loaded rows to rest against each other, for a substep of h seconds, but for a
+     * speed of {@code settled} m/s.
      */
     void solve(double h, int substep, double settled) {
         if (isUncoupled()) {

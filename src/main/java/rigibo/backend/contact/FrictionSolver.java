@@ -18,6 +18,7 @@ final class FrictionSolver {
     private int slidingCount;
     private int[] rollingRows = new int[16];
     private int rollingCount;
+    private double largestChange;
 
     FrictionSolver(Motions motions, Rows rows) {
         this.motions = motions;
@@ -46,8 +47,9 @@ final class FrictionSolver {
         return slidingCount + rollingCount;
     }
 
-    /** One pass over both kinds of rows. */
-    void solve(int substep) {
+    /** One pass over both kinds of rows; returns the largest change of speed in it, m/s. */
+    double solve(int substep) {
+        largestChange = 0;
         for (int i = 0; i < slidingCount; i++) {
             if (rows.firstSubstep[slidingRows[i]] <= substep) {
                 slide(slidingRows[i]);
@@ -58,6 +60,7 @@ final class FrictionSolver {
                 rollWithoutSliding(rollingRows[i]);
             }
         }
+        return largestChange;
     }
 
     /**
@@ -99,27 +102,11 @@ final class FrictionSolver {
         keepTangent(row, clamp(wanted(row), most));
     }
 
-    /** The worst speed in m/s at which a row slides whose friction could hold it. */
-    double unsolved(int substep) {
-        double worst = 0;
-        for (int i = 0; i < slidingCount; i++) {
-            int row = slidingRows[i];
-            if (rows.firstSubstep[row] <= substep) {
-                int at = row * Rows.STRIDE;
-                double[] d = rows.data;
-                double most =
-                        d[at + Rows.FRICTION] * (d[at + Rows.IMPULSE0] + d[at + Rows.IMPULSE1]);
-                double change = clamp(wanted(row), most) - d[at + Rows.IMPULSE_T];
-                worst = Math.max(worst, Math.abs(change) / d[at + Rows.MASS_T]);
-            }
-        }
-        return worst;
-    }
-
     /** The impulse that would stop the sliding, but for what the row gives way, N·s. */
     private double wanted(int row) {
         int at = row * Rows.STRIDE;
-        double stopping = rows.data[at + Rows.IMPULSE_T] - rows.data[at + Rows.MASS_T] * sliding(row);
+        double stopping =
+                rows.data[at + Rows.IMPULSE_T] - rows.data[at + Rows.MASS_T] * sliding(row);
         return stopping / (1 + Rows.COMPLIANCE);
     }
 
@@ -141,6 +128,7 @@ final class FrictionSolver {
         int at = row * Rows.STRIDE;
         double change = impulse - d[at + Rows.IMPULSE_T];
         d[at + Rows.IMPULSE_T] = impulse;
+        largestChange = Math.max(largestChange, Math.abs(change) / d[at + Rows.MASS_T]);
         applyTangent(
                 motions.data,
                 rows.bodyA[row],
@@ -172,7 +160,9 @@ final class FrictionSolver {
         int a = rows.bodyA[row];
         int b = rows.bodyB[row];
         double change = impulse - d[at + Rows.IMPULSE_R];
+        double reach = Math.abs(d[at + Rows.LEVER_TB] - d[at + Rows.LEVER_TA]);
         d[at + Rows.IMPULSE_R] = impulse;
+        largestChange = Math.max(largestChange, reach * Math.abs(change) / d[at + Rows.INERTIA_R]);
         m[a + SPIN] -= m[a + INVERSE_INERTIA] * change;
         m[b + SPIN] += m[b + INVERSE_INERTIA] * change;
     }

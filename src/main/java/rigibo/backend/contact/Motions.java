@@ -110,21 +110,6 @@ final class Motions {
                 - d[at + 2 * point + Rows.LEVER_A0] * data[a + SPIN];
     }
 
-    /** J of motion and rotation of all that can be moved. */
-    double kineticEnergy() {
-        double twice = 0;
-        for (int at = STRIDE; at < count * STRIDE; at += STRIDE) {
-            if (data[at + INVERSE_MASS] > 0) {
-                double squared = data[at + VX] * data[at + VX] + data[at + VY] * data[at + VY];
-                twice += squared / data[at + INVERSE_MASS];
-            }
-            if (data[at + INVERSE_INERTIA] > 0) {
-                twice += data[at + SPIN] * data[at + SPIN] / data[at + INVERSE_INERTIA];
-            }
-        }
-        return twice / 2;
-    }
-
     /** The highest speed along an axis, m/s, of what can be moved and what is driven. */
     double fastest() {
         double most = 0;
@@ -139,19 +124,6 @@ final class Motions {
         double sum = 0;
         for (int at = STRIDE; at < count * STRIDE; at += STRIDE) {
             sum += data[at + INVERSE_MASS] > 0 ? 1 / data[at + INVERSE_MASS] : 0;
-        }
-        return sum;
-    }
-
-    /** N·s of all that can be moved, without regard to direction. */
-    double momentum() {
-        double sum = 0;
-        for (int at = STRIDE; at < count * STRIDE; at += STRIDE) {
-            if (data[at + INVERSE_MASS] > 0) {
-                sum +=
-                        (Math.abs(data[at + VX]) + Math.abs(data[at + VY]))
-                                / data[at + INVERSE_MASS];
-            }
         }
         return sum;
     }

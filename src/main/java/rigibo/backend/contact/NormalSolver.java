@@ -21,6 +21,7 @@ final class NormalSolver {
     private final Motions motions;
     private final Rows rows;
     private final boolean isBlock;
+    private double largestChange;
 
     NormalSolver(Motions motions, Rows rows, boolean isBlock) {
         this.motions = motions;
@@ -28,13 +29,19 @@ final class NormalSolver {
         this.isBlock = isBlock;
     }
 
-    /** One pass over all rows, in their order, for a substep of h seconds. */
-    void forth(double h, int substep) {
+    /**
+     * One pass over all rows, in their order, for a substep of h seconds.
+     *
+     * @return the largest change of speed in it, m/s
+     */
+    double forth(double h, int substep) {
+        largestChange = 0;
         for (int row = 0; row < rows.count; row++) {
             if (rows.firstSubstep[row] <= substep) {
                 solve(row, 1 / h, RIGID);
             }
         }
+        return largestChange;
     }
 
     /** The same, but overlapping points give way and are pushed apart, as by a damped spring. */
@@ -48,7 +55,8 @@ final class NormalSolver {
     }
 
     /** One pass against their order: what the first pass missed below, this one carries up. */
-    void back(double h, int substep) {
+    double back(double h, int substep) {
+        largestChange = 0;
         for (int row = rows.groundStart - 1; row >= 0; row--) {
             if (rows.firstSubstep[row] <= substep) {
                 solve(row, 1 / h, RIGID);
@@ -59,31 +67,7 @@ final class NormalSolver {
                 solve(row, 1 / h, RIGID);
             }
         }
-    }
-
-    /** The worst violation of v + gap/h ≥ 0 ⊥ j ≥ 0 by a row, m/s. */
-    double unsolved(double h, int substep) {
-        double worst = 0;
-        for (int row = 0; row < rows.count; row++) {
-            if (rows.firstSubstep[row] <= substep) {
-                for (int point = 0; point < rows.points[row]; point++) {
-                    worst = Math.max(worst, unsolved(row, point, h));
-                }
-            }
-        }
-        return worst;
-    }
-
-    private double unsolved(int row, int point, double h) {
-        double[] d = rows.data;
-        int at = row * Rows.STRIDE;
-        double impulse = d[at + Rows.IMPULSE0 + point];
-        double w =
-                motions.parting(rows, row, point)
-                        + Math.max(0, motions.gap(rows, row, point)) / h
-                        + d[at + Rows.GIVE] * impulse;
-        double held = impulse * (point == 0 ? d[at + Rows.K00] : d[at + Rows.K11]);
-        return w < 0 ? -w : Math.min(w, held);
+        return largestChange;
     }
 
     private void solve(int row, double perSubstep, SoftPush soft) {
@@ -107,6 +91,7 @@ final class NormalSolver {
             double rigid = Math.max(0, old0 - w0 * d[at + Rows.M00]);
             double impulse = gap0 > 0 ? rigid : soft.soften(rigid, d[at + Rows.LOAD0]);
             d[at + Rows.IMPULSE0] = impulse;
+            noteChange(impulse - old0, d[at + Rows.K00]);
             apply(m, a, b, nx, ny, impulse - old0, la0 * (impulse - old0), lb0 * (impulse - old0));
             return;
         }
@@ -123,6 +108,8 @@ final class NormalSolver {
         }
         double j0 = d[at + Rows.IMPULSE0] - old0;
         double j1 = d[at + Rows.IMPULSE1] - old1;
+        noteChange(j0, d[at + Rows.K00]);
+        noteChange(j1, d[at + Rows.K11]);
         apply(m, a, b, nx, ny, j0 + j1, la0 * j0 + la1 * j1, lb0 * j0 + lb1 * j1);
     }
 
@@ -157,6 +144,10 @@ final class NormalSolver {
         } else {
             keep(d, at, 0, 0);
         }
+    }
+
+    private void noteChange(double impulse, double response) {
+        largestChange = Math.max(largestChange, Math.abs(impulse) * response);
     }
 
     private static void keep(double[] d, int at, double impulse0, double impulse1) {

@@ -192,22 +192,15 @@ public final class PileSolver {
     private void settleRows(double h, int substep) {
         double settled = SETTLED * fastest;
         for (int i = 0; i < MOST_ROUNDS; i++) {
-            friction.solve(substep);
-            normals.back(h, substep);
-            if (unsolved(h, substep) <= settled) {
+            double change = friction.solve(substep);
+            change = Math.max(change, normals.back(h, substep));
+            if (change <= settled) {
                 return;
             }
             direct.solve(h, substep, settled);
-            friction.solve(substep);
-            normals.forth(h, substep);
-            if (unsolved(h, substep) <= settled) {
-                return;
-            }
         }
-    }
-
-    private double unsolved(double h, int substep) {
-        return Math.max(normals.unsolved(h, substep), friction.unsolved(substep));
+        friction.solve(substep);
+        normals.forth(h, substep);
     }
 
     /**

@@ -63,7 +63,9 @@ final class SingleRows {
     double give(int id) {
         int at = id / ROWS_PER_CONTACT * Rows.STRIDE;
         boolean isTangent = id % ROWS_PER_CONTACT == TANGENT;
-        return isTangent ? Rows.COMPLIANCE / rows.data[at + Rows.MASS_T] : rows.data[at + Rows.GIVE];
+        return isTangent
+                ? Rows.COMPLIANCE / rows.data[at + Rows.MASS_T]
+                : rows.data[at + Rows.GIVE];
     }
 
     private double directionX(int id) {
