@@ -11,6 +11,7 @@ package rigibo.backend;
  * @param normalX unit normal from a to b
  * @param normalY unit normal from a to b
  * @param impulse normal impulse of the step in N·s, impacts included, 0 or more
+ * @param isCrushing whether a kinematic body is pressed into the other deeper than 5 % of its width
  */
 public record ContactEvent(
         RigidBody a,
@@ -20,7 +21,8 @@ public record ContactEvent(
         double y,
         double normalX,
         double normalY,
-        double impulse) {
+        double impulse,
+        boolean isCrushing) {
 
     /** What became of the contact in the step. */
     public enum Phase {

@@ -152,6 +152,7 @@ final class PoolQueries {
                 (p.pointY[2 * pair] + p.pointY[last]) / 2,
                 p.normalX[pair],
                 p.normalY[pair],
-                p.impulse[pair]);
+                p.impulse[pair],
+                p.crushed[pair]);
     }
 }

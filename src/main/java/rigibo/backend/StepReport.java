@@ -60,6 +60,14 @@ public final class StepReport {
         return counters.deepestOverlap;
     }
 
+    /**
+     * Pairs in which a kinematic body has been pressed into a body that could not give way, deeper
+     * than 5 % of its width; it presses no further there.
+     */
+    public int crushed() {
+        return counters.crushed;
+    }
+
     /** How many bodies were put to rest because their state stopped being finite. */
     public int quarantined() {
         return counters.quarantinedCount;

@@ -51,6 +51,7 @@ public final class Narrowphase {
         pairs.touchedBefore[pair] = pairs.touching[pair] || pairs.impacts[pair] > 0;
         pairs.impacts[pair] = 0;
         pairs.impulse[pair] = 0;
+        pairs.crushed[pair] = false;
         measure(pair, dt);
         noteTouch(pair);
     }

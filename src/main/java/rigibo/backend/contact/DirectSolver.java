@@ -51,6 +51,9 @@ final class DirectSolver {
 
     private double[] cone = new double[64];
 
+    /** Where bodies were before their overlap is taken back, laid out as the motions. */
+    private double[] places = new double[64];
+
     DirectSolver(Motions motions, Rows rows, OverlapSolver overlap) {
         this.motions = motions;
         this.rows = rows;
@@ -111,8 +114,40 @@ final class DirectSolver {
         }
         if (isAny) {
             substitute();
+            keepPlaces();
             for (int i = 0; i < size; i++) {
                 single.push(set[i], unknown[i], Motions.DX, Motions.DY, Motions.TURN);
+            }
+            limitWay(OverlapSolver.MOST_PUSH * h);
+        }
+    }
+
+    private void keepPlaces() {
+        int length = motions.count * Motions.STRIDE;
+        if (places.length < length) {
+            places = new double[2 * length];
+        }
+        System.arraycopy(motions.data, 0, places, 0, length);
+    }
+
+    /**
+     * Keeps all from being moved farther than a way in m. Overlaps that contradict each other, of a
+     * body between two that do not give way, are else resolved by sending it round them.
+     */
+    private void limitWay(double most) {
+        double farthest = 0;
+        for (int at = Motions.STRIDE; at < motions.count * Motions.STRIDE; at += Motions.STRIDE) {
+            double x = motions.data[at + Motions.DX] - places[at + Motions.DX];
+            double y = motions.data[at + Motions.DY] - places[at + Motions.DY];
+            farthest = Math.max(farthest, Math.max(Math.abs(x), Math.abs(y)));
+        }
+        if (farthest <= most) {
+            return;
+        }
+        double share = most / farthest;
+        for (int at = Motions.STRIDE; at < motions.count * Motions.STRIDE; at += Motions.STRIDE) {
+            for (int i = at + Motions.DX; i <= at + Motions.TURN; i++) {
+                motions.data[i] = places[i] + share * (motions.data[i] - places[i]);
             }
         }
     }

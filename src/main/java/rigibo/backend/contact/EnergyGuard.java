@@ -28,7 +28,7 @@ final class EnergyGuard {
     }
 
     /** Scales all impulses back to what adds no energy, if they do. */
-    void limit() {
+    void limitEnergy() {
         takeBack();
         double first = work(before);
         // The work of impulses scaled by s is s·Σ j·w₀ + s²·Σ j·(w₁ − w₀)/2.
@@ -63,6 +63,25 @@ final class EnergyGuard {
     private double impulse(int id) {
         int at = id / ROWS_PER_CONTACT * Rows.STRIDE;
         return rows.data[at + SingleRows.impulseColumn(id)];
+    }
+
+    /** Scales all impulses back to what leaves no speed above a limit in m/s, if one is. */
+    void limitSpeed(double limit) {
+        takeBack();
+        double share = 1;
+        for (int at = Motions.STRIDE; at < motions.count * Motions.STRIDE; at += Motions.STRIDE) {
+            share = Math.min(share, shareWithin(limit, at + Motions.VX));
+            share = Math.min(share, shareWithin(limit, at + Motions.VY));
+        }
+        if (share < 1) {
+            scale(share);
+        }
+    }
+
+    private double shareWithin(double limit, int column) {
+        double speed = Math.abs(motions.data[column]);
+        double change = Math.abs(motions.data[column] - before[column]);
+        return speed <= limit ? 1 : Math.max(0, limit - Math.abs(before[column])) / change;
     }
 
     /** Σ j·w at velocities laid out as the motions, J. */

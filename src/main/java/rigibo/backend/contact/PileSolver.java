@@ -25,6 +25,12 @@ public final class PileSolver {
     /** Rounds that a small pile is given per substep. */
     private static final int MOST_ROUNDS = 20;
 
+    /** How many times faster than anything before a body may leave rows that were not solved. */
+    private static final double MOST_LEVERAGE = 3;
+
+    /** Rounds that go all of their way; by then nearly every pile is solved. */
+    private static final int ROUNDS_AT_FULL_STEP = 6;
+
     private final Bodies bodies;
     private final Pairs pairs;
     private final Islands islands;
@@ -42,6 +48,7 @@ public final class PileSolver {
     private final JointBlows joint;
     private final OverlapSolver overlap;
     private final EnergyGuard guard;
+    private final Halfway halfway;
     private final DirectSolver direct;
     private final SoftPush soft = new SoftPush();
     private final boolean isDirect;
@@ -75,6 +82,7 @@ public final class PileSolver {
         friction = new FrictionSolver(motions, rows);
         overlap = new OverlapSolver(motions, rows);
         guard = new EnergyGuard(motions, rows);
+        halfway = new Halfway(motions, rows);
         direct = new DirectSolver(motions, rows, overlap);
         isDirect = accuracy.contactSolver() == ContactSolver.DIRECT;
         impacts = new PileImpacts(motions, rows, pairs, counters);
@@ -185,22 +193,30 @@ public final class PileSolver {
 
     /** Goes on until a small pile is solved, which at rest it is after the first round. */
     private void settle(double h, int substep) {
-        settleRows(h, substep);
-        guard.limit();
+        boolean isSettled = settleRows(h, substep);
+        guard.limitEnergy();
+        if (!isSettled) {
+            guard.limitSpeed(MOST_LEVERAGE * fastest);
+        }
     }
 
-    private void settleRows(double h, int substep) {
+    private boolean settleRows(double h, int substep) {
         double settled = SETTLED * fastest;
         for (int i = 0; i < MOST_ROUNDS; i++) {
             double change = friction.solve(substep);
             change = Math.max(change, normals.back(h, substep));
             if (change <= settled) {
-                return;
+                return true;
             }
+            halfway.begin();
             direct.solve(h, substep, settled);
+            if (i >= ROUNDS_AT_FULL_STEP) {
+                halfway.end();
+            }
         }
         friction.solve(substep);
         normals.forth(h, substep);
+        return false;
     }
 
     /**

@@ -4,6 +4,7 @@ import static rigibo.backend.contact.Motions.INVERSE_INERTIA;
 import static rigibo.backend.contact.Motions.INVERSE_MASS;
 
 import rigibo.backend.storage.Bodies;
+import rigibo.backend.storage.Counters;
 import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.Islands;
 import rigibo.backend.storage.PairTolerances;
@@ -21,6 +22,12 @@ final class RowBuilder {
      */
     private static final double PULLED = 0.25;
 
+    /** Overlap with what is driven from which on a body is crushed, as a share of its width. */
+    private static final double CRUSHED = 0.05;
+
+    /** Where the motions keep what stands still. */
+    private static final int GROUND = 0;
+
     /** Gap in m of a contact that has parted beyond all reach. */
     private static final double OUT_OF_REACH = 1e9;
 
@@ -35,6 +42,7 @@ final class RowBuilder {
     private final Bodies bodies;
     private final Pairs pairs;
     private final Islands islands;
+    private final Counters counters;
     private final Motions motions;
     private final Rows rows;
 
@@ -45,6 +53,7 @@ final class RowBuilder {
         bodies = data.bodies;
         pairs = data.pairs;
         islands = data.islands;
+        counters = data.counters;
         this.motions = motions;
         this.rows = rows;
     }
@@ -82,8 +91,11 @@ final class RowBuilder {
         int b = pairs.bodyB[pair];
         rows.pair[row] = pair;
         rows.points[row] = pairs.points[pair];
-        rows.bodyA[row] = motions.offset(bodies, a);
-        rows.bodyB[row] = motions.offset(bodies, b);
+        boolean crushes = isCrushed(pair);
+        rows.bodyA[row] = crushes && bodies.isDriven(a) ? GROUND : motions.offset(bodies, a);
+        rows.bodyB[row] = crushes && bodies.isDriven(b) ? GROUND : motions.offset(bodies, b);
+        pairs.crushed[pair] = crushes;
+        counters.crushed += crushes ? 1 : 0;
         int at = row * Rows.STRIDE;
         writeLevers(row, at, pair);
         writeNormalMasses(row, at);
@@ -207,6 +219,14 @@ final class RowBuilder {
     private boolean isDriven(int row) {
         int pair = rows.pair[row];
         return bodies.isDriven(pairs.bodyA[pair]) || bodies.isDriven(pairs.bodyB[pair]);
+    }
+
+    /** What is pressed in this deep is not pressed on: the driven body counts as standing still. */
+    private boolean isCrushed(int pair) {
+        int a = pairs.bodyA[pair];
+        int b = pairs.bodyB[pair];
+        boolean isDriven = bodies.isDriven(a) || bodies.isDriven(b);
+        return isDriven && -pairs.gap(pair) > CRUSHED * PairTolerances.width(bodies, a, b);
     }
 
     /** One point, or two that are as good as one: the deeper is kept as the first. */

@@ -11,6 +11,7 @@ public final class Counters {
     public int impacts;
     public int evaluations;
     public int rows;
+    public int crushed;
 
     /** m, 0 or more. */
     public double deepestOverlap;
@@ -29,6 +30,7 @@ public final class Counters {
         impacts = 0;
         evaluations = 0;
         rows = 0;
+        crushed = 0;
         deepestOverlap = 0;
         quarantinedCount = 0;
         Arrays.fill(nanos, 0);

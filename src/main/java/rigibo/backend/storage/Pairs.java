@@ -62,6 +62,9 @@ public final class Pairs {
     /** Impacts of the pair in this step. */
     public int[] impacts = new int[FIRST_CAPACITY];
 
+    /** Whether what is driven presses into the other body so deep that it presses no further. */
+    public boolean[] crushed = new boolean[FIRST_CAPACITY];
+
     /** Whether the pair presses without bouncing: part of a pile. */
     public boolean[] resting = new boolean[FIRST_CAPACITY];
 
@@ -167,6 +170,7 @@ public final class Pairs {
         rollingTorque[pair] = 0;
         impulse[pair] = 0;
         impacts[pair] = 0;
+        crushed[pair] = false;
         resting[pair] = false;
         touching[pair] = false;
         touchedBefore[pair] = false;
@@ -223,6 +227,7 @@ public final class Pairs {
         resting = Arrays.copyOf(resting, capacity);
         touching = Arrays.copyOf(touching, capacity);
         touchedBefore = Arrays.copyOf(touchedBefore, capacity);
+        crushed = Arrays.copyOf(crushed, capacity);
         activeStep = Arrays.copyOf(activeStep, capacity);
     }
 }

@@ -1,6 +1,7 @@
 package rigibo.lab.hardcase;
 
 import rigibo.backend.RigidBody;
+import rigibo.backend.StepReport;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
 
@@ -33,8 +34,10 @@ final class Crush implements HardCase {
                 pool.add(BodyDefinition.kinematic(Polygon.box(1, 6)).at(-1, 3.01).velocity(0.5, 0));
         RigidBody box = pool.add(BodyDefinition.dynamic(Polygon.box(1, 1)).at(0.2, 0.5));
         boolean isPressed = false;
+        boolean isToldOf = false;
         while (pool.time() < HORIZON) {
-            pool.step();
+            StepReport report = pool.step();
+            isToldOf |= report.crushed() > 0;
             double speed = Math.hypot(box.velocityX(), box.velocityY());
             trial.measure("fastest", speed, "m/s", MOST_SPEED);
             isPressed |=
@@ -44,6 +47,7 @@ final class Crush implements HardCase {
                             && pool.impulseBetween(box, fixed) > 0;
         }
         trial.require("both contacts are told", isPressed);
+        trial.require("it is told that the box is crushed", isToldOf);
         boolean isOutside = box.y() > 6.5;
         boolean isBetween = box.x() > press.x() && box.x() < fixed.x();
         trial.require("the box is between the walls or above them", isBetween || isOutside);
