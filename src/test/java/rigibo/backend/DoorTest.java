@@ -20,6 +20,7 @@ import rigibo.backend.effect.Gravity;
 import rigibo.backend.effect.Restitution;
 import rigibo.backend.effect.RollingResistance;
 import rigibo.backend.effect.Sleep;
+import rigibo.backend.effect.SurfaceSpeed;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.Accuracy;
@@ -148,7 +149,8 @@ class DoorTest {
                 Arguments.of(new Restitution(), "Contacts"),
                 Arguments.of(new ContinuousImpacts(), "Contacts"),
                 Arguments.of(new Sleep(), "Contacts"),
-                Arguments.of(new RollingResistance(), "Contacts"));
+                Arguments.of(new RollingResistance(), "Contacts"),
+                Arguments.of(new SurfaceSpeed(), "Friction"));
     }
 
     @ParameterizedTest

@@ -89,10 +89,23 @@ final class DirectSolver {
         double energy = motions.kineticEnergy();
         double momentum = motions.momentum();
         eliminate(h, substep);
-        boolean gainsEnergy = motions.kineticEnergy() > energy * (1 + ROUND_OFF) + NO_ENERGY;
+        double given = rows.carried > 0 ? workOfSurfaces() : 0;
+        double gained = motions.kineticEnergy() - given;
+        boolean gainsEnergy = gained > energy * (1 + ROUND_OFF) + NO_ENERGY;
         if (gainsEnergy || largestChange() > MOST_LEVERAGE * momentum + NO_ENERGY) {
             restore();
         }
+    }
+
+    /** What the drives of running surfaces put in since the save, J: speed times impulse. */
+    private double workOfSurfaces() {
+        int offset = motions.count * Motions.STRIDE;
+        double work = 0;
+        for (int at = 0; at < rows.count * Rows.STRIDE; at += Rows.STRIDE) {
+            double impulse = rows.data[at + Rows.IMPULSE_T] - saved[offset + at + Rows.IMPULSE_T];
+            work += rows.data[at + Rows.SURFACE] * impulse;
+        }
+        return work;
     }
 
     /** By how much an impulse changed at most since the save, N·s. */
@@ -141,9 +154,21 @@ final class DirectSolver {
             for (int i = 0; i < size; i++) {
                 unknown[i] = -approach(set[i], h);
             }
+            if (rows.carried > 0) {
+                aimAtSurfaces();
+            }
             substitute();
             if (stepToBound() < 0) {
                 return;
+            }
+        }
+    }
+
+    /** Rows that hold a body on a running surface bring it to the surface's speed. */
+    private void aimAtSurfaces() {
+        for (int i = 0; i < size; i++) {
+            if (set[i] % ROWS_PER_CONTACT == TANGENT) {
+                unknown[i] += rows.data[set[i] / ROWS_PER_CONTACT * Rows.STRIDE + Rows.SURFACE];
             }
         }
     }

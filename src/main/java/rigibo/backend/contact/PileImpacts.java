@@ -173,6 +173,7 @@ final class PileImpacts {
         impact.normalY = d[at + Rows.NY];
         impact.friction = d[at + Rows.FRICTION];
         impact.elasticity = d[at + Rows.ELASTICITY];
+        impact.surfaceSpeed = d[at + Rows.SURFACE];
         impact.inverseMassA = m[a + INVERSE_MASS];
         impact.inverseInertiaA = m[a + INVERSE_INERTIA];
         impact.inverseMassB = m[b + INVERSE_MASS];

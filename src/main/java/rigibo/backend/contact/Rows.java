@@ -41,7 +41,7 @@ final class Rows {
 
     static final int IMPULSE1 = 15;
 
-    /** Friction: levers r × t, effective mass in kg, μ, impulse in N·s, speed of the surface. */
+    /** Friction: levers r × t, effective mass in kg, μ, impulse in N·s. */
     static final int LEVER_TA = 16;
 
     static final int LEVER_TB = 17;
@@ -71,6 +71,9 @@ final class Rows {
 
     static final int LOAD1 = 29;
 
+    /** Speed in m/s at which running surfaces carry B along the tangent on A. */
+    static final int SURFACE = 30;
+
     static final int STRIDE = 32;
 
     double[] data = new double[16 * STRIDE];
@@ -83,6 +86,9 @@ final class Rows {
     int[] points = new int[16];
     int[] firstSubstep = new int[16];
     int count;
+
+    /** How many contacts have a surface that runs. */
+    int carried;
 
     /**
      * Contacts from here on are against what cannot give way. Every pass takes them last: what it

@@ -8,6 +8,7 @@ public sealed interface Effect
                 Friction,
                 Restitution,
                 RollingResistance,
+                SurfaceSpeed,
                 Drag,
                 Thrust,
                 ContinuousImpacts,

@@ -107,6 +107,9 @@ public final class Effects {
                 || effect instanceof Sleep) {
             require(effect, Contacts.class);
         }
+        if (effect instanceof SurfaceSpeed) {
+            require(effect, Friction.class);
+        }
         if (effect instanceof RollingResistance) {
             require(effect, Contacts.class);
             require(effect, Rotation.class);

@@ -3,6 +3,7 @@ package rigibo.backend.storage;
 import rigibo.backend.effect.Drag;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.RollingResistance;
+import rigibo.backend.effect.SurfaceSpeed;
 import rigibo.backend.effect.Thrust;
 import rigibo.backend.geometry.Angle;
 import rigibo.backend.geometry.Shape;
@@ -104,13 +105,15 @@ public final class Bodies {
     public double[] pileTime = new double[FIRST_CAPACITY];
 
     /**
-     * Of declared effects only, else null: N and N·m asked for, rolling lever in m, drag in 1/s.
+     * Of declared effects only, else null: N and N·m asked for, rolling lever in m, speed of the
+     * outline in m/s, drag in 1/s.
      */
     public double[] forceX;
 
     public double[] forceY;
     public double[] torque;
     public double[] rollingResistance;
+    public double[] surfaceSpeed;
     public double[] drag;
 
     /** Creates the columns that a set of effects needs. */
@@ -127,6 +130,7 @@ public final class Bodies {
         forceY = declared(forceY, thrust);
         torque = declared(torque, thrust);
         rollingResistance = declared(rollingResistance, effects.declares(RollingResistance.class));
+        surfaceSpeed = declared(surfaceSpeed, effects.declares(SurfaceSpeed.class));
         drag = declared(drag, effects.declares(Drag.class));
     }
 
@@ -211,6 +215,7 @@ public final class Bodies {
         return "pose, motion, mass, fixture"
                 + (forceX == null ? "" : ", force")
                 + (rollingResistance == null ? "" : ", rolling resistance")
+                + (surfaceSpeed == null ? "" : ", surface speed")
                 + (drag == null ? "" : ", drag");
     }
 
@@ -293,6 +298,7 @@ public final class Bodies {
         forceY = grown(forceY, capacity);
         torque = grown(torque, capacity);
         rollingResistance = grown(rollingResistance, capacity);
+        surfaceSpeed = grown(surfaceSpeed, capacity);
         drag = grown(drag, capacity);
     }
 

@@ -29,6 +29,7 @@ public final class HardCases {
                     new Wedge(),
                     new RollingDown(),
                     new RollingToStop(),
+                    new Conveyor(),
                     new Bullets(),
                     new Billiard(),
                     new TurningRod(),

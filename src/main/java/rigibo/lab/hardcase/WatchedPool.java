@@ -7,6 +7,7 @@ import rigibo.backend.StepReport;
 import rigibo.backend.effect.Drag;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Gravity;
+import rigibo.backend.effect.SurfaceSpeed;
 import rigibo.backend.effect.Thrust;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.BodyType;
@@ -38,7 +39,7 @@ final class WatchedPool {
         pool = new Pool(effects, trial.preset().accuracy());
         gravity = effects.find(Gravity.class).orElse(new Gravity(0, 0));
         balance = new Balance(gravity);
-        isEnergyKept = !effects.declares(Thrust.class);
+        isEnergyKept = !effects.declares(Thrust.class) && !effects.declares(SurfaceSpeed.class);
         isMomentumKept = isEnergyKept && !effects.declares(Drag.class);
     }
 
