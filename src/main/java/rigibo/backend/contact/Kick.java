@@ -8,9 +8,13 @@ final class Kick {
     private final Bodies bodies;
     private final Motions motions;
 
-    Kick(Bodies bodies, Motions motions) {
+    /** Forces that change along the way, or null where there are none. */
+    private final PileForces forces;
+
+    Kick(Bodies bodies, Motions motions, PileForces forces) {
         this.bodies = bodies;
         this.motions = motions;
+        this.forces = forces;
     }
 
     /**
@@ -18,6 +22,9 @@ final class Kick {
      * that joined the pile in between is kicked only from when it joined.
      */
     void accelerate(double from, double to) {
+        if (forces != null) {
+            forces.refresh(motions, (from + to) / 2, to - from);
+        }
         double[] m = motions.data;
         for (int entry = 1; entry < motions.count; entry++) {
             int slot = motions.slots[entry];

@@ -40,8 +40,8 @@ public final class PileSolver {
     /** Whether the packed island is solved whole. */
     private boolean isSmall;
 
-    /** A solver at an accuracy. */
-    public PileSolver(DataStorage data, Accuracy accuracy) {
+    /** A solver at an accuracy; {@code forces} change along the way, null where there are none. */
+    public PileSolver(DataStorage data, Accuracy accuracy, PileForces forces) {
         bodies = data.bodies;
         pairs = data.pairs;
         islands = data.islands;
@@ -49,7 +49,7 @@ public final class PileSolver {
         this.accuracy = accuracy;
         isCorrecting = accuracy.correction() == Correction.SOFT;
         builder = new RowBuilder(data, motions, rows);
-        kick = new Kick(bodies, motions);
+        kick = new Kick(bodies, motions, forces);
         warmStart = new WarmStart(motions, rows);
         normals =
                 new NormalSolver(

@@ -32,6 +32,10 @@ public final class Flight {
     private final Broadphase broadphase;
     private final Accuracy accuracy;
     private final Trajectories paths;
+
+    /** Paths under forces that change along the way, or null where there are none. */
+    private final Course course;
+
     private final ImpactQueue queue = new ImpactQueue();
     private final TimeOfImpact timeOfImpact = new TimeOfImpact();
     private final ImpactLaw law = new ImpactLaw();
@@ -41,9 +45,13 @@ public final class Flight {
     private final Pose poseA = new Pose();
     private final Pose poseB = new Pose();
 
-    /** Flight at an accuracy. */
+    /** Flight at an accuracy; {@code course} is null where no path has to be integrated. */
     public Flight(
-            DataStorage data, Narrowphase narrowphase, Broadphase broadphase, Accuracy accuracy) {
+            DataStorage data,
+            Narrowphase narrowphase,
+            Broadphase broadphase,
+            Accuracy accuracy,
+            Course course) {
         bodies = data.bodies;
         pairs = data.pairs;
         roster = data.roster;
@@ -52,6 +60,7 @@ public final class Flight {
         this.narrowphase = narrowphase;
         this.broadphase = broadphase;
         this.accuracy = accuracy;
+        this.course = course;
         paths = new Trajectories(bodies);
     }
 
@@ -83,6 +92,17 @@ public final class Flight {
         for (int i = 0; i < roster.awakeCount; i++) {
             if (paths.isFlyer(roster.awake[i])) {
                 paths.advance(roster.awake[i], dt);
+            }
+        }
+        if (course != null) {
+            catchUp(dt);
+        }
+    }
+
+    private void catchUp(double dt) {
+        for (int i = 0; i < roster.awakeCount; i++) {
+            if (paths.isFlyer(roster.awake[i])) {
+                course.catchUp(roster.awake[i], dt);
             }
         }
     }
@@ -140,6 +160,9 @@ public final class Flight {
     private void bring(int slot, double time) {
         if (paths.isFlyer(slot)) {
             paths.advance(slot, time);
+            if (course != null) {
+                course.catchUp(slot, time);
+            }
         }
     }
 
@@ -262,6 +285,9 @@ public final class Flight {
     private void repredict(int slot, double time, double dt) {
         if (!bodies.isDynamic(slot)) {
             return;
+        }
+        if (course != null && paths.isFlyer(slot)) {
+            course.lay(slot, time, dt);
         }
         broadphase.follow(slot, dt - time);
         queue.reserve(pairs.bodyA.length);

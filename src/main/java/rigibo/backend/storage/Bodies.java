@@ -116,6 +116,15 @@ public final class Bodies {
     public double[] surfaceSpeed;
     public double[] drag;
 
+    /**
+     * Of the accelerations, what forces add that change along the way, m/s² and rad/s²; null where
+     * no path is integrated.
+     */
+    public double[] pullX;
+
+    public double[] pullY;
+    public double[] pullTurn;
+
     /** Creates the columns that a set of effects needs. */
     public Bodies(Effects effects) {
         declare(effects);
@@ -132,6 +141,13 @@ public final class Bodies {
         rollingResistance = declared(rollingResistance, effects.declares(RollingResistance.class));
         surfaceSpeed = declared(surfaceSpeed, effects.declares(SurfaceSpeed.class));
         drag = declared(drag, effects.declares(Drag.class));
+    }
+
+    /** Makes or drops the columns that integrated paths need. */
+    public void integratePaths(boolean isNeeded) {
+        pullX = declared(pullX, isNeeded);
+        pullY = declared(pullY, isNeeded);
+        pullTurn = declared(pullTurn, isNeeded);
     }
 
     /** A free slot with room in every column. */
@@ -177,6 +193,18 @@ public final class Bodies {
         }
     }
 
+    /** Takes all accelerations from a body. */
+    public void clearAccelerations(int slot) {
+        accelerationX[slot] = 0;
+        accelerationY[slot] = 0;
+        angularAcceleration[slot] = 0;
+        if (pullX != null) {
+            pullX[slot] = 0;
+            pullY[slot] = 0;
+            pullTurn[slot] = 0;
+        }
+    }
+
     /** Turns a body by an angle in rad, counter-clockwise. */
     public void turn(int slot, double radians) {
         angle[slot] += radians;
@@ -216,7 +244,8 @@ public final class Bodies {
                 + (forceX == null ? "" : ", force")
                 + (rollingResistance == null ? "" : ", rolling resistance")
                 + (surfaceSpeed == null ? "" : ", surface speed")
-                + (drag == null ? "" : ", drag");
+                + (drag == null ? "" : ", drag")
+                + (pullX == null ? "" : ", changing forces");
     }
 
     private double[] declared(double[] column, boolean isDeclared) {
@@ -300,6 +329,9 @@ public final class Bodies {
         rollingResistance = grown(rollingResistance, capacity);
         surfaceSpeed = grown(surfaceSpeed, capacity);
         drag = grown(drag, capacity);
+        pullX = grown(pullX, capacity);
+        pullY = grown(pullY, capacity);
+        pullTurn = grown(pullTurn, capacity);
     }
 
     private static double[] grown(double[] column, int capacity) {

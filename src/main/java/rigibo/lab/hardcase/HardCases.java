@@ -10,6 +10,7 @@ public final class HardCases {
             List.of(
                     new FreeFlight(),
                     new LinearDrag(),
+                    new QuadraticDrag(),
                     new ThrustAndTorque(),
                     new BallDrop(),
                     new HeadOn(),

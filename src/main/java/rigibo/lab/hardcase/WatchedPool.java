@@ -4,6 +4,7 @@ import rigibo.backend.ContactEvent;
 import rigibo.backend.Pool;
 import rigibo.backend.RigidBody;
 import rigibo.backend.StepReport;
+import rigibo.backend.effect.AirDrag;
 import rigibo.backend.effect.Drag;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Gravity;
@@ -40,7 +41,8 @@ final class WatchedPool {
         gravity = effects.find(Gravity.class).orElse(new Gravity(0, 0));
         balance = new Balance(gravity);
         isEnergyKept = !effects.declares(Thrust.class) && !effects.declares(SurfaceSpeed.class);
-        isMomentumKept = isEnergyKept && !effects.declares(Drag.class);
+        isMomentumKept =
+                isEnergyKept && !effects.declares(Drag.class) && !effects.declares(AirDrag.class);
     }
 
     RigidBody add(BodyDefinition definition) {
