@@ -31,7 +31,6 @@ final class FrictionSolver {
         if (slidingRows.length < rows.count) {
             slidingRows = new int[2 * rows.count];
             rollingRows = new int[2 * rows.count];
-            carriedRows = new int[2 * rows.count];
         }
         slidingCount = 0;
         rollingCount = 0;
@@ -50,6 +49,9 @@ final class FrictionSolver {
 
     /** Moves the rows whose surface runs to a list of their own. */
     private void takeCarried() {
+        if (carriedRows.length < slidingRows.length) {
+            carriedRows = new int[slidingRows.length];
+        }
         int kept = 0;
         for (int i = 0; i < slidingCount; i++) {
             int row = slidingRows[i];

@@ -42,8 +42,7 @@ final class QuadraticDrag implements HardCase {
 
     private static void fall(Trial trial, Shape shape, double angle, double width) {
         double mass = 3;
-        double density =
-                2 * mass * Trial.GRAVITY / (COEFFICIENT * width * TERMINAL * TERMINAL);
+        double density = 2 * mass * Trial.GRAVITY / (COEFFICIENT * width * TERMINAL * TERMINAL);
         Effects effects =
                 Effects.of(new Gravity(0, -Trial.GRAVITY), new AirDrag(density, COEFFICIENT));
         WatchedPool pool = trial.pool(effects);
