@@ -8,12 +8,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
 import rigibo.backend.effect.AirDrag;
-import rigibo.backend.effect.Contacts;
-import rigibo.backend.effect.ContinuousImpacts;
 import rigibo.backend.effect.Drag;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Gravity;
-import rigibo.backend.effect.Restitution;
 import rigibo.backend.effect.Wind;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
@@ -25,7 +22,6 @@ import rigibo.backend.setup.Material;
 class AirTest {
 
     private static final double GRAVITY = 9.81;
-    private static final Material ELASTIC = new Material(1, 0, 1);
 
     /** v = w(1 − e^(−kt)), exactly: a steady wind is a constant acceleration k·w. */
     @ParameterizedTest
@@ -106,54 +102,6 @@ class AirTest {
         Scenes.run(pool, 60 * 60);
         assertThat(ball.velocityX()).isEqualTo(7, within(1e-9));
         assertThat(ball.velocityY()).isEqualTo(3 - terminal, within(1e-9));
-    }
-
-    /**
-     * Dropped through H, a ball hits at v² = v_t²(1 − e^(−2gH/v_t²)) and rebounds without loss to
-     * v_t²/2g·ln(1 + v²/v_t²). From what is left of its speed when last seen it rises
-     * v_t²/g·ln(1/cos(atan(v/v_t))). Different heights put the impact at different parts of a step.
-     */
-    @ParameterizedTest
-    @EnumSource(Level.class)
-    void reboundThroughAirComesToItsHeight(Level level) {
-        double terminal = 20;
-        for (int phase = 0; phase < 25; phase++) {
-            double height = 5 + 0.01 * phase;
-            double squared =
-                    terminal
-                            * terminal
-                            * (1 - Math.exp(-2 * GRAVITY * height / terminal / terminal));
-            double truth =
-                    terminal * terminal / 2 / GRAVITY * Math.log(1 + squared / terminal / terminal);
-            assertThat(apex(level, height, terminal))
-                    .as("dropped from %s m", height)
-                    .isEqualTo(truth, within(truth * level.limit(1e-6, 1e-5)));
-        }
-    }
-
-    private static double apex(Level level, double height, double terminal) {
-        double density = 2 * GRAVITY / terminal / terminal;
-        Pool pool =
-                new Pool(
-                        Effects.of(
-                                new Gravity(0, -GRAVITY),
-                                new Contacts(),
-                                new Restitution(),
-                                new ContinuousImpacts(),
-                                new AirDrag(density, 1)),
-                        level.accuracy);
-        pool.add(BodyDefinition.fixed(Polygon.box(9, 1)).at(0, -0.5).material(ELASTIC));
-        RigidBody ball =
-                pool.add(
-                        BodyDefinition.dynamic(new Circle(0.5))
-                                .mass(1)
-                                .at(0, height + 0.5)
-                                .material(ELASTIC));
-        while (ball.velocityY() <= 0) {
-            pool.step(Scenes.DT);
-        }
-        double left = Math.atan(ball.velocityY() / terminal);
-        return ball.y() - 0.5 - terminal * terminal / GRAVITY * Math.log(Math.cos(left));
     }
 
     /** A feather of 20 mg thrown at 200 m/s: its drag alone would stop it within a microsecond. */

@@ -33,42 +33,6 @@ class BuoyancyTest {
         return BodyDefinition.dynamic(shape).material(new Material(density, 0, 0));
     }
 
-    /** A box of the height h and the density ρ (water 1) floats ρh deep, bobs with ω² = g/ρh. */
-    @ParameterizedTest
-    @EnumSource(Level.class)
-    void boxBobsWithItsPeriod(Level level) {
-        double density = 0.6;
-        double rest = 0.5 - density;
-        Pool pool = pool(level, 0);
-        RigidBody box = pool.add(afloat(Polygon.box(3, 1), density).at(0, rest + 0.2));
-        double omega = Math.sqrt(GRAVITY / density);
-        for (int i = 1; i <= 1200; i++) {
-            pool.step(Scenes.DT);
-            double truth = rest + 0.2 * Math.cos(omega * i * Scenes.DT);
-            assertThat(box.y()).isEqualTo(truth, within(level.limit(1e-9, 1e-6)));
-        }
-    }
-
-    /**
-     * Bouguer's metacentre: a box of the width b and the draught d = ρh rolls with ω² = mg·GM/I, GM
-     * = b²/12d − (h − d)/2. To second order in the angle it is another motion: 1e-3² × 20.
-     */
-    @ParameterizedTest
-    @EnumSource(Level.class)
-    void boxRollsAboutItsMetacentre(Level level) {
-        double density = 0.5;
-        double tilt = 1e-3;
-        Pool pool = pool(level, 0);
-        RigidBody box = pool.add(afloat(Polygon.box(3, 1), density).at(0, 0).angle(tilt));
-        double metacentre = 9 / (12 * density) - (1 - density) / 2;
-        double omega = Math.sqrt(GRAVITY * metacentre / ((9 + 1) / 12.0));
-        for (int i = 1; i <= 1200; i++) {
-            pool.step(Scenes.DT);
-            double truth = Math.cos(omega * i * Scenes.DT);
-            assertThat(box.angle() / tilt).isEqualTo(truth, within(2e-5));
-        }
-    }
-
     /** What weighs nothing in the water loses speed and spin as e^(−dt), whatever its shape. */
     @ParameterizedTest
     @EnumSource(Level.class)

@@ -26,49 +26,6 @@ class FieldTest {
     private static final double OMEGA = 2 * Math.PI;
     private static final Material ELASTIC = new Material(1, 0, 1);
 
-    /** x = cos ωt for 100 periods of 60 steps; an error of place is one of phase on this circle. */
-    @ParameterizedTest
-    @EnumSource(Level.class)
-    void springKeepsItsPhase(Level level) {
-        double mass = 3;
-        double stiffness = mass * OMEGA * OMEGA;
-        Field spring = new Field(at -> at.push(-stiffness * at.x, -stiffness * at.y));
-        Pool pool = new Pool(Effects.of(spring), level.accuracy);
-        RigidBody ball =
-                pool.add(
-                        BodyDefinition.dynamic(new Circle(0.1))
-                                .mass(mass)
-                                .at(1, 0)
-                                .velocity(0, OMEGA));
-        Scenes.run(pool, 6000);
-        assertThat(Math.atan2(ball.y(), ball.x())).isEqualTo(0, within(level.limit(1e-7, 1e-5)));
-        double energy = Math.hypot(ball.velocityX(), ball.velocityY()) / OMEGA;
-        assertThat(energy).isEqualTo(1, within(level.limit(1e-9, 1e-6)));
-    }
-
-    /** A planet of the half axis 1 and the eccentricity ½ keeps E = −GM/2, for 100 of its years. */
-    @ParameterizedTest
-    @EnumSource(Level.class)
-    void orbitKeepsItsEnergy(Level level) {
-        double strength = OMEGA * OMEGA;
-        Pool pool = new Pool(Effects.of(new CentralForce(2, 3, strength, -2)), level.accuracy);
-        double nearest = 0.5;
-        RigidBody planet =
-                pool.add(
-                        BodyDefinition.dynamic(new Circle(0.01))
-                                .at(2 + nearest, 3)
-                                .velocity(0, Math.sqrt(strength * (2 / nearest - 1))));
-        double worst = 0;
-        for (int i = 0; i < 6000; i++) {
-            pool.step(Scenes.DT);
-            double squared = Math.pow(planet.velocityX(), 2) + Math.pow(planet.velocityY(), 2);
-            double away = Math.hypot(planet.x() - 2, planet.y() - 3);
-            double energy = squared / 2 - strength / away;
-            worst = Math.max(worst, Math.abs(energy / (-strength / 2) - 1));
-        }
-        assertThat(worst).isLessThan(level.limit(1e-7, 1e-4));
-    }
-
     /** r″ = −s·r³ on a circle of the radius 1 turns with √s. */
     @Test
     void anyPowerOfTheDistancePulls() {
