@@ -225,6 +225,9 @@ final class BodyEditor {
         if (bodies.rollingResistance != null) {
             bodies.rollingResistance[slot] = material.rollingResistance();
         }
+        if (bodies.surfaceSpeed != null) {
+            bodies.surfaceSpeed[slot] = material.surfaceSpeed();
+        }
         if (bodies.drag != null) {
             bodies.drag[slot] = material.drag();
         }

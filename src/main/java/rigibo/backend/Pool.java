@@ -112,6 +112,7 @@ public final class Pool {
         Require.within("Pool.step dt", dt, SHORTEST_STEP, LONGEST_STEP, "s");
         requireBetweenSteps("step");
         isStepping = true;
+        data.time = time;
         try {
             plan.run(dt, clock);
         } finally {

@@ -11,15 +11,21 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
+import rigibo.backend.effect.AirDrag;
+import rigibo.backend.effect.Buoyancy;
+import rigibo.backend.effect.CentralForce;
 import rigibo.backend.effect.Contacts;
 import rigibo.backend.effect.ContinuousImpacts;
 import rigibo.backend.effect.Effect;
 import rigibo.backend.effect.Effects;
+import rigibo.backend.effect.Field;
 import rigibo.backend.effect.Friction;
 import rigibo.backend.effect.Gravity;
 import rigibo.backend.effect.Restitution;
 import rigibo.backend.effect.RollingResistance;
 import rigibo.backend.effect.Sleep;
+import rigibo.backend.effect.SurfaceSpeed;
+import rigibo.backend.effect.Wind;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.Accuracy;
@@ -56,6 +62,16 @@ class DoorTest {
                 refusal(() -> BOX.mass(0), "BodyDefinition.mass", "0.0", "(kg)", "positive"),
                 refusal(() -> BOX.inertia(-1), "inertia", "-1.0", "(kg·m²)", "positive"),
                 refusal(() -> new Gravity(NAN, 0), "Gravity.x", "NaN", "(m/s²)", " to "),
+                refusal(() -> new AirDrag(-1, 1), "AirDrag.density", "-1.0", "(kg/m³)", "zero"),
+                refusal(() -> new AirDrag(1, NAN), "AirDrag.coefficient", "NaN", "zero or more"),
+                refusal(() -> new Wind(2e4, 0), "Wind.x", "20000.0", "(m/s)", "-10000.0 to 1"),
+                refusal(() -> new Wind(0, 0, null), "Wind.gusts", "null"),
+                refusal(() -> new Field(null), "Field.function", "null"),
+                refusal(() -> new CentralForce(NAN, 0, 1, 1), "CentralForce.x", "NaN", "(m)"),
+                refusal(() -> new CentralForce(0, 0, 1, 9), "power", "9.0", "-8.0 to 8.0"),
+                refusal(() -> new Buoyancy(NAN, 1, 0), "Buoyancy.level", "NaN", "(m)", "finite"),
+                refusal(() -> new Buoyancy(0, -1, 0), "density", "-1.0", "(kg/m²)", "zero"),
+                refusal(() -> new Buoyancy(0, 1, -2), "drag", "-2.0", "(1/s)", "zero or more"),
                 refusal(() -> new Sleep(0, 1), "Sleep.seconds", "0.0", "(s)", "positive"),
                 refusal(() -> Accuracy.GAME.withSubsteps(65), "substeps", "65", "1 to 64"),
                 refusal(
@@ -148,7 +164,10 @@ class DoorTest {
                 Arguments.of(new Restitution(), "Contacts"),
                 Arguments.of(new ContinuousImpacts(), "Contacts"),
                 Arguments.of(new Sleep(), "Contacts"),
-                Arguments.of(new RollingResistance(), "Contacts"));
+                Arguments.of(new RollingResistance(), "Contacts"),
+                Arguments.of(new SurfaceSpeed(), "Friction"),
+                Arguments.of(new Wind(1, 0), "Drag or AirDrag"),
+                Arguments.of(new Buoyancy(0, 1, 0), "Gravity"));
     }
 
     @ParameterizedTest

@@ -1,12 +1,20 @@
 package rigibo.backend;
 
+import rigibo.backend.effect.AirDrag;
+import rigibo.backend.effect.Buoyancy;
+import rigibo.backend.effect.CentralForce;
 import rigibo.backend.effect.Contacts;
 import rigibo.backend.effect.ContinuousImpacts;
+import rigibo.backend.effect.Drag;
 import rigibo.backend.effect.Effects;
+import rigibo.backend.effect.Field;
 import rigibo.backend.effect.Friction;
 import rigibo.backend.effect.Gravity;
 import rigibo.backend.effect.Restitution;
 import rigibo.backend.effect.Rotation;
+import rigibo.backend.effect.SurfaceSpeed;
+import rigibo.backend.effect.Thrust;
+import rigibo.backend.effect.Wind;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.Accuracy;
@@ -79,9 +87,36 @@ enum Scenes {
             addMixture(pool, 60);
             return pool;
         }
+    },
+    /** The mixture in gusts, over a pond, under a whirl, on a floor that runs. */
+    WEATHER {
+        @Override
+        Pool build() {
+            Pool pool =
+                    new Pool(
+                            usualWithoutSleep()
+                                    .with(new Drag())
+                                    .with(new AirDrag(0.2, 1))
+                                    .with(new Wind(3, 1, StrictMath::sin))
+                                    .with(new CentralForce(0, 4, 2, 1))
+                                    .with(new Field(at -> at.push(-at.y, at.x)))
+                                    .with(new Buoyancy(1, 2, 1))
+                                    .with(new SurfaceSpeed())
+                                    .with(new Thrust()),
+                            Accuracy.GAME);
+            addTray(pool);
+            addMixture(pool, 30);
+            pool.bodies().get(0).material(new Material(1, 0.5, 0.3).surfaceSpeed(1));
+            return pool;
+        }
     };
 
     static final double DT = 1.0 / 60;
+
+    static BodyDefinition restingBox() {
+        return BodyDefinition.dynamic(Polygon.box(1, 1)).at(0, 0.5);
+    }
+
     static final long SEED = 2;
 
     abstract Pool build();

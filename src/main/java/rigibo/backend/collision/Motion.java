@@ -163,12 +163,12 @@ public final class Motion {
     }
 
     /** E₁ in s: what a unit of velocity has moved the body by. */
-    double velocityShare(double elapsed) {
+    public double velocityShare(double elapsed) {
         return drag > 0 ? -StrictMath.expm1(-drag * elapsed) / drag : elapsed;
     }
 
     /** E₂ in s²: what a unit of acceleration has moved the body by. */
-    double accelerationShare(double elapsed, double e1) {
+    public double accelerationShare(double elapsed, double e1) {
         double decay = drag * elapsed;
         if (decay == 0) {
             return elapsed * elapsed / 2;

@@ -210,7 +210,9 @@ final class DirectSolver {
         double v = single.relative(id, Motions.VX, Motions.VY, Motions.SPIN);
         double impulse = rows.data[row * Rows.STRIDE + SingleRows.impulseColumn(id)];
         double given = v + single.give(id) * impulse;
-        return kind == TANGENT ? given : given + Math.max(0, motions.gap(rows, row, kind)) / h;
+        return kind == TANGENT
+                ? given - rows.surface[row]
+                : given + Math.max(0, motions.gap(rows, row, kind)) / h;
     }
 
     /**
@@ -233,7 +235,8 @@ final class DirectSolver {
         int met = -1;
         for (int i = 0; i < size; i++) {
             double change = withinBounds(set[i], unknown[i]);
-            double room = change == unknown[i] ? 1 : change / unknown[i];
+            // A friction that its cone no longer holds has no room at all.
+            double room = change == unknown[i] ? 1 : Math.max(0, change / unknown[i]);
             if (room < step) {
                 step = room;
                 met = i;

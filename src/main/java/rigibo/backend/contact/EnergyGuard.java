@@ -90,7 +90,8 @@ final class EnergyGuard {
         for (int id = 0; id < ROWS_PER_CONTACT * rows.count; id++) {
             double impulse = impulse(id);
             if (impulse != 0) {
-                sum += impulse * single.relative(m, id, Motions.VX, Motions.VY, Motions.SPIN);
+                double speed = single.relative(m, id, Motions.VX, Motions.VY, Motions.SPIN);
+                sum += impulse * (speed - single.surface(id));
             }
         }
         for (int row = 0; row < rows.count; row++) {

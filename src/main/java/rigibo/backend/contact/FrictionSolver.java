@@ -19,6 +19,8 @@ final class FrictionSolver {
     private int[] rollingRows = new int[16];
     private int rollingCount;
     private double largestChange;
+    private int[] carriedRows = new int[16];
+    private int carriedCount;
 
     FrictionSolver(Motions motions, Rows rows) {
         this.motions = motions;
@@ -40,19 +42,45 @@ final class FrictionSolver {
                 slidingRows[slidingCount++] = row;
             }
         }
+        carriedCount = 0;
+        if (rows.carried > 0) {
+            takeCarried();
+        }
+    }
+
+    /** Moves the rows whose surface runs to a list of their own. */
+    private void takeCarried() {
+        if (carriedRows.length < slidingRows.length) {
+            carriedRows = new int[slidingRows.length];
+        }
+        int kept = 0;
+        for (int i = 0; i < slidingCount; i++) {
+            int row = slidingRows[i];
+            if (rows.surface[row] != 0) {
+                carriedRows[carriedCount++] = row;
+            } else {
+                slidingRows[kept++] = row;
+            }
+        }
+        slidingCount = kept;
     }
 
     /** How many rows a pass solves. */
     int rowCount() {
-        return slidingCount + rollingCount;
+        return slidingCount + carriedCount + rollingCount;
     }
 
-    /** One pass over both kinds of rows; returns the largest change of speed in it, m/s. */
+    /** One pass over all kinds of rows; returns the largest change of speed in it, m/s. */
     double solve(int substep) {
         largestChange = 0;
         for (int i = 0; i < slidingCount; i++) {
             if (rows.firstSubstep[slidingRows[i]] <= substep) {
-                slide(slidingRows[i]);
+                slide(slidingRows[i], sliding(slidingRows[i]));
+            }
+        }
+        for (int i = 0; i < carriedCount; i++) {
+            if (rows.firstSubstep[carriedRows[i]] <= substep) {
+                slide(carriedRows[i], slidingOnSurface(carriedRows[i]));
             }
         }
         for (int i = 0; i < rollingCount; i++) {
@@ -79,7 +107,7 @@ final class FrictionSolver {
         double both = d[at + Rows.LEVER_TB] * ib + d[at + Rows.LEVER_TA] * ia;
         double determinant = slides * (ia + ib) - both * both;
         if (determinant > 0) {
-            double vt = sliding(row);
+            double vt = slidingOnSurface(row);
             double wr = turning(row);
             double tangent = d[at + Rows.IMPULSE_T] + (both * wr - (ia + ib) * vt) / determinant;
             double roll = d[at + Rows.IMPULSE_R] + (both * vt - slides * wr) / determinant;
@@ -91,23 +119,16 @@ final class FrictionSolver {
         }
         roll(row);
         if (mostSlide > 0) {
-            slide(row);
+            slide(row, slidingOnSurface(row));
         }
     }
 
-    private void slide(int row) {
+    private void slide(int row, double speed) {
         double[] d = rows.data;
         int at = row * Rows.STRIDE;
         double most = d[at + Rows.FRICTION] * (d[at + Rows.IMPULSE0] + d[at + Rows.IMPULSE1]);
-        keepTangent(row, clamp(wanted(row), most));
-    }
-
-    /** The impulse that would stop the sliding, but for what the row gives way, N·s. */
-    private double wanted(int row) {
-        int at = row * Rows.STRIDE;
-        double stopping =
-                rows.data[at + Rows.IMPULSE_T] - rows.data[at + Rows.MASS_T] * sliding(row);
-        return stopping / (1 + Rows.COMPLIANCE);
+        double wanted = d[at + Rows.IMPULSE_T] - d[at + Rows.MASS_T] * speed;
+        keepTangent(row, clamp(wanted / (1 + Rows.COMPLIANCE), most));
     }
 
     /** Speed in m/s at which B slides along the tangent on A. */
@@ -121,6 +142,11 @@ final class FrictionSolver {
                 - d[at + Rows.NY] * (m[b + VX] - m[a + VX])
                 + d[at + Rows.LEVER_TB] * m[b + SPIN]
                 - d[at + Rows.LEVER_TA] * m[a + SPIN];
+    }
+
+    /** The same against surfaces that run. */
+    private double slidingOnSurface(int row) {
+        return sliding(row) - rows.surface[row];
     }
 
     private void keepTangent(int row, double impulse) {

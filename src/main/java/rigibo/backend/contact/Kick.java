@@ -14,9 +14,13 @@ final class Kick {
     /** Velocities before the kick, then what they gained; and how long the kick was, s. */
     private double[] gained = new double[16 * Motions.STRIDE];
 
-    Kick(Bodies bodies, Motions motions) {
+    /** Forces that change along the way, or null where there are none. */
+    private final PileForces forces;
+
+    Kick(Bodies bodies, Motions motions, PileForces forces) {
         this.bodies = bodies;
         this.motions = motions;
+        this.forces = forces;
     }
 
     /** Keeps the velocities that the next kick begins with. */
@@ -52,6 +56,9 @@ final class Kick {
      * that joined the pile in between is kicked only from when it joined.
      */
     void accelerate(double from, double to) {
+        if (forces != null) {
+            forces.refresh(motions, (from + to) / 2, to - from);
+        }
         double[] m = motions.data;
         for (int entry = 1; entry < motions.count; entry++) {
             int slot = motions.slots[entry];

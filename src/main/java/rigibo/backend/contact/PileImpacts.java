@@ -161,6 +161,7 @@ final class PileImpacts {
         impact.normalY = d[at + Rows.NY];
         impact.friction = d[at + Rows.FRICTION];
         impact.elasticity = d[at + Rows.ELASTICITY];
+        impact.surfaceSpeed = rows.surface[row];
         impact.inverseMassA = m[a + INVERSE_MASS];
         impact.inverseInertiaA = m[a + INVERSE_INERTIA];
         impact.inverseMassB = m[b + INVERSE_MASS];

@@ -26,10 +26,10 @@ public final class PileSolver {
     private static final int MOST_ROUNDS = 20;
 
     /** How many times faster than anything before a body may leave rows that were not solved. */
-    private static final double MOST_LEVERAGE = 3;
+    private static final double MOST_LEVERAGE = 2;
 
-    /** Rounds that go all of their way; by then nearly every pile is solved. */
-    private static final int ROUNDS_AT_FULL_STEP = 6;
+    /** A round that changes more than this share of what the last one did goes half its way. */
+    private static final double SHRINKS = 0.5;
 
     private final Bodies bodies;
     private final Pairs pairs;
@@ -64,8 +64,9 @@ public final class PileSolver {
     /** Whether the packed island is solved whole. */
     private boolean isSmall;
 
-    /** A solver at an accuracy. */
-    public PileSolver(DataStorage data, Narrowphase narrowphase, Accuracy accuracy) {
+    /** A solver at an accuracy; {@code forces} change along the way, null where there are none. */
+    public PileSolver(
+            DataStorage data, Narrowphase narrowphase, Accuracy accuracy, PileForces forces) {
         bodies = data.bodies;
         pairs = data.pairs;
         islands = data.islands;
@@ -74,7 +75,7 @@ public final class PileSolver {
         isCorrecting = accuracy.correction() == Correction.SOFT;
         builder = new RowBuilder(data, motions, rows);
         turning = new TurningRows(data, narrowphase, motions, rows, builder);
-        kick = new Kick(bodies, motions);
+        kick = new Kick(bodies, motions, forces);
         warmStart = new WarmStart(motions, rows);
         normals =
                 new NormalSolver(
@@ -202,6 +203,7 @@ public final class PileSolver {
 
     private boolean settleRows(double h, int substep) {
         double settled = SETTLED * fastest;
+        double before = Double.POSITIVE_INFINITY;
         for (int i = 0; i < MOST_ROUNDS; i++) {
             double change = friction.solve(substep);
             change = Math.max(change, normals.back(h, substep));
@@ -210,9 +212,10 @@ public final class PileSolver {
             }
             halfway.begin();
             direct.solve(h, substep, settled);
-            if (i >= ROUNDS_AT_FULL_STEP) {
+            if (change > SHRINKS * before) {
                 halfway.end();
             }
+            before = change;
         }
         friction.solve(substep);
         normals.forth(h, substep);

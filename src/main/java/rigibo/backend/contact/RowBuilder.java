@@ -64,6 +64,7 @@ final class RowBuilder {
     void build(int island, double firstKick) {
         motions.clear(bodies);
         rows.count = 0;
+        rows.carried = 0;
         for (int i = islands.bodyStart[island]; i < islands.bodyStart[island + 1]; i++) {
             motions.offset(bodies, islands.bodies[i]);
         }
@@ -100,6 +101,9 @@ final class RowBuilder {
         writeLevers(row, at, pair);
         writeNormalMasses(row, at);
         writeFriction(row, at, pair);
+        if (bodies.surfaceSpeed != null) {
+            writeSurface(row, a, b);
+        }
         writeBounce(at, pair, 2 * firstKick);
         writeImpulses(row, at, pair, firstKick);
     }
@@ -259,6 +263,13 @@ final class RowBuilder {
                             bodies.rollingResistance[pairs.bodyA[pair]],
                             bodies.rollingResistance[pairs.bodyB[pair]]);
         }
+    }
+
+    /** Both outlines run counter-clockwise, so that at the contact their speeds add. */
+    private void writeSurface(int row, int a, int b) {
+        double speed = bodies.surfaceSpeed[a] + bodies.surfaceSpeed[b];
+        rows.surface[row] = speed;
+        rows.carried += speed == 0 ? 0 : 1;
     }
 
     /**

@@ -41,7 +41,7 @@ final class Rows {
 
     static final int IMPULSE1 = 15;
 
-    /** Friction: levers r × t, effective mass in kg, μ, impulse in N·s, speed of the surface. */
+    /** Friction: levers r × t, effective mass in kg, μ, impulse in N·s. */
     static final int LEVER_TA = 16;
 
     static final int LEVER_TB = 17;
@@ -84,7 +84,7 @@ final class Rows {
      * seen, yet of many ways to share a load among more contacts than are needed it makes one the
      * answer. Without it the others leave impulses that grow and do nothing.
      */
-    static final double COMPLIANCE = 1e-9;
+    static final double COMPLIANCE = 1e-10;
 
     double[] data = new double[16 * STRIDE];
 
@@ -96,6 +96,11 @@ final class Rows {
     int[] points = new int[16];
     int[] firstSubstep = new int[16];
     int count;
+
+    /** Speed in m/s at which running surfaces carry B along the tangent on A; how many do. */
+    double[] surface = new double[16];
+
+    int carried;
 
     /**
      * Contacts from here on are against what cannot give way. Every pass takes them last: what it
@@ -111,11 +116,13 @@ final class Rows {
             bodyA = Arrays.copyOf(bodyA, capacity);
             bodyB = Arrays.copyOf(bodyB, capacity);
             pair = Arrays.copyOf(pair, capacity);
+            surface = Arrays.copyOf(surface, capacity);
             points = Arrays.copyOf(points, capacity);
             firstSubstep = Arrays.copyOf(firstSubstep, capacity);
         }
         Arrays.fill(data, count * STRIDE, (count + 1) * STRIDE, 0);
         firstSubstep[count] = 0;
+        surface[count] = 0;
         return count++;
     }
 }

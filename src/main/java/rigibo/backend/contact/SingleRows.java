@@ -59,6 +59,11 @@ final class SingleRows {
         return kind == TANGENT ? Rows.IMPULSE_T : Rows.IMPULSE0 + kind;
     }
 
+    /** Speed in m/s at which the surfaces of a row run, 0 for a normal row. */
+    double surface(int id) {
+        return id % ROWS_PER_CONTACT == TANGENT ? rows.surface[id / ROWS_PER_CONTACT] : 0;
+    }
+
     /** Speed at which a row gives way to a unit impulse, 1/kg. */
     double give(int id) {
         int at = id / ROWS_PER_CONTACT * Rows.STRIDE;

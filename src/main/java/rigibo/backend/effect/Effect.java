@@ -8,10 +8,24 @@ public sealed interface Effect
                 Friction,
                 Restitution,
                 RollingResistance,
+                SurfaceSpeed,
                 Drag,
+                AirDrag,
+                Wind,
+                Field,
+                CentralForce,
+                Buoyancy,
                 Thrust,
                 ContinuousImpacts,
                 Sleep {
+
+    /**
+     * Whether the effect holds a function of the caller's, which may change with time and cannot be
+     * written down.
+     */
+    default boolean holdsFunction() {
+        return false;
+    }
 
     /** The effect's name in levels and messages, in kebab-case: {@code rolling-resistance}. */
     default String title() {

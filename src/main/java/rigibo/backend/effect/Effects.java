@@ -66,6 +66,11 @@ public final class Effects {
         return declared.stream().filter(kind::isInstance).map(kind::cast).findFirst();
     }
 
+    /** Whether one of them holds a function of the caller's. */
+    public boolean holdFunctions() {
+        return declared.stream().anyMatch(Effect::holdsFunction);
+    }
+
     /** The same set with one more effect, or with another in place of the one of its kind. */
     public Effects with(Effect effect) {
         List<Effect> next = new ArrayList<>(declared);
@@ -107,6 +112,15 @@ public final class Effects {
                 || effect instanceof Sleep) {
             require(effect, Contacts.class);
         }
+        if (effect instanceof Wind) {
+            requireEither(effect, Drag.class, AirDrag.class);
+        }
+        if (effect instanceof Buoyancy) {
+            require(effect, Gravity.class);
+        }
+        if (effect instanceof SurfaceSpeed) {
+            require(effect, Friction.class);
+        }
         if (effect instanceof RollingResistance) {
             require(effect, Contacts.class);
             require(effect, Rotation.class);
@@ -120,6 +134,19 @@ public final class Effects {
                             + " needs "
                             + name(companion)
                             + ", which is not declared");
+        }
+    }
+
+    private void requireEither(
+            Effect effect, Class<? extends Effect> one, Class<? extends Effect> other) {
+        if (!declares(one) && !declares(other)) {
+            throw new IllegalArgumentException(
+                    name(effect.getClass())
+                            + " needs "
+                            + name(one)
+                            + " or "
+                            + name(other)
+                            + ", neither of which is declared");
         }
     }
 

@@ -23,6 +23,10 @@ final class Blows {
     private final Narrowphase narrowphase;
     private final Accuracy accuracy;
     private final Trajectories paths;
+
+    /** Paths under forces that change along the way, or null where there are none. */
+    private final Course course;
+
     private final ImpactLaw law = new ImpactLaw();
     private final Impact impact = new Impact();
     private final TiedImpacts together;
@@ -37,19 +41,24 @@ final class Blows {
     /** For each pair of this instant when it rests, s after the step's start. */
     private double[] restsAt = new double[16];
 
-    Blows(DataStorage data, Narrowphase narrowphase, Accuracy accuracy, Trajectories paths) {
+    Blows(
+            DataStorage data,
+            Narrowphase narrowphase,
+            Accuracy accuracy,
+            Trajectories paths,
+            Course course) {
         bodies = data.bodies;
         pairs = data.pairs;
         counters = data.counters;
         this.narrowphase = narrowphase;
         this.accuracy = accuracy;
         this.paths = paths;
+        this.course = course;
         together = new TiedImpacts(bodies, pairs);
     }
 
     /** Resolves the impacts of one instant, at once where they share a body. */
     void strike(int[] tied, int count, double time, double dt) {
-        reserve(count);
         countMeetings(tied, count, 1);
         together.clear();
         for (int i = 0; i < count; i++) {
@@ -62,9 +71,10 @@ final class Blows {
         }
     }
 
-    private void reserve(int count) {
-        if (restsAt.length < count) {
-            restsAt = new double[2 * count];
+    /** Makes room for as many pairs at one instant, and for all bodies. */
+    void reserve(int pairCapacity) {
+        if (restsAt.length < pairCapacity) {
+            restsAt = new double[pairCapacity];
         }
         if (meetings.length < bodies.type.length) {
             meetings = new int[bodies.type.length];
@@ -175,6 +185,9 @@ final class Blows {
     private void bring(int slot, double time) {
         if (paths.isFlyer(slot)) {
             paths.advance(slot, time);
+            if (course != null) {
+                course.catchUp(slot, time);
+            }
         }
     }
 

@@ -12,8 +12,6 @@ import rigibo.backend.storage.Pairs;
 import rigibo.backend.storage.Roster;
 import rigibo.backend.storage.Waking;
 
-import java.util.Arrays;
-
 /**
  * Moves the bodies in flight, with their impacts in the order of time. At an impact only its two
  * bodies are brought to that time; their other impacts are predicted anew.
@@ -36,6 +34,10 @@ public final class Flight {
     private final Accuracy accuracy;
     private final Trajectories paths;
     private final Blows blows;
+
+    /** Paths under forces that change along the way, or null where there are none. */
+    private final Course course;
+
     private final ImpactQueue queue = new ImpactQueue();
     private final TimeOfImpact timeOfImpact = new TimeOfImpact();
     private final Motion motionA = new Motion();
@@ -46,9 +48,13 @@ public final class Flight {
 
     private int tiedCount;
 
-    /** Flight at an accuracy. */
+    /** Flight at an accuracy; {@code course} is null where no path has to be integrated. */
     public Flight(
-            DataStorage data, Narrowphase narrowphase, Broadphase broadphase, Accuracy accuracy) {
+            DataStorage data,
+            Narrowphase narrowphase,
+            Broadphase broadphase,
+            Accuracy accuracy,
+            Course course) {
         bodies = data.bodies;
         pairs = data.pairs;
         roster = data.roster;
@@ -57,8 +63,9 @@ public final class Flight {
         this.narrowphase = narrowphase;
         this.broadphase = broadphase;
         this.accuracy = accuracy;
+        this.course = course;
         paths = new Trajectories(bodies);
-        blows = new Blows(data, narrowphase, accuracy, paths);
+        blows = new Blows(data, narrowphase, accuracy, paths, course);
     }
 
     /** Moves every flyer to the end of a step of {@code dt} seconds, through everything. */
@@ -71,6 +78,7 @@ public final class Flight {
     public void flyWithImpacts(double dt) {
         paths.begin(dt);
         queue.clear(pairs.bodyA.length);
+        reserve(pairs.bodyA.length);
         for (int i = 0; i < pairs.activeCount; i++) {
             if (pairs.points[pairs.active[i]] > 0) {
                 predict(pairs.active[i], 0, dt);
@@ -88,6 +96,17 @@ public final class Flight {
         for (int i = 0; i < roster.awakeCount; i++) {
             if (paths.isFlyer(roster.awake[i])) {
                 paths.advance(roster.awake[i], dt);
+            }
+        }
+        if (course != null) {
+            catchUp(dt);
+        }
+    }
+
+    private void catchUp(double dt) {
+        for (int i = 0; i < roster.awakeCount; i++) {
+            if (paths.isFlyer(roster.awake[i])) {
+                course.catchUp(roster.awake[i], dt);
             }
         }
     }
@@ -115,14 +134,19 @@ public final class Flight {
         }
     }
 
+    /** Makes room for an instant at which all pairs meet. */
+    private void reserve(int pairCapacity) {
+        if (tied.length < pairCapacity) {
+            tied = new int[pairCapacity];
+        }
+        blows.reserve(pairCapacity);
+    }
+
     /** Takes the earliest impact from the queue, and all that fall on the same instant. */
     private void takeTies() {
         double until = queue.firstTime() + TIE_PER_METRE * accuracy.impactTolerance();
         tiedCount = 0;
         while (!queue.isEmpty() && queue.firstTime() <= until) {
-            if (tiedCount == tied.length) {
-                tied = Arrays.copyOf(tied, 2 * tiedCount);
-            }
             tied[tiedCount] = queue.first();
             queue.remove(tied[tiedCount++]);
         }
@@ -177,6 +201,9 @@ public final class Flight {
     private void repredict(int slot, double time, double dt) {
         if (!bodies.isDynamic(slot)) {
             return;
+        }
+        if (course != null && paths.isFlyer(slot)) {
+            course.lay(slot, paths.isHeld(slot) ? dt : time, dt);
         }
         broadphase.follow(slot, dt - time);
         queue.reserve(pairs.bodyA.length);

@@ -81,7 +81,8 @@ final class Trajectories {
         }
     }
 
-    private boolean isHeld(int slot) {
+    /** Whether a flyer waits where it is until the step ends. */
+    boolean isHeld(int slot) {
         return since[slot] == end;
     }
 

@@ -38,6 +38,9 @@ public final class Impact {
     public double velocityBY;
     public double spinB;
 
+    /** Speed in m/s at which B is carried along the tangent on A; 0 where nothing carries. */
+    public double surfaceSpeed;
+
     /** Mixed for the pair. */
     public double friction;
 
@@ -56,6 +59,8 @@ public final class Impact {
         normalY = pairs.normalY[pair];
         friction = pairs.friction[pair];
         elasticity = pairs.elasticity[pair];
+        surfaceSpeed =
+                bodies.surfaceSpeed == null ? 0 : bodies.surfaceSpeed[a] + bodies.surfaceSpeed[b];
         points = 0;
         inverseMassA = bodies.inverseMass[a];
         inverseInertiaA = bodies.inverseInertia[a];

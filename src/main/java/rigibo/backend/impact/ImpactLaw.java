@@ -12,7 +12,8 @@ import java.util.Arrays;
  * |jₜ| ≤ μ·Σjₙ; else the contact slides and jₜ = ±μ·Σjₙ enters the normal equations, so that
  * friction that lifts or presses the point is accounted for. An impact never adds energy: where the
  * law would (Kane and Levinson 1985 show that it can), all impulses are scaled back until it does
- * not.
+ * not. vₜ is measured against the running surfaces, so that sticking aims at their speed; the
+ * energy is then that of the motion less what the surfaces' drives put in.
  */
 public final class ImpactLaw {
 
@@ -77,7 +78,7 @@ public final class ImpactLaw {
         leverB[TANGENT] = bx * nx + by * ny;
         double vx = b.velocityBX - b.spinB * by - b.velocityAX + b.spinA * ay;
         double vy = b.velocityBY + b.spinB * bx - b.velocityAY - b.spinA * ax;
-        velocity[TANGENT] = vy * nx - vx * ny;
+        velocity[TANGENT] = vy * nx - vx * ny - b.surfaceSpeed;
         if (last == 0) {
             leverA[1] = 0;
             leverB[1] = 0;

@@ -69,6 +69,7 @@ public final class TiedImpacts {
         if (blow.friction > 0 && blow.points > 0) {
             add(pair, -blow.normalY, blow.normalX, blow, 0, blow.points - 1);
             row[(count - 1) * STRIDE + FRICTION] = blow.friction;
+            row[(count - 1) * STRIDE + TARGET] = blow.surfaceSpeed;
             points[count - 1] = blow.points;
         }
     }
@@ -121,7 +122,9 @@ public final class TiedImpacts {
         double quadratic = 0;
         for (int i = 0; i < count; i++) {
             int at = i * STRIDE;
-            linear += row[at + IMPULSE] * row[at + SPEED_BEFORE];
+            // What a running surface does to what it carries is work of its drive.
+            double driven = points[i] > 0 ? row[at + TARGET] : 0;
+            linear += row[at + IMPULSE] * (row[at + SPEED_BEFORE] - driven);
             quadratic += row[at + IMPULSE] * (speed(i) - row[at + SPEED_BEFORE]) / 2;
         }
         if (linear + quadratic > 0) {

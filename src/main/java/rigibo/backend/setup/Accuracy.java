@@ -4,7 +4,8 @@ package rigibo.backend.setup;
  * How exactly a pool is to be simulated, and so what it costs. Every knob can be turned alone with
  * its {@code with…} method; the presets are choices that were measured.
  *
- * @param substeps 1 to 64 substeps of a pile per step; the time of a pile grows with it
+ * @param substeps 1 to 64 substeps of a pile per step, and of a flight under forces that change
+ *     along the way; their time grows with it
  * @param velocityIterations 1 to 8 passes over the contacts per substep
  * @param impacts when impacts happen; {@code DISCRETE} wherever {@code ContinuousImpacts} is not
  *     declared

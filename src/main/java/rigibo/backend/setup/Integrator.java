@@ -1,6 +1,10 @@
 package rigibo.backend.setup;
 
-/** How a body in flight is moved. */
+/**
+ * How a body in flight is moved. What is the same all along a step is exact with {@link #BALLISTIC}
+ * at any step; forces that change along the way ({@code Field}, {@code CentralForce}, {@code
+ * AirDrag}, gusts, {@code Buoyancy}) are integrated in {@link Accuracy#substeps} steps.
+ */
 public enum Integrator {
     /** Symplectic Euler, first order. */
     EULER,
@@ -8,6 +12,9 @@ public enum Integrator {
     VERLET,
     /** Runge and Kutta, fourth order. */
     RK4,
-    /** Exact under constant acceleration and linear drag, at any step. */
+    /**
+     * Exact under constant acceleration and linear drag; of fourth order, after Runge and Kutta, in
+     * what other forces add.
+     */
     BALLISTIC
 }

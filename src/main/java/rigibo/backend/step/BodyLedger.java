@@ -84,9 +84,7 @@ final class BodyLedger {
         bodies.velocityX[slot] = 0;
         bodies.velocityY[slot] = 0;
         bodies.spin[slot] = 0;
-        bodies.accelerationX[slot] = 0;
-        bodies.accelerationY[slot] = 0;
-        bodies.angularAcceleration[slot] = 0;
+        bodies.clearAccelerations(slot);
         int[] noted = data.counters.quarantined;
         if (Arrays.stream(noted, 0, data.counters.quarantinedCount).noneMatch(s -> s == slot)) {
             data.counters.quarantine(slot);

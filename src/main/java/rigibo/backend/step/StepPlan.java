@@ -2,21 +2,28 @@ package rigibo.backend.step;
 
 import rigibo.backend.broadphase.Broadphase;
 import rigibo.backend.collision.Narrowphase;
+import rigibo.backend.contact.PileForces;
 import rigibo.backend.contact.PileSolver;
 import rigibo.backend.effect.Contacts;
 import rigibo.backend.effect.ContinuousImpacts;
+import rigibo.backend.effect.Drag;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Gravity;
 import rigibo.backend.effect.Sleep;
 import rigibo.backend.effect.Thrust;
+import rigibo.backend.effect.Wind;
+import rigibo.backend.flight.Course;
 import rigibo.backend.flight.Flight;
+import rigibo.backend.force.ChangingForces;
 import rigibo.backend.force.GravityKernel;
 import rigibo.backend.force.ThrustKernel;
+import rigibo.backend.force.WindKernel;
 import rigibo.backend.rest.IslandBuilder;
 import rigibo.backend.rest.PileClassifier;
 import rigibo.backend.rest.Sleeping;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.ImpactMode;
+import rigibo.backend.setup.Integrator;
 import rigibo.backend.setup.StepStage;
 import rigibo.backend.storage.DataStorage;
 
@@ -49,16 +56,22 @@ public final class StepPlan {
         accuracy = wanted;
         parts.clear();
         BodyLedger ledger = new BodyLedger(data);
+        ChangingForces forces = new ChangingForces(declared);
+        boolean areIntegrated = !forces.isEmpty() || wanted.integrator() != Integrator.BALLISTIC;
+        data.bodies.integratePaths(areIntegrated);
+        Course course = areIntegrated ? new Course(data, forces, wanted) : null;
         add(StepStage.ACCEPT, "list the bodies that move", ledger::accept);
-        compileEffects(ledger);
+        compileEffects(ledger, course);
         if (declared.declares(Contacts.class)) {
-            compileContacts();
+            compileContacts(course, areIntegrated ? new PileForces(data, forces) : null);
         } else {
-            Flight flight = new Flight(data, new Narrowphase(data), broadphase, wanted);
+            Flight flight = new Flight(data, new Narrowphase(data), broadphase, wanted, course);
             add(StepStage.FLIGHT, "move every body along its exact path", flight::fly);
         }
         add(StepStage.REST, "move driven bodies", ledger::moveDriven);
+        // What a caller's function does to a sleeper nobody would notice.
         declared.find(Sleep.class)
+                .filter(sleep -> !declared.holdFunctions())
                 .ifPresent(
                         sleep ->
                                 add(
@@ -68,7 +81,7 @@ public final class StepPlan {
         add(StepStage.REPORT, "put to rest what stopped being finite", ledger::quarantine);
     }
 
-    private void compileEffects(BodyLedger ledger) {
+    private void compileEffects(BodyLedger ledger, Course course) {
         add(StepStage.EFFECTS, "begin with no acceleration", ledger::clearAccelerations);
         effects.find(Gravity.class)
                 .ifPresent(
@@ -80,17 +93,28 @@ public final class StepPlan {
         if (effects.declares(Thrust.class)) {
             add(StepStage.EFFECTS, "thrust", new ThrustKernel(data)::accelerate);
         }
+        effects.find(Wind.class)
+                .filter(wind -> wind.isSteady() && effects.declares(Drag.class))
+                .ifPresent(
+                        wind ->
+                                add(
+                                        StepStage.EFFECTS,
+                                        "steady wind",
+                                        new WindKernel(data, wind)::accelerate));
+        if (course != null) {
+            add(StepStage.EFFECTS, "integrate forces that change along the way", course::begin);
+        }
         add(StepStage.EFFECTS, "refuse forces beyond all bounds", ledger::quarantine);
     }
 
-    private void compileContacts() {
+    private void compileContacts(Course course, PileForces forces) {
         ImpactMode mode =
                 effects.declares(ContinuousImpacts.class)
                         ? accuracy.impacts()
                         : ImpactMode.DISCRETE;
         Narrowphase narrowphase = new Narrowphase(data);
         PileClassifier classifier = new PileClassifier(data, accuracy, mode);
-        Flight flight = new Flight(data, narrowphase, broadphase, accuracy);
+        Flight flight = new Flight(data, narrowphase, broadphase, accuracy, course);
         add(StepStage.BROADPHASE, "size fixtures and candidate pairs", broadphase::update);
         if (mode == ImpactMode.DISCRETE) {
             add(StepStage.CLASSIFY, "manifolds of pairs that touch", dt -> narrowphase.collide(0));
@@ -111,7 +135,7 @@ public final class StepPlan {
         add(
                 StepStage.CONTACT,
                 "solve piles in " + accuracy.substeps() + " substeps",
-                new PileSolver(data, narrowphase, accuracy)::solve);
+                new PileSolver(data, narrowphase, accuracy, forces)::solve);
     }
 
     /** Advances by {@code dt} seconds; the clock counts ns. */

@@ -3,6 +3,7 @@ package rigibo.backend.storage;
 import rigibo.backend.effect.Drag;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.RollingResistance;
+import rigibo.backend.effect.SurfaceSpeed;
 import rigibo.backend.effect.Thrust;
 import rigibo.backend.geometry.Angle;
 import rigibo.backend.geometry.Shape;
@@ -104,14 +105,25 @@ public final class Bodies {
     public double[] pileTime = new double[FIRST_CAPACITY];
 
     /**
-     * Of declared effects only, else null: N and N·m asked for, rolling lever in m, drag in 1/s.
+     * Of declared effects only, else null: N and N·m asked for, rolling lever in m, speed of the
+     * outline in m/s, drag in 1/s.
      */
     public double[] forceX;
 
     public double[] forceY;
     public double[] torque;
     public double[] rollingResistance;
+    public double[] surfaceSpeed;
     public double[] drag;
+
+    /**
+     * Of the accelerations, what forces add that change along the way, m/s² and rad/s²; null where
+     * no path is integrated.
+     */
+    public double[] pullX;
+
+    public double[] pullY;
+    public double[] pullTurn;
 
     /** Creates the columns that a set of effects needs. */
     public Bodies(Effects effects) {
@@ -127,7 +139,15 @@ public final class Bodies {
         forceY = declared(forceY, thrust);
         torque = declared(torque, thrust);
         rollingResistance = declared(rollingResistance, effects.declares(RollingResistance.class));
+        surfaceSpeed = declared(surfaceSpeed, effects.declares(SurfaceSpeed.class));
         drag = declared(drag, effects.declares(Drag.class));
+    }
+
+    /** Makes or drops the columns that integrated paths need. */
+    public void integratePaths(boolean isNeeded) {
+        pullX = declared(pullX, isNeeded);
+        pullY = declared(pullY, isNeeded);
+        pullTurn = declared(pullTurn, isNeeded);
     }
 
     /** A free slot with room in every column. */
@@ -173,6 +193,18 @@ public final class Bodies {
         }
     }
 
+    /** Takes all accelerations from a body. */
+    public void clearAccelerations(int slot) {
+        accelerationX[slot] = 0;
+        accelerationY[slot] = 0;
+        angularAcceleration[slot] = 0;
+        if (pullX != null) {
+            pullX[slot] = 0;
+            pullY[slot] = 0;
+            pullTurn[slot] = 0;
+        }
+    }
+
     /** Turns a body by an angle in rad, counter-clockwise. */
     public void turn(int slot, double radians) {
         angle[slot] += radians;
@@ -211,7 +243,9 @@ public final class Bodies {
         return "pose, motion, mass, fixture"
                 + (forceX == null ? "" : ", force")
                 + (rollingResistance == null ? "" : ", rolling resistance")
-                + (drag == null ? "" : ", drag");
+                + (surfaceSpeed == null ? "" : ", surface speed")
+                + (drag == null ? "" : ", drag")
+                + (pullX == null ? "" : ", changing forces");
     }
 
     private double[] declared(double[] column, boolean isDeclared) {
@@ -293,7 +327,11 @@ public final class Bodies {
         forceY = grown(forceY, capacity);
         torque = grown(torque, capacity);
         rollingResistance = grown(rollingResistance, capacity);
+        surfaceSpeed = grown(surfaceSpeed, capacity);
         drag = grown(drag, capacity);
+        pullX = grown(pullX, capacity);
+        pullY = grown(pullY, capacity);
+        pullTurn = grown(pullTurn, capacity);
     }
 
     private static double[] grown(double[] column, int capacity) {

@@ -11,6 +11,9 @@ public final class DataStorage {
     public final Islands islands = new Islands();
     public final Counters counters = new Counters();
 
+    /** When the step in progress began, s since the pool was made. */
+    public double time;
+
     /** Storage with the columns that a set of effects needs. */
     public DataStorage(Effects effects) {
         bodies = new Bodies(effects);

@@ -4,12 +4,21 @@ import rigibo.backend.ContactEvent;
 import rigibo.backend.Pool;
 import rigibo.backend.RigidBody;
 import rigibo.backend.StepReport;
+import rigibo.backend.effect.AirDrag;
+import rigibo.backend.effect.Buoyancy;
+import rigibo.backend.effect.CentralForce;
 import rigibo.backend.effect.Drag;
+import rigibo.backend.effect.Effect;
 import rigibo.backend.effect.Effects;
+import rigibo.backend.effect.Field;
 import rigibo.backend.effect.Gravity;
+import rigibo.backend.effect.SurfaceSpeed;
 import rigibo.backend.effect.Thrust;
+import rigibo.backend.effect.Wind;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.BodyType;
+
+import java.util.List;
 
 /** A pool whose every step is held to what is true in every case. */
 final class WatchedPool {
@@ -19,6 +28,16 @@ final class WatchedPool {
 
     /** Steps between two hashes of a pool of many bodies. */
     private static final int STEPS_PER_HASH = 16;
+
+    /** Effects that put energy in, or keep some that the books do not know. */
+    private static final List<Class<? extends Effect>> FROM_OUTSIDE =
+            List.of(
+                    Thrust.class,
+                    SurfaceSpeed.class,
+                    Wind.class,
+                    Buoyancy.class,
+                    CentralForce.class,
+                    Field.class);
 
     private final Trial trial;
     private final String variant;
@@ -38,8 +57,9 @@ final class WatchedPool {
         pool = new Pool(effects, trial.preset().accuracy());
         gravity = effects.find(Gravity.class).orElse(new Gravity(0, 0));
         balance = new Balance(gravity);
-        isEnergyKept = !effects.declares(Thrust.class);
-        isMomentumKept = isEnergyKept && !effects.declares(Drag.class);
+        isEnergyKept = FROM_OUTSIDE.stream().noneMatch(effects::declares);
+        isMomentumKept =
+                isEnergyKept && !effects.declares(Drag.class) && !effects.declares(AirDrag.class);
     }
 
     RigidBody add(BodyDefinition definition) {

@@ -9,6 +9,7 @@ import rigibo.backend.effect.Gravity;
 import rigibo.backend.effect.Restitution;
 import rigibo.backend.effect.RollingResistance;
 import rigibo.backend.effect.Rotation;
+import rigibo.backend.effect.SurfaceSpeed;
 import rigibo.backend.effect.Thrust;
 import rigibo.backend.setup.Material;
 
@@ -16,6 +17,7 @@ import tools.jackson.databind.JsonNode;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.function.ToDoubleFunction;
 
 /**
@@ -49,6 +51,7 @@ final class EffectRules {
         stated("friction", Friction.class, Material::friction);
         stated("restitution", Restitution.class, Material::elasticity);
         stated("rollingResistance", RollingResistance.class, Material::rollingResistance);
+        stated("surfaceSpeed", SurfaceSpeed.class, Material::surfaceSpeed);
         stated("drag", Drag.class, Material::drag);
         stated("spin", Rotation.class, material -> 1);
         if (declared.declares(Thrust.class)) {
@@ -102,7 +105,7 @@ final class EffectRules {
     }
 
     private static String kebab(String member) {
-        return member.replace("rollingResistance", "rolling-resistance");
+        return member.replaceAll("([A-Z])", "-$1").toLowerCase(Locale.ROOT);
     }
 
     private void unused(String title) {

@@ -11,6 +11,7 @@ import rigibo.backend.effect.Restitution;
 import rigibo.backend.effect.RollingResistance;
 import rigibo.backend.effect.Rotation;
 import rigibo.backend.effect.Sleep;
+import rigibo.backend.effect.SurfaceSpeed;
 import rigibo.backend.effect.Thrust;
 import rigibo.backend.setup.Material;
 
@@ -60,6 +61,7 @@ final class LevelReader {
             case "friction" -> new Friction();
             case "restitution" -> new Restitution();
             case "rolling-resistance" -> new RollingResistance();
+            case "surface-speed" -> new SurfaceSpeed();
             case "drag" -> new Drag();
             case "thrust" -> new Thrust();
             case "continuous-impacts" -> new ContinuousImpacts();
@@ -141,6 +143,7 @@ final class LevelReader {
                 .elasticity(node.path("restitution").asDouble(usual.elasticity()))
                 .rollingResistance(
                         node.path("rollingResistance").asDouble(usual.rollingResistance()))
+                .surfaceSpeed(node.path("surfaceSpeed").asDouble(usual.surfaceSpeed()))
                 .drag(node.path("drag").asDouble(usual.drag()));
     }
 }

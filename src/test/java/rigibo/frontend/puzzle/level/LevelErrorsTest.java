@@ -75,6 +75,11 @@ class LevelErrorsTest {
                         "a.json:7:16: /world/effects: warning: E140 the effect rolling-resistance"
                                 + " is not declared, but /bodies/1/rollingResistance is not zero"),
                 Arguments.of(
+                        "\"material\": \"stone\"",
+                        "\"material\": \"stone\", \"surfaceSpeed\": -2",
+                        "a.json:7:16: /world/effects: warning: E140 the effect surface-speed"
+                                + " is not declared, but /bodies/1/surfaceSpeed is not zero"),
+                Arguments.of(
                         "{\"t\": 1.0, \"body\": \"box\"}",
                         "{\"t\": 1.0, \"body\": \"box\"}, {\"t\": 1.98, \"body\": \"box\"}",
                         "a.json:19:50: /solutions/0/clicks/1/t: E150 clicks at 1.98 s, during the"

@@ -1,0 +1,40 @@
+package rigibo.backend.effect;
+
+/**
+ * What a {@link FieldFunction} is told of a body, and what it answers. A plain carrier that is used
+ * again for the next body.
+ */
+public final class FieldPoint {
+
+    /** World place of the centre of mass, m, y up. */
+    public double x;
+
+    public double y;
+
+    /** Velocity of the centre of mass, m/s. */
+    public double velocityX;
+
+    public double velocityY;
+
+    /** kg, positive. */
+    public double mass;
+
+    /** s since the pool was made. */
+    public double time;
+
+    /** What has been added so far, m/s². */
+    public double accelerationX;
+
+    public double accelerationY;
+
+    /** Adds a force in N, to the right and up. */
+    public void push(double forceX, double forceY) {
+        accelerate(forceX / mass, forceY / mass);
+    }
+
+    /** Adds an acceleration in m/s², to the right and up, whatever the mass. */
+    public void accelerate(double toTheRight, double up) {
+        accelerationX += toTheRight;
+        accelerationY += up;
+    }
+}

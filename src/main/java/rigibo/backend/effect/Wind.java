@@ -1,0 +1,49 @@
+package rigibo.backend.effect;
+
+import rigibo.backend.setup.Require;
+
+/**
+ * Moving air: {@link Drag} and {@link AirDrag} brake against it instead of against the world. One
+ * of the two has to be declared.
+ *
+ * @param x speed of the air to the right, m/s, within ±1e4
+ * @param y speed of the air upwards, m/s, within ±1e4
+ * @param gusts what share of that speed blows at a time; {@link Gusts#STEADY} where it is constant
+ */
+public record Wind(double x, double y, Gusts gusts) implements Effect {
+
+    /** Strongest wind accepted, m/s. */
+    public static final double MOST = 1e4;
+
+    /**
+     * Checks every part.
+     *
+     * @throws IllegalArgumentException when a speed is not within ±1e4 m/s or there are no gusts
+     */
+    public Wind {
+        Require.within("Wind.x", x, -MOST, MOST, "m/s");
+        Require.within("Wind.y", y, -MOST, MOST, "m/s");
+        Require.present("Wind.gusts", gusts);
+    }
+
+    /**
+     * A wind that always blows the same.
+     *
+     * @param x m/s, to the right
+     * @param y m/s, up
+     * @throws IllegalArgumentException when a speed is not within ±1e4 m/s
+     */
+    public Wind(double x, double y) {
+        this(x, y, Gusts.STEADY);
+    }
+
+    /** Whether the wind is always the same. */
+    public boolean isSteady() {
+        return gusts == Gusts.STEADY;
+    }
+
+    @Override
+    public boolean holdsFunction() {
+        return !isSteady();
+    }
+}

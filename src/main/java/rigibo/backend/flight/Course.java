@@ -1,0 +1,137 @@
+package rigibo.backend.flight;
+
+import rigibo.backend.force.ChangingForces;
+import rigibo.backend.setup.Accuracy;
+import rigibo.backend.storage.Bodies;
+import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.Roster;
+
+/**
+ * The paths of bodies under forces that change along the way. What such forces do until a path's
+ * end is integrated in substeps; then one path of constant acceleration is laid that ends in the
+ * same place, so that impacts are searched on a path with certain bounds. What its velocity lacks
+ * there is added at the end: for a force that grows by j per second, j·T²/6 after T seconds. On the
+ * way no place is off by more than j·T³/40.
+ */
+public final class Course {
+
+    private final DataStorage data;
+    private final Bodies bodies;
+    private final int substeps;
+    private final Deviation deviation;
+
+    /** Per body: when its path starts and ends, s after the step's start. */
+    private double[] from = new double[16];
+
+    private double[] to = new double[16];
+
+    /** Per body: what the velocity lacks at the path's end, m/s and rad/s. */
+    private double[] lackX = new double[16];
+
+    private double[] lackY = new double[16];
+    private double[] lackSpin = new double[16];
+
+    /** Paths under these forces at an accuracy. */
+    public Course(DataStorage data, ChangingForces forces, Accuracy accuracy) {
+        this.data = data;
+        bodies = data.bodies;
+        substeps = accuracy.substeps();
+        deviation = new Deviation(forces, accuracy.integrator());
+    }
+
+    /** Lays the path of every awake dynamic body through a step of {@code dt} seconds. */
+    public void begin(double dt) {
+        reserve(bodies.type.length);
+        Roster roster = data.roster;
+        for (int i = 0; i < roster.awakeCount; i++) {
+            int slot = roster.awake[i];
+            if (bodies.isDynamic(slot)) {
+                bodies.pullX[slot] = 0;
+                bodies.pullY[slot] = 0;
+                bodies.pullTurn[slot] = 0;
+                lay(slot, 0, dt);
+            }
+        }
+    }
+
+    private void reserve(int capacity) {
+        if (from.length < capacity) {
+            from = new double[capacity];
+            to = new double[capacity];
+            lackX = new double[capacity];
+            lackY = new double[capacity];
+            lackSpin = new double[capacity];
+        }
+    }
+
+    /**
+     * Lays a body's path between two times in s after the step's start, from the first of which its
+     * columns hold.
+     */
+    void lay(int slot, double begin, double end) {
+        from[slot] = begin;
+        to[slot] = end;
+        lackX[slot] = 0;
+        lackY[slot] = 0;
+        lackSpin[slot] = 0;
+        double length = end - begin;
+        if (length > 0) {
+            deviation.of(bodies, slot, data.time + begin);
+            deviation.integrate(length, substeps);
+            if (isFinite()) {
+                write(slot, length);
+            } else if (begin == 0) {
+                // The ledger puts it to rest; within a step it goes on as it was until the next.
+                bodies.accelerationX[slot] = Double.NaN;
+            }
+        }
+    }
+
+    private boolean isFinite() {
+        double sum = 0;
+        for (int i = 0; i < Deviation.FREEDOMS; i++) {
+            sum += deviation.moved[i] + deviation.gained[i];
+        }
+        return Math.abs(sum) < Double.POSITIVE_INFINITY;
+    }
+
+    /**
+     * From x₁ = x₀ + v₀·E₁ + a·E₂: a deviation d of place takes the acceleration d/E₂ beside the
+     * one that keeps to the reference.
+     */
+    private void write(int slot, double length) {
+        double e1 = deviation.velocityShare(length);
+        double e2 = deviation.accelerationShare(length);
+        double ax = deviation.moved[0] / e2;
+        double ay = deviation.moved[1] / e2;
+        double turn = deviation.moved[2] / (length * length / 2);
+        bodies.accelerationX[slot] = deviation.keepingX() + ax;
+        bodies.accelerationY[slot] = deviation.keepingY() + ay;
+        bodies.angularAcceleration[slot] = deviation.keepingTurn() + turn;
+        bodies.pullX[slot] = deviation.keepingX() - deviation.steadyX() + ax;
+        bodies.pullY[slot] = deviation.keepingY() - deviation.steadyY() + ay;
+        bodies.pullTurn[slot] = deviation.keepingTurn() - deviation.steadyTurn() + turn;
+        lackX[slot] = deviation.gained[0] - ax * e1;
+        lackY[slot] = deviation.gained[1] - ay * e1;
+        lackSpin[slot] = deviation.gained[2] - turn * length;
+    }
+
+    /**
+     * Gives a body, whose columns were brought to a time on its path, the velocity it has there: of
+     * what the path lacks at its end, σ(3σ − 2) after the share σ of its length, as on the cubic
+     * that has both ends in common with it.
+     */
+    void catchUp(int slot, double time) {
+        if (lackX[slot] == 0 && lackY[slot] == 0 && lackSpin[slot] == 0) {
+            return;
+        }
+        double gone = (time - from[slot]) / (to[slot] - from[slot]);
+        double share = gone * (3 * gone - 2);
+        bodies.velocityX[slot] += share * lackX[slot];
+        bodies.velocityY[slot] += share * lackY[slot];
+        bodies.spin[slot] += share * lackSpin[slot];
+        lackX[slot] = 0;
+        lackY[slot] = 0;
+        lackSpin[slot] = 0;
+    }
+}

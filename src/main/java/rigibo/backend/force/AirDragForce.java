@@ -1,0 +1,52 @@
+package rigibo.backend.force;
+
+import rigibo.backend.effect.AirDrag;
+import rigibo.backend.effect.Wind;
+import rigibo.backend.geometry.Polygon;
+import rigibo.backend.geometry.ShapeKind;
+
+/** F = −½·ρ·c·A·|u|·u with u the velocity through the air and A the width across it. */
+final class AirDragForce implements ChangingForce {
+
+    private final double half;
+    private final Wind wind;
+
+    AirDragForce(AirDrag air, Wind wind) {
+        half = air.density() * air.coefficient() / 2;
+        this.wind = wind;
+    }
+
+    @Override
+    public void add(Instant at) {
+        double share = wind.gusts().at(at.time);
+        double ux = at.velocityX - share * wind.x();
+        double uy = at.velocityY - share * wind.y();
+        double speed = Math.sqrt(ux * ux + uy * uy);
+        if (speed > 0) {
+            double strength = half * speed * widthAcross(at, ux / speed, uy / speed);
+            at.push(-strength * ux, -strength * uy);
+        }
+    }
+
+    /** How wide the shape is across a unit direction, m. */
+    private static double widthAcross(Instant at, double x, double y) {
+        if (at.shape.kind() == ShapeKind.CIRCLE) {
+            return 2 * at.boundingRadius;
+        }
+        double acrossX = at.sin() * x - at.cos() * y;
+        double acrossY = at.sin() * y + at.cos() * x;
+        return width((Polygon) at.shape, acrossX, acrossY);
+    }
+
+    /** The extent of a polygon along a unit direction of its own frame, m. */
+    private static double width(Polygon polygon, double x, double y) {
+        double least = Double.POSITIVE_INFINITY;
+        double most = Double.NEGATIVE_INFINITY;
+        for (int i = 0; i < polygon.corners(); i++) {
+            double along = x * polygon.cornerX(i) + y * polygon.cornerY(i);
+            least = Math.min(least, along);
+            most = Math.max(most, along);
+        }
+        return most - least;
+    }
+}

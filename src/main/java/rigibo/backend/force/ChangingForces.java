@@ -1,0 +1,57 @@
+package rigibo.backend.force;
+
+import rigibo.backend.effect.AirDrag;
+import rigibo.backend.effect.Buoyancy;
+import rigibo.backend.effect.CentralForce;
+import rigibo.backend.effect.Drag;
+import rigibo.backend.effect.Effects;
+import rigibo.backend.effect.Field;
+import rigibo.backend.effect.Gravity;
+import rigibo.backend.effect.Wind;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** The declared forces that change along the way, compiled from a set of effects. */
+public final class ChangingForces {
+
+    private final ChangingForce[] forces;
+
+    /** The forces of a declared set; none where it has none that change. */
+    public ChangingForces(Effects effects) {
+        List<ChangingForce> list = new ArrayList<>();
+        effects.find(AirDrag.class)
+                .ifPresent(air -> list.add(new AirDragForce(air, wind(effects))));
+        if (effects.declares(Drag.class) && !wind(effects).isSteady()) {
+            list.add(new GustForce(wind(effects)));
+        }
+        effects.find(CentralForce.class).ifPresent(central -> list.add(new CentralPull(central)));
+        effects.find(Buoyancy.class)
+                .ifPresent(
+                        water ->
+                                list.add(
+                                        new BuoyantForce(
+                                                water, effects.find(Gravity.class).get())));
+        effects.find(Field.class).ifPresent(field -> list.add(new FieldForce(field)));
+        forces = list.toArray(ChangingForce[]::new);
+    }
+
+    private static Wind wind(Effects effects) {
+        return effects.find(Wind.class).orElse(new Wind(0, 0));
+    }
+
+    /** Whether there is none. */
+    public boolean isEmpty() {
+        return forces.length == 0;
+    }
+
+    /** Writes the accelerations, m/s² and rad/s², that all of them give a body at an instant. */
+    public void evaluate(Instant instant) {
+        instant.accelerationX = 0;
+        instant.accelerationY = 0;
+        instant.angularAcceleration = 0;
+        for (int i = 0; i < forces.length; i++) {
+            forces[i].add(instant);
+        }
+    }
+}

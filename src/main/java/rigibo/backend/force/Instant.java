@@ -1,0 +1,85 @@
+package rigibo.backend.force;
+
+import rigibo.backend.geometry.Angle;
+import rigibo.backend.geometry.Shape;
+import rigibo.backend.storage.Bodies;
+
+/**
+ * A body at one instant: what it is, where it would be, and the accelerations that forces add. A
+ * plain carrier that its owner reuses; the instant need not be one that the body comes to.
+ */
+public final class Instant {
+
+    public Shape shape;
+
+    /** kg, 1/(kg·m²) (0 where it does not turn), m, and the linear drag in 1/s. */
+    public double mass;
+
+    public double inverseInertia;
+    public double boundingRadius;
+    public double drag;
+
+    /** s since the pool was made. */
+    public double time;
+
+    /** m, rad, m/s and rad/s. */
+    public double x;
+
+    public double y;
+    public double angle;
+    public double velocityX;
+    public double velocityY;
+    public double spin;
+
+    /** Result, m/s² and rad/s². */
+    public double accelerationX;
+
+    public double accelerationY;
+    public double angularAcceleration;
+
+    /** The angle whose cosine and sine were last computed: many bodies do not turn. */
+    private double knownAngle;
+
+    private double knownCos = 1;
+    private double knownSin;
+
+    /** Takes over what a body is. */
+    public void take(Bodies bodies, int slot) {
+        shape = bodies.shape[slot];
+        mass = bodies.mass[slot];
+        inverseInertia = bodies.inverseInertia[slot];
+        boundingRadius = bodies.boundingRadius[slot];
+        drag = bodies.drag == null ? 0 : bodies.drag[slot];
+    }
+
+    /** Adds a force in N at the centre of mass. */
+    public void push(double forceX, double forceY) {
+        accelerationX += forceX / mass;
+        accelerationY += forceY / mass;
+    }
+
+    /** Adds a torque in N·m, counter-clockwise. */
+    public void turn(double torque) {
+        angularAcceleration += torque * inverseInertia;
+    }
+
+    /** Cosine of the angle. */
+    public double cos() {
+        refreshAngle();
+        return knownCos;
+    }
+
+    /** Sine of the angle. */
+    public double sin() {
+        refreshAngle();
+        return knownSin;
+    }
+
+    private void refreshAngle() {
+        if (angle != knownAngle) {
+            knownAngle = angle;
+            knownCos = Angle.cos(angle);
+            knownSin = Angle.sin(angle);
+        }
+    }
+}
