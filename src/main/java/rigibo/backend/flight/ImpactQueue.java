@@ -11,9 +11,9 @@ final class ImpactQueue {
 
     private static final int ABSENT = -1;
 
-    private int[] heap = new int[16];
+    private int[] heap = new int[0];
     private int size;
-    private double[] time = new double[16];
+    private double[] time = new double[0];
     private int[] place = new int[0];
 
     /** Empties the queue; pairs are numbered below {@code pairCapacity}. */
@@ -32,6 +32,7 @@ final class ImpactQueue {
             place = Arrays.copyOf(place, pairCapacity);
             Arrays.fill(place, old, pairCapacity, ABSENT);
             time = Arrays.copyOf(time, pairCapacity);
+            heap = Arrays.copyOf(heap, pairCapacity);
         }
     }
 
@@ -52,9 +53,6 @@ final class ImpactQueue {
     /** Notes when a pair hits, in place of what was noted before. */
     void put(int pair, double when) {
         remove(pair);
-        if (size == heap.length) {
-            heap = Arrays.copyOf(heap, 2 * size);
-        }
         time[pair] = when;
         heap[size] = pair;
         place[pair] = size;

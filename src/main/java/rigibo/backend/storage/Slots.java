@@ -11,7 +11,7 @@ public final class Slots {
     /** One more than the highest slot ever handed out. */
     public int high;
 
-    /** Returned slots, the next to hand out last. */
+    /** Returned slots, the next to hand out last; has room for all that were ever handed out. */
     public int[] free = new int[16];
 
     /** How many slots wait in {@link #free}. */
@@ -19,14 +19,17 @@ public final class Slots {
 
     /** A slot that nobody has. */
     public int take() {
-        return freeCount > 0 ? free[--freeCount] : high++;
+        if (freeCount > 0) {
+            return free[--freeCount];
+        }
+        if (high == free.length) {
+            free = Arrays.copyOf(free, 2 * high);
+        }
+        return high++;
     }
 
     /** Takes a slot back. */
     public void giveBack(int slot) {
-        if (freeCount == free.length) {
-            free = Arrays.copyOf(free, 2 * freeCount);
-        }
         free[freeCount++] = slot;
     }
 
