@@ -22,7 +22,7 @@ final class DirectSolver {
     static final int MOST_ROWS = 192;
 
     /** Sets tried within one solve; passes over the rows see to what is left. */
-    private static final int MOST_TRIES = 40;
+    private static final int MOST_TRIES = 8;
 
     private final Motions motions;
     private final Rows rows;

@@ -19,11 +19,11 @@ public final class PileSolver {
     /** Share of a substep that stands for no time at all, yet lets a gap of round-off rest. */
     private static final double NO_TIME = 1e-3;
 
-    /** Share of the fastest speed that may be left unsolved. */
-    private static final double SETTLED = 1e-10;
+    /** Share of the fastest speed that may be left unsolved, per metre of the tolerance. */
+    private static final double SETTLED = 1e-2;
 
-    /** Rounds that a small pile is given per substep. */
-    private static final int MOST_ROUNDS = 20;
+    /** Rounds that a small pile is given per substep beside one for each substep of the accuracy. */
+    private static final int LEAST_ROUNDS = 4;
 
     /** How many times faster than anything before a body may leave rows that were not solved. */
     private static final double MOST_LEVERAGE = 2;
@@ -202,9 +202,9 @@ public final class PileSolver {
     }
 
     private boolean settleRows(double h, int substep) {
-        double settled = SETTLED * fastest;
+        double settled = SETTLED * accuracy.impactTolerance() * fastest;
         double before = Double.POSITIVE_INFINITY;
-        for (int i = 0; i < MOST_ROUNDS; i++) {
+        for (int i = 0; i < LEAST_ROUNDS + accuracy.substeps(); i++) {
             double change = friction.solve(substep);
             change = Math.max(change, normals.back(h, substep));
             if (change <= settled) {
