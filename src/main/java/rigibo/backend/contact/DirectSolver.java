@@ -21,13 +21,18 @@ final class DirectSolver {
     /** Largest island in rows; beyond it the elimination costs more than it gains. */
     static final int MOST_ROWS = 192;
 
-    /** Sets tried within one solve; passes over the rows see to what is left. */
-    private static final int MOST_TRIES = 8;
+    /** The same for an island that hardly moves: once it is solved it is not eliminated again. */
+    static final int MOST_ROWS_IF_CALM = 480;
+
+    /** Sets tried within one solve, for each substep; passes over the rows see to what is left. */
+    private static final int TRIES_PER_SUBSTEP = 8;
 
     private final Motions motions;
     private final Rows rows;
     private final OverlapSolver overlap;
     private final SingleRows single;
+    private final ContactOrder order;
+    private final int mostTries;
 
     /** The rows of the present set: 3·contact + point, or + 2 for the tangent. */
     private int[] set = new int[64];
@@ -44,6 +49,11 @@ final class DirectSolver {
 
     private int[] start = new int[65];
     private int[] first = new int[64];
+
+    /** For each place in the order the first row of the set from there on; and each row's place. */
+    private int[] firstInSet = new int[64];
+
+    private int[] placeInOrder = new int[64];
     private double[] unknown = new double[64];
 
     /** By how much the rows of the set moved last, and each contact's bound of friction, N·s. */
@@ -54,21 +64,30 @@ final class DirectSolver {
     /** Where bodies were before their overlap is taken back, laid out as the motions. */
     private double[] places = new double[64];
 
-    DirectSolver(Motions motions, Rows rows, OverlapSolver overlap) {
+    /** A solver that tries the harder the more substeps an accuracy asks for. */
+    DirectSolver(Motions motions, Rows rows, OverlapSolver overlap, int substeps) {
         this.motions = motions;
         this.rows = rows;
         this.overlap = overlap;
         single = new SingleRows(motions, rows);
+        order = new ContactOrder(motions, rows);
+        mostTries = TRIES_PER_SUBSTEP * substeps;
     }
 
     /** Begins an island: the factor of the last one is worth nothing. */
     void prepare() {
-        factoredSize = -1;
+        forget();
+        order.find();
     }
 
-    /** Whether the packed island is small enough. */
-    boolean isSmallEnough() {
-        return ROWS_PER_CONTACT * rows.count <= MOST_ROWS;
+    /** The rows are not what they were: a factor of them is worth nothing. */
+    void forget() {
+        factoredSize = 0;
+    }
+
+    /** Whether the packed island is small enough; a calm one may be larger. */
+    boolean isSmallEnough(boolean isCalm) {
+        return ROWS_PER_CONTACT * rows.count <= (isCalm ? MOST_ROWS_IF_CALM : MOST_ROWS);
     }
 
     /** A lone disc's normal and friction do not feel each other: nothing is to be eliminated. */
@@ -85,7 +104,7 @@ final class DirectSolver {
             return;
         }
         chooseLoaded(h, substep);
-        for (int attempt = 0; attempt < MOST_TRIES && !isSolved(h, settled); attempt++) {
+        for (int attempt = 0; attempt < mostTries && !isSolved(h, settled); attempt++) {
             factorize();
             for (int i = 0; i < size; i++) {
                 unknown[i] = -approach(set[i], h);
@@ -101,7 +120,7 @@ final class DirectSolver {
 
     /** Takes the overlap of loaded rows back, with the factor of the last solve. */
     void correct(double h) {
-        if (factoredSize <= 0) {
+        if (factoredSize == 0) {
             return;
         }
         size = factoredSize;
@@ -159,15 +178,17 @@ final class DirectSolver {
             factored = Arrays.copyOf(factored, capacity);
             start = new int[capacity + 1];
             first = new int[capacity];
+            firstInSet = new int[capacity];
+            placeInOrder = new int[capacity];
             unknown = new double[capacity];
             moved = new double[capacity];
             cone = new double[capacity];
-            factoredSize = -1;
+            factoredSize = 0;
         }
         size = 0;
-        for (int row = 0; row < rows.count; row++) {
-            if (rows.firstSubstep[row] <= substep) {
-                chooseLoadedOf(row, h);
+        for (int i = 0; i < rows.count; i++) {
+            if (rows.firstSubstep[order.order[i]] <= substep) {
+                chooseLoadedOf(order.order[i], h);
             }
         }
     }
@@ -283,10 +304,6 @@ final class DirectSolver {
         return Math.max(-most, Math.min(most, impulse + change)) - impulse;
     }
 
-    private boolean isFactored() {
-        return factoredSize == size && Arrays.equals(set, 0, size, factored, 0, size);
-    }
-
     private boolean isSolved(double h, double settled) {
         double worst = 0;
         for (int i = 0; i < size; i++) {
@@ -295,15 +312,17 @@ final class DirectSolver {
         return worst <= settled;
     }
 
-    /** Factors the matrix of the set, unless the last factor is of the same set. */
+    /** Factors the matrix of the set, from the first row on that the last factor did not have. */
     private void factorize() {
-        if (isFactored()) {
+        int same = Arrays.mismatch(set, 0, size, factored, 0, factoredSize);
+        if (same < 0) {
             return;
         }
         System.arraycopy(set, 0, factored, 0, size);
         factoredSize = size;
+        findPlaces();
         layEnvelope();
-        for (int i = 0; i < size; i++) {
+        for (int i = same; i < size; i++) {
             for (int j = first[i]; j <= i; j++) {
                 double sum = single.response(set[i], set[j]);
                 if (i == j) {
@@ -324,20 +343,27 @@ final class DirectSolver {
         return Math.sqrt(Math.max(remainder, single.give(id)));
     }
 
+    /** Where the rows of the set stand in the order of contacts, and the other way round. */
+    private void findPlaces() {
+        int i = 0;
+        for (int place = 0; place < rows.count; place++) {
+            firstInSet[place] = i;
+            while (i < size && set[i] / ROWS_PER_CONTACT == order.order[place]) {
+                placeInOrder[i++] = place;
+            }
+        }
+    }
+
+    /** A row's envelope begins with the first loaded row of the first contact it shares with. */
     private void layEnvelope() {
         int length = 0;
         for (int i = 0; i < size; i++) {
-            int j = 0;
-            while (j < i
-                    && !single.shareBody(set[i] / ROWS_PER_CONTACT, set[j] / ROWS_PER_CONTACT)) {
-                j++;
-            }
-            first[i] = j;
+            first[i] = firstInSet[order.firstNeighbour[placeInOrder[i]]];
             start[i] = length;
-            length += i - j + 1;
+            length += i - first[i] + 1;
         }
         if (factor.length < length) {
-            factor = new double[2 * length];
+            factor = Arrays.copyOf(factor, 2 * length);
         }
     }
 

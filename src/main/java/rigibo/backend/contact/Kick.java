@@ -35,6 +35,17 @@ final class Kick {
         }
     }
 
+    /** The strongest acceleration by the effects along an axis, m/s². */
+    double strongest() {
+        double most = 0;
+        for (int entry = 1; entry < motions.count; entry++) {
+            double ax = Math.abs(bodies.accelerationX[motions.slots[entry]]);
+            double ay = Math.abs(bodies.accelerationY[motions.slots[entry]]);
+            most = Math.max(most, Math.max(ax, ay));
+        }
+        return most;
+    }
+
     /** Measures what all velocities have gained per second of the kick, by loads too. */
     void measureGain() {
         for (int at = Motions.STRIDE; at < motions.count * Motions.STRIDE; at += Motions.STRIDE) {

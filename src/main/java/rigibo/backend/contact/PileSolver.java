@@ -19,10 +19,18 @@ public final class PileSolver {
     /** Share of a substep that stands for no time at all, yet lets a gap of round-off rest. */
     private static final double NO_TIME = 1e-3;
 
+    /** Share of what a free body would gain in a step up to which a pile is calm. */
+    private static final double CALM = 0.25;
+
     /** Share of the fastest speed that may be left unsolved, per metre of the tolerance. */
     private static final double SETTLED = 1e-2;
 
-    /** Rounds that a small pile is given per substep beside one for each substep of the accuracy. */
+    /** Share of the strongest answer below which a change is round-off: some 64 ulp. */
+    private static final double ROUND_OFF = 1e-14;
+
+    /**
+     * Rounds that a small pile is given per substep beside one for each substep of the accuracy.
+     */
     private static final int LEAST_ROUNDS = 4;
 
     /** How many times faster than anything before a body may leave rows that were not solved. */
@@ -84,7 +92,7 @@ public final class PileSolver {
         overlap = new OverlapSolver(motions, rows);
         guard = new EnergyGuard(motions, rows);
         halfway = new Halfway(motions, rows);
-        direct = new DirectSolver(motions, rows, overlap);
+        direct = new DirectSolver(motions, rows, overlap, accuracy.substeps());
         isDirect = accuracy.contactSolver() == ContactSolver.DIRECT;
         impacts = new PileImpacts(motions, rows, pairs, counters);
         joint = new JointBlows(data, motions, rows, kick);
@@ -114,16 +122,18 @@ public final class PileSolver {
         builder.build(island, h / 2);
         friction.prepare();
         impacts.prepare();
-        direct.prepare();
         warmStart.prepare();
-        isSmall = isDirect && direct.isSmallEnough();
+        isSmall = isDirect && isSmallEnough(dt);
+        if (isSmall) {
+            direct.prepare();
+        }
         delayLateJoiners(start, h);
         counters.rows += friction.rowCount() + rows.count;
         for (int substep = 0; substep < substeps; substep++) {
             double middle = start + (substep + 0.5) * h;
             kick.remember();
             if (substep > 0 && turning.refresh((substeps - substep) * h)) {
-                direct.prepare();
+                direct.forget();
             }
             kick.accelerate(substep == 0 ? start : middle - h, middle);
             fastest = motions.fastest();
@@ -132,6 +142,12 @@ public final class PileSolver {
         }
         finish(h, dt);
         store(h);
+    }
+
+    /** An island whose bodies move less than a falling one gains in a step counts as calm. */
+    private boolean isSmallEnough(double dt) {
+        boolean isCalm = motions.fastest() <= CALM * dt * kick.strongest();
+        return direct.isSmallEnough(isCalm);
     }
 
     private void begin(double scale, int substep) {
@@ -207,6 +223,7 @@ public final class PileSolver {
         for (int i = 0; i < LEAST_ROUNDS + accuracy.substeps(); i++) {
             double change = friction.solve(substep);
             change = Math.max(change, normals.back(h, substep));
+            settled = Math.max(settled, ROUND_OFF * rows.strongestAnswer());
             if (change <= settled) {
                 return true;
             }

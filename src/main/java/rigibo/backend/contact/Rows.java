@@ -108,6 +108,15 @@ final class Rows {
      */
     int groundStart;
 
+    /** The largest change of speed by which a contact answers, m/s. */
+    double strongestAnswer() {
+        double most = 0;
+        for (int at = 0; at < count * STRIDE; at += STRIDE) {
+            most = Math.max(most, (data[at + IMPULSE0] + data[at + IMPULSE1]) * data[at + K00]);
+        }
+        return most;
+    }
+
     /** Makes room for one more contact and returns its index; its numbers are all 0. */
     int add() {
         if (count == pair.length) {

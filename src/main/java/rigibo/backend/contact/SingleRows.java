@@ -97,15 +97,6 @@ final class SingleRows {
         return rows.data[at + (kind == TANGENT ? Rows.LEVER_TB : Rows.LEVER_B0 + 2 * kind)];
     }
 
-    /** Whether two contacts hold the same body; the ground, offset 0, passes nothing on. */
-    boolean shareBody(int row, int other) {
-        int a = rows.bodyA[row];
-        int b = rows.bodyB[row];
-        int c = rows.bodyA[other];
-        int d = rows.bodyB[other];
-        return a != 0 && (a == c || a == d) || b != 0 && (b == c || b == d);
-    }
-
     /** What a unit impulse of one row gives another, 1/kg. */
     double response(int i, int j) {
         double direct = directionX(i) * directionX(j) + directionY(i) * directionY(j);

@@ -60,12 +60,12 @@ public final class HardCases {
                     new Arch(),
                     new DiscColumn(),
                     new HeavyOnLight(),
+                    new Pyramid("21/large", 10, 1),
                     new UntidyStack(),
                     new TurningPress());
 
     private static final List<HardCase> OPEN =
             List.of(
-                    new Pyramid("21/large", 10, 1),
                     new Pyramid("21/tiny", 30, 0.05),
                     new ManyCornered(),
                     new ButtedBoxes(),
