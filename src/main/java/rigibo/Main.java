@@ -18,6 +18,7 @@ import java.io.PrintWriter;
             TourCommand.class,
             MeasureCommand.class,
             LevelsCommand.class,
+            CasesCommand.class,
             HelpCommand.class
         })
 public final class Main implements Runnable {
@@ -37,7 +38,11 @@ public final class Main implements Runnable {
 
     /** Runs the command, printing to {@code out} and {@code err}; returns the exit code. */
     static int run(PrintWriter out, PrintWriter err, String... arguments) {
-        return new CommandLine(new Main()).setOut(out).setErr(err).execute(arguments);
+        return new CommandLine(new Main())
+                .setCaseInsensitiveEnumValuesAllowed(true)
+                .setOut(out)
+                .setErr(err)
+                .execute(arguments);
     }
 
     /** No command at all: says which there are. */

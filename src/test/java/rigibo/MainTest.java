@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 import java.io.PrintWriter;
@@ -20,7 +21,8 @@ class MainTest {
     @Test
     void helpNamesEveryCommand() {
         assertThat(run("help")).isZero();
-        assertThat(out.toString()).contains("Usage: rigibo", "play", "tour", "levels", "help");
+        assertThat(out.toString())
+                .contains("Usage: rigibo", "play", "tour", "levels", "cases", "help");
     }
 
     @Test
@@ -30,10 +32,28 @@ class MainTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"play --jump", "tour --out", "levels", "levels dance"})
+    @ValueSource(strings = {"play --jump", "tour --out", "levels", "levels dance", "cases --only"})
     void halfACommandIsRefused(String typed) {
         assertThat(run(typed.split(" "))).isEqualTo(2);
         assertThat(err.toString()).contains("Usage: rigibo");
+    }
+
+    @Test
+    void casesPrintALineEachAndTheirCountLast() {
+        assertThat(run("cases", "--preset", "game", "--only", "5")).isZero();
+        assertThat(out.toString()).contains("GAME").endsWith("1 passed, 0 failed\n");
+        assertThat(err.toString()).contains("1 of 1 done");
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "cases --preset BEST, DRAFT",
+        "cases --only 1000, 20/10",
+        "cases --csv no/such/place.csv, no/such/place.csv"
+    })
+    void wrongChoiceOfCasesIsRefusedWithTheRightOnes(String typed, String named) {
+        assertThat(run(typed.split(" "))).isEqualTo(2);
+        assertThat(err.toString()).contains(typed.split(" ")[1], named);
     }
 
     @Test

@@ -17,6 +17,11 @@ final class Billiard implements HardCase {
     private static final double RADIUS = 0.25;
     private static final double VX = 200;
     private static final double VY = 153;
+    private static final double START_X = 4;
+    private static final double START_Y = 3;
+
+    /** Of both pairs of walls. */
+    static final double BOUNCES_PER_SECOND = VX / (WIDTH - 2 * RADIUS) + VY / (HEIGHT - 2 * RADIUS);
 
     @Override
     public String row() {
@@ -31,33 +36,42 @@ final class Billiard implements HardCase {
     @Override
     public void run(Trial trial) {
         WatchedPool pool = trial.pool(Surroundings.space());
+        RigidBody disc = disc(pool);
+        boolean isExact = trial.preset() == Preset.EXACT;
+        double horizon = (isExact ? 1000 : 100) / BOUNCES_PER_SECOND;
+        while (pool.time() < horizon) {
+            pool.step();
+            double off = off(disc, pool.time());
+            trial.measure("place after 1000 / 100 bounces", off, "of L", 1e-6, 1e-3);
+            trial.measure("speed changed", speedChange(disc), "of v", 1e-12, 1e-3);
+        }
+    }
+
+    /** Builds the room and the disc in it. */
+    static RigidBody disc(WatchedPool pool) {
         BodyDefinition wall =
                 BodyDefinition.fixed(Polygon.box(12, 1)).material(Surroundings.matter(0, 1));
         pool.add(wall.at(WIDTH / 2, -0.5));
         pool.add(wall.at(WIDTH / 2, HEIGHT + 0.5));
         pool.add(wall.at(-0.5, HEIGHT / 2).angle(Math.PI / 2));
         pool.add(wall.at(WIDTH + 0.5, HEIGHT / 2).angle(Math.PI / 2));
-        double startX = 4;
-        double startY = 3;
-        RigidBody disc =
-                pool.add(
-                        BodyDefinition.dynamic(new Circle(RADIUS))
-                                .at(startX, startY)
-                                .velocity(VX, VY)
-                                .material(Surroundings.matter(0, 1)));
-        double perSecond = VX / (WIDTH - 2 * RADIUS) + VY / (HEIGHT - 2 * RADIUS);
-        boolean isExact = trial.preset() == Preset.EXACT;
-        double horizon = (isExact ? 1000 : 100) / perSecond;
-        double speed = Math.hypot(VX, VY);
-        while (pool.time() < horizon) {
-            pool.step();
-            double x = RADIUS + wave(startX - RADIUS + VX * pool.time(), WIDTH - 2 * RADIUS);
-            double y = RADIUS + wave(startY - RADIUS + VY * pool.time(), HEIGHT - 2 * RADIUS);
-            double off = Math.hypot(disc.x() - x, disc.y() - y) / WIDTH;
-            trial.measure("place after 1000 / 100 bounces", off, "of L", 1e-6, 1e-3);
-            double change = Math.hypot(disc.velocityX(), disc.velocityY()) / speed - 1;
-            trial.measure("speed changed", Math.abs(change), "of v", 1e-12, 1e-3);
-        }
+        return pool.add(
+                BodyDefinition.dynamic(new Circle(RADIUS))
+                        .at(START_X, START_Y)
+                        .velocity(VX, VY)
+                        .material(Surroundings.matter(0, 1)));
+    }
+
+    /** How far the disc is from where it is in truth, as a share of the room's width. */
+    static double off(RigidBody disc, double time) {
+        double x = RADIUS + wave(START_X - RADIUS + VX * time, WIDTH - 2 * RADIUS);
+        double y = RADIUS + wave(START_Y - RADIUS + VY * time, HEIGHT - 2 * RADIUS);
+        return Math.hypot(disc.x() - x, disc.y() - y) / WIDTH;
+    }
+
+    static double speedChange(RigidBody disc) {
+        double speed = Math.hypot(disc.velocityX(), disc.velocityY());
+        return Math.abs(speed / Math.hypot(VX, VY) - 1);
     }
 
     /** The triangle wave that rises from 0 to the free way and falls again. */

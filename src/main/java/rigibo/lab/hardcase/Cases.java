@@ -1,74 +1,117 @@
 package rigibo.lab.hardcase;
 
-import java.io.PrintStream;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import java.util.function.Consumer;
+import java.util.stream.Stream;
 
-/** Runs hard cases by hand and prints every figure: {@code --only 20/10,49 --preset GAME}. */
+/**
+ * Cases at presets, each run on its own. They run on two threads and are told in the order of the
+ * list all the same, so that two runs print the same.
+ */
 public final class Cases {
 
-    private final PrintStream out;
-    private int passed;
-    private int failed;
+    /** More would be slowed down by each other on small machines; the runs share nothing. */
+    private static final int MOST_THREADS = 2;
 
-    Cases(PrintStream out) {
-        this.out = out;
-    }
+    private final List<HardCase> cases = new ArrayList<>();
+    private final List<Preset> presets = new ArrayList<>();
 
     /**
-     * Runs the cases that the arguments choose, all at GAME without any.
+     * Every chosen case at every preset that it is counted for.
      *
-     * @param arguments {@code --only ROW,…} (a row before the slash means all its parts), {@code
-     *     --preset NAME,…}
+     * @param rows numbers such as {@code 20/10}, or {@code 20} for all its parts; empty means all
+     *     cases but the long runs
+     * @param atPresets at least one
+     * @throws IllegalArgumentException when a row names no case
      */
-    public static void main(String... arguments) {
-        Cases cases = new Cases(System.out);
-        List<Preset> presets = new ArrayList<>();
-        for (String name : after("--preset", "GAME", arguments)) {
-            presets.add(Preset.valueOf(name.toUpperCase(Locale.ROOT)));
-        }
-        cases.run(after("--only", "", arguments), presets);
-        System.out.println(cases.passed + " passed, " + cases.failed + " failed");
-        if (cases.failed > 0) {
-            System.exit(1);
-        }
-    }
-
-    void run(List<String> rows, List<Preset> presets) {
-        for (HardCase hardCase : HardCases.all()) {
-            for (Preset preset : presets) {
-                boolean isHeld = preset.compareTo(hardCase.fastest()) >= 0;
-                if (isHeld && isChosen(hardCase.row(), rows)) {
-                    run(hardCase, preset);
+    public Cases(List<String> rows, List<Preset> atPresets) {
+        List<HardCase> chosen = rows.isEmpty() ? HardCases.all() : chosen(rows);
+        for (HardCase hardCase : chosen) {
+            for (Preset preset : atPresets) {
+                if (preset.compareTo(hardCase.fastest()) >= 0) {
+                    cases.add(hardCase);
+                    presets.add(preset);
                 }
             }
         }
     }
 
-    private void run(HardCase hardCase, Preset preset) {
-        boolean passes = false;
+    /** How many runs there are. */
+    public int count() {
+        return cases.size();
+    }
+
+    /**
+     * Runs them all.
+     *
+     * @param each is handed every result in order, as soon as it and those before it are there
+     * @return all results in order
+     */
+    public List<HardCase.Result> run(Consumer<HardCase.Result> each) {
+        int threads = Math.min(MOST_THREADS, Runtime.getRuntime().availableProcessors());
+        ExecutorService workers = Executors.newFixedThreadPool(threads);
         try {
-            HardCase.Result result = hardCase.run(preset);
-            out.println(result);
-            passes = result.passes();
-        } catch (RuntimeException | AssertionError broken) {
-            // One broken case must not hide what the others measure.
-            out.println(hardCase.row() + " " + preset + ": FAIL " + broken);
-            broken.printStackTrace(out);
+            List<Future<HardCase.Result>> futures = new ArrayList<>();
+            for (int i = 0; i < cases.size(); i++) {
+                HardCase hardCase = cases.get(i);
+                Preset preset = presets.get(i);
+                futures.add(workers.submit(() -> run(hardCase, preset)));
+            }
+            return collect(futures, each);
+        } finally {
+            workers.shutdownNow();
         }
-        passed += passes ? 1 : 0;
-        failed += passes ? 0 : 1;
     }
 
-    private static boolean isChosen(String row, List<String> rows) {
-        return rows.contains("") || rows.contains(row) || rows.contains(row.split("/")[0]);
+    private static List<HardCase.Result> collect(
+            List<Future<HardCase.Result>> futures, Consumer<HardCase.Result> each) {
+        List<HardCase.Result> results = new ArrayList<>();
+        try {
+            for (Future<HardCase.Result> future : futures) {
+                results.add(future.get());
+                each.accept(results.get(results.size() - 1));
+            }
+        } catch (InterruptedException stopped) {
+            Thread.currentThread().interrupt();
+            throw new IllegalStateException("interrupted before the last case", stopped);
+        } catch (ExecutionException broken) {
+            throw new IllegalStateException(broken.getCause());
+        }
+        return results;
     }
 
-    private static List<String> after(String option, String otherwise, String... arguments) {
-        int at = Arrays.asList(arguments).indexOf(option);
-        String value = at >= 0 && at + 1 < arguments.length ? arguments[at + 1] : otherwise;
-        return Arrays.asList(value.split(","));
+    /** One broken case must not hide what the others measure. */
+    private static HardCase.Result run(HardCase hardCase, Preset preset) {
+        try {
+            return hardCase.run(preset);
+        } catch (RuntimeException | AssertionError | StackOverflowError broken) {
+            return hardCase.broken(preset, broken);
+        }
+    }
+
+    private static List<HardCase> chosen(List<String> rows) {
+        for (String row : rows) {
+            if (everyCase().noneMatch(hardCase -> isNamed(hardCase.row(), row))) {
+                List<String> known = everyCase().map(HardCase::row).toList();
+                throw new IllegalArgumentException(
+                        "there is no case '" + row + "'; there are " + String.join(" ", known));
+            }
+        }
+        return everyCase()
+                .filter(hardCase -> rows.stream().anyMatch(row -> isNamed(hardCase.row(), row)))
+                .toList();
+    }
+
+    private static Stream<HardCase> everyCase() {
+        return Stream.concat(HardCases.all().stream(), HardCases.longRuns().stream());
+    }
+
+    private static boolean isNamed(String row, String asked) {
+        return row.equals(asked) || row.startsWith(asked + "/");
     }
 }

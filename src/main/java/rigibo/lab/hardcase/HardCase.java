@@ -1,5 +1,6 @@
 package rigibo.lab.hardcase;
 
+import java.util.Comparator;
 import java.util.List;
 import java.util.stream.Collectors;
 
@@ -30,6 +31,12 @@ public interface HardCase {
         return new Result(this, preset, first.measures(), first.work());
     }
 
+    /** What came of a run that broke off. */
+    default Result broken(Preset preset, Throwable cause) {
+        Measure end = new Measure("runs that broke off", 1, 0, "runs", cause.toString());
+        return new Result(this, preset, List.of(end), new Work());
+    }
+
     /**
      * What came of a case at a preset.
      *
@@ -42,6 +49,11 @@ public interface HardCase {
 
         public boolean passes() {
             return measures.stream().allMatch(Measure::passes);
+        }
+
+        /** The figure that comes nearest to its limit, or is the farthest beyond it. */
+        public Measure worst() {
+            return measures.stream().min(Comparator.comparingDouble(Measure::margin)).orElseThrow();
         }
 
         @Override

@@ -56,6 +56,7 @@ public final class HardCases {
                     new Bernoulli(),
                     new Rack(),
                     new Dominoes(),
+                    new DominoWave(),
                     new Painleve(),
                     new Arch(),
                     new DiscColumn(),
@@ -69,7 +70,10 @@ public final class HardCases {
                     new Pyramid("21/tiny", 30, 0.05),
                     new ManyCornered(),
                     new ButtedBoxes(),
-                    new BornInOverlap());
+                    new BornInOverlap(),
+                    new CardHouse());
+
+    private static final List<HardCase> LONG = List.of(new LongStack(), new LongBilliard());
 
     private HardCases() {}
 
@@ -83,7 +87,12 @@ public final class HardCases {
         return OPEN;
     }
 
-    /** All cases. */
+    /** Cases that simulate an hour; they run only when asked for by their row. */
+    public static List<HardCase> longRuns() {
+        return LONG;
+    }
+
+    /** All cases but the long runs. */
     public static List<HardCase> all() {
         return Stream.concat(HELD.stream(), OPEN.stream()).toList();
     }

@@ -18,12 +18,20 @@ public record Measure(String name, double figure, double limit, String unit, Str
         return figure <= limit;
     }
 
-    /** The share of the limit that is left, 1 at a figure of 0, negative beyond the limit. */
+    /**
+     * How many times the figure fits into its limit: at least 1 for what passes, infinite where
+     * nothing was to be seen or the figure is only reported.
+     */
     public double margin() {
-        if (limit == Double.POSITIVE_INFINITY || figure == limit) {
-            return limit == figure ? 0 : 1;
+        if (Double.isNaN(figure)) {
+            return 0;
         }
-        return 1 - figure / limit;
+        return figure <= 0 || isReported() ? Double.POSITIVE_INFINITY : limit / figure;
+    }
+
+    /** Whether the figure has no limit and is only told. */
+    public boolean isReported() {
+        return limit == Double.POSITIVE_INFINITY;
     }
 
     /** Which of two values of the same measure is worse. */

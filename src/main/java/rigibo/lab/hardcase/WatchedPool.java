@@ -50,6 +50,7 @@ final class WatchedPool {
     private boolean mayOverlap;
     private double deepestShare;
     private int steps;
+    private long allocated;
 
     WatchedPool(Trial trial, String variant, Effects effects) {
         this.trial = trial;
@@ -92,7 +93,9 @@ final class WatchedPool {
 
     StepReport step(double dt) {
         balance.begin(pool.bodies());
+        long before = Heap.allocated();
         StepReport report = pool.step(dt);
+        allocated += Heap.allocated() - before;
         steps++;
         trial.work().add(report);
         watch(dt);
@@ -116,6 +119,11 @@ final class WatchedPool {
 
     double time() {
         return pool.time();
+    }
+
+    /** Bytes that the engine has allocated in all steps up to now. */
+    long allocated() {
+        return allocated;
     }
 
     /** Deepest overlap now as a share of the smaller body's width, by our own measure. */

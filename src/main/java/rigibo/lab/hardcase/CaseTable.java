@@ -1,0 +1,158 @@
+package rigibo.lab.hardcase;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.stream.Collectors;
+
+/** Results as lines for a terminal, as CSV, and as a page of Markdown. */
+public final class CaseTable {
+
+    private static final String CSV_HEAD =
+            "row,case,preset,figure,value,limit,unit,margin,passes,where,"
+                    + "steps,pairs,impacts,evaluations,rows";
+
+    private static final String INTRODUCTION =
+            """
+            # Hard cases
+
+            Scenes that are hard to simulate and whose truth is known, in closed form or as an \
+            invariant; the class of each case in `src/main/java/rigibo/lab/hardcase` derives it. \
+            Every run is also held to what is true in every case: nothing that is not finite, \
+            overlap below 2 %% of a body's width, no energy out of nothing, momentum kept, the \
+            same bits in a second run. `DRAFT` is held to that alone, `GAME` and `FINE` to the \
+            limits of a game, `EXACT` to its own. Sleep is off unless the case is about sleep.
+
+            Each line shows of all figures of a case the one that comes nearest to its limit. The \
+            margin says how many times the figure fits into its limit: below 1 the case fails.
+
+            Made by `./rigibo cases%s --markdown FILE` on %s, %s. %d passed, %d failed.
+
+            | row | case | preset | worst figure | value | limit | margin | |
+            |---|---|---|---|---:|---:|---:|---|
+            """;
+
+    private CaseTable() {}
+
+    /** One line: the verdict, the figure nearest to its limit, and the work of the run. */
+    public static String line(HardCase.Result result) {
+        Measure worst = result.worst();
+        return String.format(
+                Locale.ROOT,
+                "%-4s %-19s %-5s %-34s %10s of %-9s %-8s x %-9s %s",
+                verdict(result),
+                result.hardCase().row(),
+                result.preset(),
+                worst.name(),
+                number(worst.figure()),
+                number(worst.limit()),
+                worst.unit(),
+                number(worst.margin()),
+                result.work());
+    }
+
+    /** A line for every figure beyond its limit, saying where; empty where there is none. */
+    public static List<String> failures(HardCase.Result result) {
+        return result.measures().stream()
+                .filter(measure -> !measure.passes())
+                .map(measure -> "       " + measure)
+                .toList();
+    }
+
+    /** A line for every figure. */
+    public static List<String> figures(HardCase.Result result) {
+        return result.measures().stream().map(measure -> "       " + measure).toList();
+    }
+
+    /** A head and a line for every figure of every result. */
+    public static List<String> csv(List<HardCase.Result> results) {
+        List<String> lines =
+                results.stream()
+                        .flatMap(
+                                result ->
+                                        result.measures().stream()
+                                                .map(measure -> csv(result, measure)))
+                        .collect(Collectors.toList());
+        lines.add(0, CSV_HEAD);
+        return lines;
+    }
+
+    private static String csv(HardCase.Result result, Measure measure) {
+        Work work = result.work();
+        return List.of(
+                        result.hardCase().row(),
+                        quoted(result.hardCase().title()),
+                        result.preset(),
+                        quoted(measure.name()),
+                        measure.figure(),
+                        measure.limit(),
+                        measure.unit(),
+                        measure.margin(),
+                        measure.passes(),
+                        quoted(measure.where()),
+                        work.steps(),
+                        work.pairs(),
+                        work.impacts(),
+                        work.evaluations(),
+                        work.rows())
+                .stream()
+                .map(String::valueOf)
+                .collect(Collectors.joining(","));
+    }
+
+    private static String quoted(String words) {
+        return '"' + words.replace("\"", "\"\"") + '"';
+    }
+
+    /**
+     * A page with one line per result.
+     *
+     * @param options of the command that made it, each after a space
+     * @param machine what it ran on
+     * @param date when
+     */
+    public static String page(
+            List<HardCase.Result> results, String options, String machine, String date) {
+        long passed = results.stream().filter(HardCase.Result::passes).count();
+        String head =
+                String.format(
+                        Locale.ROOT,
+                        INTRODUCTION,
+                        options,
+                        machine,
+                        date,
+                        passed,
+                        results.size() - passed);
+        return head
+                + results.stream().map(CaseTable::pageLine).collect(Collectors.joining("\n"))
+                + "\n";
+    }
+
+    private static String pageLine(HardCase.Result result) {
+        Measure worst = result.worst();
+        return String.format(
+                Locale.ROOT,
+                "| %s | %s | %s | %s | %s %s | %s | %s | %s |",
+                result.hardCase().row(),
+                result.hardCase().title(),
+                result.preset(),
+                worst.name(),
+                number(worst.figure()),
+                worst.unit(),
+                number(worst.limit()),
+                number(worst.margin()),
+                result.passes() ? "" : "**fails**");
+    }
+
+    private static String verdict(HardCase.Result result) {
+        return result.passes() ? "ok" : "FAIL";
+    }
+
+    /** Three digits; a margin beyond all bounds, of what was not seen at all, is ∞. */
+    private static String number(double value) {
+        if (Double.isInfinite(value)) {
+            return "∞";
+        }
+        boolean isWhole = value == Math.rint(value) && Math.abs(value) < 1e4;
+        return isWhole ? Long.toString((long) value) : String.format(Locale.ROOT, "%.3g", value);
+    }
+}
