@@ -13,6 +13,14 @@ public sealed interface Effect
                 ContinuousImpacts,
                 Sleep {
 
+    /**
+     * Whether the effect holds a function of the caller's, which may change with time and cannot be
+     * written down.
+     */
+    default boolean holdsFunction() {
+        return false;
+    }
+
     /** The effect's name in levels and messages, in kebab-case: {@code rolling-resistance}. */
     default String title() {
         return getClass()
