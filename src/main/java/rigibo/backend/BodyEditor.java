@@ -5,7 +5,6 @@ import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Friction;
 import rigibo.backend.effect.Restitution;
 import rigibo.backend.effect.Rotation;
-import rigibo.backend.geometry.Angle;
 import rigibo.backend.geometry.MassProperties;
 import rigibo.backend.geometry.Shape;
 import rigibo.backend.geometry.ShapeKind;
@@ -55,6 +54,7 @@ final class BodyEditor {
         bodies.spin[slot] = definition.spin();
         bodies.awake[slot] = definition.awake() || definition.type() != BodyType.DYNAMIC;
         bodies.clearForces(slot);
+        bodies.clearAccelerations(slot);
         writeShape(slot, definition.shape());
         writeMaterial(slot, definition.material());
         weigh(slot);
@@ -199,12 +199,25 @@ final class BodyEditor {
         }
     }
 
+    /** Writes what follows from what a snapshot holds. */
+    void derive() {
+        for (int slot = 0; slot < bodies.slots.high; slot++) {
+            if (bodies.type[slot] != null) {
+                bodies.aim(slot);
+                writeShape(slot, bodies.shape[slot]);
+                writeMaterial(slot, bodies.material[slot]);
+                weigh(slot);
+            }
+        }
+        data.pairs.derive(bodies);
+        broadphase.rebuild();
+    }
+
     private void writePose(int slot, double x, double y, double angle) {
         bodies.x[slot] = x;
         bodies.y[slot] = y;
         bodies.angle[slot] = angle;
-        bodies.cos[slot] = Angle.cos(angle);
-        bodies.sin[slot] = Angle.sin(angle);
+        bodies.aim(slot);
         bodies.restartStillness(slot);
     }
 

@@ -8,13 +8,16 @@ import rigibo.backend.setup.Require;
 import rigibo.backend.step.StepPlan;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.Snapshot;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
+import java.util.function.Supplier;
 
 /**
  * A world of rigid bodies. It manages all bodies, their dynamics and every query about them. The
@@ -56,14 +59,67 @@ public final class Pool {
      * @param accuracy how exactly
      */
     public Pool(Effects effects, Accuracy accuracy) {
-        Require.present("Pool.effects", effects);
-        Require.present("Pool.accuracy", accuracy);
-        data = new DataStorage(effects);
+        this(
+                new DataStorage(Require.present("Pool.effects", effects)),
+                effects,
+                Require.present("Pool.accuracy", accuracy));
+    }
+
+    private Pool(DataStorage data, Effects effects, Accuracy accuracy) {
+        this.data = data;
         plan = new StepPlan(data, effects, accuracy);
         report = new StepReport(this, data);
         editor = new BodyEditor(data, plan);
         queries = new PoolQueries(this, data, plan.broadphase());
         totals = new PoolTotals(this, data);
+    }
+
+    private Pool(Snapshot snapshot) {
+        this(snapshot.data, snapshot.effects, snapshot.accuracy);
+        time = snapshot.time;
+        editor.derive();
+        for (int i = 0; i < snapshot.order.length; i++) {
+            addHandle(snapshot.order[i], snapshot.names[i]);
+        }
+    }
+
+    /**
+     * A pool that goes on as the one whose snapshot this is, to the last bit, on every machine. Its
+     * bodies come in the same order and have the same names; the handles are new ones. It has no
+     * clock, and its report is empty until it has made a step.
+     *
+     * @param snapshot as {@link #snapshot} wrote it
+     * @throws IllegalArgumentException when it is cut short, altered or of a newer version, states
+     *     what no pool can be in, or declares an effect that holds a function of the caller's,
+     *     which is named
+     */
+    public static Pool restore(byte[] snapshot) {
+        Require.present("Pool.restore snapshot", snapshot);
+        return restored(() -> Snapshot.decode(snapshot));
+    }
+
+    /**
+     * The same with effects of the caller's in place of those declared, functions and numbers
+     * alike.
+     *
+     * @param snapshot as {@link #snapshot} wrote it
+     * @param effects of the kinds that were declared when it was taken
+     * @throws IllegalArgumentException as above, and when the kinds are not the same, naming the
+     *     difference
+     */
+    public static Pool restore(byte[] snapshot, Effects effects) {
+        Require.present("Pool.restore snapshot", snapshot);
+        Require.present("Pool.restore effects", effects);
+        return restored(() -> Snapshot.decode(snapshot, effects));
+    }
+
+    private static Pool restored(Supplier<Snapshot> decoding) {
+        try {
+            return new Pool(decoding.get());
+        } catch (IllegalArgumentException refusal) {
+            throw new IllegalArgumentException(
+                    "Pool.restore snapshot: " + refusal.getMessage(), refusal);
+        }
     }
 
     /**
@@ -74,11 +130,14 @@ public final class Pool {
     public RigidBody add(BodyDefinition definition) {
         Require.present("Pool.add definition", definition);
         requireBetweenSteps("add a body");
-        int slot = editor.add(definition);
+        return addHandle(editor.add(definition), definition.name());
+    }
+
+    private RigidBody addHandle(int slot, String name) {
         if (slot >= handles.length) {
-            handles = java.util.Arrays.copyOf(handles, 2 * slot);
+            handles = Arrays.copyOf(handles, 2 * slot);
         }
-        handles[slot] = new RigidBody(this, slot, definition.name());
+        handles[slot] = new RigidBody(this, slot, name);
         bodies.add(handles[slot]);
         return handles[slot];
     }
@@ -208,7 +267,26 @@ public final class Pool {
         queries.overlapping(box).forEach(visitor);
     }
 
-    /** A 64-bit hash of every bit that the future depends on. */
+    /**
+     * All that the future depends on, as bytes for {@link #restore}: bodies with their names and
+     * order, contacts with what they carry, time, effects and accuracy. Of an effect that holds a
+     * function only the kind is written.
+     *
+     * @throws IllegalStateException when called within a step
+     */
+    public byte[] snapshot() {
+        requireBetweenSteps("take a snapshot");
+        Snapshot snapshot = new Snapshot(effects(), accuracy(), data);
+        snapshot.time = time;
+        snapshot.order = bodies.stream().mapToInt(RigidBody::slot).toArray();
+        snapshot.names = bodies.stream().map(RigidBody::name).toArray(String[]::new);
+        return snapshot.encode();
+    }
+
+    /**
+     * A 64-bit hash of every bit of the state that the future depends on: pools with equal effects
+     * and accuracy whose hashes are equal go on equally.
+     */
     public long stateHash() {
         return totals.stateHash();
     }

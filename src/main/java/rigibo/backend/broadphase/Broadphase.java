@@ -32,7 +32,7 @@ public final class Broadphase {
     private final Found found = new Found();
     private final Aabb swept = new Aabb();
 
-    /** Bodies whose fixture was laid anew since pairs were last sought. */
+    /** The slots that {@link Bodies#refitted} marks. */
     private final Found moved = new Found();
 
     /** A broadphase over the bodies of a storage. */
@@ -46,6 +46,26 @@ public final class Broadphase {
     public void add(int slot) {
         sweep(slot, 0);
         writeFixture(slot, 0);
+        hang(slot);
+        noteRefit(slot);
+    }
+
+    /**
+     * Makes the tree of an empty broadphase for bodies whose fixtures are laid. Its shape may
+     * differ from the one that grew with the bodies; what a query finds does not.
+     */
+    public void rebuild() {
+        for (int slot = 0; slot < bodies.slots.high; slot++) {
+            if (bodies.type[slot] != null) {
+                hang(slot);
+                if (bodies.refitted[slot]) {
+                    moved.add(slot);
+                }
+            }
+        }
+    }
+
+    private void hang(int slot) {
         bodies.leaf[slot] =
                 tree.insert(
                         slot,
@@ -53,7 +73,6 @@ public final class Broadphase {
                         bodies.fixtureMinY[slot],
                         bodies.fixtureMaxX[slot],
                         bodies.fixtureMaxY[slot]);
-        moved.add(slot);
     }
 
     /** Takes a body out, with its pairs. */
@@ -89,9 +108,11 @@ public final class Broadphase {
         }
         moved.sort();
         for (int i = 0; i < moved.count; i++) {
-            if (bodies.type[moved.numbers[i]] != null) {
-                dropPairsApart(moved.numbers[i]);
-                findPairs(moved.numbers[i]);
+            int slot = moved.numbers[i];
+            bodies.refitted[slot] = false;
+            if (bodies.type[slot] != null) {
+                dropPairsApart(slot);
+                findPairs(slot);
             }
         }
         moved.clear();
@@ -106,6 +127,7 @@ public final class Broadphase {
         cover(slot, left);
         if (moved.count > before) {
             moved.count = before;
+            bodies.refitted[slot] = false;
             findPairs(slot);
             for (int p = bodies.firstPair[slot]; p != Pairs.NONE; p = pairs.nextOf(p, slot)) {
                 pairs.activate(p);
@@ -181,7 +203,14 @@ public final class Broadphase {
                 bodies.fixtureMinY[slot],
                 bodies.fixtureMaxX[slot],
                 bodies.fixtureMaxY[slot]);
-        moved.add(slot);
+        noteRefit(slot);
+    }
+
+    private void noteRefit(int slot) {
+        if (!bodies.refitted[slot]) {
+            bodies.refitted[slot] = true;
+            moved.add(slot);
+        }
     }
 
     /** A static body's fixture is its bounds; others have a margin, and more of it ahead. */

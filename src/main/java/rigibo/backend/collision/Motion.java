@@ -54,7 +54,8 @@ public final class Motion {
     public void poseAt(double time, Pose out) {
         placeAt(time, out);
         double turned = angleAt(time);
-        if (turned != knownAngle) {
+        if (Double.doubleToRawLongBits(turned) != Double.doubleToRawLongBits(knownAngle)) {
+            // By bits: the sine of -0.0 is -0.0, and what was asked before must leave no trace.
             knownAngle = turned;
             knownCos = Angle.cos(turned);
             knownSin = Angle.sin(turned);

@@ -108,8 +108,12 @@ public final class Narrowphase {
         inherit(pairs.normalForce, first, from0, from1);
         inherit(pairs.load, first, from0, from1);
         pairs.points[pair] = manifold.count;
-        pairs.normalX[pair] = manifold.normalX;
-        pairs.normalY[pair] = manifold.normalY;
+        if (manifold.count > 0) {
+            // Without points the manifold's normal is some other pair's; a contact that ends keeps
+            // the one it had.
+            pairs.normalX[pair] = manifold.normalX;
+            pairs.normalY[pair] = manifold.normalY;
+        }
         for (int i = 0; i < manifold.count; i++) {
             pairs.pointX[first + i] = manifold.pointX[i];
             pairs.pointY[first + i] = manifold.pointY[i];

@@ -17,6 +17,9 @@ public final class Polygon implements Shape {
      */
     private static final double CENTROID_ROUNDING = 1e-15;
 
+    /** As they were given: centred corners give another centroid and area in the last bit. */
+    private final double[] stated;
+
     private final double[] cornerX;
     private final double[] cornerY;
     private final double[] normalX;
@@ -31,6 +34,7 @@ public final class Polygon implements Shape {
     private Polygon(double[] xy) {
         MassProperties plate = MassProperties.ofPolygon(1, xy);
         int count = xy.length / 2;
+        stated = xy;
         cornerX = new double[count];
         cornerY = new double[count];
         normalX = new double[count];
@@ -98,8 +102,9 @@ public final class Polygon implements Shape {
      *     reflex, or the count that is out of range
      */
     public static Polygon of(double... xy) {
-        PolygonCheck.requireConvex(xy);
-        return new Polygon(xy);
+        double[] stated = xy.clone();
+        PolygonCheck.requireConvex(stated);
+        return new Polygon(stated);
     }
 
     /**
@@ -108,6 +113,14 @@ public final class Polygon implements Shape {
      */
     public boolean isBox() {
         return isBox;
+    }
+
+    /**
+     * The corner coordinates x₀, y₀, x₁, y₁, … in m that this polygon was made of: {@link #of}
+     * makes the same of them to the last bit.
+     */
+    public double[] stated() {
+        return stated.clone();
     }
 
     /** Number of corners, which is also the number of edges. */

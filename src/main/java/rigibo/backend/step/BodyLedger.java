@@ -35,10 +35,7 @@ final class BodyLedger {
 
     void clearAccelerations(double dt) {
         for (int i = 0; i < roster.awakeCount; i++) {
-            int slot = roster.awake[i];
-            bodies.accelerationX[slot] = 0;
-            bodies.accelerationY[slot] = 0;
-            bodies.angularAcceleration[slot] = 0;
+            bodies.clearAccelerations(roster.awake[i]);
         }
     }
 
@@ -85,6 +82,8 @@ final class BodyLedger {
         bodies.velocityY[slot] = 0;
         bodies.spin[slot] = 0;
         bodies.clearAccelerations(slot);
+        // A driven body stands still now and is no longer of those that move.
+        roster.isStale = true;
         int[] noted = data.counters.quarantined;
         if (Arrays.stream(noted, 0, data.counters.quarantinedCount).noneMatch(s -> s == slot)) {
             data.counters.quarantine(slot);

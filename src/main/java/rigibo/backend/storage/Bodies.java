@@ -80,6 +80,9 @@ public final class Bodies {
     public double[] fixtureMaxY = new double[FIRST_CAPACITY];
     public int[] leaf = new int[FIRST_CAPACITY];
 
+    /** Whether the fixture was laid anew since pairs were last sought. */
+    public boolean[] refitted = new boolean[FIRST_CAPACITY];
+
     /** Head of the list of the body's pairs; see {@link Pairs}. */
     public int[] firstPair = new int[FIRST_CAPACITY];
 
@@ -159,6 +162,13 @@ public final class Bodies {
         return slot;
     }
 
+    /** Makes room for so many slots. */
+    void reserve(int slotCount) {
+        while (type.length < slotCount) {
+            grow(2 * type.length);
+        }
+    }
+
     /** Whether a body is dynamic. */
     public boolean isDynamic(int slot) {
         return type[slot] == BodyType.DYNAMIC;
@@ -208,6 +218,11 @@ public final class Bodies {
     /** Turns a body by an angle in rad, counter-clockwise. */
     public void turn(int slot, double radians) {
         angle[slot] += radians;
+        aim(slot);
+    }
+
+    /** Takes cosine and sine from the angle. */
+    public void aim(int slot) {
         cos[slot] = Angle.cos(angle[slot]);
         sin[slot] = Angle.sin(angle[slot]);
     }
@@ -308,6 +323,7 @@ public final class Bodies {
         fixtureMinY = Arrays.copyOf(fixtureMinY, capacity);
         fixtureMaxX = Arrays.copyOf(fixtureMaxX, capacity);
         fixtureMaxY = Arrays.copyOf(fixtureMaxY, capacity);
+        refitted = Arrays.copyOf(refitted, capacity);
     }
 
     private void growRest(int capacity) {

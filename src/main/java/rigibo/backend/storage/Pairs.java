@@ -99,6 +99,24 @@ public final class Pairs {
         return pair;
     }
 
+    /** Makes room for so many slots. */
+    void reserve(int slotCount) {
+        while (bodyA.length < slotCount) {
+            grow(2 * bodyA.length);
+        }
+    }
+
+    /** Writes what follows from the pairs and their bodies, all of which were just read. */
+    public void derive(Bodies bodies) {
+        for (int i = 0; i < slots.freeCount; i++) {
+            bodyA[slots.free[i]] = NONE;
+        }
+        for (int pair : slots.occupied()) {
+            index.put(bodyA[pair], bodyB[pair], pair);
+            mix(bodies, pair);
+        }
+    }
+
     /** Empties the list of active pairs. */
     public void beginStep() {
         activeCount = 0;
@@ -161,11 +179,11 @@ public final class Pairs {
 
     /** Forgets all that is known of the contact. */
     public void clear(int pair) {
+        normalX[pair] = 0;
+        normalY[pair] = 0;
         points[pair] = 0;
-        normalForce[2 * pair] = 0;
-        normalForce[2 * pair + 1] = 0;
-        load[2 * pair] = 0;
-        load[2 * pair + 1] = 0;
+        clearPoint(2 * pair);
+        clearPoint(2 * pair + 1);
         frictionForce[pair] = 0;
         rollingTorque[pair] = 0;
         impulse[pair] = 0;
@@ -175,6 +193,15 @@ public final class Pairs {
         touching[pair] = false;
         touchedBefore[pair] = false;
         activeStep[pair] = 0;
+    }
+
+    private void clearPoint(int point) {
+        pointX[point] = 0;
+        pointY[point] = 0;
+        separation[point] = 0;
+        feature[point] = 0;
+        normalForce[point] = 0;
+        load[point] = 0;
     }
 
     private void link(Bodies bodies, int pair, int side, int body) {

@@ -33,6 +33,38 @@ public final class Slots {
         free[freeCount++] = slot;
     }
 
+    /** Makes room for as many free slots as there can be. */
+    void reserveFree() {
+        if (free.length < high) {
+            free = Arrays.copyOf(free, high);
+        }
+    }
+
+    /**
+     * The slots that are handed out, ascending.
+     *
+     * @throws IllegalArgumentException when a free slot was never handed out or is listed twice
+     */
+    int[] occupied() {
+        boolean[] isFree = new boolean[high];
+        for (int i = 0; i < freeCount; i++) {
+            int slot = free[i];
+            if (slot < 0 || slot >= high || isFree[slot]) {
+                throw new IllegalArgumentException(
+                        "a free slot must be 0 to " + (high - 1) + ", each once, was " + slot);
+            }
+            isFree[slot] = true;
+        }
+        int[] occupied = new int[inUse()];
+        int count = 0;
+        for (int slot = 0; slot < high; slot++) {
+            if (!isFree[slot]) {
+                occupied[count++] = slot;
+            }
+        }
+        return occupied;
+    }
+
     /** How many slots are handed out. */
     public int inUse() {
         return high - freeCount;

@@ -1,0 +1,21 @@
+package rigibo.backend.storage;
+
+/** Mixes 64-bit words into a 64-bit hash. */
+final class Bits {
+
+    /** Where a hash begins. */
+    static final long SEED = 0x243F6A8885A308D3L;
+
+    private static final long ODD = 0x9E3779B97F4A7C15L;
+
+    private Bits() {}
+
+    /**
+     * Multiply and rotate, as in the finalizers of the splittable generators (Steele et al. 2014).
+     * One to one in the hash and in the word: where one word differs, so does the end.
+     */
+    static long fold(long hash, long word) {
+        long mixed = Long.rotateLeft(hash ^ word, 27) * ODD;
+        return mixed ^ mixed >>> 29;
+    }
+}

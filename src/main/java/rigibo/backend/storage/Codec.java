@@ -1,0 +1,26 @@
+package rigibo.backend.storage;
+
+/**
+ * Goes through the numbers of a state one by one. It is handed what there is and answers what there
+ * is to be: who writes or hashes gives back the same, who reads gives what was written. So one
+ * description of a state serves all of them, and none can forget what another knows.
+ */
+interface Codec {
+
+    /** Names what comes next, in ASCII; who reads refuses anything else in its place. */
+    void label(String name);
+
+    int number(int value);
+
+    double number(double value);
+
+    boolean flag(boolean value);
+
+    String text(String value);
+
+    /** How many entries follow that are written in at least so many bytes each. */
+    int count(int entries, int leastBytes);
+
+    /** A value that is stated by numbers; null is handed in where there is none yet. */
+    <T> T value(Form<T> form, T value);
+}

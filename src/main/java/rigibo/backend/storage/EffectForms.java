@@ -1,0 +1,100 @@
+package rigibo.backend.storage;
+
+import rigibo.backend.effect.AirDrag;
+import rigibo.backend.effect.Buoyancy;
+import rigibo.backend.effect.CentralForce;
+import rigibo.backend.effect.Contacts;
+import rigibo.backend.effect.ContinuousImpacts;
+import rigibo.backend.effect.Drag;
+import rigibo.backend.effect.Effect;
+import rigibo.backend.effect.Friction;
+import rigibo.backend.effect.Gravity;
+import rigibo.backend.effect.Restitution;
+import rigibo.backend.effect.RollingResistance;
+import rigibo.backend.effect.Rotation;
+import rigibo.backend.effect.Sleep;
+import rigibo.backend.effect.SurfaceSpeed;
+import rigibo.backend.effect.Thrust;
+import rigibo.backend.effect.Wind;
+
+import java.util.List;
+import java.util.function.Function;
+
+/**
+ * How each effect is stated by numbers: to add an effect, add a line. One that holds a function
+ * needs none, for it is not written but handed in again.
+ */
+final class EffectForms {
+
+    private static final List<Form<? extends Effect>> FORMS =
+            List.of(
+                    form(
+                            Gravity.class,
+                            2,
+                            g -> new double[] {g.x(), g.y()},
+                            n -> new Gravity(n[0], n[1])),
+                    plain(new Contacts()),
+                    plain(new Rotation()),
+                    plain(new Friction()),
+                    plain(new Restitution()),
+                    plain(new RollingResistance()),
+                    plain(new Drag()),
+                    plain(new Thrust()),
+                    plain(new SurfaceSpeed()),
+                    form(
+                            AirDrag.class,
+                            2,
+                            a -> new double[] {a.density(), a.coefficient()},
+                            n -> new AirDrag(n[0], n[1])),
+                    form(
+                            Wind.class,
+                            2,
+                            w -> new double[] {w.x(), w.y()},
+                            n -> new Wind(n[0], n[1])),
+                    form(
+                            CentralForce.class,
+                            4,
+                            c -> new double[] {c.x(), c.y(), c.strength(), c.power()},
+                            n -> new CentralForce(n[0], n[1], n[2], n[3])),
+                    form(
+                            Buoyancy.class,
+                            3,
+                            b -> new double[] {b.level(), b.density(), b.drag()},
+                            n -> new Buoyancy(n[0], n[1], n[2])),
+                    plain(new ContinuousImpacts()),
+                    form(
+                            Sleep.class,
+                            2,
+                            s -> new double[] {s.seconds(), s.distance()},
+                            n -> new Sleep(n[0], n[1])));
+
+    private EffectForms() {}
+
+    /**
+     * How an effect of this name is stated.
+     *
+     * @throws IllegalArgumentException when there is none
+     */
+    @SuppressWarnings("unchecked") // An effect is only stated by the form of its own name.
+    static Form<Effect> named(String name) {
+        return (Form<Effect>)
+                FORMS.stream()
+                        .filter(form -> form.name().equals(name))
+                        .findFirst()
+                        .orElseThrow(
+                                () ->
+                                        new IllegalArgumentException(
+                                                "declares the effect "
+                                                        + name
+                                                        + ", for which there is no form"));
+    }
+
+    private static Form<Effect> plain(Effect effect) {
+        return new Form<>(effect.getClass().getSimpleName(), 0, e -> new double[0], n -> effect);
+    }
+
+    private static <T extends Effect> Form<T> form(
+            Class<T> kind, int count, Function<T, double[]> numbers, Function<double[], T> maker) {
+        return new Form<>(kind.getSimpleName(), count, numbers, maker);
+    }
+}

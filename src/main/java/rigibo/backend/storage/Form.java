@@ -1,0 +1,52 @@
+package rigibo.backend.storage;
+
+import rigibo.backend.geometry.Circle;
+import rigibo.backend.geometry.Polygon;
+import rigibo.backend.geometry.Shape;
+import rigibo.backend.setup.Material;
+
+import java.util.function.Function;
+
+/**
+ * How an immutable value is stated by numbers, and made of them again.
+ *
+ * @param name for messages
+ * @param count how many numbers, or {@link #ANY}
+ * @param numbers that state a value
+ * @param maker of an equal value, to the last bit; refuses what states none with {@link
+ *     IllegalArgumentException}
+ */
+record Form<T>(String name, int count, Function<T, double[]> numbers, Function<double[], T> maker) {
+
+    /** A count that depends on the value. */
+    static final int ANY = -1;
+
+    /** A disc is stated by its radius, a polygon by its corners. */
+    static final Form<Shape> SHAPE = new Form<>("shape", ANY, Form::numbersOf, Form::shapeOf);
+
+    static final Form<Material> MATERIAL =
+            new Form<>(
+                    "material",
+                    6,
+                    m ->
+                            new double[] {
+                                m.density(),
+                                m.friction(),
+                                m.elasticity(),
+                                m.rollingResistance(),
+                                m.surfaceSpeed(),
+                                m.drag()
+                            },
+                    n -> new Material(n[0], n[1], n[2], n[3], n[4], n[5]));
+
+    private static double[] numbersOf(Shape shape) {
+        return switch (shape.kind()) {
+            case CIRCLE -> new double[] {((Circle) shape).radius()};
+            case POLYGON -> ((Polygon) shape).stated();
+        };
+    }
+
+    private static Shape shapeOf(double[] numbers) {
+        return numbers.length == 1 ? new Circle(numbers[0]) : Polygon.of(numbers);
+    }
+}

@@ -1,0 +1,88 @@
+package rigibo.backend.storage;
+
+import rigibo.backend.setup.Require;
+
+/** Refuses pairs that were read whose bodies, points or lists cannot be. */
+final class PairLinks {
+
+    private static final int MOST_POINTS = 2;
+
+    private final Bodies bodies;
+    private final Pairs pairs;
+    private final boolean[] isPair;
+
+    /** Ends of pairs met in the lists so far: every pair has to be met at both. */
+    private int linked;
+
+    private PairLinks(DataStorage data) {
+        bodies = data.bodies;
+        pairs = data.pairs;
+        isPair = new boolean[pairs.slots.high];
+    }
+
+    /**
+     * Checks every pair and every list.
+     *
+     * @throws IllegalArgumentException naming what is wrong
+     */
+    static void require(DataStorage data) {
+        PairLinks links = new PairLinks(data);
+        PairIndex known = new PairIndex();
+        for (int pair : data.pairs.slots.occupied()) {
+            links.requirePair(pair, known);
+        }
+        for (int body : data.bodies.slots.occupied()) {
+            links.requireList(body);
+        }
+        if (links.linked != 2 * data.pairs.slots.inUse()) {
+            throw new IllegalArgumentException(
+                    "every pair must be in the lists of both its bodies, "
+                            + links.linked
+                            + " ends are");
+        }
+    }
+
+    private void requirePair(int pair, PairIndex known) {
+        int a = pairs.bodyA[pair];
+        int b = pairs.bodyB[pair];
+        SnapshotCheck.requireBodyAt("a pair", bodies, a);
+        SnapshotCheck.requireBodyAt("a pair", bodies, b);
+        boolean canMeet = a < b && (bodies.isDynamic(a) || bodies.isDynamic(b));
+        if (!canMeet || known.find(a, b) != PairIndex.ABSENT) {
+            throw new IllegalArgumentException(
+                    "a pair must be of two bodies, the lower slot first, one of them dynamic, and"
+                            + " named once, was "
+                            + a
+                            + " and "
+                            + b);
+        }
+        known.put(a, b, pair);
+        isPair[pair] = true;
+        Require.within("points", pairs.points[pair], 0, MOST_POINTS);
+        Require.within("impacts", pairs.impacts[pair], 0, Integer.MAX_VALUE);
+    }
+
+    /** A list whose links back hold at every step has no way back into itself. */
+    private void requireList(int body) {
+        int before = Pairs.NONE;
+        int pair = bodies.firstPair[body];
+        while (pair != Pairs.NONE) {
+            if (!isInListAfter(pair, body, before)) {
+                throw new IllegalArgumentException(
+                        "the list of pairs of the body in slot " + body + " is broken at " + pair);
+            }
+            linked++;
+            before = pair;
+            pair = pairs.nextOf(pair, body);
+        }
+    }
+
+    private boolean isInListAfter(int pair, int body, int before) {
+        if (pair < 0 || pair >= isPair.length || !isPair[pair]) {
+            return false;
+        }
+        boolean isA = pairs.bodyA[pair] == body;
+        return (isA || pairs.bodyB[pair] == body)
+                && pairs.previous[2 * pair + (isA ? 0 : 1)] == before;
+    }
+}

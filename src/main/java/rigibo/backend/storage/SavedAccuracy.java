@@ -1,0 +1,28 @@
+package rigibo.backend.storage;
+
+import rigibo.backend.setup.Accuracy;
+
+/** The knobs of an accuracy; choices go by their names, so that a new one moves no other. */
+final class SavedAccuracy {
+
+    private SavedAccuracy() {}
+
+    /** Shows every knob to a codec; answers the accuracy that it says. */
+    static Accuracy visit(Accuracy accuracy, Codec codec) {
+        codec.label("accuracy");
+        return new Accuracy(
+                codec.number(accuracy.substeps()),
+                codec.number(accuracy.velocityIterations()),
+                choice(accuracy.impacts(), codec),
+                codec.number(accuracy.impactTolerance()),
+                choice(accuracy.search(), codec),
+                codec.number(accuracy.maxImpactsPerPair()),
+                choice(accuracy.integrator(), codec),
+                choice(accuracy.contactSolver(), codec),
+                choice(accuracy.correction(), codec));
+    }
+
+    private static <E extends Enum<E>> E choice(E chosen, Codec codec) {
+        return Enum.valueOf(chosen.getDeclaringClass(), codec.text(chosen.name()));
+    }
+}

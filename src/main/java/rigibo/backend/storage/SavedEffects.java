@@ -1,0 +1,97 @@
+package rigibo.backend.storage;
+
+import rigibo.backend.effect.Effect;
+import rigibo.backend.effect.Effects;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
+
+/**
+ * The effects that a snapshot declares. Of one that holds a function only the kind is written: the
+ * caller has to hand it in again.
+ */
+final class SavedEffects {
+
+    /** A name's length, whether a function is held, and how many numbers. */
+    private static final int LEAST_BYTES = 5;
+
+    private final List<Effect> effects = new ArrayList<>();
+    private final Set<String> kinds = new TreeSet<>();
+    private final Set<String> withFunction = new TreeSet<>();
+
+    private SavedEffects() {}
+
+    static void write(Effects effects, ByteWriter writer) {
+        writer.label("effects");
+        writer.count(effects.all().size(), LEAST_BYTES);
+        for (Effect effect : effects.all()) {
+            String kind = writer.text(nameOf(effect));
+            if (!writer.flag(effect.holdsFunction())) {
+                writer.value(EffectForms.named(kind), effect);
+            }
+        }
+    }
+
+    static SavedEffects read(ByteReader reader) {
+        SavedEffects saved = new SavedEffects();
+        reader.label("effects");
+        for (int left = reader.count(0, LEAST_BYTES); left > 0; left--) {
+            saved.readOne(reader);
+        }
+        return saved;
+    }
+
+    private void readOne(ByteReader reader) {
+        String kind = reader.text("");
+        kinds.add(kind);
+        if (reader.flag(false)) {
+            withFunction.add(kind);
+        } else {
+            effects.add(reader.value(EffectForms.named(kind), null));
+        }
+    }
+
+    /**
+     * The effects as they were declared.
+     *
+     * @throws IllegalArgumentException naming those that hold a function
+     */
+    Effects declared() {
+        if (!withFunction.isEmpty()) {
+            throw new IllegalArgumentException(
+                    "declares effects that hold a function, which cannot be written, "
+                            + withFunction
+                            + ": hand in all effects, as in Pool.restore(snapshot, effects)");
+        }
+        return Effects.of(effects.toArray(new Effect[0]));
+    }
+
+    /**
+     * Effects of the caller's in place of those declared.
+     *
+     * @throws IllegalArgumentException when they are not of the same kinds, naming the difference
+     */
+    Effects replacedBy(Effects given) {
+        Set<String> missing = new TreeSet<>(kinds);
+        Set<String> surplus = new TreeSet<>();
+        for (Effect effect : given.all()) {
+            if (!missing.remove(nameOf(effect))) {
+                surplus.add(nameOf(effect));
+            }
+        }
+        if (!missing.isEmpty() || !surplus.isEmpty()) {
+            throw new IllegalArgumentException(
+                    "must be given effects of the kinds it declares, lacks "
+                            + missing
+                            + " and does not declare "
+                            + surplus);
+        }
+        return given;
+    }
+
+    private static String nameOf(Effect effect) {
+        return effect.getClass().getSimpleName();
+    }
+}

@@ -1,0 +1,90 @@
+package rigibo.backend.storage;
+
+import rigibo.backend.effect.Effects;
+import rigibo.backend.setup.Accuracy;
+
+import java.util.function.Function;
+
+/** All of a pool that lasts from step to step, to be written as bytes and read again. */
+public final class Snapshot {
+
+    /** A body's slot, and how many characters its name has. */
+    private static final int LEAST_BYTES = 8;
+
+    public final Effects effects;
+    public final DataStorage data;
+    public Accuracy accuracy;
+
+    /** s since the pool was made. */
+    public double time;
+
+    /** Slots of the bodies in the order they were added, and their names. */
+    public int[] order = {};
+
+    public String[] names = {};
+
+    /** A snapshot of what a pool simulates, how exactly, and its columns. */
+    public Snapshot(Effects effects, Accuracy accuracy, DataStorage data) {
+        this.effects = effects;
+        this.accuracy = accuracy;
+        this.data = data;
+    }
+
+    /** Writes it. */
+    public byte[] encode() {
+        ByteWriter writer = new ByteWriter();
+        SavedEffects.write(effects, writer);
+        visit(writer);
+        return Envelope.seal(writer.bytes());
+    }
+
+    /**
+     * Reads what {@link #encode} wrote. Columns that follow from others are left empty.
+     *
+     * @throws IllegalArgumentException when it was altered, states what cannot be, or declares an
+     *     effect that holds a function
+     */
+    public static Snapshot decode(byte[] bytes) {
+        return decode(bytes, SavedEffects::declared);
+    }
+
+    /**
+     * Reads what {@link #encode} wrote, with the caller's effects in place of those declared.
+     *
+     * @throws IllegalArgumentException when it was altered, states what cannot be, or the effects
+     *     are not of the kinds it declares
+     */
+    public static Snapshot decode(byte[] bytes, Effects given) {
+        return decode(bytes, saved -> saved.replacedBy(given));
+    }
+
+    private static Snapshot decode(byte[] bytes, Function<SavedEffects, Effects> choice) {
+        ByteReader reader = Envelope.open(bytes);
+        Effects effects = choice.apply(SavedEffects.read(reader));
+        Snapshot read = new Snapshot(effects, Accuracy.GAME, new DataStorage(effects));
+        read.visit(reader);
+        reader.requireEnd();
+        SnapshotCheck.require(read);
+        return read;
+    }
+
+    private void visit(Codec codec) {
+        accuracy = SavedAccuracy.visit(accuracy, codec);
+        codec.label("time");
+        time = codec.number(time);
+        State.visit(data, codec);
+        codec.label("bodies in the order they were added");
+        reserve(codec.count(order.length, LEAST_BYTES));
+        for (int i = 0; i < order.length; i++) {
+            order[i] = codec.number(order[i]);
+            names[i] = codec.text(names[i]);
+        }
+    }
+
+    private void reserve(int count) {
+        if (order.length != count) {
+            order = new int[count];
+            names = new String[count];
+        }
+    }
+}

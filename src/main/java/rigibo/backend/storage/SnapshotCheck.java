@@ -1,0 +1,105 @@
+package rigibo.backend.storage;
+
+import rigibo.backend.setup.BodyDefinition;
+import rigibo.backend.setup.BodyType;
+import rigibo.backend.setup.Require;
+
+/**
+ * Refuses a snapshot that was written well but states what no pool can be in: numbers that are not
+ * finite, slots out of range, lists without an end.
+ */
+final class SnapshotCheck {
+
+    private final Snapshot snapshot;
+    private final Bodies bodies;
+
+    private SnapshotCheck(Snapshot snapshot) {
+        this.snapshot = snapshot;
+        bodies = snapshot.data.bodies;
+    }
+
+    /**
+     * Checks all of a snapshot.
+     *
+     * @throws IllegalArgumentException naming what is wrong
+     */
+    static void require(Snapshot snapshot) {
+        SnapshotCheck check = new SnapshotCheck(snapshot);
+        Require.notNegative("time", snapshot.time, "s");
+        for (int slot : check.bodies.slots.occupied()) {
+            check.requireBody(slot);
+        }
+        check.requireOrder();
+        PairLinks.require(snapshot.data);
+    }
+
+    private void requireBody(int slot) {
+        double most = BodyDefinition.MOST_GRAVITY_SCALE;
+        Require.within("gravityScale", bodies.gravityScale[slot], -most, most, "no unit");
+        Require.notNegative("statedMass", bodies.statedMass[slot], "kg");
+        Require.notNegative("statedInertia", bodies.statedInertia[slot], "kg·m²");
+        Require.finite("x", bodies.x[slot], "m");
+        Require.finite("y", bodies.y[slot], "m");
+        Require.finite("angle", bodies.angle[slot], "rad");
+        Require.finite("velocityX", bodies.velocityX[slot], "m/s");
+        Require.finite("velocityY", bodies.velocityY[slot], "m/s");
+        Require.finite("spin", bodies.spin[slot], "rad/s");
+        Require.finite("accelerationX", bodies.accelerationX[slot], "m/s²");
+        Require.finite("accelerationY", bodies.accelerationY[slot], "m/s²");
+        Require.finite("angularAcceleration", bodies.angularAcceleration[slot], "rad/s²");
+        Require.notNegative("stillTime", bodies.stillTime[slot], "s");
+        Require.finite("stillX", bodies.stillX[slot], "m");
+        Require.finite("stillY", bodies.stillY[slot], "m");
+        Require.finite("stillAngle", bodies.stillAngle[slot], "rad");
+        requireFixture(slot);
+        requireStill(slot);
+    }
+
+    private void requireFixture(int slot) {
+        boolean isBox =
+                bodies.fixtureMinX[slot] <= bodies.fixtureMaxX[slot]
+                        && bodies.fixtureMinY[slot] <= bodies.fixtureMaxY[slot];
+        if (!isBox) {
+            throw new IllegalArgumentException(
+                    "a fixture's least x and y must not be over its greatest, slot " + slot);
+        }
+    }
+
+    private void requireStill(int slot) {
+        boolean moves =
+                bodies.velocityX[slot] != 0
+                        || bodies.velocityY[slot] != 0
+                        || bodies.spin[slot] != 0;
+        if (moves && bodies.type[slot] == BodyType.STATIC) {
+            throw new IllegalArgumentException(
+                    "a static body's velocity and spin must be 0, slot " + slot);
+        }
+    }
+
+    /** Every body has its place in the order they were added, once. */
+    private void requireOrder() {
+        if (snapshot.order.length != bodies.slots.inUse()) {
+            throw new IllegalArgumentException(
+                    "the order of the bodies must name "
+                            + bodies.slots.inUse()
+                            + " bodies, was "
+                            + snapshot.order.length);
+        }
+        boolean[] isNamed = new boolean[bodies.slots.high];
+        for (int slot : snapshot.order) {
+            requireBodyAt("the order of the bodies", bodies, slot);
+            if (isNamed[slot]) {
+                throw new IllegalArgumentException(
+                        "the order of the bodies must name slot " + slot + " once, was twice");
+            }
+            isNamed[slot] = true;
+        }
+    }
+
+    /** Refuses a slot without a body. */
+    static void requireBodyAt(String where, Bodies bodies, int slot) {
+        if (slot < 0 || slot >= bodies.slots.high || bodies.type[slot] == null) {
+            throw new IllegalArgumentException(where + " must name bodies, was slot " + slot);
+        }
+    }
+}
