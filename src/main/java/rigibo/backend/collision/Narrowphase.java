@@ -20,6 +20,7 @@ public final class Narrowphase {
     private final Roster roster;
     private final Counters counters;
     private final Collider collider = new Collider();
+    private final Seams seams;
     private final Manifold manifold = new Manifold();
     private final Pose poseA = new Pose();
     private final Pose poseB = new Pose();
@@ -30,6 +31,7 @@ public final class Narrowphase {
         pairs = data.pairs;
         roster = data.roster;
         counters = data.counters;
+        seams = new Seams(data);
     }
 
     /** Lists the active pairs and fills their manifolds for a step of {@code dt} seconds. */
@@ -39,20 +41,33 @@ public final class Narrowphase {
             int slot = roster.awake[i];
             for (int p = bodies.firstPair[slot]; p != Pairs.NONE; p = pairs.nextOf(p, slot)) {
                 if (isListedBy(slot, pairs.other(p, slot))) {
-                    collidePair(p, dt);
+                    begin(p, dt);
                 }
             }
+        }
+        for (int i = 0; i < pairs.activeCount; i++) {
+            finish(pairs.active[i]);
         }
     }
 
     /** Fills one pair's manifold at the bodies' present poses and notes the pair as active. */
     public void collidePair(int pair, double dt) {
+        begin(pair, dt);
+        finish(pair);
+    }
+
+    private void begin(int pair, double dt) {
         pairs.activate(pair);
         pairs.touchedBefore[pair] = pairs.touching[pair] || pairs.impacts[pair] > 0;
         pairs.impacts[pair] = 0;
         pairs.impulse[pair] = 0;
         pairs.crushed[pair] = false;
         measure(pair, dt);
+    }
+
+    /** What lies in a seam is known once the neighbours have been measured, too. */
+    private void finish(int pair) {
+        seams.leaveOutCovered(pair);
         noteTouch(pair);
     }
 
@@ -75,6 +90,11 @@ public final class Narrowphase {
         Shape shapeB = bodies.shape[pairs.bodyB[pair]];
         collider.collide(shapeA, atA, shapeB, atB, reach, manifold);
         keep(pair);
+    }
+
+    /** Drops the points that lie in a seam, as measured last. */
+    public void leaveOutCovered(int pair) {
+        seams.leaveOutCovered(pair);
     }
 
     /** A pair of two awake bodies is met twice; the lower slot lists it. */

@@ -118,10 +118,11 @@ final class DirectSolver {
         }
     }
 
-    /** Takes the overlap of loaded rows back, with the factor of the last solve. */
-    void correct(double h) {
+    /** Takes the overlap of loaded rows back, or of all that overlap where nothing is loaded. */
+    void correct(double h, int substep) {
         if (factoredSize == 0) {
-            return;
+            chooseOverlapping(h, substep);
+            factorize();
         }
         size = factoredSize;
         System.arraycopy(factored, 0, set, 0, size);
@@ -138,6 +139,21 @@ final class DirectSolver {
                 single.push(set[i], unknown[i], Motions.DX, Motions.DY, Motions.TURN);
             }
             limitWay(OverlapSolver.MOST_PUSH * h);
+        }
+    }
+
+    private void chooseOverlapping(double h, int substep) {
+        reserve();
+        size = 0;
+        for (int i = 0; i < rows.count; i++) {
+            int row = order.order[i];
+            if (rows.firstSubstep[row] <= substep) {
+                for (int point = 0; point < rows.points[row]; point++) {
+                    if (overlap.wanted(row, point, h) > 0) {
+                        set[size++] = ROWS_PER_CONTACT * row + point;
+                    }
+                }
+            }
         }
     }
 
@@ -172,6 +188,16 @@ final class DirectSolver {
     }
 
     private void chooseLoaded(double h, int substep) {
+        reserve();
+        size = 0;
+        for (int i = 0; i < rows.count; i++) {
+            if (rows.firstSubstep[order.order[i]] <= substep) {
+                chooseLoadedOf(order.order[i], h);
+            }
+        }
+    }
+
+    private void reserve() {
         if (set.length < ROWS_PER_CONTACT * rows.count) {
             int capacity = 2 * ROWS_PER_CONTACT * rows.count;
             set = new int[capacity];
@@ -184,12 +210,6 @@ final class DirectSolver {
             moved = new double[capacity];
             cone = new double[capacity];
             factoredSize = 0;
-        }
-        size = 0;
-        for (int i = 0; i < rows.count; i++) {
-            if (rows.firstSubstep[order.order[i]] <= substep) {
-                chooseLoadedOf(order.order[i], h);
-            }
         }
     }
 

@@ -179,7 +179,7 @@ public final class PileSolver {
 
     private void takeOverlapBack(double h, int substep) {
         if (isCorrecting) {
-            direct.correct(h);
+            direct.correct(h, substep);
             overlap.correct(h, substep);
         }
     }

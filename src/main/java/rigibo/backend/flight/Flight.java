@@ -222,6 +222,7 @@ public final class Flight {
     private void remeasure(int pair, double left) {
         boolean touched = pairs.touching[pair];
         narrowphase.measure(pair, left);
+        narrowphase.leaveOutCovered(pair);
         pairs.touching[pair] = touched;
     }
 }

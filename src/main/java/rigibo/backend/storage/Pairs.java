@@ -195,6 +195,24 @@ public final class Pairs {
         activeStep[pair] = 0;
     }
 
+    /** Takes one point away; the other becomes the first. */
+    public void removePoint(int pair, int i) {
+        points[pair]--;
+        if (i < points[pair]) {
+            movePoint(2 * pair + 1, 2 * pair);
+        }
+        clearPoint(2 * pair + points[pair]);
+    }
+
+    private void movePoint(int from, int to) {
+        pointX[to] = pointX[from];
+        pointY[to] = pointY[from];
+        separation[to] = separation[from];
+        feature[to] = feature[from];
+        normalForce[to] = normalForce[from];
+        load[to] = load[from];
+    }
+
     private void clearPoint(int point) {
         pointX[point] = 0;
         pointY[point] = 0;

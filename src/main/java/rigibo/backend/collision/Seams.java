@@ -1,0 +1,198 @@
+package rigibo.backend.collision;
+
+import rigibo.backend.geometry.Polygon;
+import rigibo.backend.geometry.Shape;
+import rigibo.backend.geometry.ShapeKind;
+import rigibo.backend.storage.Bodies;
+import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.PairTolerances;
+import rigibo.backend.storage.Pairs;
+
+/**
+ * Leaves out what a body cannot touch since it lies inside the seam between two fixed bodies. A
+ * floor of boxes is one plane, yet each box by itself has sides and corners: whatever slides over
+ * it would bump into the side that the box before it covers.
+ *
+ * <p>A point on a face is covered where the space before the face is the neighbour's. A point on a
+ * corner is covered where it lies on a neighbour that reaches farther along the normal: then the
+ * neighbour is the nearer one, and the contact with it says all.
+ */
+final class Seams {
+
+    /** Step in a floor that counts as none, per metre of what slides over it. */
+    private static final double FLUSH = 1e-5;
+
+    /** Width of a seam that counts as closed, per metre of what slides over it. */
+    private static final double CLOSED = 2e-3;
+
+    /** Round-off, per metre of what slides. */
+    private static final double ROUND_OFF = 1e-9;
+
+    /** Sine of the angle up to which a normal is that of a face, where a face may lie on it. */
+    private static final double PARALLEL = 1e-2;
+
+    private final Bodies bodies;
+    private final Pairs pairs;
+
+    /** The body that moves, the fixed one, and the width in m of the first. */
+    private int mover;
+
+    private int fixed;
+    private double width;
+
+    /** A point on the fixed body, world m, and the normal out of it. */
+    private double x;
+
+    private double y;
+    private double outX;
+    private double outY;
+
+    /** Along the face from the point, towards the face's far end; 0 where there is no face. */
+    private double alongX;
+
+    private double alongY;
+
+    Seams(DataStorage data) {
+        bodies = data.bodies;
+        pairs = data.pairs;
+    }
+
+    /** Drops the covered points of a contact between a body that moves and a fixed one. */
+    void leaveOutCovered(int pair) {
+        int a = pairs.bodyA[pair];
+        int b = pairs.bodyB[pair];
+        if (bodies.isDynamic(a) == bodies.isDynamic(b)) {
+            return;
+        }
+        mover = bodies.isDynamic(a) ? a : b;
+        fixed = mover == a ? b : a;
+        width = bodies.smallestWidth[mover];
+        if (bodies.shape[fixed].kind() != ShapeKind.POLYGON) {
+            return;
+        }
+        outX = fixed == a ? pairs.normalX[pair] : -pairs.normalX[pair];
+        outY = fixed == a ? pairs.normalY[pair] : -pairs.normalY[pair];
+        for (int i = pairs.points[pair] - 1; i >= 0; i--) {
+            int point = 2 * pair + i;
+            x = pairs.pointX[point] - outX * pairs.separation[point] / 2;
+            y = pairs.pointY[point] - outY * pairs.separation[point] / 2;
+            if (isCovered(pair)) {
+                pairs.removePoint(pair, i);
+            }
+        }
+    }
+
+    private boolean isCovered(int pair) {
+        boolean isOnFace = false;
+        boolean isSought = false;
+        for (int p = bodies.firstPair[mover]; p != Pairs.NONE; p = pairs.nextOf(p, mover)) {
+            int slot = pairs.other(p, mover);
+            if (p != pair && !bodies.isDynamic(slot) && touches(p)) {
+                isOnFace = isSought ? isOnFace : findFace();
+                isSought = true;
+                if (isOnFace ? coversFace(slot) : coversCorner(slot)) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    /** What only flies past a neighbour may still meet what the neighbour covers now. */
+    private boolean touches(int pair) {
+        return pairs.gap(pair) <= PairTolerances.TOUCHING_GAP * width;
+    }
+
+    /** Looks for the face that the normal belongs to, by its corner farthest from the point. */
+    private boolean findFace() {
+        Polygon polygon = (Polygon) bodies.shape[fixed];
+        double cos = bodies.cos[fixed];
+        double sin = bodies.sin[fixed];
+        double parallel = isFaceOfMover() ? PARALLEL : ROUND_OFF;
+        double farthest = 0;
+        for (int i = 0; i < polygon.corners(); i++) {
+            double cx = polygon.cornerX(i);
+            double cy = polygon.cornerY(i);
+            double dx = bodies.x[fixed] + cos * cx - sin * cy - x;
+            double dy = bodies.y[fixed] + sin * cx + cos * cy - y;
+            double height = outX * dx + outY * dy;
+            double along = outX * dy - outY * dx;
+            if (height >= -parallel * Math.abs(along) && Math.abs(along) > Math.abs(farthest)) {
+                farthest = along;
+            }
+        }
+        alongX = -outY * Math.signum(farthest);
+        alongY = outX * Math.signum(farthest);
+        return Math.abs(farthest) > FLUSH * width;
+    }
+
+    /** Whether the normal is that of one of the mover's faces, which may lie flat on the other. */
+    private boolean isFaceOfMover() {
+        if (bodies.shape[mover].kind() == ShapeKind.CIRCLE) {
+            return false;
+        }
+        Polygon polygon = (Polygon) bodies.shape[mover];
+        double localX = bodies.cos[mover] * outX + bodies.sin[mover] * outY;
+        double localY = bodies.cos[mover] * outY - bodies.sin[mover] * outX;
+        for (int i = 0; i < polygon.corners(); i++) {
+            double nx = polygon.normalX(i);
+            double ny = polygon.normalY(i);
+            if (nx * localX + ny * localY < 0 && Math.abs(nx * localY - ny * localX) <= ROUND_OFF) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private boolean coversFace(int slot) {
+        double before = CLOSED * width;
+        double inside = FLUSH * width;
+        return depth(slot, x + before * outX + inside * alongX, y + before * outY + inside * alongY)
+                > 0;
+    }
+
+    private boolean coversCorner(int slot) {
+        double flush = -FLUSH * width;
+        double before = CLOSED * width;
+        return depth(slot, x + before * outX, y + before * outY) >= flush
+                || depth(slot, x, y) >= flush && reach(slot) > ROUND_OFF * width;
+    }
+
+    /** How deep a world point lies in a body, m; negative outside. */
+    private double depth(int slot, double px, double py) {
+        double dx = px - bodies.x[slot];
+        double dy = py - bodies.y[slot];
+        Shape shape = bodies.shape[slot];
+        if (shape.kind() == ShapeKind.CIRCLE) {
+            return shape.boundingRadius() - Math.sqrt(dx * dx + dy * dy);
+        }
+        double localX = bodies.cos[slot] * dx + bodies.sin[slot] * dy;
+        double localY = bodies.cos[slot] * dy - bodies.sin[slot] * dx;
+        Polygon polygon = (Polygon) shape;
+        double least = Double.POSITIVE_INFINITY;
+        for (int i = 0; i < polygon.corners(); i++) {
+            double front =
+                    polygon.normalX(i) * (localX - polygon.cornerX(i))
+                            + polygon.normalY(i) * (localY - polygon.cornerY(i));
+            least = Math.min(least, -front);
+        }
+        return least;
+    }
+
+    /** How much farther than the point a body reaches along the normal, m. */
+    private double reach(int slot) {
+        double centre = outX * (bodies.x[slot] - x) + outY * (bodies.y[slot] - y);
+        Shape shape = bodies.shape[slot];
+        if (shape.kind() == ShapeKind.CIRCLE) {
+            return centre + shape.boundingRadius();
+        }
+        double localX = bodies.cos[slot] * outX + bodies.sin[slot] * outY;
+        double localY = bodies.cos[slot] * outY - bodies.sin[slot] * outX;
+        Polygon polygon = (Polygon) shape;
+        double most = Double.NEGATIVE_INFINITY;
+        for (int i = 0; i < polygon.corners(); i++) {
+            most = Math.max(most, localX * polygon.cornerX(i) + localY * polygon.cornerY(i));
+        }
+        return centre + most;
+    }
+}
