@@ -5,16 +5,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 
 import rigibo.backend.Pool;
 import rigibo.backend.StepReport;
-import rigibo.backend.effect.Contacts;
-import rigibo.backend.effect.ContinuousImpacts;
-import rigibo.backend.effect.Effects;
-import rigibo.backend.effect.Friction;
-import rigibo.backend.effect.Restitution;
-import rigibo.backend.effect.Rotation;
-import rigibo.backend.setup.BodyDefinition;
 
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Optional;
 
 /** Bodies alone in space: what one gains the others lose. */
@@ -22,26 +13,17 @@ class MomentumLawTest {
 
     private static final int SCENES = 300;
 
-    /** One second: every body has met the others in the middle and left. */
-    private static final int STEPS = 60;
-
-    private static final double SPEED = 8;
-
     /** Share of a scene's angular momenta; the worst seed measured is 116 at GAME: 3.4e-3. */
     private static final double NEAR = 1e-2;
-
-    private static final Effects SPACE =
-            Effects.of(
-                    new Contacts(),
-                    new Rotation(),
-                    new Friction(),
-                    new Restitution(),
-                    new ContinuousImpacts());
 
     @ParameterizedTest
     @EnumSource(Preset.class)
     void momentumIsKeptToRoundOff(Preset preset) {
-        Laws.hold(1, SCENES, seed -> scene(seed, preset), MomentumLawTest::momentumKept);
+        Laws.hold(
+                1,
+                SCENES,
+                seed -> Surroundings.meeting(seed, preset.accuracy),
+                MomentumLawTest::momentumKept);
     }
 
     /**
@@ -51,7 +33,11 @@ class MomentumLawTest {
     @ParameterizedTest
     @EnumSource(value = Preset.class, names = "DRAFT", mode = EnumSource.Mode.EXCLUDE)
     void angularMomentumIsKeptToRoundOffInFlight(Preset preset) {
-        Laws.hold(1, SCENES, seed -> scene(seed, preset), MomentumLawTest::angularMomentumKept);
+        Laws.hold(
+                1,
+                SCENES,
+                seed -> Surroundings.meeting(seed, preset.accuracy),
+                MomentumLawTest::angularMomentumKept);
     }
 
     /**
@@ -62,21 +48,11 @@ class MomentumLawTest {
     @ParameterizedTest
     @EnumSource(value = Preset.class, names = "DRAFT", mode = EnumSource.Mode.EXCLUDE)
     void angularMomentumInPilesIsKeptAsWellAsPlaces(Preset preset) {
-        Laws.hold(1, SCENES, seed -> scene(seed, preset), MomentumLawTest::angularMomentumNear);
-    }
-
-    private static RandomScene scene(long seed, Preset preset) {
-        Draw draw = new Draw(seed);
-        List<BodyDefinition> bodies = new ArrayList<>();
-        for (double[] place : draw.places(draw.whole(2, 12), 0.5, 0.5)) {
-            BodyDefinition body =
-                    BodyDefinition.dynamic(draw.shape(draw.between(0.15, 0.5)))
-                            .at(place[0], place[1])
-                            .angle(draw.between(-3, 3))
-                            .material(draw.material());
-            bodies.add(draw.thrownInwards(body, SPEED));
-        }
-        return new RandomScene(seed, SPACE, preset.accuracy, STEPS, bodies);
+        Laws.hold(
+                1,
+                SCENES,
+                seed -> Surroundings.meeting(seed, preset.accuracy),
+                MomentumLawTest::angularMomentumNear);
     }
 
     private static Optional<String> momentumKept(RandomScene scene) {
