@@ -7,12 +7,16 @@ import rigibo.backend.effect.Friction;
 import rigibo.backend.effect.Gravity;
 import rigibo.backend.effect.Restitution;
 import rigibo.backend.effect.Rotation;
+import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
+import rigibo.backend.geometry.Shape;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.BodyDefinition;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Predicate;
+import java.util.stream.Collectors;
 
 /** Kinds of scenes that several laws are held against. */
 final class Surroundings {
@@ -54,6 +58,23 @@ final class Surroundings {
             bodies.add(draw.thrownInwards(body, 8));
         }
         return new RandomScene(seed, SPACE, accuracy, STEPS_OF_A_MEETING, bodies);
+    }
+
+    /** A scene's discs. */
+    static RandomScene discs(RandomScene scene) {
+        return having(scene, shape -> shape instanceof Circle);
+    }
+
+    /** A scene's discs and boxes: they are their own mirror images to the last bit. */
+    static RandomScene discsAndBoxes(RandomScene scene) {
+        return having(scene, shape -> !(shape instanceof Polygon polygon) || polygon.isBox());
+    }
+
+    private static RandomScene having(RandomScene scene, Predicate<Shape> wanted) {
+        return scene.bodies(
+                scene.bodies().stream()
+                        .filter(body -> wanted.test(body.shape()))
+                        .collect(Collectors.toList()));
     }
 
     /** A few bodies thrown onto a wide floor, side by side. */
