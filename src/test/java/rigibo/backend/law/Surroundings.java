@@ -6,12 +6,14 @@ import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Friction;
 import rigibo.backend.effect.Gravity;
 import rigibo.backend.effect.Restitution;
+import rigibo.backend.effect.RollingResistance;
 import rigibo.backend.effect.Rotation;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.geometry.Shape;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.BodyDefinition;
+import rigibo.backend.setup.Material;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -42,6 +44,9 @@ final class Surroundings {
 
     /** Three seconds: most of what was thrown into a tray has come to rest. */
     private static final int STEPS_OF_A_FALL = 180;
+
+    /** Ten seconds. */
+    private static final int STEPS_TO_REST = 600;
 
     private Surroundings() {}
 
@@ -107,6 +112,35 @@ final class Surroundings {
             bodies.add(thrown(draw, x, 0.6 + 1.2 * (i / perRow) + draw.between(0, 0.2)));
         }
         return new RandomScene(seed, EARTH, accuracy, STEPS_OF_A_FALL, bodies);
+    }
+
+    /**
+     * Up to so many bodies thrown gently into a box six metres wide; friction, little elasticity
+     * and rolling resistance bring them to rest.
+     */
+    static RandomScene settling(long seed, Accuracy accuracy, int most) {
+        Draw draw = new Draw(seed);
+        Material ground = new Material(1, draw.between(0.4, 1), draw.between(0, 0.5));
+        BodyDefinition wall = BodyDefinition.fixed(Polygon.box(1, 40)).material(ground);
+        List<BodyDefinition> bodies = new ArrayList<>();
+        bodies.add(BodyDefinition.fixed(Polygon.box(40, 1)).at(0, -0.5).material(ground));
+        bodies.add(wall.at(-3, 20));
+        bodies.add(wall.at(3, 20));
+        int count = draw.whole(1, most);
+        for (int i = 0; i < count; i++) {
+            Material matter =
+                    new Material(
+                            draw.ofAnySize(0.5, 5), draw.between(0.3, 1), draw.between(0, 0.4));
+            bodies.add(
+                    BodyDefinition.dynamic(draw.shape(draw.between(SMALLEST, LARGEST)))
+                            .at(1.2 * (i % 4 - 1.5), 0.6 + 1.2 * (i / 4))
+                            .angle(draw.between(-3, 3))
+                            .velocity(draw.between(-2, 2), draw.between(-2, 2))
+                            .spin(draw.between(-4, 4))
+                            .material(matter.rollingResistance(0.01)));
+        }
+        Effects effects = EARTH.with(new RollingResistance());
+        return new RandomScene(seed, effects, accuracy, STEPS_TO_REST, bodies);
     }
 
     private static BodyDefinition thrown(Draw draw, double x, double y) {
