@@ -68,7 +68,7 @@ final class Laws {
             List<BodyDefinition> left = new ArrayList<>(scene.bodies());
             left.subList(from, Math.min(from + part, left.size())).clear();
             RandomScene smaller = scene.bodies(left);
-            if (judge(law, smaller).isPresent()) {
+            if (smaller.canMove() && judge(law, smaller).isPresent()) {
                 return Optional.of(smaller);
             }
         }

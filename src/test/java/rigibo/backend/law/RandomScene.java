@@ -4,6 +4,7 @@ import rigibo.backend.Pool;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.BodyDefinition;
+import rigibo.backend.setup.BodyType;
 
 import java.util.List;
 import java.util.stream.Collectors;
@@ -33,6 +34,11 @@ record RandomScene(
 
     RandomScene steps(int count) {
         return new RandomScene(seed, effects, accuracy, count, bodies);
+    }
+
+    /** Whether a body is left that forces and contacts move. */
+    boolean canMove() {
+        return bodies.stream().anyMatch(body -> body.type() == BodyType.DYNAMIC);
     }
 
     Pool pool() {
