@@ -18,7 +18,7 @@ import java.util.Optional;
 /** A pool may be changed between any two steps. */
 class EditsLawTest {
 
-    private static final int SCENES = 150;
+    private static final int SCENES = 120;
 
     /** The floor and the walls of a tray come first and stay. */
     private static final int TRAY = 3;

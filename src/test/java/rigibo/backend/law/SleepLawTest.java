@@ -28,7 +28,7 @@ class SleepLawTest {
 
     /** Two seeds that break it are left out here and named below. */
     @ParameterizedTest
-    @CsvSource({"DRAFT, 1, 150", "GAME, 1, 230", "FINE, 1, 150", "EXACT, 5, 26"})
+    @CsvSource({"DRAFT, 1, 150", "GAME, 1, 230", "FINE, 1, 100", "EXACT, 5, 16"})
     void bodiesEndWhereTheyWouldWithoutSleep(Preset preset, long firstSeed, int scenes) {
         Laws.hold(firstSeed, scenes, seed -> few(seed, preset), SleepLawTest::sameWithoutSleep);
     }
@@ -45,7 +45,7 @@ class SleepLawTest {
 
     /** One seed that breaks it, 231 at GAME, is left out: see above. */
     @ParameterizedTest
-    @CsvSource({"DRAFT, 1, 150", "GAME, 1, 230", "FINE, 1, 150", "EXACT, 1, 30"})
+    @CsvSource({"DRAFT, 1, 150", "GAME, 1, 230", "FINE, 1, 100", "EXACT, 1, 16"})
     void fewThatSleepWouldNotHaveMoved(Preset preset, long firstSeed, int scenes) {
         Laws.hold(firstSeed, scenes, seed -> few(seed, preset), SleepLawTest::stillWithoutSleep);
     }

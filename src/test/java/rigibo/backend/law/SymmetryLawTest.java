@@ -23,6 +23,9 @@ class SymmetryLawTest {
     private static final int SCENES = 300;
     private static final int FEW = 4;
 
+    /** Two, for a corner's blows may follow each other closely. */
+    private static final int BOUNCES = 2;
+
     /** What it takes for a tie to come up, which goes by the order of pairs. */
     private static final int MANY = 16;
 
@@ -97,7 +100,7 @@ class SymmetryLawTest {
     @CsvSource({
         "MIRROR, 1e-11",
         "QUARTER_TURN, 1e-11",
-        "LARGE, 1e-5",
+        "LARGE, 1e-6",
         "FAR_AWAY, 1e-4",
         "MOVING, 1e-10"
     })
@@ -109,21 +112,24 @@ class SymmetryLawTest {
                 scene -> sameInFlight(symmetry, FEW, limit, scene));
     }
 
-    /** The same for a floor, which MOVING makes kinematic, and gravity, which turns and scales. */
+    /**
+     * The same for a floor, which MOVING makes kinematic, and gravity, which turns and scales. Far
+     * away the worst is seed 65, where a corner's second blow is a grazing one: 1.1e-4 m.
+     */
     @ParameterizedTest
     @CsvSource({
-        "MIRROR, 1e-10",
-        "QUARTER_TURN, 1e-10",
-        "LARGE, 1e-3",
-        "FAR_AWAY, 1e-1",
-        "MOVING, 1e-7"
+        "MIRROR, 1e-11",
+        "QUARTER_TURN, 1e-11",
+        "LARGE, 1e-6",
+        "FAR_AWAY, 1e-3",
+        "MOVING, 1e-10"
     })
     void fewBouncesOnAFloorAreTheSame(Symmetry symmetry, double limit) {
         Laws.hold(
                 1,
                 SCENES,
                 seed -> Surroundings.landing(seed, Accuracy.EXACT, 1),
-                scene -> sameInFlight(symmetry, FEW, limit, scene));
+                scene -> sameInFlight(symmetry, BOUNCES, limit, scene));
     }
 
     @Disabled(
