@@ -1,0 +1,187 @@
+package rigibo.backend.law;
+
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.EnumSource;
+
+import rigibo.backend.ContactEvent;
+import rigibo.backend.Pool;
+import rigibo.backend.RigidBody;
+import rigibo.backend.effect.Sleep;
+import rigibo.backend.geometry.Aabb;
+import rigibo.backend.setup.BodyType;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/** A pool may be changed between any two steps. */
+class EditsLawTest {
+
+    private static final int SCENES = 120;
+
+    /** The floor and the walls of a tray come first and stay. */
+    private static final int TRAY = 3;
+
+    /** One second: what was thrown in lies and bounces in a heap. */
+    private static final int STEPS_BEFORE = 60;
+
+    private static final int STEPS_OF_EDITS = 120;
+    private static final int STEPS_PER_EDIT = 3;
+
+    private static final double GRAVITY = 9.81;
+
+    /** m that bodies fall in these scenes at least, which tells how much energy is much. */
+    private static final double FALL = 0.3;
+
+    /** m/s at which overlapping bodies are pushed apart at most. */
+    private static final double PUSH = 3;
+
+    /** m and m/s: a few roundings of places within 10 m, 1.8e-15 m apart. */
+    private static final double FREE = 1e-12;
+
+    /** Bodies that push each other up one on the other. */
+    private static final int STOREYS = 4;
+
+    /**
+     * Edits that put no body into another: energy grows by no more than in piles that nobody edits,
+     * as a share of the largest kinetic energy or of a fall by {@value #FALL} m. The worst
+     * measured: DRAFT 2.3e-2, GAME 4.5e-3, FINE 1.2e-3, EXACT 3.7e-4.
+     */
+    @ParameterizedTest
+    @CsvSource({"DRAFT, 5e-2", "GAME, 1e-2", "FINE, 1e-2", "EXACT, 1e-3"})
+    void gentleEditsAddNoEnergy(Preset preset, double limit) {
+        Laws.hold(1, SCENES, seed -> scene(seed, preset), scene -> gentlyEdited(limit, scene));
+    }
+
+    /**
+     * Bodies put into others are moved apart, which lifts what lies on them and adds no speed: in a
+     * step at most at {@value #PUSH} m/s for each of {@value #STOREYS} storeys.
+     */
+    @ParameterizedTest
+    @EnumSource(Preset.class)
+    void bodiesPutIntoOthersArePushedOutWithoutHarm(Preset preset) {
+        Laws.hold(1, SCENES, seed -> scene(seed, preset), EditsLawTest::roughlyEdited);
+    }
+
+    /** Nearly every body drawn touches another then, and every third one sleeps. */
+    @ParameterizedTest
+    @CsvSource({"DRAFT, 150", "GAME, 150", "FINE, 100", "EXACT, 40"})
+    void bodyWithoutItsSupportsFallsFreely(Preset preset, int scenes) {
+        Laws.hold(1, scenes, seed -> settled(seed, preset), EditsLawTest::fallsFreely);
+    }
+
+    /** A tray, every other one with sleep. */
+    private static RandomScene scene(long seed, Preset preset) {
+        RandomScene tray = Surroundings.tray(seed, preset.accuracy);
+        return seed % 2 == 0 ? tray : tray.effects(tray.effects().with(new Sleep()));
+    }
+
+    /** A heap after two and a half seconds, when every other one sleeps. */
+    private static RandomScene settled(long seed, Preset preset) {
+        RandomScene heap = Surroundings.settling(seed, preset.accuracy, 9).steps(150);
+        return seed % 2 == 0 ? heap : heap.effects(heap.effects().with(new Sleep()));
+    }
+
+    private static Optional<String> gentlyEdited(double limit, RandomScene scene) {
+        Pool pool = scene.steps(STEPS_BEFORE).finished();
+        RandomEdits edits = new RandomEdits(pool, TRAY, scene.seed());
+        double much = 0;
+        Optional<String> broken = Optional.empty();
+        for (int i = 0; i < STEPS_OF_EDITS && broken.isEmpty(); i++) {
+            String edit = i % STEPS_PER_EDIT == 0 ? edits.gentle() : "";
+            much = Math.max(much, Math.max(pool.kineticEnergy(), mass(pool) * GRAVITY * FALL));
+            double most = limit * much;
+            double gain = stepGain(pool);
+            broken = harm(pool, edits).or(() -> Law.atMost(most, gain, edit + ": gained J"));
+        }
+        return broken;
+    }
+
+    private static Optional<String> roughlyEdited(RandomScene scene) {
+        Pool pool = scene.steps(STEPS_BEFORE).finished();
+        RandomEdits edits = new RandomEdits(pool, TRAY, scene.seed());
+        Optional<String> broken = Optional.empty();
+        for (int i = 0; i < STEPS_OF_EDITS && broken.isEmpty(); i++) {
+            String edit = i % STEPS_PER_EDIT == 0 ? edits.rough() : "";
+            double most = mass(pool) * GRAVITY * STOREYS * PUSH * RandomScene.DT;
+            double gain = stepGain(pool);
+            broken = harm(pool, edits).or(() -> Law.atMost(most, gain, edit + ": gained J"));
+        }
+        return broken;
+    }
+
+    private static double stepGain(Pool pool) {
+        double before = pool.kineticEnergy() + pool.potentialEnergy();
+        pool.step(RandomScene.DT);
+        return pool.kineticEnergy() + pool.potentialEnergy() - before;
+    }
+
+    private static double mass(Pool pool) {
+        return pool.bodies().stream()
+                .filter(body -> body.type() == BodyType.DYNAMIC)
+                .mapToDouble(RigidBody::mass)
+                .sum();
+    }
+
+    /** What is not finite, and what of the removed is still there. */
+    private static Optional<String> harm(Pool pool, RandomEdits edits) {
+        for (RigidBody body : pool.bodies()) {
+            double sum = body.x() + body.y() + body.angle() + body.kineticEnergy();
+            if (!Double.isFinite(sum)) {
+                return Optional.of("not finite: " + body);
+            }
+        }
+        for (ContactEvent event : pool.contactEvents()) {
+            if (!event.a().isAlive() || !event.b().isAlive()) {
+                return Optional.of("a ghost's contact: " + event);
+            }
+        }
+        List<RigidBody> found = new ArrayList<>();
+        double far = 1e6;
+        pool.overlapping(new Aabb(-far, -far, far, far), found::add);
+        boolean isComplete = found.size() == pool.bodies().size();
+        if (!isComplete || edits.removed().stream().anyMatch(RigidBody::isAlive)) {
+            return Optional.of("found " + found + " in place of " + pool.bodies());
+        }
+        return pool.report().quarantined() > 0 ? Optional.of("quarantined") : Optional.empty();
+    }
+
+    /** Takes away all that a body touches; the next step must be free fall. */
+    private static Optional<String> fallsFreely(RandomScene scene) {
+        if (scene.bodies().size() <= TRAY) {
+            return Optional.empty();
+        }
+        Pool pool = scene.finished();
+        RandomEdits edits = new RandomEdits(pool, TRAY, scene.seed());
+        RigidBody body = edits.loose();
+        for (RigidBody other : List.copyOf(pool.bodies())) {
+            if (other != body && pool.touching(body, other)) {
+                edits.remove(other);
+            }
+        }
+        State before = State.of(body);
+        pool.step(RandomScene.DT);
+        if (hasMet(pool, body)) {
+            return Optional.empty();
+        }
+        double dt = RandomScene.DT;
+        State expected =
+                new State(
+                        before.x() + before.velocityX() * dt,
+                        before.y() + before.velocityY() * dt - GRAVITY * dt * dt / 2,
+                        before.angle() + before.spin() * dt,
+                        before.velocityX(),
+                        before.velocityY() - GRAVITY * dt,
+                        before.spin());
+        double off = expected.off(State.of(body));
+        double speed = Math.abs(expected.velocityY() - body.velocityY());
+        return harm(pool, edits)
+                .or(() -> Law.atMost(FREE, off + speed, "off free fall by m or m/s"));
+    }
+
+    private static boolean hasMet(Pool pool, RigidBody body) {
+        return pool.contactEvents().stream()
+                .anyMatch(event -> event.a() == body || event.b() == body);
+    }
+}

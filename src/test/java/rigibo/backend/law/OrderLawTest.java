@@ -1,0 +1,104 @@
+package rigibo.backend.law;
+
+import org.junit.jupiter.api.Disabled;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+
+import rigibo.backend.Pool;
+import rigibo.backend.RigidBody;
+import rigibo.backend.setup.BodyDefinition;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/** The laws of motion know neither numbers nor strangers. */
+class OrderLawTest {
+
+    private static final int SCENES = 300;
+
+    /** m beyond everything that happens in a scene. */
+    private static final double ELSEWHERE = 1000;
+
+    /**
+     * More impacts would multiply the round-off beyond the limit, as in {@link SymmetryLawTest}.
+     */
+    private static final int FEW = 4;
+
+    /** m or rad: which of a pair is A changes the sign of what is rounded and the sums' order. */
+    private static final double LIMIT = 1e-11;
+
+    @ParameterizedTest
+    @EnumSource(
+            value = Preset.class,
+            names = {"FINE", "EXACT"})
+    void orderOfBodiesDoesNotMatterInFlight(Preset preset) {
+        Laws.hold(
+                1,
+                SCENES,
+                seed -> Surroundings.meeting(seed, preset.accuracy),
+                OrderLawTest::sameInAnyOrder);
+    }
+
+    /** Neither do bodies that others never meet, to the last bit, piles included. */
+    @ParameterizedTest
+    @EnumSource(value = Preset.class, names = "DRAFT")
+    void strangersDoNotMatterWhereImpactsHaveNoTime(Preset preset) {
+        Laws.hold(
+                1,
+                SCENES,
+                seed -> Surroundings.tray(seed, preset.accuracy),
+                OrderLawTest::sameAmongStrangers);
+    }
+
+    @Disabled(
+            "a stranger's impact within the instant that counts as one is a tie with ours: differ"
+                + " at GAME in 2 of 300 scenes (from 6e-6 m on, seed 184), at FINE in 3 (7e-3 m,"
+                + " seed 168), at EXACT in 2 (1.4e-7 m, seed 115)")
+    @ParameterizedTest
+    @EnumSource(value = Preset.class, names = "DRAFT", mode = EnumSource.Mode.EXCLUDE)
+    void strangersNeverMatter(Preset preset) {
+        Laws.hold(
+                1,
+                SCENES,
+                seed -> Surroundings.tray(seed, preset.accuracy),
+                OrderLawTest::sameAmongStrangers);
+    }
+
+    private static Optional<String> sameInAnyOrder(RandomScene scene) {
+        List<BodyDefinition> shuffled = new ArrayList<>(scene.bodies());
+        new Draw(scene.seed()).shuffle(shuffled);
+        Pool pool = scene.pool();
+        Pool other = scene.bodies(shuffled).pool();
+        double off = 0;
+        int impacts = 0;
+        for (int i = 0; i < scene.steps(); i++) {
+            impacts += pool.step(RandomScene.DT).impacts();
+            other.step(RandomScene.DT);
+            if (impacts > FEW || pool.report().rows() + other.report().rows() > 0) {
+                break;
+            }
+            for (int k = 0; k < shuffled.size(); k++) {
+                RigidBody expected = pool.bodies().get(scene.bodies().indexOf(shuffled.get(k)));
+                off = Math.max(off, State.of(expected).off(State.of(other.bodies().get(k))));
+            }
+        }
+        return Law.atMost(LIMIT, off, "in another order off by m");
+    }
+
+    private static Optional<String> sameAmongStrangers(RandomScene scene) {
+        List<BodyDefinition> crowd = new ArrayList<>();
+        List<BodyDefinition> strangers =
+                Surroundings.tray(scene.seed() + SCENES, scene.accuracy()).bodies();
+        strangers.forEach(body -> crowd.add(body.at(body.x() + ELSEWHERE, body.y())));
+        crowd.addAll(scene.bodies());
+        Pool pool = scene.finished();
+        Pool other = scene.bodies(crowd).finished();
+        double off = 0;
+        for (int i = 0; i < scene.bodies().size(); i++) {
+            State expected = State.of(pool.bodies().get(i));
+            off = Math.max(off, expected.off(State.of(other.bodies().get(strangers.size() + i))));
+        }
+        return Law.atMost(0, off, "among strangers off by m");
+    }
+}

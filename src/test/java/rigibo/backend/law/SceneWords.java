@@ -1,0 +1,62 @@
+package rigibo.backend.law;
+
+import rigibo.backend.geometry.Circle;
+import rigibo.backend.geometry.Polygon;
+import rigibo.backend.geometry.Shape;
+import rigibo.backend.setup.BodyDefinition;
+import rigibo.backend.setup.Material;
+
+import java.util.Arrays;
+import java.util.stream.Collectors;
+
+/** Bodies as the code that adds them. */
+final class SceneWords {
+
+    private SceneWords() {}
+
+    static String of(BodyDefinition body) {
+        return "pool.add("
+                + pattern(body)
+                + call("at", body.x(), body.y())
+                + call("angle", body.angle())
+                + call("velocity", body.velocityX(), body.velocityY())
+                + call("spin", body.spin())
+                + (body.statesMass() ? call("mass", body.mass()) : "")
+                + (body.statesInertia() ? call("inertia", body.inertia()) : "")
+                + material(body.material())
+                + ");";
+    }
+
+    private static String pattern(BodyDefinition body) {
+        String maker =
+                switch (body.type()) {
+                    case DYNAMIC -> "dynamic";
+                    case KINEMATIC -> "kinematic";
+                    case STATIC -> "fixed";
+                };
+        return "BodyDefinition." + maker + "(" + shape(body.shape()) + ")";
+    }
+
+    private static String shape(Shape shape) {
+        if (shape instanceof Circle circle) {
+            return "new Circle(" + circle.radius() + ")";
+        }
+        return "Polygon.of(" + numbers(((Polygon) shape).stated()) + ")";
+    }
+
+    private static String material(Material m) {
+        return ".material(new Material("
+                + numbers(m.density(), m.friction(), m.elasticity())
+                + "))";
+    }
+
+    /** A verb of a definition; what is 0 need not be said. */
+    private static String call(String verb, double... arguments) {
+        boolean isDefault = Arrays.stream(arguments).allMatch(number -> number == 0);
+        return isDefault ? "" : "." + verb + "(" + numbers(arguments) + ")";
+    }
+
+    private static String numbers(double... numbers) {
+        return Arrays.stream(numbers).mapToObj(Double::toString).collect(Collectors.joining(", "));
+    }
+}

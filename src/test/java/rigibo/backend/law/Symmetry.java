@@ -1,0 +1,229 @@
+package rigibo.backend.law;
+
+import rigibo.backend.effect.Effects;
+import rigibo.backend.effect.Gravity;
+import rigibo.backend.geometry.Circle;
+import rigibo.backend.geometry.Polygon;
+import rigibo.backend.geometry.Shape;
+import rigibo.backend.setup.BodyDefinition;
+import rigibo.backend.setup.BodyType;
+
+import java.util.List;
+import java.util.stream.Collectors;
+
+/** Another way to look at a scene, in which the same laws hold. */
+enum Symmetry {
+    /** Left is right. */
+    MIRROR {
+        @Override
+        State of(State s, double time) {
+            return new State(-s.x(), s.y(), -s.angle(), -s.velocityX(), s.velocityY(), -s.spin());
+        }
+
+        @Override
+        Gravity of(Gravity gravity) {
+            return new Gravity(-gravity.x(), gravity.y());
+        }
+
+        /** Corners the other way round, so that they stay counter-clockwise. */
+        @Override
+        Polygon ofCorners(double... xy) {
+            int count = xy.length / 2;
+            double[] mirrored = new double[xy.length];
+            for (int i = 0; i < count; i++) {
+                int from = (count - i) % count;
+                mirrored[2 * i] = -xy[2 * from];
+                mirrored[2 * i + 1] = xy[2 * from + 1];
+            }
+            return Polygon.of(mirrored);
+        }
+
+        @Override
+        Polygon ofBox(double width, double height) {
+            return Polygon.box(width, height);
+        }
+    },
+    /** A quarter turn of places, shapes and gravity; angles stay, so that nothing is rounded. */
+    QUARTER_TURN {
+        @Override
+        State of(State s, double time) {
+            return new State(-s.y(), s.x(), s.angle(), -s.velocityY(), s.velocityX(), s.spin());
+        }
+
+        @Override
+        Gravity of(Gravity gravity) {
+            return new Gravity(-gravity.y(), gravity.x());
+        }
+
+        @Override
+        Polygon ofCorners(double... xy) {
+            double[] turned = new double[xy.length];
+            for (int i = 0; i < xy.length; i += 2) {
+                turned[i] = -xy[i + 1];
+                turned[i + 1] = xy[i];
+            }
+            return Polygon.of(turned);
+        }
+
+        @Override
+        Polygon ofBox(double width, double height) {
+            return Polygon.box(height, width);
+        }
+    },
+    /** Lengths 64 times as large in the same time: gravity too. A power of two rounds nothing. */
+    LARGE {
+        @Override
+        State of(State s, double time) {
+            return scaled(s, FACTOR);
+        }
+
+        @Override
+        double metre() {
+            return FACTOR;
+        }
+
+        @Override
+        Gravity of(Gravity gravity) {
+            return new Gravity(FACTOR * gravity.x(), FACTOR * gravity.y());
+        }
+
+        @Override
+        Shape of(Shape shape) {
+            return scaled(shape, FACTOR);
+        }
+    },
+    /** Lengths 64 times as small. */
+    SMALL {
+        @Override
+        State of(State s, double time) {
+            return scaled(s, 1 / FACTOR);
+        }
+
+        @Override
+        double metre() {
+            return 1 / FACTOR;
+        }
+
+        @Override
+        Gravity of(Gravity gravity) {
+            return new Gravity(gravity.x() / FACTOR, gravity.y() / FACTOR);
+        }
+
+        @Override
+        Shape of(Shape shape) {
+            return scaled(shape, 1 / FACTOR);
+        }
+    },
+    /** Ten thousand kilometres to the right. */
+    FAR_AWAY {
+        @Override
+        State of(State s, double time) {
+            return new State(
+                    s.x() + DISTANCE, s.y(), s.angle(), s.velocityX(), s.velocityY(), s.spin());
+        }
+    },
+    /** Seen from a train: what stands still moves, kinematic, with the others. */
+    MOVING {
+        @Override
+        State of(State s, double time) {
+            return new State(
+                    s.x() + TRAIN * time,
+                    s.y(),
+                    s.angle(),
+                    s.velocityX() + TRAIN,
+                    s.velocityY(),
+                    s.spin());
+        }
+
+        @Override
+        BodyDefinition pattern(BodyDefinition body) {
+            return body.type() == BodyType.STATIC
+                    ? BodyDefinition.kinematic(body.shape())
+                    : super.pattern(body);
+        }
+    };
+
+    private static final double FACTOR = 64;
+
+    /** m; doubles there are 1.9e-9 m apart. */
+    private static final double DISTANCE = 1e7;
+
+    /** m/s, a power of two. */
+    private static final double TRAIN = 32;
+
+    /** m that are a metre of the original scene. */
+    double metre() {
+        return 1;
+    }
+
+    /** The state that belongs to another at a time. */
+    abstract State of(State state, double time);
+
+    Gravity of(Gravity gravity) {
+        return gravity;
+    }
+
+    Shape of(Shape shape) {
+        if (shape instanceof Polygon polygon) {
+            return polygon.isBox()
+                    ? ofBox(2 * polygon.cornerX(2), 2 * polygon.cornerY(2))
+                    : ofCorners(polygon.stated());
+        }
+        return shape;
+    }
+
+    Polygon ofCorners(double... xy) {
+        return Polygon.of(xy);
+    }
+
+    Polygon ofBox(double width, double height) {
+        return Polygon.box(width, height);
+    }
+
+    BodyDefinition pattern(BodyDefinition body) {
+        return switch (body.type()) {
+            case DYNAMIC -> BodyDefinition.dynamic(of(body.shape()));
+            case STATIC -> BodyDefinition.fixed(of(body.shape()));
+            case KINEMATIC -> BodyDefinition.kinematic(of(body.shape()));
+        };
+    }
+
+    RandomScene of(RandomScene scene) {
+        List<BodyDefinition> bodies =
+                scene.bodies().stream().map(this::of).collect(Collectors.toList());
+        Effects effects = scene.effects();
+        Effects turned = effects.find(Gravity.class).map(g -> effects.with(of(g))).orElse(effects);
+        return scene.bodies(bodies).effects(turned);
+    }
+
+    private BodyDefinition of(BodyDefinition body) {
+        State state = of(State.of(body), 0);
+        return pattern(body)
+                .at(state.x(), state.y())
+                .angle(state.angle())
+                .velocity(state.velocityX(), state.velocityY())
+                .spin(state.spin())
+                .material(body.material());
+    }
+
+    private static State scaled(State s, double factor) {
+        return new State(
+                factor * s.x(),
+                factor * s.y(),
+                s.angle(),
+                factor * s.velocityX(),
+                factor * s.velocityY(),
+                s.spin());
+    }
+
+    private static Shape scaled(Shape shape, double factor) {
+        if (shape instanceof Circle circle) {
+            return new Circle(factor * circle.radius());
+        }
+        double[] xy = ((Polygon) shape).stated();
+        for (int i = 0; i < xy.length; i++) {
+            xy[i] *= factor;
+        }
+        return Polygon.of(xy);
+    }
+}
