@@ -33,7 +33,7 @@ public final class PileSolver {
      */
     private static final int LEAST_ROUNDS = 4;
 
-    /** How many times faster than anything before a body may leave rows that were not solved. */
+    /** How many times faster than anything in the step before rows not solved may leave a body. */
     private static final double MOST_LEVERAGE = 2;
 
     /** A round that changes more than this share of what the last one did goes half its way. */
@@ -65,6 +65,9 @@ public final class PileSolver {
 
     /** The highest speed before contacts answer, m/s. */
     private double fastest;
+
+    /** The highest speed at which rows that were not solved may leave a body in this step, m/s. */
+    private double limit;
 
     /** Substeps that the packed island is given. */
     private int substeps;
@@ -137,6 +140,7 @@ public final class PileSolver {
             }
             kick.accelerate(substep == 0 ? start : middle - h, middle);
             fastest = motions.fastest();
+            limit = substep == 0 ? MOST_LEVERAGE * fastest : Math.max(limit, fastest);
             begin(substep == 1 ? 2 : 1, substep);
             substep(h, substep);
         }
@@ -213,7 +217,7 @@ public final class PileSolver {
         boolean isSettled = settleRows(h, substep);
         guard.limitEnergy();
         if (!isSettled) {
-            guard.limitSpeed(MOST_LEVERAGE * fastest);
+            guard.limitSpeed(limit);
         }
     }
 
