@@ -126,19 +126,22 @@ final class DirectSolver {
         }
         size = factoredSize;
         System.arraycopy(factored, 0, set, 0, size);
-        boolean isAny = false;
+        double widest = 0;
         for (int i = 0; i < size; i++) {
+            int row = set[i] / ROWS_PER_CONTACT;
             int kind = set[i] % ROWS_PER_CONTACT;
-            unknown[i] = kind == TANGENT ? 0 : overlap.wanted(set[i] / ROWS_PER_CONTACT, kind, h);
-            isAny |= unknown[i] > 0;
+            unknown[i] = kind == TANGENT ? 0 : overlap.wanted(row, kind, h);
+            if (unknown[i] > 0) {
+                widest = Math.max(widest, rows.data[row * Rows.STRIDE + Rows.WIDTH]);
+            }
         }
-        if (isAny) {
+        if (widest > 0) {
             substitute();
             keepPlaces();
             for (int i = 0; i < size; i++) {
                 single.push(set[i], unknown[i], Motions.DX, Motions.DY, Motions.TURN);
             }
-            limitWay(OverlapSolver.MOST_PUSH * h);
+            limitWay(OverlapSolver.MOST_PUSH * widest * h);
         }
     }
 

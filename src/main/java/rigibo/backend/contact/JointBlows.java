@@ -159,7 +159,8 @@ final class JointBlows {
         load(row, at);
         boolean strikes = false;
         for (int point = 0; point < rows.points[row]; point++) {
-            if (gapAt(row, point, time) <= TOUCHING * d[at + Rows.KEPT]) {
+            double touching = TOUCHING * OverlapSolver.KEPT_OVERLAP * d[at + Rows.WIDTH];
+            if (gapAt(row, point, time) <= touching) {
                 addPoint(at, point);
                 strikes |= impact.parting(impact.points - 1) < -d[at + Rows.BOUNCE_SPEED];
             }

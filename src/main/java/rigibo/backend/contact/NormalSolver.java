@@ -86,7 +86,7 @@ final class NormalSolver {
         double gap0 = d[at + Rows.GAP0] + dn + lb0 * m[b + TURN] - la0 * m[a + TURN];
         double old0 = d[at + Rows.IMPULSE0];
         double give = d[at + Rows.GIVE];
-        double w0 = v0 + soft.bias(gap0, perSubstep) + give * old0;
+        double w0 = v0 + soft.bias(gap0, d[at + Rows.WIDTH], perSubstep) + give * old0;
         if (rows.points[row] == 1) {
             double rigid = Math.max(0, old0 - w0 * d[at + Rows.M00]);
             double impulse = gap0 > 0 ? rigid : soft.soften(rigid, d[at + Rows.LOAD0]);
@@ -100,7 +100,7 @@ final class NormalSolver {
         double gap1 = d[at + Rows.GAP1] + dn + lb1 * m[b + TURN] - la1 * m[a + TURN];
         double old1 = d[at + Rows.IMPULSE1];
         double v1 = vn + lb1 * m[b + SPIN] - la1 * m[a + SPIN];
-        double w1 = v1 + soft.bias(gap1, perSubstep) + give * old1;
+        double w1 = v1 + soft.bias(gap1, d[at + Rows.WIDTH], perSubstep) + give * old1;
         solvePair(d, at, w0, w1);
         if (gap0 <= 0 && gap1 <= 0) {
             d[at + Rows.IMPULSE0] = soft.soften(d[at + Rows.IMPULSE0], d[at + Rows.LOAD0]);

@@ -16,7 +16,7 @@ final class OverlapSolver {
     /** Share of an overlap taken back per second; an overlap has halved after two steps. */
     static final double RATE = 25;
 
-    /** Fastest speed at which two overlapping bodies are moved apart, m/s. */
+    /** Fastest speed at which two overlapping bodies are moved apart, m/s for a body of a metre. */
     static final double MOST_PUSH = 3;
 
     /**
@@ -45,9 +45,11 @@ final class OverlapSolver {
     /** How far in m a point's gap is to open within h seconds; 0 where it does not overlap. */
     double wanted(int row, int point, double h) {
         int at = row * Rows.STRIDE;
-        double overlap = -motions.gap(rows, row, point) - rows.data[at + Rows.KEPT];
+        double width = rows.data[at + Rows.WIDTH];
+        double overlap = -motions.gap(rows, row, point) - KEPT_OVERLAP * width;
         double rate = rows.data[at + Rows.RECOVERY];
-        return overlap > 0 ? Math.min(overlap * rate * h / (1 + rate * h), MOST_PUSH * h) : 0;
+        double most = MOST_PUSH * width * h;
+        return overlap > 0 ? Math.min(overlap * rate * h / (1 + rate * h), most) : 0;
     }
 
     private void correct(int row, double h) {

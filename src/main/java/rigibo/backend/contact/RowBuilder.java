@@ -290,7 +290,7 @@ final class RowBuilder {
         double width = PairTolerances.width(bodies, a, b);
         double unseen = PairTolerances.restSpeed(pressing, width);
         d[at + Rows.RECOVERY] = OverlapSolver.RATE;
-        d[at + Rows.KEPT] = OverlapSolver.KEPT_OVERLAP * width;
+        d[at + Rows.WIDTH] = width;
         d[at + Rows.ELASTICITY] = pairs.elasticity[pair];
         double pulled = Math.max(acceleration(a), acceleration(b)) * h * PULLED;
         d[at + Rows.BOUNCE_SPEED] = Math.max(pulled, Math.max(unseen, pressing * h));

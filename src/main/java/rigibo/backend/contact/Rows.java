@@ -63,8 +63,8 @@ final class Rows {
     /** Normal impulse of the whole step, N·s. */
     static final int TOTAL = 26;
 
-    /** Overlap that is left alone, m. */
-    static final int KEPT = 27;
+    /** Width of the narrower body that moves, m: what tolerances are a share of. */
+    static final int WIDTH = 27;
 
     /** Force that the points carried of late, N. */
     static final int LOAD0 = 28;

@@ -47,9 +47,13 @@ final class SoftPush {
         kick = kickLength;
     }
 
-    /** What is added to the speed of a point, m/s: a gap may close, an overlap is taken back. */
-    double bias(double gap, double perSubstep) {
-        return gap > 0 ? gap * perSubstep : Math.max(gap * rate, -OverlapSolver.MOST_PUSH);
+    /**
+     * What is added to the speed of a point of bodies of a width, m/s: a gap may close, an overlap
+     * is taken back.
+     */
+    double bias(double gap, double width, double perSubstep) {
+        double most = OverlapSolver.MOST_PUSH * width;
+        return gap > 0 ? gap * perSubstep : Math.max(gap * rate, -most);
     }
 
     /** The impulse in N·s drawn towards the load in N. */

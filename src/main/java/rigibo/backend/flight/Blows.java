@@ -129,14 +129,14 @@ final class Blows {
 
     /**
      * A pair rests from the end of its bounces on. One that could go on for ever, too fast to rest,
-     * waits where it is for the next step: time is lost, and neither place nor energy.
+     * is left to the solver of piles.
      */
     private void end(int pair, double time, double restsAt, double dt) {
         if (restsAt <= dt) {
             endBounces(pair, time, restsAt);
         } else if (isExhausted(pair)) {
-            paths.hold(pairs.bodyA[pair], dt);
-            paths.hold(pairs.bodyB[pair], dt);
+            paths.land(pairs.bodyA[pair], time);
+            paths.land(pairs.bodyB[pair], time);
         }
     }
 

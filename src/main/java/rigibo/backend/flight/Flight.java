@@ -203,7 +203,7 @@ public final class Flight {
             return;
         }
         if (course != null && paths.isFlyer(slot)) {
-            course.lay(slot, paths.isHeld(slot) ? dt : time, dt);
+            course.lay(slot, time, dt);
         }
         broadphase.follow(slot, dt - time);
         queue.reserve(pairs.bodyA.length);

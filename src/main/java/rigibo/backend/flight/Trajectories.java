@@ -19,8 +19,6 @@ final class Trajectories {
     /** The time in s after the step's start that a flyer's columns hold. */
     private double[] since = new double[16];
 
-    private double end;
-
     /** Whether a body joined a pile in this step, and its velocity from then on as expected. */
     private boolean[] hasLanded = new boolean[16];
 
@@ -32,7 +30,6 @@ final class Trajectories {
 
     /** Begins a step of dt seconds: all columns hold its start. */
     void begin(double dt) {
-        end = dt;
         if (since.length < bodies.type.length) {
             since = new double[bodies.type.length];
             hasLanded = new boolean[bodies.type.length];
@@ -74,22 +71,10 @@ final class Trajectories {
         expected[3 * slot + 2] = spin;
     }
 
-    /** Keeps a flyer where it is until a step of dt seconds ends; it keeps its velocity too. */
-    void hold(int slot, double dt) {
-        if (isFlyer(slot)) {
-            since[slot] = dt;
-        }
-    }
-
-    /** Whether a flyer waits where it is until the step ends. */
-    boolean isHeld(int slot) {
-        return since[slot] == end;
-    }
-
     /** Writes a body's path within the step. */
     void load(int slot, Motion out) {
-        boolean flies = isFlyer(slot) && !isHeld(slot);
-        boolean moves = bodies.isMoved(slot) && !isHeld(slot);
+        boolean flies = isFlyer(slot);
+        boolean moves = bodies.isMoved(slot);
         out.shape = bodies.shape[slot];
         out.startTime = flies || !bodies.isDynamic(slot) ? since[slot] : bodies.pileTime[slot];
         out.x = bodies.x[slot];
@@ -112,7 +97,7 @@ final class Trajectories {
     /** Brings a flyer's columns to a time in s after the step's start. */
     void advance(int slot, double time) {
         double elapsed = time - since[slot];
-        if (elapsed == 0 || isHeld(slot)) {
+        if (elapsed == 0) {
             return;
         }
         load(slot, motion);

@@ -1,6 +1,5 @@
 package rigibo.backend.law;
 
-import org.junit.jupiter.api.Disabled;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -75,10 +74,6 @@ class SymmetryLawTest {
                 scene -> sameToTheEnd(Symmetry.SMALL, scene));
     }
 
-    @Disabled(
-            "overlapping bodies of any size are pushed apart at 3 m/s at most: differ at DRAFT in"
-                + " 27 of 300 scenes, at GAME in 32 (first seed 1), at FINE in 17, at EXACT in 8;"
-                + " none without that limit")
     @ParameterizedTest
     @EnumSource(Preset.class)
     void smallPilesAreTheSameToTheBit(Preset preset) {
@@ -132,9 +127,6 @@ class SymmetryLawTest {
                 scene -> sameInFlight(symmetry, BOUNCES, limit, scene));
     }
 
-    @Disabled(
-            "a pair that has had its most impacts stands still for the rest of the step, also on "
-                    + "the train: off by 12 m in seed 33, at GAME by 21 m")
     @Test
     void manyDiscsSeenFromATrainDoTheSame() {
         Laws.hold(
