@@ -142,7 +142,8 @@ final class DemoScene implements Scene {
             "wheel zoom, right drag pan, Home",
             "Esc back to the menu"
         };
-        canvas.panel(180, 300, 360, 40 + 28 * rows.length, 16, Color.PANEL);
+        // A veil over everything: words would shine through a panel.
+        canvas.panel(0, 0, WIDTH, HEIGHT, 0, Color.DUSK_TOP.alpha(0.96));
         for (int i = 0; i < rows.length; i++) {
             canvas.text(
                     rows[i],

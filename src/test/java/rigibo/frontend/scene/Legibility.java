@@ -1,0 +1,65 @@
+package rigibo.frontend.scene;
+
+import rigibo.frontend.scene.RecordingCanvas.Mark;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** What is wrong with the texts of a picture. */
+public final class Legibility {
+
+    private static final Mark WINDOW = new Mark("", null, 0, 0, Scene.WIDTH, Scene.HEIGHT);
+
+    /** The smallest text that everyone can read, px. */
+    private static final double SMALLEST = 16;
+
+    private Legibility() {}
+
+    /**
+     * One sentence for each text that leaves the window or its panel, meets another text, is too
+     * small or has letters that its font lacks; none when all is well.
+     */
+    public static List<String> faults(Scene scene) {
+        List<Mark> marks = RecordingCanvas.of(scene).marks();
+        List<String> faults = new ArrayList<>();
+        for (int i = 0; i < marks.size(); i++) {
+            if (marks.get(i).isText()) {
+                judge(marks, i, faults);
+            }
+        }
+        return faults;
+    }
+
+    private static void judge(List<Mark> marks, int at, List<String> faults) {
+        Mark text = marks.get(at);
+        if (!WINDOW.contains(text)) {
+            faults.add(text + " leaves the window");
+        }
+        if (text.bottom() - text.top() < SMALLEST) {
+            faults.add(text + " is too small");
+        }
+        if (!text.face().missing(text.words()).isEmpty()) {
+            faults.add(text + " has no letters for " + text.face().missing(text.words()));
+        }
+        Mark panel = panelOf(marks, at);
+        if (!panel.contains(text)) {
+            faults.add(text + " leaves its " + panel);
+        }
+        for (Mark later : marks.subList(at + 1, marks.size())) {
+            if (later.overlaps(text)) {
+                faults.add(text + " is under " + later);
+            }
+        }
+    }
+
+    /** The uppermost panel that the text was drawn on, or the window. */
+    private static Mark panelOf(List<Mark> marks, int text) {
+        for (int i = text - 1; i >= 0; i--) {
+            Mark mark = marks.get(i);
+            if (!mark.isText() && mark.containsMiddleOf(marks.get(text))) {
+                return mark;
+            }
+        }
+        return WINDOW;
+    }
+}

@@ -1,0 +1,153 @@
+package rigibo.frontend.scene;
+
+import rigibo.backend.geometry.Shape;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** Keeps what a scene draws, so that a test can tell whether it can be read. */
+public final class RecordingCanvas implements Canvas {
+
+    /** Below this opacity a panel lets what is under it shine through. */
+    private static final double COVERING = 0.95;
+
+    /** A panel, or a text as wide as it is drawn and as high as its size, in logical pixels. */
+    record Mark(String words, Typeface face, double left, double top, double right, double bottom) {
+
+        boolean isText() {
+            return face != null;
+        }
+
+        boolean overlaps(Mark other) {
+            return left < other.right
+                    && other.left < right
+                    && top < other.bottom
+                    && other.top < bottom;
+        }
+
+        boolean contains(Mark other) {
+            return left <= other.left
+                    && other.right <= right
+                    && top <= other.top
+                    && other.bottom <= bottom;
+        }
+
+        boolean containsMiddleOf(Mark other) {
+            double x = (other.left + other.right) / 2;
+            double y = (other.top + other.bottom) / 2;
+            return left <= x && x <= right && top <= y && y <= bottom;
+        }
+
+        @Override
+        public String toString() {
+            String what = isText() ? "\"" + words + "\"" : "panel";
+            return String.format("%s (%.0f to %.0f, %.0f to %.0f)", what, left, right, top, bottom);
+        }
+    }
+
+    private final List<Mark> marks = new ArrayList<>();
+    private Camera camera = Camera.ofPuzzle();
+    private final List<double[]> bodies = new ArrayList<>();
+
+    /** What a scene draws now. */
+    public static RecordingCanvas of(Scene scene) {
+        RecordingCanvas canvas = new RecordingCanvas();
+        scene.draw(canvas);
+        return canvas;
+    }
+
+    /** Panels and texts in the order they were drawn; texts that a panel covers are left out. */
+    List<Mark> marks() {
+        return marks;
+    }
+
+    /** Every text that can be seen, in the order they were drawn. */
+    public List<String> texts() {
+        List<String> texts = new ArrayList<>();
+        for (Mark mark : marks) {
+            if (mark.isText()) {
+                texts.add(mark.words());
+            }
+        }
+        return texts;
+    }
+
+    /** Where the bodies of a frame have their middles, logical pixels: x, y. */
+    public List<double[]> bodies() {
+        return bodies;
+    }
+
+    /** Whether a point of the screen lies on a panel. */
+    public boolean isUnderPanel(double x, double y) {
+        Mark point = new Mark("", null, x, y, x, y);
+        return marks.stream().anyMatch(mark -> !mark.isText() && mark.contains(point));
+    }
+
+    @Override
+    public void camera(Camera lens) {
+        camera = lens;
+    }
+
+    @Override
+    public void gaze(double worldX, double worldY) {}
+
+    @Override
+    public void body(Shape shape, double x, double y, double angle, Skin skin, Mood mood) {
+        bodies.add(new double[] {camera.screenX(x), camera.screenY(y)});
+    }
+
+    @Override
+    public void particle(double x, double y, double size, double angle, Color color) {}
+
+    @Override
+    public void line(double x1, double y1, double x2, double y2, double width, Color color) {}
+
+    @Override
+    public void disc(double x, double y, double radius, Color color) {}
+
+    @Override
+    public void ring(
+            double x, double y, double radius, double width, double fraction, Color color) {}
+
+    @Override
+    public void panel(double x, double y, double width, double height, double corner, Color color) {
+        Mark panel = new Mark("", null, x, y, x + width, y + height);
+        if (color.alpha() >= COVERING) {
+            marks.removeIf(mark -> mark.isText() && panel.contains(mark));
+        }
+        marks.add(panel);
+    }
+
+    @Override
+    public void frame(
+            double x, double y, double width, double height, double corner, Color color) {}
+
+    @Override
+    public void text(
+            String words, double x, double y, double size, Font font, Align align, Color color) {
+        double width = textWidth(words, size, font);
+        double left =
+                switch (align) {
+                    case LEFT -> x;
+                    case CENTRE -> x - width / 2;
+                    case RIGHT -> x - width;
+                };
+        if (!words.isBlank()) {
+            double half = size / 2;
+            marks.add(new Mark(words, face(font), left, y - half, left + width, y + half));
+        }
+    }
+
+    @Override
+    public double textWidth(String words, double size, Font font) {
+        return face(font).width(words, size);
+    }
+
+    private static Typeface face(Font font) {
+        return font == Font.WORDS ? Typeface.WORDS : Typeface.NUMBERS;
+    }
+
+    @Override
+    public void graph(
+            double[] values, int count, double x, double y, double w, double h, Color color) {}
+}
