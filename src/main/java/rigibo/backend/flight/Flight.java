@@ -70,13 +70,13 @@ public final class Flight {
 
     /** Moves every flyer to the end of a step of {@code dt} seconds, through everything. */
     public void fly(double dt) {
-        paths.begin(dt);
+        paths.begin();
         finish(dt);
     }
 
     /** Moves every flyer to the end of a step of {@code dt} seconds, impact by impact. */
     public void flyWithImpacts(double dt) {
-        paths.begin(dt);
+        paths.begin();
         queue.clear(pairs.bodyA.length);
         reserve(pairs.bodyA.length);
         for (int i = 0; i < pairs.activeCount; i++) {

@@ -28,8 +28,8 @@ final class Trajectories {
         this.bodies = bodies;
     }
 
-    /** Begins a step of dt seconds: all columns hold its start. */
-    void begin(double dt) {
+    /** Begins a step: all columns hold its start. */
+    void begin() {
         if (since.length < bodies.type.length) {
             since = new double[bodies.type.length];
             hasLanded = new boolean[bodies.type.length];
