@@ -40,7 +40,7 @@ final class CrateDemo implements Demo {
                 "Crate",
                 "Stacks, blasts, a box on an edge",
                 SceneEntry.Kind.DEMO,
-                director -> new DemoScene(CrateDemo::new));
+                director -> new DemoScene(director, CrateDemo::new));
     }
 
     @Override
@@ -55,7 +55,7 @@ final class CrateDemo implements Demo {
 
     @Override
     public Camera camera() {
-        return new Camera(2.4, 3.9, 68);
+        return new Camera(2.4, 3.4, 68);
     }
 
     @Override

@@ -1,40 +1,44 @@
 package rigibo.frontend.demo;
 
-import rigibo.backend.effect.Effect;
-import rigibo.backend.setup.StepStage;
 import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Director;
 import rigibo.frontend.scene.Key;
 import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.widget.Panel;
 
-import java.util.ArrayList;
-import java.util.List;
 import java.util.function.Supplier;
 
 /** A demo on its workbench: the panel, the effects bar, the step's time, and the shared keys. */
 final class DemoScene implements Scene {
 
+    static final String TITLE = "RigiBo – ";
+
     private static final double STEP = 1.0 / 60;
     private static final double PANEL_WIDTH = 270;
-    private static final double BUDGET_MILLIS = 1000.0 / 60;
+    private static final double TOP = 8;
+    private static final double RIGHT = WIDTH - 8 - StageProfile.WIDTH;
     private static final double ZOOM = 1.15;
 
+    private final Director director;
     private final Supplier<Demo> maker;
     private Demo demo;
     private Workbench bench;
     private Panel panel;
+    private StageProfile profile;
+    private AccuracyDial dial;
+    private EffectsBar effects;
     private boolean isPaused;
     private boolean isDebugging;
     private boolean isHelping;
     private boolean isPanning;
     private double lastX;
     private double lastY;
-    private double stepMillis;
 
-    DemoScene(Supplier<Demo> maker) {
+    DemoScene(Director director, Supplier<Demo> maker) {
+        this.director = director;
         this.maker = maker;
         restart();
     }
@@ -44,12 +48,15 @@ final class DemoScene implements Scene {
         Camera camera = demo.camera();
         bench = new Workbench(demo.effects(), camera);
         demo.build(bench);
-        panel = new Panel(8, 8, PANEL_WIDTH, demo.widgets());
+        panel = new Panel(8, TOP, PANEL_WIDTH, demo.widgets());
+        profile = new StageProfile();
+        dial = new AccuracyDial(bench.pool(), RIGHT, TOP + StageProfile.HEIGHT + 8);
+        effects = new EffectsBar(bench.pool());
     }
 
     @Override
     public String title() {
-        return "RigiBo – " + demo.title();
+        return TITLE + demo.title();
     }
 
     @Override
@@ -64,74 +71,25 @@ final class DemoScene implements Scene {
         demo.beforeStep(bench);
         bench.pool().step(STEP);
         demo.afterStep(bench);
-        long nanos = 0;
-        for (StepStage stage : StepStage.values()) {
-            nanos += bench.pool().report().nanos(stage);
-        }
-        stepMillis += (nanos / 1e6 - stepMillis) / 15;
+        profile.step(bench.pool().report());
     }
 
     @Override
     public void draw(Canvas canvas) {
+        long begin = System.nanoTime();
         bench.draw(canvas);
         if (isDebugging) {
             bench.drawDebug(canvas);
         }
         demo.draw(bench, canvas);
         panel.draw(canvas);
-        drawTime(canvas);
-        drawEffects(canvas);
+        dial.draw(canvas);
+        effects.draw(canvas);
+        profile.drawing(System.nanoTime() - begin);
+        profile.draw(canvas, RIGHT, TOP, isPaused);
         if (isHelping) {
             drawHelp(canvas);
         }
-    }
-
-    /** The step's time against the 16.7 ms of a frame. */
-    private void drawTime(Canvas canvas) {
-        double x = WIDTH - 214;
-        canvas.panel(x, 8, 206, 56, 12, Color.PANEL);
-        String words =
-                isPaused
-                        ? "paused"
-                        : String.format(java.util.Locale.ROOT, "step %.2f ms", stepMillis);
-        canvas.text(words, x + 12, 26, 16, Canvas.Font.NUMBERS, Canvas.Align.LEFT, Color.TEXT);
-        double share = Math.min(1, stepMillis / BUDGET_MILLIS);
-        canvas.panel(x + 12, 42, 182, 8, 4, Color.PANEL_LIT);
-        canvas.panel(
-                x + 12, 42, Math.max(8, 182 * share), 8, 4, share < 1 ? Color.GOOD : Color.BAD);
-    }
-
-    /** What is simulated here, by name; what is not declared is not there. */
-    private void drawEffects(Canvas canvas) {
-        List<String> lines = lines(canvas);
-        double height = 22 * lines.size() + 14;
-        double top = HEIGHT - 8 - height;
-        canvas.panel(8, top, WIDTH - 16, height, 12, Color.PANEL);
-        for (int i = 0; i < lines.size(); i++) {
-            canvas.text(
-                    lines.get(i),
-                    20,
-                    top + 18 + 22 * i,
-                    16,
-                    Canvas.Font.WORDS,
-                    Canvas.Align.LEFT,
-                    Color.BRASS);
-        }
-    }
-
-    private List<String> lines(Canvas canvas) {
-        List<String> lines = new ArrayList<>();
-        StringBuilder line = new StringBuilder("simulated:");
-        for (Effect effect : bench.pool().effects().all()) {
-            String word = "  " + effect.title();
-            if (canvas.textWidth(line + word, 16, Canvas.Font.WORDS) > WIDTH - 130) {
-                lines.add(line.toString());
-                line = new StringBuilder();
-            }
-            line.append(word);
-        }
-        lines.add(line + "   (F1: keys)");
-        return lines;
     }
 
     private static void drawHelp(Canvas canvas) {
@@ -140,6 +98,7 @@ final class DemoScene implements Scene {
             "Space  pause      .  one step",
             "R  restart        D  debug drawing",
             "wheel zoom, right drag pan, Home",
+            "1 to 4  accuracy   [ ]  other demos",
             "Esc back to the menu"
         };
         // A veil over everything: words would shine through a panel.
@@ -159,6 +118,7 @@ final class DemoScene implements Scene {
     @Override
     public void pointerMoved(double x, double y) {
         panel.pointerMoved(x, y);
+        effects.pointerMoved(x, y);
         if (isPanning) {
             bench.camera().pan(x - lastX, y - lastY);
         }
@@ -170,12 +130,18 @@ final class DemoScene implements Scene {
     @Override
     public void pointerPressed(PointerButton button, double x, double y) {
         pointerMoved(x, y);
-        if (button == PointerButton.LEFT && !panel.pointerPressed(x, y)) {
+        if (button == PointerButton.LEFT && !pressesControl(x, y)) {
             bench.grab(bench.pointerX(), bench.pointerY());
         } else if (button == PointerButton.RIGHT && !panel.contains(x, y)) {
             isPanning = true;
             demo.rightClick(bench, bench.pointerX(), bench.pointerY());
         }
+    }
+
+    private boolean pressesControl(double x, double y) {
+        return panel.pointerPressed(x, y)
+                || dial.pointerPressed(x, y)
+                || effects.pointerPressed(x, y);
     }
 
     @Override
@@ -201,6 +167,10 @@ final class DemoScene implements Scene {
             case R -> restart();
             case HOME -> bench.camera().home();
             case D -> isDebugging = !isDebugging;
+            case LEFT_BRACKET -> director.show(Demos.beside(title(), -1, director));
+            case RIGHT_BRACKET -> director.show(Demos.beside(title(), 1, director));
+            case DIGIT_1, DIGIT_2, DIGIT_3, DIGIT_4 ->
+                    dial.choose(key.ordinal() - Key.DIGIT_1.ordinal());
             case F1, H -> isHelping = !isHelping;
             default -> demo.key(bench, key);
         }

@@ -1,5 +1,7 @@
 package rigibo.frontend.demo;
 
+import rigibo.frontend.scene.Director;
+import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.SceneEntry;
 
 import java.util.List;
@@ -13,5 +15,16 @@ public final class Demos {
     public static List<SceneEntry> entries() {
         return List.of(
                 CrateDemo.entry(), WheelDemo.entry(), FrictionDemo.entry(), FloodDemo.entry());
+    }
+
+    /** The demo before (−1) or after (1) the one whose window has a title, round and round. */
+    static Scene beside(String title, int direction, Director director) {
+        List<SceneEntry> all = entries();
+        int at = 0;
+        while (!title.equals(DemoScene.TITLE + all.get(at).title())) {
+            at++;
+        }
+        int next = Math.floorMod(at + direction, all.size());
+        return all.get(next).open().apply(director);
     }
 }

@@ -61,7 +61,7 @@ final class FloodDemo implements Demo {
                 "Flood",
                 "How many bodies hold 60 Hz?",
                 SceneEntry.Kind.DEMO,
-                director -> new DemoScene(FloodDemo::new));
+                director -> new DemoScene(director, FloodDemo::new));
     }
 
     @Override
@@ -89,7 +89,7 @@ final class FloodDemo implements Demo {
 
     @Override
     public Camera camera() {
-        return new Camera(0, 10.4, 30);
+        return new Camera(0, 9.4, 30);
     }
 
     @Override

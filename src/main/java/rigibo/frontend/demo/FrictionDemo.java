@@ -69,7 +69,7 @@ final class FrictionDemo implements Demo {
                 "Friction",
                 "Ice, wood, rubber: where it stops",
                 SceneEntry.Kind.DEMO,
-                director -> new DemoScene(FrictionDemo::new));
+                director -> new DemoScene(director, FrictionDemo::new));
     }
 
     @Override
@@ -84,7 +84,7 @@ final class FrictionDemo implements Demo {
 
     @Override
     public Camera camera() {
-        return new Camera(2.4, 0.3, 42);
+        return new Camera(2.4, -0.4, 42);
     }
 
     @Override

@@ -54,7 +54,7 @@ final class WheelDemo implements Demo {
                 "Wheel",
                 "Rolling, slipping, torque and thrust",
                 SceneEntry.Kind.DEMO,
-                director -> new DemoScene(WheelDemo::new));
+                director -> new DemoScene(director, WheelDemo::new));
     }
 
     @Override
@@ -76,7 +76,7 @@ final class WheelDemo implements Demo {
 
     @Override
     public Camera camera() {
-        return new Camera(0.2, 3.2, 50);
+        return new Camera(0.2, 2.7, 50);
     }
 
     @Override

@@ -72,6 +72,12 @@ public final class RecordingCanvas implements Canvas {
         return texts;
     }
 
+    /** The middle of a text, logical pixels: x, y. */
+    public double[] middleOf(String words) {
+        Mark text = marks.stream().filter(m -> m.words().equals(words)).findFirst().orElseThrow();
+        return new double[] {(text.left + text.right) / 2, (text.top + text.bottom) / 2};
+    }
+
     /** Where the bodies of a frame have their middles, logical pixels: x, y. */
     public List<double[]> bodies() {
         return bodies;

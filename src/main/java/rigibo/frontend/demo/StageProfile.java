@@ -1,0 +1,119 @@
+package rigibo.frontend.demo;
+
+import rigibo.backend.StepReport;
+import rigibo.backend.setup.StepStage;
+import rigibo.frontend.scene.Canvas;
+import rigibo.frontend.scene.Color;
+
+import java.util.Locale;
+
+/**
+ * Where the time of a frame goes: the stages of a step and the drawing, smoothed, one upon the
+ * other against the 16.7 ms that a frame may take.
+ */
+final class StageProfile {
+
+    static final double WIDTH = 240;
+    static final double HEIGHT = 178;
+
+    private static final double BUDGET_MILLIS = 1000.0 / 60;
+    private static final double BAR_WIDTH = WIDTH - 24;
+
+    /** Frames over which a time is smoothed. */
+    private static final double SMOOTHING = 15;
+
+    /** What is shown as one: drawing last, which no stage of the step counts. */
+    private enum Part {
+        BROADPHASE("broadphase", Color.ICE),
+        COLLISION("collision", Color.RIGIBO),
+        SOLVER("solver", Color.RUBBER),
+        FLIGHT("flight", Color.GOOD),
+        DRAWING("drawing", Color.TEXT_DIM);
+
+        private final String words;
+        private final Color color;
+
+        Part(String words, Color color) {
+            this.words = words;
+            this.color = color;
+        }
+
+        private static Part of(StepStage stage) {
+            return switch (stage) {
+                case ACCEPT, EFFECTS, BROADPHASE -> BROADPHASE;
+                case CLASSIFY -> COLLISION;
+                case FLIGHT -> FLIGHT;
+                case CONTACT, REST, REPORT -> SOLVER;
+            };
+        }
+    }
+
+    private final double[] millis = new double[Part.values().length];
+
+    /** Takes the times of a step. */
+    void step(StepReport report) {
+        double[] now = new double[millis.length];
+        for (StepStage stage : StepStage.values()) {
+            now[Part.of(stage).ordinal()] += report.nanos(stage) / 1e6;
+        }
+        for (int i = 0; i < Part.DRAWING.ordinal(); i++) {
+            millis[i] += (now[i] - millis[i]) / SMOOTHING;
+        }
+    }
+
+    /** Takes the time that drawing took, ns. */
+    void drawing(long nanos) {
+        int i = Part.DRAWING.ordinal();
+        millis[i] += (nanos / 1e6 - millis[i]) / SMOOTHING;
+    }
+
+    /** Draws the plate with its upper left corner at (x, y), px. */
+    void draw(Canvas canvas, double x, double y, boolean isPaused) {
+        canvas.panel(x, y, WIDTH, HEIGHT, 12, Color.PANEL);
+        double total = 0;
+        for (double part : millis) {
+            total += part;
+        }
+        words(canvas, isPaused ? "paused" : "a frame", x + 12, y + 18, Canvas.Align.LEFT);
+        number(canvas, total, x + WIDTH - 12, y + 18);
+        bar(canvas, x + 12, y + 34, total);
+        for (Part part : Part.values()) {
+            double middle = y + 68 + 22 * part.ordinal();
+            canvas.disc(x + 20, middle, 6, part.color);
+            words(canvas, part.words, x + 34, middle, Canvas.Align.LEFT);
+            number(canvas, millis[part.ordinal()], x + WIDTH - 12, middle);
+        }
+    }
+
+    /** The parts side by side; what is over the budget does not fit and turns the frame red. */
+    private void bar(Canvas canvas, double x, double y, double total) {
+        canvas.panel(x, y, BAR_WIDTH, 12, 4, Color.PANEL_LIT);
+        double scale = BAR_WIDTH / Math.max(BUDGET_MILLIS, total);
+        double from = x;
+        for (Part part : Part.values()) {
+            double width = millis[part.ordinal()] * scale;
+            canvas.panel(from, y, width, 12, Math.min(4, width / 2), part.color);
+            from += width;
+        }
+        if (total > BUDGET_MILLIS) {
+            canvas.frame(x - 2, y - 2, BAR_WIDTH + 4, 16, 5, Color.BAD);
+        }
+        double line = x + BUDGET_MILLIS * scale;
+        canvas.line(line, y - 4, line, y + 16, 2, Color.BRASS);
+    }
+
+    private static void words(Canvas canvas, String words, double x, double y, Canvas.Align align) {
+        canvas.text(words, x, y, 16, Canvas.Font.WORDS, align, Color.TEXT);
+    }
+
+    private static void number(Canvas canvas, double millis, double x, double y) {
+        canvas.text(
+                String.format(Locale.ROOT, "%.2f ms", millis),
+                x,
+                y,
+                16,
+                Canvas.Font.NUMBERS,
+                Canvas.Align.RIGHT,
+                Color.TEXT);
+    }
+}
