@@ -29,7 +29,7 @@ final class EffectsBar {
     private static final double PADDING = 10;
     private static final double CHIP = 30;
     private static final double GAP = 6;
-    private static final double WORDS = 26;
+    private static final double WORDS = 30;
 
     private record Chip(Effect effect, String words, double x, double y, double width) {
 
@@ -57,7 +57,7 @@ final class EffectsBar {
         add(all, new Gravity(0, -9.81), "everything falls");
         add(all, new Contacts(), "bodies do not pass through each other");
         add(all, new Rotation(), "bodies turn");
-        add(all, new Friction(), "surfaces hold each other, up to μ times the load");
+        add(all, new Friction(), "surfaces hold each other, by a share of the load");
         add(all, new Restitution(), "what hits bounces, as elastic as it is");
         add(all, new RollingResistance(), "what rolls slows down");
         add(all, new Thrust(), "forces and torques that are asked for act");

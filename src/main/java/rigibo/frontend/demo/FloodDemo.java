@@ -16,6 +16,7 @@ import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.Material;
 import rigibo.backend.setup.StepStage;
 import rigibo.frontend.scene.Camera;
+import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.SceneEntry;
 import rigibo.frontend.scene.Skin;
 import rigibo.frontend.scene.widget.Button;
@@ -34,7 +35,11 @@ import java.util.SplittableRandom;
 /** How many bodies the pool can handle, and elasticity: a trough that is poured full. */
 final class FloodDemo implements Demo {
 
-    private static final double WIDTH = 22;
+    /** The trough's inner sides, m; right of it the reference ball has a shaft of its own. */
+    private static final double LEFT = -11;
+
+    private static final double RIGHT = 8;
+    private static final double SHAFT = 10.2;
     private static final double BUDGET_MILLIS = 1000.0 / 60;
     private static final int WINDOW = 120;
     private static final int MOST_BODIES = 8000;
@@ -47,6 +52,7 @@ final class FloodDemo implements Demo {
     private int turn;
     private double wanted = 600;
     private double elasticity = 0.5;
+    private final ReferenceBall reference = new ReferenceBall(SHAFT, () -> elasticity);
     private double size = 0.14;
     private boolean isBoxes;
     private boolean hasFriction;
@@ -96,16 +102,13 @@ final class FloodDemo implements Demo {
     public void build(Workbench on) {
         bench = on;
         Material stone = new Material(1, 0.4, 0);
-        bench.add(
-                BodyDefinition.fixed(Polygon.box(WIDTH + 2, 1)).at(0, -0.5).material(stone),
-                Skin.STONE);
-        for (int side = -1; side <= 1; side += 2) {
+        bench.add(BodyDefinition.fixed(Polygon.box(24, 1)).at(0, -0.5).material(stone), Skin.STONE);
+        for (double x : new double[] {LEFT - 0.3, RIGHT + 0.3}) {
             bench.add(
-                    BodyDefinition.fixed(Polygon.box(0.6, 80))
-                            .at(side * (WIDTH / 2 + 0.3), 39)
-                            .material(stone),
+                    BodyDefinition.fixed(Polygon.box(0.6, 80)).at(x, 39).material(stone),
                     Skin.STONE);
         }
+        reference.drop(bench);
     }
 
     @Override
@@ -125,7 +128,9 @@ final class FloodDemo implements Demo {
                 new Readout("p95", () -> percentile(95)),
                 new Readout("p99", () -> percentile(99)),
                 new Readout("holds 60 Hz", () -> isSearching ? "searching" : best + ""),
-                new Readout("overlap", this::overlap));
+                new Readout("overlap", this::overlap),
+                new Readout("ball should rise", reference::predictedWords),
+                new Readout("  seen", reference::seenWords));
     }
 
     /** The toggles change what is simulated; the pool takes it from the next step on. */
@@ -156,7 +161,7 @@ final class FloodDemo implements Demo {
     }
 
     private void pour() {
-        double x = (random.nextDouble() - 0.5) * (WIDTH - 2);
+        double x = LEFT + 1 + random.nextDouble() * (RIGHT - LEFT - 2);
         double y = 20.5 + 2 * random.nextDouble();
         Shape shape = isBoxes ? Polygon.box(1.7 * size, 1.7 * size) : new Circle(size);
         drops.add(
@@ -175,10 +180,16 @@ final class FloodDemo implements Demo {
             nanos += on.pool().report().nanos(stage);
         }
         millis[turn++ % WINDOW] = nanos / 1e6;
+        reference.afterStep(on);
         if (isSearching && turn > WINDOW && at(95) > BUDGET_MILLIS || drops.size() >= MOST_BODIES) {
             best = drops.size();
             isSearching = false;
         }
+    }
+
+    @Override
+    public void draw(Workbench on, Canvas canvas) {
+        reference.draw(on.camera(), canvas);
     }
 
     private double at(int percent) {

@@ -1,0 +1,94 @@
+package rigibo.frontend.demo;
+
+import rigibo.backend.RigidBody;
+import rigibo.backend.geometry.Circle;
+import rigibo.backend.setup.BodyDefinition;
+import rigibo.backend.setup.Material;
+import rigibo.frontend.scene.Camera;
+import rigibo.frontend.scene.Canvas;
+import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Skin;
+
+import java.util.Locale;
+import java.util.function.DoubleSupplier;
+
+/**
+ * A ball that bounces alone beside everything else: after n bounces it must rise to e²ⁿh. What it
+ * misses is what the accuracy costs it.
+ */
+final class ReferenceBall {
+
+    private static final double G = 9.81;
+    private static final double RADIUS = 0.4;
+    private static final double HEIGHT = 8;
+
+    /** A rise of less is not seen; the ball is dropped anew. */
+    private static final double LEAST_RISE = 0.02;
+
+    private final double x;
+    private final DoubleSupplier elasticity;
+    private RigidBody ball;
+    private double dropped;
+    private int bounces;
+    private boolean wasFalling;
+    private double risen;
+
+    /** A ball over a floor at y = 0 at a place x in m, as elastic as is said at every drop. */
+    ReferenceBall(double x, DoubleSupplier elasticity) {
+        this.x = x;
+        this.elasticity = elasticity;
+    }
+
+    /** Drops the ball anew. */
+    void drop(Workbench bench) {
+        if (ball != null) {
+            bench.remove(ball);
+        }
+        dropped = elasticity.getAsDouble();
+        bounces = 0;
+        wasFalling = true;
+        risen = HEIGHT;
+        ball =
+                bench.add(
+                        BodyDefinition.dynamic(new Circle(RADIUS))
+                                .at(x, HEIGHT + RADIUS)
+                                .material(new Material(1, 0, dropped)),
+                        Skin.BALL);
+    }
+
+    /** Counts bounces; how high the ball will rise follows from its speed on the way up. */
+    void afterStep(Workbench bench) {
+        boolean isFalling = ball.velocityY() <= 0;
+        if (wasFalling && !isFalling) {
+            bounces++;
+            double v = ball.velocityY();
+            risen = ball.y() - RADIUS + v * v / (2 * G);
+        }
+        wasFalling = isFalling;
+        boolean isOver = isFalling && predicted() < LEAST_RISE;
+        if (isOver || dropped != elasticity.getAsDouble()) {
+            drop(bench);
+        }
+    }
+
+    private double predicted() {
+        return Math.pow(dropped, 2 * bounces) * HEIGHT;
+    }
+
+    /** The height of the present rise as the formula has it. */
+    String predictedWords() {
+        return String.format(Locale.ROOT, "%.4f m", predicted());
+    }
+
+    /** The same as the pool has it. */
+    String seenWords() {
+        return String.format(Locale.ROOT, "%.4f m", risen);
+    }
+
+    /** A mark at the height that the middle of the ball must reach. */
+    void draw(Camera camera, Canvas canvas) {
+        double y = camera.screenY(predicted() + RADIUS);
+        double middle = camera.screenX(x);
+        canvas.line(middle - 36, y, middle + 36, y, 2, Color.BRASS);
+    }
+}
