@@ -23,6 +23,8 @@ final class FaceSearch {
      */
     boolean isApart(Polygon polygon, Polygon other, Pose place, double reach) {
         int nearest = 0;
+        face = 0;
+        corner = 0;
         separation = Double.NEGATIVE_INFINITY;
         for (int i = 0; i < polygon.corners(); i++) {
             double nx = polygon.normalX(i);

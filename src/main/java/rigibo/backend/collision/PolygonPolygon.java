@@ -53,7 +53,7 @@ final class PolygonPolygon {
         double dx = poseB.x - poseA.x;
         double dy = poseB.y - poseA.y;
         double far = a.boundingRadius() + b.boundingRadius() + reach;
-        if (dx * dx + dy * dy > far * far) {
+        if (!(dx * dx + dy * dy <= far * far)) {
             return 0;
         }
         double cos = poseA.cos * poseB.cos + poseA.sin * poseB.sin;

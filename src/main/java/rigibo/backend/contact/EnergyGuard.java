@@ -67,6 +67,9 @@ final class EnergyGuard {
 
     /** Scales all impulses back to what leaves no speed above a limit in m/s, if one is. */
     void limitSpeed(double limit) {
+        if (motions.fastest() <= limit) {
+            return;
+        }
         takeBack();
         double share = 1;
         for (int at = Motions.STRIDE; at < motions.count * Motions.STRIDE; at += Motions.STRIDE) {
@@ -81,7 +84,8 @@ final class EnergyGuard {
     private double shareWithin(double limit, int column) {
         double speed = Math.abs(motions.data[column]);
         double change = Math.abs(motions.data[column] - before[column]);
-        return speed <= limit ? 1 : Math.max(0, limit - Math.abs(before[column])) / change;
+        boolean isAnswered = speed <= limit || change == 0;
+        return isAnswered ? 1 : Math.max(0, limit - Math.abs(before[column])) / change;
     }
 
     /** Σ j·w at velocities laid out as the motions, J. */

@@ -68,10 +68,9 @@ final class JointBlows {
         substep = number;
         for (int blow = 0; blow < MOST_BLOWS; blow++) {
             double time = firstBlow();
-            if (time > h) {
+            if (time > h || !strike(time)) {
                 return;
             }
-            strike(time);
         }
     }
 
@@ -125,7 +124,8 @@ final class JointBlows {
                 - d[at + 2 * point + Rows.LEVER_A0] * kick.gained(a, Motions.SPIN);
     }
 
-    private void strike(double time) {
+    /** Whether the blows of one instant had an answer; without one, rows have to hold them. */
+    private boolean strike(double time) {
         moveVelocities(time - middle);
         together.clear();
         for (int row = 0; row < rows.count; row++) {
@@ -133,8 +133,9 @@ final class JointBlows {
                 add(row, time);
             }
         }
-        together.resolve();
+        boolean isAnswered = together.resolve();
         takeVelocities(time);
+        return isAnswered;
     }
 
     /** Hands all velocities to the columns, as they are some seconds later. */

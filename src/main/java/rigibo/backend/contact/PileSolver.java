@@ -159,6 +159,10 @@ public final class PileSolver {
             warmStart.leaveOutBlows();
         }
         warmStart.apply(scale, substep);
+        if (isSmall) {
+            // What contacts carried throws bodies about if what they carried it against is gone.
+            guard.limitSpeed(MOST_LEVERAGE * fastest);
+        }
     }
 
     private void substep(double h, int substep) {

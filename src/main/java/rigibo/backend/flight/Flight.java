@@ -174,8 +174,12 @@ public final class Flight {
         if (!isPileA && !hitsPile(b)) {
             return false;
         }
-        blows.meet(pair, time);
-        joinPile(isPileA ? b : a, isPileA ? a : b, pair, time, dt);
+        int flyer = isPileA ? b : a;
+        // One that hits several at once has joined by the first of them.
+        if (paths.isFlyer(flyer)) {
+            blows.meet(pair, time);
+            joinPile(flyer, isPileA ? a : b, pair, time, dt);
+        }
         return true;
     }
 

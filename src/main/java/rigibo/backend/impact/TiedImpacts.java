@@ -22,6 +22,9 @@ public final class TiedImpacts {
     /** A change of speed that is round-off, as a share of the fastest approach. */
     private static final double ROUND_OFF = 1e-15;
 
+    /** How many times faster than the fastest row blows without an answer may leave one. */
+    private static final double MOST_LEVERAGE = 2;
+
     /** Doubles per row, and where each quantity sits. */
     private static final int STRIDE = 9;
 
@@ -101,19 +104,26 @@ public final class TiedImpacts {
         row[at + SPEED_BEFORE] = speed(count - 1);
     }
 
-    /** Changes the velocities of all bodies, and adds up the impulses of the pairs. */
-    public void resolve() {
+    /**
+     * Changes the velocities of all bodies, and adds up the impulses of the pairs. Returns whether
+     * the blows have an answer: between a driven body and a wall nothing can part from both.
+     */
+    public boolean resolve() {
         double settled = ROUND_OFF * fastest;
         int passes = 0;
         while (pass() > settled && passes < MOST_PASSES) {
             passes++;
         }
         limitEnergy();
+        if (passes == MOST_PASSES) {
+            limitSpeed();
+        }
         for (int i = 0; i < count; i++) {
             if (points[i] == 0) {
                 pairs.impulse[pairOf[i]] += row[i * STRIDE + IMPULSE];
             }
         }
+        return passes < MOST_PASSES;
     }
 
     /** The work of impulses scaled by s is s·j·v + ½s²·j·Δv; it must not be positive. */
@@ -128,11 +138,32 @@ public final class TiedImpacts {
             quadratic += row[at + IMPULSE] * (speed(i) - row[at + SPEED_BEFORE]) / 2;
         }
         if (linear + quadratic > 0) {
-            double scale = Math.max(0, -linear / quadratic);
-            for (int i = 0; i < count; i++) {
-                push(i, (scale - 1) * row[i * STRIDE + IMPULSE]);
-                row[i * STRIDE + IMPULSE] *= scale;
+            scale(Math.max(0, -linear / quadratic));
+        }
+    }
+
+    /** Scales all impulses back until no row is much faster than the fastest one was. */
+    private void limitSpeed() {
+        double most = 0;
+        for (int i = 0; i < count; i++) {
+            most = Math.max(most, Math.abs(row[i * STRIDE + SPEED_BEFORE]));
+        }
+        double limit = MOST_LEVERAGE * most;
+        double share = 1;
+        for (int i = 0; i < count; i++) {
+            double before = row[i * STRIDE + SPEED_BEFORE];
+            double change = speed(i) - before;
+            if (Math.abs(before + share * change) > limit) {
+                share = (limit - Math.abs(before)) / Math.abs(change);
             }
+        }
+        scale(share);
+    }
+
+    private void scale(double share) {
+        for (int i = 0; i < count; i++) {
+            push(i, (share - 1) * row[i * STRIDE + IMPULSE]);
+            row[i * STRIDE + IMPULSE] *= share;
         }
     }
 
