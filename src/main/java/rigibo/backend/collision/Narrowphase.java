@@ -71,15 +71,12 @@ public final class Narrowphase {
         noteTouch(pair);
     }
 
-    /**
-     * Fills one pair's manifold at the bodies' present poses, for what is left of the step in s.
-     */
-    public void measure(int pair, double dt) {
+    private void measure(int pair, double dt) {
         int a = pairs.bodyA[pair];
         int b = pairs.bodyB[pair];
         poseA.set(bodies.x[a], bodies.y[a], bodies.cos[a], bodies.sin[a]);
         poseB.set(bodies.x[b], bodies.y[b], bodies.cos[b], bodies.sin[b]);
-        measure(pair, poseA, poseB, reach(a, b, dt));
+        measure(pair, poseA, poseB, reach(pair, dt));
     }
 
     /**
@@ -102,8 +99,10 @@ public final class Narrowphase {
         return !bodies.isMoved(other) || slot < other;
     }
 
-    /** The gap in m that two bodies could close within the step, by a bound on their speeds. */
-    private double reach(int a, int b, double dt) {
+    /** The gap in m that a pair could close within some seconds, by a bound on its speeds. */
+    public double reach(int pair, double dt) {
+        int a = pairs.bodyA[pair];
+        int b = pairs.bodyB[pair];
         double vx = bodies.velocityX[b] - bodies.velocityX[a];
         double vy = bodies.velocityY[b] - bodies.velocityY[a];
         double ax = bodies.accelerationX[b] - bodies.accelerationX[a];

@@ -13,9 +13,10 @@ import rigibo.backend.storage.Pairs;
  * floor of boxes is one plane, yet each box by itself has sides and corners: whatever slides over
  * it would bump into the side that the box before it covers.
  *
- * <p>A point on a face is covered where the space before the face is the neighbour's. A point on a
- * corner is covered where it lies on a neighbour that reaches farther along the normal: then the
- * neighbour is the nearer one, and the contact with it says all.
+ * <p>A point on a face is covered where the space before the face all about it is the neighbour's:
+ * where only a strip of it is, a body stands in the corner of a floor and a wall, a little inside
+ * both. A point on a corner is covered where it lies on a neighbour that reaches farther along the
+ * normal: then the neighbour is the nearer one, and the contact with it says all.
  */
 final class Seams {
 
@@ -24,6 +25,9 @@ final class Seams {
 
     /** Width of a seam that counts as closed, per metre of what slides over it. */
     private static final double CLOSED = 2e-3;
+
+    /** How far about a point a face is looked at, per metre of what slides over it. */
+    private static final double ABOUT = 0.1;
 
     /** Round-off, per metre of what slides. */
     private static final double ROUND_OFF = 1e-9;
@@ -47,10 +51,10 @@ final class Seams {
     private double outX;
     private double outY;
 
-    /** Along the face from the point, towards the face's far end; 0 where there is no face. */
-    private double alongX;
+    /** How far the face that holds the point goes on along (−outY, outX), and against it, m. */
+    private double ahead;
 
-    private double alongY;
+    private double behind;
 
     Seams(DataStorage data) {
         bodies = data.bodies;
@@ -103,13 +107,14 @@ final class Seams {
         return pairs.gap(pair) <= PairTolerances.TOUCHING_GAP * width;
     }
 
-    /** Looks for the face that the normal belongs to, by its corner farthest from the point. */
+    /** Looks for the face that the normal belongs to, by the corners that lie as high. */
     private boolean findFace() {
         Polygon polygon = (Polygon) bodies.shape[fixed];
         double cos = bodies.cos[fixed];
         double sin = bodies.sin[fixed];
         double parallel = isFaceOfMover() ? PARALLEL : ROUND_OFF;
-        double farthest = 0;
+        ahead = 0;
+        behind = 0;
         for (int i = 0; i < polygon.corners(); i++) {
             double cx = polygon.cornerX(i);
             double cy = polygon.cornerY(i);
@@ -117,13 +122,12 @@ final class Seams {
             double dy = bodies.y[fixed] + sin * cx + cos * cy - y;
             double height = outX * dx + outY * dy;
             double along = outX * dy - outY * dx;
-            if (height >= -parallel * Math.abs(along) && Math.abs(along) > Math.abs(farthest)) {
-                farthest = along;
+            if (height >= -parallel * Math.abs(along)) {
+                ahead = Math.max(ahead, along);
+                behind = Math.max(behind, -along);
             }
         }
-        alongX = -outY * Math.signum(farthest);
-        alongY = outX * Math.signum(farthest);
-        return Math.abs(farthest) > FLUSH * width;
+        return Math.max(ahead, behind) > FLUSH * width;
     }
 
     /** Whether the normal is that of one of the mover's faces, which may lie flat on the other. */
@@ -145,10 +149,19 @@ final class Seams {
     }
 
     private boolean coversFace(int slot) {
+        return coversFace(slot, ahead) && coversFace(slot, -behind);
+    }
+
+    /** Whether the space before the face is covered as far as the face goes on to one side. */
+    private boolean coversFace(int slot, double room) {
+        double length = Math.abs(room);
+        double other = ahead + behind - length;
+        if (length < CLOSED * width && length < other) {
+            return true;
+        }
+        double along = Math.copySign(Math.min(ABOUT * width, length / 2), room);
         double before = CLOSED * width;
-        double inside = FLUSH * width;
-        return depth(slot, x + before * outX + inside * alongX, y + before * outY + inside * alongY)
-                > 0;
+        return depth(slot, x + before * outX - along * outY, y + before * outY + along * outX) > 0;
     }
 
     private boolean coversCorner(int slot) {

@@ -61,6 +61,9 @@ final class DirectSolver {
 
     private double[] cone = new double[64];
 
+    /** A load that gives a row less speed than this in m/s is none. */
+    private double least;
+
     /** Where bodies were before their overlap is taken back, laid out as the motions. */
     private double[] places = new double[64];
 
@@ -103,6 +106,7 @@ final class DirectSolver {
         if (isUncoupled()) {
             return;
         }
+        least = settled;
         chooseLoaded(h, substep);
         for (int attempt = 0; attempt < mostTries && !isSolved(h, settled); attempt++) {
             factorize();
@@ -221,24 +225,27 @@ final class DirectSolver {
      * would only shorten the step of all.
      */
     private void chooseLoadedOf(int row, double h) {
+        int before = size;
         for (int point = 0; point < rows.points[row]; point++) {
             int id = ROWS_PER_CONTACT * row + point;
-            if (afterOwnChange(id, h) > 0) {
+            if (answerAfterOwnChange(id, h) > least) {
                 set[size++] = id;
             }
         }
         cone[row] = friction(row);
         int tangent = ROWS_PER_CONTACT * row + TANGENT;
-        if (cone[row] > 0 && Math.abs(afterOwnChange(tangent, h)) < cone[row]) {
+        double most = cone[row] * single.response(tangent, tangent);
+        if (size > before && Math.abs(answerAfterOwnChange(tangent, h)) < most) {
             set[size++] = tangent;
         }
     }
 
-    /** The impulse that would solve a row alone, N·s. */
-    private double afterOwnChange(int id, double h) {
+    /** The speed that a row's impulse gives it, m/s, with the impulse that would solve it alone. */
+    private double answerAfterOwnChange(int id, double h) {
         double impulse =
                 rows.data[id / ROWS_PER_CONTACT * Rows.STRIDE + SingleRows.impulseColumn(id)];
-        return impulse - approach(id, h) / (single.response(id, id) + single.give(id));
+        double response = single.response(id, id);
+        return response * (impulse - approach(id, h) / (response + single.give(id)));
     }
 
     private double friction(int row) {

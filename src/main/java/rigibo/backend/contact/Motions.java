@@ -77,12 +77,16 @@ final class Motions {
 
     /** Moves every entry along its velocity for h seconds. */
     void drift(double h) {
-        double[] d = data;
         for (int at = STRIDE; at < count * STRIDE; at += STRIDE) {
-            d[at + DX] += h * d[at + VX];
-            d[at + DY] += h * d[at + VY];
-            d[at + TURN] += h * d[at + SPIN];
+            drift(at, h);
         }
+    }
+
+    /** Moves one entry, at its offset, along its velocity for h seconds. */
+    void drift(int at, double h) {
+        data[at + DX] += h * data[at + VX];
+        data[at + DY] += h * data[at + VY];
+        data[at + TURN] += h * data[at + SPIN];
     }
 
     /** The gap of a contact's point now, m, negative in overlap. */

@@ -135,7 +135,8 @@ public final class PileSolver {
         for (int substep = 0; substep < substeps; substep++) {
             double middle = start + (substep + 0.5) * h;
             kick.remember();
-            if (substep > 0 && turning.refresh((substeps - substep) * h)) {
+            double left = (substeps - substep) * h;
+            if (turning.refresh(substep, dt - left, left)) {
                 direct.forget();
             }
             kick.accelerate(substep == 0 ? start : middle - h, middle);
@@ -276,14 +277,15 @@ public final class PileSolver {
     /**
      * A body that joined at time t takes part from the substep that holds t. It is set back along
      * its straight line to where it would have been when that substep began, so that the blow comes
-     * at its time.
+     * at its time. Its contacts have carried nothing yet.
      */
     private void delayLateJoiners(double start, double h) {
         double[] m = motions.data;
         for (int entry = 1; entry < motions.count; entry++) {
-            double late = bodies.pileTime[motions.slots[entry]] - start;
-            if (late > 0) {
+            double joined = bodies.pileTime[motions.slots[entry]];
+            if (joined > 0) {
                 int at = entry * Motions.STRIDE;
+                double late = joined - start;
                 // Drift moves it from the step's start on, so it is set back by all of that way.
                 m[at + Motions.DX] = -late * m[at + Motions.VX];
                 m[at + Motions.DY] = -late * m[at + Motions.VY];
@@ -297,6 +299,7 @@ public final class PileSolver {
         for (int row = 0; row < rows.count; row++) {
             if (rows.bodyA[row] == body || rows.bodyB[row] == body) {
                 rows.firstSubstep[row] = Math.max(rows.firstSubstep[row], substep);
+                rows.unload(row);
             }
         }
     }

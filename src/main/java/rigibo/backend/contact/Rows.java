@@ -86,6 +86,9 @@ final class Rows {
      */
     static final double COMPLIANCE = 1e-10;
 
+    /** The first substep of a contact that there was when the step began. */
+    private static final int ALWAYS = -1;
+
     double[] data = new double[16 * STRIDE];
 
     /** Offsets of A and B in {@link Motions}, the pair, its points, and the first substep. */
@@ -117,6 +120,15 @@ final class Rows {
         return most;
     }
 
+    /** Takes a contact for one that has carried nothing yet. */
+    void unload(int row) {
+        int at = row * STRIDE;
+        data[at + IMPULSE0] = 0;
+        data[at + IMPULSE1] = 0;
+        data[at + IMPULSE_T] = 0;
+        data[at + IMPULSE_R] = 0;
+    }
+
     /** Makes room for one more contact and returns its index; its numbers are all 0. */
     int add() {
         if (count == pair.length) {
@@ -130,7 +142,7 @@ final class Rows {
             firstSubstep = Arrays.copyOf(firstSubstep, capacity);
         }
         Arrays.fill(data, count * STRIDE, (count + 1) * STRIDE, 0);
-        firstSubstep[count] = 0;
+        firstSubstep[count] = ALWAYS;
         surface[count] = 0;
         return count++;
     }

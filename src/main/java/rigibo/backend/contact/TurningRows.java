@@ -82,20 +82,43 @@ final class TurningRows {
     }
 
     /**
-     * Measures anew what turned too far or is about to, with {@code left} seconds to go.
+     * Measures anew what turned too far or is about to, with {@code left} seconds to go, and what
+     * joins the pile in the substep that begins at {@code time}: the pile has moved on since the
+     * step's start, and the two meet where they are when it joins.
      *
      * @return whether there was anything
      */
-    boolean refresh(double left) {
-        if (!isAnyTurning(left)) {
-            return false;
-        }
+    boolean refresh(int substep, double time, double left) {
+        boolean turns = substep > 0 && isAnyTurning(left);
+        boolean isAny = false;
         for (int row = 0; row < rows.count; row++) {
-            if (isTurning(rows.bodyA[row], left) || isTurning(rows.bodyB[row], left)) {
-                refresh(row, left);
+            if (rows.firstSubstep[row] == substep) {
+                measureAhead(row, left, Math.max(0, joinsAt(row) - time));
+                isAny = true;
+            } else if (turns
+                    && (isTurning(rows.bodyA[row], left) || isTurning(rows.bodyB[row], left))) {
+                measure(row, left);
+                isAny = true;
             }
         }
-        return true;
+        return isAny;
+    }
+
+    /** When the later of two bodies joins, s after the step's start. */
+    private double joinsAt(int row) {
+        int a = rows.bodyA[row];
+        int b = rows.bodyB[row];
+        double whenA = a == 0 ? 0 : bodies.pileTime[motions.slots[a / Motions.STRIDE]];
+        double whenB = b == 0 ? 0 : bodies.pileTime[motions.slots[b / Motions.STRIDE]];
+        return Math.max(whenA, whenB);
+    }
+
+    private void measureAhead(int row, double left, double ahead) {
+        motions.drift(rows.bodyA[row], ahead);
+        motions.drift(rows.bodyB[row], ahead);
+        measure(row, left);
+        motions.drift(rows.bodyA[row], -ahead);
+        motions.drift(rows.bodyB[row], -ahead);
     }
 
     private boolean isAnyTurning(double left) {
@@ -122,7 +145,7 @@ final class TurningRows {
         return bodies.sweepRadius[slot] * turn * turn / 2;
     }
 
-    private void refresh(int row, double left) {
+    private void measure(int row, double left) {
         int pair = rows.pair[row];
         int at = row * Rows.STRIDE;
         // The manifold hands on what its columns hold from the points it had to those it has.

@@ -3,6 +3,7 @@ package rigibo.backend.flight;
 import rigibo.backend.broadphase.Broadphase;
 import rigibo.backend.collision.Motion;
 import rigibo.backend.collision.Narrowphase;
+import rigibo.backend.collision.Pose;
 import rigibo.backend.collision.TimeOfImpact;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.storage.Bodies;
@@ -42,6 +43,8 @@ public final class Flight {
     private final TimeOfImpact timeOfImpact = new TimeOfImpact();
     private final Motion motionA = new Motion();
     private final Motion motionB = new Motion();
+    private final Pose poseA = new Pose();
+    private final Pose poseB = new Pose();
 
     /** Pairs whose impacts fall on the instant that is looked at. */
     private int[] tied = new int[16];
@@ -215,17 +218,21 @@ public final class Flight {
             int other = pairs.other(p, slot);
             if (!paths.isFlyer(slot) && !paths.isFlyer(other)) {
                 queue.remove(p);
-                remeasure(p, dt - time);
+                remeasure(p, time, dt);
             } else {
                 predict(p, time, dt);
             }
         }
     }
 
-    /** The manifold of a pair that the pile's solver will see to, at the poses it starts from. */
-    private void remeasure(int pair, double left) {
+    /** The manifold of a pair that the pile's solver will see to, where its bodies are by then. */
+    private void remeasure(int pair, double time, double dt) {
         boolean touched = pairs.touching[pair];
-        narrowphase.measure(pair, left);
+        paths.load(pairs.bodyA[pair], motionA);
+        paths.load(pairs.bodyB[pair], motionB);
+        motionA.poseAt(time, poseA);
+        motionB.poseAt(time, poseB);
+        narrowphase.measure(pair, poseA, poseB, narrowphase.reach(pair, dt - time));
         narrowphase.leaveOutCovered(pair);
         pairs.touching[pair] = touched;
     }
