@@ -134,6 +134,34 @@ class SeamsTest {
         assertThat(box.velocityX()).isEqualTo(0, within(1e-6));
     }
 
+    /**
+     * A wall that stands on the floor covers a strip of it, yet a wedge whose corner is a little
+     * inside the wall still falls on the floor and no further.
+     */
+    @ParameterizedTest
+    @ValueSource(doubles = {1e-4, 1e-3, 0.01})
+    void floorUnderAWallCarries(double inside) {
+        double tilt = 0.15;
+        double cos = Math.cos(tilt);
+        double sin = Math.sin(tilt);
+        Pool pool = pool(Accuracy.GAME);
+        pool.add(fixed(1, 4).at(-0.5, 2));
+        pool.add(fixed(10, 1).at(4, -0.5));
+        RigidBody wedge =
+                pool.add(
+                        BodyDefinition.dynamic(Polygon.of(0, 0, 0.5, 0, 0.1, 0.4))
+                                .at(0.2 * cos - 0.4 / 3 * sin - inside, 0.2 * sin + 0.4 / 3 * cos)
+                                .angle(tilt)
+                                .material(SMOOTH));
+        for (int step = 0; step < 60; step++) {
+            pool.step(Scenes.DT);
+            double corner =
+                    wedge.y() - 0.2 * Math.sin(wedge.angle()) - 0.4 / 3 * Math.cos(wedge.angle());
+            assertThat(corner).as("step " + step).isEqualTo(0, within(1e-3));
+        }
+        assertThat(wedge.angle()).isEqualTo(0, within(1e-4));
+    }
+
     /** Both boxes of a seam are met at once, on the one normal they have in common. */
     @Test
     void ballOnASeamReboundsStraightUp() {
