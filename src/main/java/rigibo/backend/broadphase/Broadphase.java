@@ -127,11 +127,32 @@ public final class Broadphase {
         cover(slot, left);
         if (moved.count > before) {
             moved.count = before;
-            bodies.refitted[slot] = false;
-            findPairs(slot);
-            for (int p = bodies.firstPair[slot]; p != Pairs.NONE; p = pairs.nextOf(p, slot)) {
-                pairs.activate(p);
-            }
+            meetNeighbours(slot);
+        }
+    }
+
+    /**
+     * Within a step: nobody can tell which way a body at (x, y) in m goes on, so its fixture has to
+     * cover all within a reach of it in m, beside what it covers.
+     */
+    public void lookRound(int slot, double x, double y, double reach) {
+        double radius = bodies.boundingRadius[slot] + reach;
+        swept.minX = Math.min(bodies.fixtureMinX[slot], x - radius);
+        swept.minY = Math.min(bodies.fixtureMinY[slot], y - radius);
+        swept.maxX = Math.max(bodies.fixtureMaxX[slot], x + radius);
+        swept.maxY = Math.max(bodies.fixtureMaxY[slot], y + radius);
+        if (!isCovered(slot)) {
+            writeFixture(slot, 0);
+            hangAnew(slot);
+            meetNeighbours(slot);
+        }
+    }
+
+    private void meetNeighbours(int slot) {
+        bodies.refitted[slot] = false;
+        findPairs(slot);
+        for (int p = bodies.firstPair[slot]; p != Pairs.NONE; p = pairs.nextOf(p, slot)) {
+            pairs.activate(p);
         }
     }
 
@@ -153,12 +174,16 @@ public final class Broadphase {
 
     private void cover(int slot, double dt) {
         sweep(slot, dt);
-        if (!(swept.minX >= bodies.fixtureMinX[slot]
-                && swept.minY >= bodies.fixtureMinY[slot]
-                && swept.maxX <= bodies.fixtureMaxX[slot]
-                && swept.maxY <= bodies.fixtureMaxY[slot])) {
+        if (!isCovered(slot)) {
             lay(slot, dt);
         }
+    }
+
+    private boolean isCovered(int slot) {
+        return swept.minX >= bodies.fixtureMinX[slot]
+                && swept.minY >= bodies.fixtureMinY[slot]
+                && swept.maxX <= bodies.fixtureMaxX[slot]
+                && swept.maxY <= bodies.fixtureMaxY[slot];
     }
 
     /**
@@ -197,13 +222,17 @@ public final class Broadphase {
 
     private void lay(int slot, double dt) {
         writeFixture(slot, dt);
+        hangAnew(slot);
+        noteRefit(slot);
+    }
+
+    private void hangAnew(int slot) {
         tree.move(
                 bodies.leaf[slot],
                 bodies.fixtureMinX[slot],
                 bodies.fixtureMinY[slot],
                 bodies.fixtureMaxX[slot],
                 bodies.fixtureMaxY[slot]);
-        noteRefit(slot);
     }
 
     private void noteRefit(int slot) {

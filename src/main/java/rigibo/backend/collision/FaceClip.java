@@ -16,6 +16,12 @@ final class FaceClip {
      */
     private static final double SAME_PLACE = 0.0137;
 
+    /**
+     * How far beside a face a corner lies that is not over it, likewise: less is round-off, as of a
+     * box before a wall whose feet stand on the same floor.
+     */
+    private static final double BESIDE = 1e-6;
+
     private static final int OF_B = 1 << 16;
     private static final int OF_BOTH = 1 << 17;
 
@@ -49,6 +55,7 @@ final class FaceClip {
     private double separation;
     private boolean isLowNearest;
     private double samePlace;
+    private double beside;
 
     /** Where the closest features are two corners: which of the face, and which of the edge. */
     private boolean isBetweenCorners;
@@ -71,6 +78,7 @@ final class FaceClip {
         endY = polygon.cornerY(faceEnd);
         separation = found.separation;
         samePlace = SAME_PLACE * width;
+        beside = BESIDE * width;
         chooseEdge(other, found.corner, place);
         placeEdge(other, place);
         isBetweenCorners = findCorners();
@@ -127,8 +135,8 @@ final class FaceClip {
         if (!(separation > 0)) {
             return false;
         }
-        boolean isBeyondStart = (isLowNearest ? lowFromStart : highFromStart) < 0;
-        boolean isBeyondEnd = (isLowNearest ? lowFromEnd : highFromEnd) < 0;
+        boolean isBeyondStart = (isLowNearest ? lowFromStart : highFromStart) < -beside;
+        boolean isBeyondEnd = (isLowNearest ? lowFromEnd : highFromEnd) < -beside;
         if (!(isBeyondStart || isBeyondEnd)) {
             return false;
         }

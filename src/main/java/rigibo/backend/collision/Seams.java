@@ -80,10 +80,90 @@ final class Seams {
             int point = 2 * pair + i;
             x = pairs.pointX[point] - outX * pairs.separation[point] / 2;
             y = pairs.pointY[point] - outY * pairs.separation[point] / 2;
-            if (isCovered(pair)) {
+            if (isCovered(pair) && !(pairs.points[pair] == 1 && turnsToFace(pair, point))) {
                 pairs.removePoint(pair, i);
             }
         }
+    }
+
+    /**
+     * Puts a face of the fixed body in place of its covered corner. What lies at the foot of a wall
+     * overlaps the corner that the wall has there by less than it does the wall; but the corner is
+     * inside the floor, and it is the wall's face that it goes into.
+     */
+    private boolean turnsToFace(int pair, int point) {
+        if (bodies.shape[mover].kind() != ShapeKind.POLYGON) {
+            return false;
+        }
+        Polygon polygon = (Polygon) bodies.shape[fixed];
+        double coveredX = outX;
+        double coveredY = outY;
+        double best = Double.NEGATIVE_INFINITY;
+        double bestX = 0;
+        double bestY = 0;
+        for (int i = 0; i < polygon.corners(); i++) {
+            outX = bodies.cos[fixed] * polygon.normalX(i) - bodies.sin[fixed] * polygon.normalY(i);
+            outY = bodies.sin[fixed] * polygon.normalX(i) + bodies.cos[fixed] * polygon.normalY(i);
+            if (outX * coveredX + outY * coveredY > 0) {
+                double separation = placeOnFace(polygon, i);
+                if (separation > best && findFace() && !isCovered(pair)) {
+                    best = separation;
+                    bestX = outX;
+                    bestY = outY;
+                    pairs.pointX[point] = x + outX * separation / 2;
+                    pairs.pointY[point] = y + outY * separation / 2;
+                }
+            }
+        }
+        if (best == Double.NEGATIVE_INFINITY) {
+            return false;
+        }
+        double sign = fixed == pairs.bodyA[pair] ? 1 : -1;
+        pairs.normalX[pair] = sign * bestX;
+        pairs.normalY[pair] = sign * bestY;
+        pairs.separation[point] = best;
+        return true;
+    }
+
+    /**
+     * Moves the point to where the mover is nearest to a face of the fixed body, or goes deepest
+     * into it; returns how far it is from there, m, or −∞ where it is not over the face.
+     */
+    private double placeOnFace(Polygon polygon, int face) {
+        Polygon shape = (Polygon) bodies.shape[mover];
+        int next = face + 1 == polygon.corners() ? 0 : face + 1;
+        double startX = worldX(fixed, polygon, face);
+        double startY = worldY(fixed, polygon, face);
+        double endX = worldX(fixed, polygon, next);
+        double endY = worldY(fixed, polygon, next);
+        double least = Double.POSITIVE_INFINITY;
+        for (int i = 0; i < shape.corners(); i++) {
+            double cx = worldX(mover, shape, i);
+            double cy = worldY(mover, shape, i);
+            double height = outX * (cx - startX) + outY * (cy - startY);
+            if (height < least) {
+                least = height;
+                x = cx - height * outX;
+                y = cy - height * outY;
+            }
+        }
+        double beside = CLOSED * width;
+        boolean isOver =
+                outX * (y - startY) - outY * (x - startX) > -beside
+                        && outX * (endY - y) - outY * (endX - x) > -beside;
+        return isOver ? least : Double.NEGATIVE_INFINITY;
+    }
+
+    private double worldX(int slot, Polygon polygon, int corner) {
+        return bodies.x[slot]
+                + bodies.cos[slot] * polygon.cornerX(corner)
+                - bodies.sin[slot] * polygon.cornerY(corner);
+    }
+
+    private double worldY(int slot, Polygon polygon, int corner) {
+        return bodies.y[slot]
+                + bodies.sin[slot] * polygon.cornerX(corner)
+                + bodies.cos[slot] * polygon.cornerY(corner);
     }
 
     private boolean isCovered(int pair) {
@@ -110,16 +190,12 @@ final class Seams {
     /** Looks for the face that the normal belongs to, by the corners that lie as high. */
     private boolean findFace() {
         Polygon polygon = (Polygon) bodies.shape[fixed];
-        double cos = bodies.cos[fixed];
-        double sin = bodies.sin[fixed];
         double parallel = isFaceOfMover() ? PARALLEL : ROUND_OFF;
         ahead = 0;
         behind = 0;
         for (int i = 0; i < polygon.corners(); i++) {
-            double cx = polygon.cornerX(i);
-            double cy = polygon.cornerY(i);
-            double dx = bodies.x[fixed] + cos * cx - sin * cy - x;
-            double dy = bodies.y[fixed] + sin * cx + cos * cy - y;
+            double dx = worldX(fixed, polygon, i) - x;
+            double dy = worldY(fixed, polygon, i) - y;
             double height = outX * dx + outY * dy;
             double along = outX * dy - outY * dx;
             if (height >= -parallel * Math.abs(along)) {

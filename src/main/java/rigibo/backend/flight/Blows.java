@@ -145,16 +145,9 @@ final class Blows {
      * that whatever follows behind is not met later than expected.
      */
     void expectRebound(int pair, int lander) {
-        loadImpact(pair);
-        if (impact.points == 0) {
+        if (expectedBlow(pair).points == 0) {
             return;
         }
-        impact.velocityAX = motionA.velocityX;
-        impact.velocityAY = motionA.velocityY;
-        impact.spinA = motionA.spin;
-        impact.velocityBX = motionB.velocityX;
-        impact.velocityBY = motionB.velocityY;
-        impact.spinB = motionB.spin;
         if (pairs.bodyA[pair] == lander) {
             impact.inverseMassB = 0;
             impact.inverseInertiaB = 0;
@@ -166,6 +159,18 @@ final class Blows {
             law.resolve(impact);
             paths.expect(lander, impact.velocityBX, impact.velocityBY, impact.spinB);
         }
+    }
+
+    /** The blow of a pair that has met, at the velocities that both are expected to have. */
+    Impact expectedBlow(int pair) {
+        loadImpact(pair);
+        impact.velocityAX = motionA.velocityX;
+        impact.velocityAY = motionA.velocityY;
+        impact.spinA = motionA.spin;
+        impact.velocityBX = motionB.velocityX;
+        impact.velocityBY = motionB.velocityY;
+        impact.spinB = motionB.spin;
+        return impact;
     }
 
     /** Brings both bodies to the time of their impact and finds where they touch. */
@@ -182,7 +187,8 @@ final class Blows {
         narrowphase.measure(pair, poseA, poseB, PairTolerances.TOUCHING_GAP * width);
     }
 
-    private void bring(int slot, double time) {
+    /** Brings a body's columns to a time in s, if it flies. */
+    void bring(int slot, double time) {
         if (paths.isFlyer(slot)) {
             paths.advance(slot, time);
             if (course != null) {

@@ -5,6 +5,7 @@ import rigibo.backend.collision.Motion;
 import rigibo.backend.collision.Narrowphase;
 import rigibo.backend.collision.Pose;
 import rigibo.backend.collision.TimeOfImpact;
+import rigibo.backend.impact.Impact;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.Counters;
@@ -35,6 +36,7 @@ public final class Flight {
     private final Accuracy accuracy;
     private final Trajectories paths;
     private final Blows blows;
+    private final Bystanders bystanders;
 
     /** Paths under forces that change along the way, or null where there are none. */
     private final Course course;
@@ -69,6 +71,7 @@ public final class Flight {
         this.course = course;
         paths = new Trajectories(bodies);
         blows = new Blows(data, narrowphase, accuracy, paths, course);
+        bystanders = new Bystanders(data, narrowphase, broadphase, paths);
     }
 
     /** Moves every flyer to the end of a step of {@code dt} seconds, through everything. */
@@ -81,18 +84,57 @@ public final class Flight {
     public void flyWithImpacts(double dt) {
         paths.begin();
         queue.clear(pairs.bodyA.length);
-        reserve(pairs.bodyA.length);
+        reserve();
         for (int i = 0; i < pairs.activeCount; i++) {
             if (pairs.points[pairs.active[i]] > 0) {
                 predict(pairs.active[i], 0, dt);
             }
         }
+        disturbBouncers(dt);
         while (!queue.isEmpty()) {
             double time = queue.firstTime();
             takeTies();
             strikeTies(time, dt);
         }
         finish(dt);
+    }
+
+    private void disturbBouncers(double dt) {
+        int count = pairs.activeCount;
+        for (int i = 0; i < count; i++) {
+            if (pairs.points[pairs.active[i]] > 0) {
+                disturbBouncers(pairs.active[i], 0, dt);
+            }
+        }
+    }
+
+    private void disturbBouncers(int pair, double time, double dt) {
+        int a = pairs.bodyA[pair];
+        int b = pairs.bodyB[pair];
+        if (!paths.isFlyer(a) && !paths.isFlyer(b)) {
+            double reach = bystanders.reachOfBouncers(pair, dt - time);
+            disturb(a, reach, time, dt);
+            disturb(b, reach, time, dt);
+        }
+    }
+
+    /** What a body of a pile may reach from a time on becomes part of the pile, or a contact. */
+    private void disturb(int slot, double reach, double time, double dt) {
+        if (reach == 0 || !hitsPile(slot) || !bodies.awake[slot]) {
+            return;
+        }
+        bystanders.lookRound(slot, time, reach);
+        reserve();
+        for (int p = bodies.firstPair[slot]; p != Pairs.NONE; p = pairs.nextOf(p, slot)) {
+            int other = pairs.other(p, slot);
+            boolean flies = paths.isFlyer(other);
+            boolean isContact = !flies && pairs.points[p] > 0;
+            if (!isContact && bystanders.isWithinReach(p, reach, time, dt - time) && flies) {
+                blows.bring(other, time);
+                paths.land(other, time);
+                repredict(other, time, dt);
+            }
+        }
     }
 
     private void finish(double dt) {
@@ -138,7 +180,9 @@ public final class Flight {
     }
 
     /** Makes room for an instant at which all pairs meet. */
-    private void reserve(int pairCapacity) {
+    private void reserve() {
+        int pairCapacity = pairs.bodyA.length;
+        queue.reserve(pairCapacity);
         if (tied.length < pairCapacity) {
             tied = new int[pairCapacity];
         }
@@ -167,6 +211,7 @@ public final class Flight {
         for (int i = 0; i < left; i++) {
             repredict(pairs.bodyA[tied[i]], time, dt);
             repredict(pairs.bodyB[tied[i]], time, dt);
+            disturbBouncers(tied[i], time, dt);
         }
     }
 
@@ -197,9 +242,14 @@ public final class Flight {
         }
         paths.landEarlier(pileBody, time);
         paths.land(flyer, time);
+        boolean isA = pairs.bodyA[pair] == pileBody;
+        Impact blow = blows.expectedBlow(pair);
+        double reach = bystanders.reachOfStruck(pileBody, blow, isA, dt - time);
         blows.expectRebound(pair, flyer);
         pairs.impacts[pair]++;
         repredict(flyer, time, dt);
+        disturb(pileBody, reach, time, dt);
+        disturb(flyer, reach, time, dt);
     }
 
     /**
@@ -213,7 +263,7 @@ public final class Flight {
             course.lay(slot, time, dt);
         }
         broadphase.follow(slot, dt - time);
-        queue.reserve(pairs.bodyA.length);
+        reserve();
         for (int p = bodies.firstPair[slot]; p != Pairs.NONE; p = pairs.nextOf(p, slot)) {
             int other = pairs.other(p, slot);
             if (!paths.isFlyer(slot) && !paths.isFlyer(other)) {

@@ -27,30 +27,64 @@ class OverlapLawTest {
                 OverlapLawTest::shallow);
     }
 
-    @Disabled(
-            "a light body between a heavy one and the floor: deeper at GAME in 3 of 300 scenes "
-                    + "(worst 0.17, seed 247), at DRAFT in 5, at FINE and EXACT in 6")
+    @Disabled("deeper at DRAFT in 4 of 300 scenes (0.09 widths, seed 258), at GAME in 2 (0.03)")
     @ParameterizedTest
-    @EnumSource(Preset.class)
-    void fewBodiesDoNotSinkIntoEachOther(Preset preset) {
-        Laws.hold(
-                1,
-                SCENES,
-                seed -> Surroundings.landing(seed, preset.accuracy, 3),
-                OverlapLawTest::shallow);
+    @EnumSource(
+            value = Preset.class,
+            names = {"DRAFT", "GAME"})
+    void fewBodiesHardlySinkIn(Preset preset) {
+        Laws.hold(1, SCENES, seed -> few(seed, preset), OverlapLawTest::shallow);
     }
 
-    @Disabled(
-            "bodies that strike a pile at speed: deeper in 26 to 37 of 300 scenes at every preset "
-                    + "(GAME: 27, worst 1.1, seed 41)")
+    @ParameterizedTest
+    @EnumSource(
+            value = Preset.class,
+            names = {"FINE", "EXACT"})
+    void fewBodiesDoNotSinkIntoEachOther(Preset preset) {
+        Laws.hold(1, SCENES, seed -> few(seed, preset), OverlapLawTest::shallow);
+    }
+
     @ParameterizedTest
     @EnumSource(Preset.class)
-    void bodiesThrownAtEachOtherDoNotSinkIn(Preset preset) {
+    void fewBodiesSinkNoDeeperThanInASubstep(Preset preset) {
+        Laws.hold(1, SCENES, seed -> few(seed, preset), OverlapLawTest::stoppedWithinASubstep);
+    }
+
+    @ParameterizedTest
+    @EnumSource(Preset.class)
+    void bodiesThrownAtEachOtherSinkNoDeeperThanInASubstep(Preset preset) {
         Laws.hold(
                 1,
                 SCENES,
                 seed -> Surroundings.meeting(seed, preset.accuracy),
-                OverlapLawTest::shallow);
+                OverlapLawTest::stoppedWithinASubstep);
+    }
+
+    @ParameterizedTest
+    @EnumSource(
+            value = Preset.class,
+            names = {"DRAFT", "GAME"})
+    void bodiesThrownInATraySinkNoDeeperThanInASubstep(Preset preset) {
+        Laws.hold(1, SCENES, seed -> tray(seed, preset), OverlapLawTest::stoppedWithinASubstep);
+    }
+
+    @Disabled(
+            "a substep of FINE or EXACT is short: deeper at FINE in 3 of 300 scenes (3.7 times,"
+                    + " seed 49), at EXACT in 10 (7.5 times, seed 49)")
+    @ParameterizedTest
+    @EnumSource(
+            value = Preset.class,
+            names = {"FINE", "EXACT"})
+    void bodiesThrownInATraySinkNoDeeperThanInAShortSubstep(Preset preset) {
+        Laws.hold(1, SCENES, seed -> tray(seed, preset), OverlapLawTest::stoppedWithinASubstep);
+    }
+
+    private static RandomScene few(long seed, Preset preset) {
+        return Surroundings.landing(seed, preset.accuracy, 3);
+    }
+
+    private static RandomScene tray(long seed, Preset preset) {
+        return Surroundings.tray(seed, preset.accuracy);
     }
 
     private static Optional<String> shallow(RandomScene scene) {
@@ -66,5 +100,29 @@ class OverlapLawTest {
             deepest = Math.max(deepest, pool.step(RandomScene.DT).deepestOverlap());
         }
         return Law.atMost(DEEPEST, deepest / width, "overlap as a share of the smallest width");
+    }
+
+    /**
+     * Whatever strikes is answered in the substep in which it does: until then it has sunk in by no
+     * more than the fastest outline of the scene goes in one.
+     */
+    private static Optional<String> stoppedWithinASubstep(RandomScene scene) {
+        Pool pool = scene.pool();
+        double fastest = 0;
+        double most = 0;
+        for (int i = 0; i < scene.steps(); i++) {
+            fastest =
+                    pool.bodies().stream()
+                            .mapToDouble(OverlapLawTest::speed)
+                            .reduce(fastest, Math::max);
+            double way = fastest * RandomScene.DT / scene.accuracy().substeps();
+            most = Math.max(most, pool.step(RandomScene.DT).deepestOverlap() / way);
+        }
+        return Law.atMost(1, most, "overlap in ways of a substep");
+    }
+
+    private static double speed(RigidBody body) {
+        double turning = Math.abs(body.angularVelocity()) * body.shape().boundingRadius();
+        return Math.hypot(body.velocityX(), body.velocityY()) + turning;
     }
 }

@@ -1,0 +1,119 @@
+package rigibo.backend.flight;
+
+import rigibo.backend.broadphase.Broadphase;
+import rigibo.backend.collision.Motion;
+import rigibo.backend.collision.Narrowphase;
+import rigibo.backend.collision.Pose;
+import rigibo.backend.impact.Impact;
+import rigibo.backend.impact.ImpactLaw;
+import rigibo.backend.storage.Bodies;
+import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.PairTolerances;
+import rigibo.backend.storage.Pairs;
+
+/**
+ * Flyers beside a body of a pile that is struck, or that is about to bounce: where it goes in what
+ * is left of the step only the pile's solver will tell, and by then they would be past. So those
+ * that it could reach join the pile. It moves what touches nothing as exactly as flight does.
+ */
+final class Bystanders {
+
+    /** Way off its path, as a share of its width, from which on a body surprises its neighbours. */
+    private static final double SURPRISE = 0.02;
+
+    /** How much faster than by a single blow a body may leave when it is struck against others. */
+    private static final double WEDGED = 2;
+
+    private final Bodies bodies;
+    private final Pairs pairs;
+    private final Narrowphase narrowphase;
+    private final Broadphase broadphase;
+    private final Trajectories paths;
+    private final ImpactLaw law = new ImpactLaw();
+    private final Motion motionA = new Motion();
+    private final Motion motionB = new Motion();
+    private final Pose poseA = new Pose();
+    private final Pose poseB = new Pose();
+
+    Bystanders(
+            DataStorage data, Narrowphase narrowphase, Broadphase broadphase, Trajectories paths) {
+        bodies = data.bodies;
+        pairs = data.pairs;
+        this.narrowphase = narrowphase;
+        this.broadphase = broadphase;
+        this.paths = paths;
+    }
+
+    /**
+     * How far in m a body of a pile may get in what is left of the step, s, when another strikes
+     * it; 0 where that surprises nobody.
+     */
+    double reachOfStruck(int struck, Impact blow, boolean isA, double left) {
+        if (!bodies.isDynamic(struck) || blow.points == 0) {
+            return 0;
+        }
+        law.resolve(blow);
+        double vx = isA ? blow.velocityAX : blow.velocityBX;
+        double vy = isA ? blow.velocityAY : blow.velocityBY;
+        double changeX = vx - bodies.velocityX[struck];
+        double changeY = vy - bodies.velocityY[struck];
+        double way = Math.sqrt(changeX * changeX + changeY * changeY) * left;
+        boolean isSurprise = way > SURPRISE * bodies.smallestWidth[struck];
+        return isSurprise ? WEDGED * Math.sqrt(vx * vx + vy * vy) * left : 0;
+    }
+
+    /**
+     * How far in m the bodies of a contact in a pile may get in a step of dt seconds in which they
+     * strike each other; 0 where that surprises nobody.
+     */
+    double reachOfBouncers(int pair, double dt) {
+        int a = pairs.bodyA[pair];
+        int b = pairs.bodyB[pair];
+        double x = bodies.velocityX[b] - bodies.velocityX[a];
+        double y = bodies.velocityY[b] - bodies.velocityY[a];
+        double turning = turning(a) + turning(b);
+        double closing = turning - (x * pairs.normalX[pair] + y * pairs.normalY[pair]);
+        double unseen = SURPRISE * PairTolerances.width(bodies, a, b);
+        boolean isSurprise = closing * dt > Math.max(unseen, pairs.gap(pair));
+        return isSurprise ? WEDGED * (Math.sqrt(x * x + y * y) + turning) * dt : 0;
+    }
+
+    /** Speed in m/s that turning gives the outline of a body. */
+    private double turning(int slot) {
+        return Math.abs(bodies.spin[slot]) * bodies.sweepRadius[slot];
+    }
+
+    /** Finds all that lies within a reach of a body at a time, as pairs. */
+    void lookRound(int slot, double time, double reach) {
+        paths.load(slot, motionA);
+        motionA.placeAt(time, poseA);
+        broadphase.lookRound(slot, poseA.x, poseA.y, reach);
+    }
+
+    /**
+     * Measures a pair with a body of a pile that may get as far as {@code reach} m in what is left
+     * of the step, s; returns whether the other is within it. Where both were in piles from the
+     * start they are measured where they began, else where they are by then.
+     */
+    boolean isWithinReach(int pair, double reach, double time, double left) {
+        int a = pairs.bodyA[pair];
+        int b = pairs.bodyB[pair];
+        if (isFromStart(a) && isFromStart(b)) {
+            poseA.set(bodies.x[a], bodies.y[a], bodies.cos[a], bodies.sin[a]);
+            poseB.set(bodies.x[b], bodies.y[b], bodies.cos[b], bodies.sin[b]);
+        } else {
+            paths.load(a, motionA);
+            paths.load(b, motionB);
+            motionA.poseAt(time, poseA);
+            motionB.poseAt(time, poseB);
+        }
+        double both = reach + narrowphase.reach(pair, time + left);
+        narrowphase.measure(pair, poseA, poseB, both);
+        narrowphase.leaveOutCovered(pair);
+        return pairs.points[pair] > 0;
+    }
+
+    private boolean isFromStart(int slot) {
+        return !paths.isFlyer(slot) && !(bodies.isDynamic(slot) && bodies.pileTime[slot] > 0);
+    }
+}
