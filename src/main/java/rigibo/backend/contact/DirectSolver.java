@@ -24,6 +24,9 @@ final class DirectSolver {
     /** The same for an island that hardly moves: once it is solved it is not eliminated again. */
     static final int MOST_ROWS_IF_CALM = 480;
 
+    /** Room that the factor of any island in motion has: none grows once the first is solved. */
+    private static final int FULL = MOST_ROWS * (MOST_ROWS + 1) / 2;
+
     /** Sets tried within one solve, for each substep; passes over the rows see to what is left. */
     private static final int TRIES_PER_SUBSTEP = 8;
 
@@ -393,7 +396,7 @@ final class DirectSolver {
             length += i - first[i] + 1;
         }
         if (factor.length < length) {
-            factor = Arrays.copyOf(factor, 2 * length);
+            factor = Arrays.copyOf(factor, Math.max(FULL, 2 * length));
         }
     }
 

@@ -19,8 +19,6 @@ final class FrictionSolver {
     private int[] rollingRows = new int[16];
     private int rollingCount;
     private double largestChange;
-    private int[] carriedRows = new int[16];
-    private int carriedCount;
 
     FrictionSolver(Motions motions, Rows rows) {
         this.motions = motions;
@@ -42,32 +40,11 @@ final class FrictionSolver {
                 slidingRows[slidingCount++] = row;
             }
         }
-        carriedCount = 0;
-        if (rows.carried > 0) {
-            takeCarried();
-        }
-    }
-
-    /** Moves the rows whose surface runs to a list of their own. */
-    private void takeCarried() {
-        if (carriedRows.length < slidingRows.length) {
-            carriedRows = new int[slidingRows.length];
-        }
-        int kept = 0;
-        for (int i = 0; i < slidingCount; i++) {
-            int row = slidingRows[i];
-            if (rows.surface[row] != 0) {
-                carriedRows[carriedCount++] = row;
-            } else {
-                slidingRows[kept++] = row;
-            }
-        }
-        slidingCount = kept;
     }
 
     /** How many rows a pass solves. */
     int rowCount() {
-        return slidingCount + carriedCount + rollingCount;
+        return slidingCount + rollingCount;
     }
 
     /** One pass over all kinds of rows; returns the largest change of speed in it, m/s. */
@@ -75,12 +52,7 @@ final class FrictionSolver {
         largestChange = 0;
         for (int i = 0; i < slidingCount; i++) {
             if (rows.firstSubstep[slidingRows[i]] <= substep) {
-                slide(slidingRows[i], sliding(slidingRows[i]));
-            }
-        }
-        for (int i = 0; i < carriedCount; i++) {
-            if (rows.firstSubstep[carriedRows[i]] <= substep) {
-                slide(carriedRows[i], slidingOnSurface(carriedRows[i]));
+                slide(slidingRows[i]);
             }
         }
         for (int i = 0; i < rollingCount; i++) {
@@ -107,7 +79,7 @@ final class FrictionSolver {
         double both = d[at + Rows.LEVER_TB] * ib + d[at + Rows.LEVER_TA] * ia;
         double determinant = slides * (ia + ib) - both * both;
         if (determinant > 0) {
-            double vt = slidingOnSurface(row);
+            double vt = sliding(row);
             double wr = turning(row);
             double tangent = d[at + Rows.IMPULSE_T] + (both * wr - (ia + ib) * vt) / determinant;
             double roll = d[at + Rows.IMPULSE_R] + (both * vt - slides * wr) / determinant;
@@ -119,19 +91,19 @@ final class FrictionSolver {
         }
         roll(row);
         if (mostSlide > 0) {
-            slide(row, slidingOnSurface(row));
+            slide(row);
         }
     }
 
-    private void slide(int row, double speed) {
+    private void slide(int row) {
         double[] d = rows.data;
         int at = row * Rows.STRIDE;
         double most = d[at + Rows.FRICTION] * (d[at + Rows.IMPULSE0] + d[at + Rows.IMPULSE1]);
-        double wanted = d[at + Rows.IMPULSE_T] - d[at + Rows.MASS_T] * speed;
+        double wanted = d[at + Rows.IMPULSE_T] - d[at + Rows.MASS_T] * sliding(row);
         keepTangent(row, clamp(wanted / (1 + Rows.COMPLIANCE), most));
     }
 
-    /** Speed in m/s at which B slides along the tangent on A. */
+    /** Speed in m/s at which B slides along the tangent on A, against surfaces that run. */
     private double sliding(int row) {
         double[] d = rows.data;
         double[] m = motions.data;
@@ -141,12 +113,8 @@ final class FrictionSolver {
         return d[at + Rows.NX] * (m[b + VY] - m[a + VY])
                 - d[at + Rows.NY] * (m[b + VX] - m[a + VX])
                 + d[at + Rows.LEVER_TB] * m[b + SPIN]
-                - d[at + Rows.LEVER_TA] * m[a + SPIN];
-    }
-
-    /** The same against surfaces that run. */
-    private double slidingOnSurface(int row) {
-        return sliding(row) - rows.surface[row];
+                - d[at + Rows.LEVER_TA] * m[a + SPIN]
+                - rows.surface[row];
     }
 
     private void keepTangent(int row, double impulse) {

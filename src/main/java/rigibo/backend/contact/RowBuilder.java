@@ -64,7 +64,6 @@ final class RowBuilder {
     void build(int island, double firstKick) {
         motions.clear(bodies);
         rows.count = 0;
-        rows.carried = 0;
         for (int i = islands.bodyStart[island]; i < islands.bodyStart[island + 1]; i++) {
             motions.offset(bodies, islands.bodies[i]);
         }
@@ -102,7 +101,7 @@ final class RowBuilder {
         writeNormalMasses(row, at);
         writeFriction(row, at, pair);
         if (bodies.surfaceSpeed != null) {
-            writeSurface(row, a, b);
+            writeSurface(row, 0);
         }
         writeBounce(at, pair, 2 * firstKick);
         writeImpulses(row, at, pair, firstKick);
@@ -153,23 +152,34 @@ final class RowBuilder {
         double ay = centreY(pairs.bodyA[pair], rows.bodyA[row]);
         double bx = centreX(pairs.bodyB[pair], rows.bodyB[row]);
         double by = centreY(pairs.bodyB[pair], rows.bodyB[row]);
-        double middleX = 0;
-        double middleY = 0;
-        int points = pairs.points[pair];
-        for (int i = 0; i < points; i++) {
+        for (int i = 0; i < pairs.points[pair]; i++) {
             double px = pairs.pointX[2 * pair + i];
             double py = pairs.pointY[2 * pair + i];
             int shift = at + 2 * i;
             d[shift + Rows.LEVER_A0] = (px - ax) * ny - (py - ay) * nx;
             d[shift + Rows.LEVER_B0] = (px - bx) * ny - (py - by) * nx;
             d[at + Rows.GAP0 + i] = pairs.separation[2 * pair + i];
-            middleX += px / points;
-            middleY += py / points;
         }
         d[at + Rows.NX] = nx;
         d[at + Rows.NY] = ny;
-        d[at + Rows.LEVER_TA] = (middleX - ax) * nx + (middleY - ay) * ny;
-        d[at + Rows.LEVER_TB] = (middleX - bx) * nx + (middleY - by) * ny;
+        double rubsAt = rubsAt(pair, nx, ny);
+        d[at + Rows.LEVER_TA] = rubsAt - ax * nx - ay * ny;
+        d[at + Rows.LEVER_TB] = rubsAt - bx * nx - by * ny;
+    }
+
+    /**
+     * How far along the normal a contact rubs, m: where its nearest point is. What stands on one
+     * corner and has the other in the air turns about the one.
+     */
+    private double rubsAt(int pair, double nx, double ny) {
+        int point = 2 * pair;
+        double first = nx * pairs.pointX[point] + ny * pairs.pointY[point];
+        if (pairs.points[pair] < 2) {
+            return first;
+        }
+        double second = nx * pairs.pointX[point + 1] + ny * pairs.pointY[point + 1];
+        double difference = pairs.separation[point + 1] - pairs.separation[point];
+        return difference == 0 ? (first + second) / 2 : difference > 0 ? first : second;
     }
 
     private double centreX(int slot, int entry) {
@@ -265,11 +275,17 @@ final class RowBuilder {
         }
     }
 
-    /** Both outlines run counter-clockwise, so that at the contact their speeds add. */
-    private void writeSurface(int row, int a, int b) {
-        double speed = bodies.surfaceSpeed[a] + bodies.surfaceSpeed[b];
-        rows.surface[row] = speed;
-        rows.carried += speed == 0 ? 0 : 1;
+    /**
+     * Writes the speed that friction aims at: that of running surfaces, whose outlines both run
+     * counter-clockwise, so that at the contact their speeds add, and another beside it, m/s.
+     */
+    void writeSurface(int row, double beside) {
+        double running =
+                bodies.surfaceSpeed == null
+                        ? 0
+                        : bodies.surfaceSpeed[pairs.bodyA[rows.pair[row]]]
+                                + bodies.surfaceSpeed[pairs.bodyB[rows.pair[row]]];
+        rows.surface[row] = running + beside;
     }
 
     /**

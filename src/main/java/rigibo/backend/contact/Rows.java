@@ -100,10 +100,8 @@ final class Rows {
     int[] firstSubstep = new int[16];
     int count;
 
-    /** Speed in m/s at which running surfaces carry B along the tangent on A; how many do. */
+    /** Speed in m/s along the tangent at which friction lets B run on A. */
     double[] surface = new double[16];
-
-    int carried;
 
     /**
      * Contacts from here on are against what cannot give way. Every pass takes them last: what it
@@ -127,6 +125,13 @@ final class Rows {
         data[at + IMPULSE1] = 0;
         data[at + IMPULSE_T] = 0;
         data[at + IMPULSE_R] = 0;
+    }
+
+    /** Takes all contacts for such. */
+    void unload() {
+        for (int row = 0; row < count; row++) {
+            unload(row);
+        }
     }
 
     /** Makes room for one more contact and returns its index; its numbers are all 0. */

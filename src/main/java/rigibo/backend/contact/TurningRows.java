@@ -3,6 +3,7 @@ package rigibo.backend.contact;
 import rigibo.backend.collision.Narrowphase;
 import rigibo.backend.collision.Pose;
 import rigibo.backend.geometry.Angle;
+import rigibo.backend.geometry.Polygon;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.Islands;
@@ -17,11 +18,14 @@ import rigibo.backend.storage.Pairs;
  */
 final class TurningRows {
 
-    /** Sagitta of a whole step that may be passed over, as a share of the body's width. */
-    private static final double STRAIGHT = 1e-4;
-
     /** What all substeps may miss together, likewise; n of them miss an n-th of the whole way. */
     private static final double CALM = 0.02;
+
+    /** Share of a face that a body may turn by in a substep, at the end of which a corner lands. */
+    private static final double MOST_OF_FACE = 0.05;
+
+    /** Bodies of an island up to which that counts: in a heap nothing rolls on by itself. */
+    private static final int FEW = 4;
 
     /** An island is given at most this many times the substeps of a calm one; */
     private static final double MOST_MORE = 16;
@@ -42,6 +46,9 @@ final class TurningRows {
     private final Pose poseA = new Pose();
     private final Pose poseB = new Pose();
 
+    /** Sagitta of a whole step that may be passed over, as a share of the body's width. */
+    private final double straight;
+
     /** How many times the usual substeps the packed island has. */
     private double more;
 
@@ -50,7 +57,9 @@ final class TurningRows {
             Narrowphase narrowphase,
             Motions motions,
             Rows rows,
-            RowBuilder builder) {
+            RowBuilder builder,
+            double straight) {
+        this.straight = straight;
         bodies = data.bodies;
         pairs = data.pairs;
         islands = data.islands;
@@ -68,10 +77,20 @@ final class TurningRows {
             int slot = islands.bodies[i];
             double missed = leaves(slot, left) / usual;
             wanted = Math.max(wanted, missed / (CALM * bodies.smallestWidth[slot]));
+            if (end - islands.bodyStart[island] <= FEW) {
+                wanted = Math.max(wanted, facesTurned(slot, left) / (usual * MOST_OF_FACE));
+            }
         }
         double most = Math.min(MOST_MORE, MOST_IN_ALL / (end - islands.bodyStart[island]));
         more = Math.max(1, Math.min(most, wanted));
         return (int) Math.ceil(usual * more);
+    }
+
+    /** By how many of its faces a body turns in h seconds: each puts it on another corner. */
+    private double facesTurned(int slot, double h) {
+        return bodies.shape[slot] instanceof Polygon polygon
+                ? Math.abs(bodies.spin[slot]) * h * polygon.corners() / (2 * Math.PI)
+                : 0;
     }
 
     /** How far in m the outline leaves its line in h seconds, by turning and by sliding off it. */
@@ -82,26 +101,57 @@ final class TurningRows {
     }
 
     /**
-     * Measures anew what turned too far or is about to, with {@code left} seconds to go, and what
-     * joins the pile in the substep that begins at {@code time}: the pile has moved on since the
-     * step's start, and the two meet where they are when it joins.
+     * Measures anew what turned too far or is about to, before a substep of h seconds that begins
+     * at {@code time}, with {@code left} seconds to go; and what joins the pile in that substep,
+     * where the two are when it joins: the pile has moved on since the step's start.
      *
      * @return whether there was anything
      */
-    boolean refresh(int substep, double time, double left) {
-        boolean turns = substep > 0 && isAnyTurning(left);
+    boolean refresh(int substep, double h, double time, double left) {
+        boolean turns = isAnyTurning(left);
         boolean isAny = false;
         for (int row = 0; row < rows.count; row++) {
-            if (rows.firstSubstep[row] == substep) {
+            boolean joins = rows.firstSubstep[row] == substep;
+            boolean isTurning =
+                    turns && (isTurning(rows.bodyA[row], left) || isTurning(rows.bodyB[row], left));
+            if (joins) {
                 measureAhead(row, left, Math.max(0, joinsAt(row) - time));
-                isAny = true;
-            } else if (turns
-                    && (isTurning(rows.bodyA[row], left) || isTurning(rows.bodyB[row], left))) {
+            } else if (isTurning && substep > 0) {
                 measure(row, left);
-                isAny = true;
             }
+            if (isTurning) {
+                bend(row, h);
+            }
+            isAny |= joins || isTurning;
         }
         return isAny;
+    }
+
+    /**
+     * A point that turns with its body leaves its line by ½ω²h² of its arm within a substep,
+     * towards the centre of mass. So much wider is the gap that may close, and so much the point
+     * must run ahead along the surface if it is to stay where it is: then what pivots on a corner
+     * keeps its energy but for terms in h².
+     */
+    private void bend(int row, double h) {
+        int at = row * Rows.STRIDE;
+        double[] d = rows.data;
+        double bendA = bend(pairs.bodyA[rows.pair[row]], rows.bodyA[row], h);
+        double bendB = bend(pairs.bodyB[rows.pair[row]], rows.bodyB[row], h);
+        double gap = bendA * d[at + Rows.LEVER_TA] - bendB * d[at + Rows.LEVER_TB];
+        double way0 = bendA * d[at + Rows.LEVER_A0] - bendB * d[at + Rows.LEVER_B0];
+        double way1 = bendA * d[at + Rows.LEVER_A1] - bendB * d[at + Rows.LEVER_B1];
+        double difference = rows.points[row] == 2 ? d[at + Rows.GAP1] - d[at + Rows.GAP0] : 1;
+        double way = difference == 0 ? (way0 + way1) / 2 : difference > 0 ? way0 : way1;
+        d[at + Rows.GAP0] += gap;
+        d[at + Rows.GAP1] += gap;
+        builder.writeSurface(row, h > 0 ? way / h : 0);
+    }
+
+    /** Half the square of the angle by which an outline turns in h seconds. */
+    private double bend(int slot, int entry, double h) {
+        double turn = motions.data[entry + Motions.SPIN] * h;
+        return bodies.sweepRadius[slot] > 0 ? turn * turn / 2 : 0;
     }
 
     /** When the later of two bodies joins, s after the step's start. */
@@ -138,7 +188,7 @@ final class TurningRows {
         double turn =
                 Math.abs(motions.data[entry + Motions.TURN])
                         + Math.abs(motions.data[entry + Motions.SPIN]) * left;
-        return sagitta(slot, turn) > STRAIGHT * bodies.smallestWidth[slot];
+        return sagitta(slot, turn) > straight * bodies.smallestWidth[slot];
     }
 
     private double sagitta(int slot, double turn) {

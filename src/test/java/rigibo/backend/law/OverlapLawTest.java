@@ -27,7 +27,7 @@ class OverlapLawTest {
                 OverlapLawTest::shallow);
     }
 
-    @Disabled("deeper at DRAFT in 4 of 300 scenes (0.09 widths, seed 258), at GAME in 2 (0.03)")
+    @Disabled("deeper at DRAFT in 5 of 300 scenes (0.15 widths, seed 199), at GAME in 2 (0.03)")
     @ParameterizedTest
     @EnumSource(
             value = Preset.class,
@@ -69,8 +69,8 @@ class OverlapLawTest {
     }
 
     @Disabled(
-            "a substep of FINE or EXACT is short: deeper at FINE in 3 of 300 scenes (3.7 times,"
-                    + " seed 49), at EXACT in 10 (7.5 times, seed 49)")
+            "a substep of FINE or EXACT is short: deeper at FINE in 3 of 300 scenes, at EXACT in 5"
+                    + " (3.7 and 7.5 times, seed 49)")
     @ParameterizedTest
     @EnumSource(
             value = Preset.class,
@@ -104,21 +104,25 @@ class OverlapLawTest {
 
     /**
      * Whatever strikes is answered in the substep in which it does: until then it has sunk in by no
-     * more than the fastest outline of the scene goes in one.
+     * more than the fastest outline of the scene goes in one, and by a quarter more for what is
+     * faster in the middle of a step than at its ends.
      */
     private static Optional<String> stoppedWithinASubstep(RandomScene scene) {
         Pool pool = scene.pool();
         double fastest = 0;
         double most = 0;
         for (int i = 0; i < scene.steps(); i++) {
-            fastest =
-                    pool.bodies().stream()
-                            .mapToDouble(OverlapLawTest::speed)
-                            .reduce(fastest, Math::max);
+            fastest = Math.max(fastest, fastest(pool));
+            double overlap = pool.step(RandomScene.DT).deepestOverlap();
+            fastest = Math.max(fastest, fastest(pool));
             double way = fastest * RandomScene.DT / scene.accuracy().substeps();
-            most = Math.max(most, pool.step(RandomScene.DT).deepestOverlap() / way);
+            most = Math.max(most, overlap / way);
         }
-        return Law.atMost(1, most, "overlap in ways of a substep");
+        return Law.atMost(1.25, most, "overlap in ways of a substep");
+    }
+
+    private static double fastest(Pool pool) {
+        return pool.bodies().stream().mapToDouble(OverlapLawTest::speed).max().orElse(0);
     }
 
     private static double speed(RigidBody body) {
