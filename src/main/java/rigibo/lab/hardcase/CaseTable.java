@@ -124,7 +124,38 @@ public final class CaseTable {
                         results.size() - passed);
         return head
                 + results.stream().map(CaseTable::pageLine).collect(Collectors.joining("\n"))
-                + "\n";
+                + "\n"
+                + findings(results);
+    }
+
+    /** Every figure beyond its limit, and why the case fails. */
+    private static String findings(List<HardCase.Result> results) {
+        List<HardCase.Result> failed = results.stream().filter(result -> !result.passes()).toList();
+        StringBuilder words =
+                new StringBuilder(failed.isEmpty() ? "" : "\n## What fails, and why\n");
+        HardCase told = null;
+        for (HardCase.Result result : failed) {
+            if (result.hardCase() != told) {
+                told = result.hardCase();
+                words.append(String.format("%n**%s**, %s. ", told.row(), told.title()));
+                words.append(told.finding()).append("\n\n");
+            }
+            for (Measure measure : result.measures()) {
+                if (!measure.passes()) {
+                    words.append(
+                            String.format(
+                                    Locale.ROOT,
+                                    "- %s: %s %s %s, at most %s (%s)%n",
+                                    result.preset(),
+                                    measure.name(),
+                                    number(measure.figure()),
+                                    measure.unit(),
+                                    number(measure.limit()),
+                                    measure.where()));
+                }
+            }
+        }
+        return words.toString();
     }
 
     private static String pageLine(HardCase.Result result) {

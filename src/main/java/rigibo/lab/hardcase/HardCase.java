@@ -18,6 +18,11 @@ public interface HardCase {
         return Preset.DRAFT;
     }
 
+    /** Why the case does not reach its truth everywhere, as far as it is known; else empty. */
+    default String finding() {
+        return "";
+    }
+
     /** Simulates every variant of the case and hands each figure to the trial. */
     void run(Trial trial);
 
