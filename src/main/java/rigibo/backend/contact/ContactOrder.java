@@ -53,13 +53,13 @@ final class ContactOrder {
 
     private void reserve() {
         if (order.length < rows.count) {
-            order = new int[2 * rows.count];
-            place = new int[2 * rows.count];
-            firstNeighbour = new int[2 * rows.count];
-            contacts = new int[4 * rows.count];
+            order = new int[rows.pair.length];
+            place = new int[rows.pair.length];
+            firstNeighbour = new int[rows.pair.length];
+            contacts = new int[2 * rows.pair.length];
         }
         if (start.length <= motions.count) {
-            start = new int[2 * motions.count + 1];
+            start = new int[motions.slots.length + 1];
         }
         Arrays.fill(place, 0, rows.count, NONE);
     }

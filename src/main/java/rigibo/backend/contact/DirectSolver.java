@@ -48,7 +48,7 @@ final class DirectSolver {
     private int factoredSize;
 
     /** Lower triangle by rows, from the first entry of each row on, and where each row starts. */
-    private double[] factor = new double[1024];
+    private double[] factor = new double[0];
 
     private int[] start = new int[65];
     private int[] first = new int[64];
@@ -170,7 +170,7 @@ final class DirectSolver {
     private void keepPlaces() {
         int length = motions.count * Motions.STRIDE;
         if (places.length < length) {
-            places = new double[2 * length];
+            places = new double[motions.data.length];
         }
         System.arraycopy(motions.data, 0, places, 0, length);
     }
@@ -209,7 +209,7 @@ final class DirectSolver {
 
     private void reserve() {
         if (set.length < ROWS_PER_CONTACT * rows.count) {
-            int capacity = 2 * ROWS_PER_CONTACT * rows.count;
+            int capacity = ROWS_PER_CONTACT * rows.pair.length;
             set = new int[capacity];
             factored = Arrays.copyOf(factored, capacity);
             start = new int[capacity + 1];

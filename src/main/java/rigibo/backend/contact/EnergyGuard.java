@@ -42,7 +42,7 @@ final class EnergyGuard {
     private void takeBack() {
         int length = motions.count * Motions.STRIDE;
         if (before.length < length) {
-            before = new double[2 * length];
+            before = new double[motions.data.length];
         }
         System.arraycopy(motions.data, 0, before, 0, length);
         for (int id = 0; id < ROWS_PER_CONTACT * rows.count; id++) {

@@ -28,8 +28,8 @@ final class FrictionSolver {
     /** Lists the rows of the packed island that need it. */
     void prepare() {
         if (slidingRows.length < rows.count) {
-            slidingRows = new int[2 * rows.count];
-            rollingRows = new int[2 * rows.count];
+            slidingRows = new int[rows.pair.length];
+            rollingRows = new int[rows.pair.length];
         }
         slidingCount = 0;
         rollingCount = 0;

@@ -25,10 +25,10 @@ final class Halfway {
         int moving = motions.count * Motions.STRIDE;
         int touching = rows.count * Rows.STRIDE;
         if (velocities.length < moving) {
-            velocities = new double[2 * moving];
+            velocities = new double[motions.data.length];
         }
         if (impulses.length < touching) {
-            impulses = new double[2 * touching];
+            impulses = new double[rows.data.length];
         }
         System.arraycopy(motions.data, 0, velocities, 0, moving);
         System.arraycopy(rows.data, 0, impulses, 0, touching);

@@ -27,7 +27,7 @@ final class Kick {
     void remember() {
         int length = motions.count * Motions.STRIDE;
         if (gained.length < length) {
-            gained = new double[2 * length];
+            gained = new double[motions.data.length];
         }
         System.arraycopy(motions.data, 0, gained, 0, length);
         for (int at = 0; at < length; at += Motions.STRIDE) {

@@ -50,8 +50,8 @@ final class PileImpacts {
     /** Lists the rows of the packed island that can bounce. */
     void prepare() {
         if (elastic.length < rows.count) {
-            elastic = new int[2 * rows.count];
-            closing = new long[2 * rows.count];
+            elastic = new int[rows.pair.length];
+            closing = new long[rows.pair.length];
         }
         elasticCount = 0;
         for (int row = 0; row < rows.count; row++) {

@@ -28,7 +28,7 @@ final class WarmStart {
     /** Takes the packed island's impulses for those of the last two kicks. */
     void prepare() {
         if (before.length < 2 * rows.count) {
-            before = new double[4 * rows.count];
+            before = new double[2 * rows.pair.length];
         }
         for (int row = 0; row < rows.count; row++) {
             keep(row, row * Rows.STRIDE);

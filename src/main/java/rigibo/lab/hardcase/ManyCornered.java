@@ -36,8 +36,8 @@ final class ManyCornered implements HardCase {
     @Override
     public String finding() {
         return "By the impacts of its corners alone a wheel of 256 is 1.5 % behind, so 2 % leaves"
-                   + " half a percent. At 3.4 m/s a corner lands 2.3 times a step; at GAME it lands"
-                   + " within 0.1 mm of the slope, and what it falls through costs the rest.";
+                + " half a percent. At 3.4 m/s a corner lands 2.3 times a step; at GAME it lands"
+                + " within 0.1 mm of the slope, and what it falls through costs the rest.";
     }
 
     @Override
