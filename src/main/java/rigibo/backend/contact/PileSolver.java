@@ -8,6 +8,7 @@ import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.Counters;
 import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.Islands;
+import rigibo.backend.storage.PairTolerances;
 import rigibo.backend.storage.Pairs;
 
 /** Advances all piles by one step, island by island. */
@@ -304,9 +305,11 @@ public final class PileSolver {
         double[] d = rows.data;
         for (int row = 0; row < rows.count; row++) {
             int at = row * Rows.STRIDE;
+            double touching = PairTolerances.TOUCHING_GAP * d[at + Rows.WIDTH];
             for (int point = 0; point < rows.points[row]; point++) {
-                if (d[at + Rows.IMPULSE0 + point] > 0) {
-                    d[at + Rows.GAP0 + point] -= Math.max(0, motions.gap(rows, row, point));
+                double gap = motions.gap(rows, row, point);
+                if (d[at + Rows.IMPULSE0 + point] > 0 && gap > 0 && gap < touching) {
+                    d[at + Rows.GAP0 + point] -= gap;
                 }
             }
         }

@@ -33,6 +33,9 @@ final class TurningRows {
     /** no more than this over its number of bodies, for one wild body in a heap costs them all. */
     private static final double MOST_IN_ALL = 1024;
 
+    /** Turn within a substep up to which the arc is that of a parabola, rad. */
+    private static final double MOST_BEND = 0.1;
+
     /** Share of an overlap taken back per second for each such time: all of it, 1/s. */
     private static final double AT_ONCE = 1e4;
 
@@ -150,7 +153,7 @@ final class TurningRows {
 
     /** Half the square of the angle by which an outline turns in h seconds. */
     private double bend(int slot, int entry, double h) {
-        double turn = motions.data[entry + Motions.SPIN] * h;
+        double turn = Math.min(MOST_BEND, Math.abs(motions.data[entry + Motions.SPIN] * h));
         return bodies.sweepRadius[slot] > 0 ? turn * turn / 2 : 0;
     }
 
