@@ -153,11 +153,7 @@ public final class PileSolver {
             }
             kick.accelerate(substep == 0 ? start : middle - h, middle);
             fastest = motions.fastest();
-            if (substep == 0) {
-                limit = leverage() * fastest;
-            } else if (isSmall) {
-                limit = Math.max(limit, fastest);
-            }
+            limitSpeed(substep);
             begin(substep == 1 ? 2 : 1, substep);
             substep(h, substep);
         }
@@ -181,6 +177,16 @@ public final class PileSolver {
         warmStart.apply(scale, substep);
         // What contacts carried throws bodies about if what they carried it against is gone.
         guard.limitSpeed(leverage() * fastest);
+    }
+
+    /** A large pile may also part as fast as overlap is taken back. */
+    private void limitSpeed(int substep) {
+        if (substep == 0) {
+            double parting = isSmall ? 0 : OverlapSolver.MOST_PUSH * rows.widest();
+            limit = Math.max(leverage() * fastest, parting);
+        } else if (isSmall) {
+            limit = Math.max(limit, fastest);
+        }
     }
 
     /** A large pile is never solved to the end: only what would blow it up is held back there. */

@@ -118,6 +118,15 @@ final class Rows {
         return most;
     }
 
+    /** The width of the widest of the narrower bodies, m. */
+    double widest() {
+        double most = 0;
+        for (int at = 0; at < count * STRIDE; at += STRIDE) {
+            most = Math.max(most, data[at + WIDTH]);
+        }
+        return most;
+    }
+
     /** Takes a contact for one that has carried nothing yet. */
     void unload(int row) {
         int at = row * STRIDE;

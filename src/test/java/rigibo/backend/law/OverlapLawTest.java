@@ -1,11 +1,19 @@
 package rigibo.backend.law;
 
+import static org.assertj.core.api.Assertions.assertThat;
+
 import org.junit.jupiter.api.Disabled;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
 import rigibo.backend.Pool;
 import rigibo.backend.RigidBody;
+import rigibo.backend.effect.Effects;
+import rigibo.backend.effect.Gravity;
+import rigibo.backend.effect.Sleep;
+import rigibo.backend.geometry.Polygon;
+import rigibo.backend.setup.BodyDefinition;
+import rigibo.backend.setup.Material;
 
 import java.util.Optional;
 
@@ -77,6 +85,24 @@ class OverlapLawTest {
             names = {"FINE", "EXACT"})
     void bodiesThrownInATraySinkNoDeeperThanInAShortSubstep(Preset preset) {
         Laws.hold(1, SCENES, seed -> tray(seed, preset), OverlapLawTest::stoppedWithinASubstep);
+    }
+
+    /** A hundred boxes in space, each 10 % in its neighbours, too many to be solved whole. */
+    @ParameterizedTest
+    @EnumSource(Preset.class)
+    void manyBornInOverlapPart(Preset preset) {
+        Effects effects = Effects.usual().without(Gravity.class).without(Sleep.class);
+        Pool pool = new Pool(effects, preset.accuracy);
+        for (int i = 0; i < 100; i++) {
+            pool.add(
+                    BodyDefinition.dynamic(Polygon.box(1, 1))
+                            .at(0.9 * (i % 10), 0.9 * (i / 10))
+                            .material(new Material(1, 0.5, 0)));
+        }
+        for (int i = 0; i < 600; i++) {
+            pool.step(RandomScene.DT);
+        }
+        assertThat(pool.report().deepestOverlap()).isLessThan(DEEPEST);
     }
 
     private static RandomScene few(long seed, Preset preset) {
