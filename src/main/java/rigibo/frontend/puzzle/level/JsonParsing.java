@@ -56,7 +56,7 @@ final class JsonParsing {
             return Optional.of(new LocatedJson(root, places));
         } catch (JacksonException broken) {
             Place place = broken.getLocation() == null ? here() : place(broken.getLocation());
-            problems.error(place, pointer, "not JSON: " + broken.getOriginalMessage());
+            problems.error(place, pointer, "not JSON: " + words(broken));
             return Optional.empty();
         }
     }
@@ -140,5 +140,10 @@ final class JsonParsing {
 
     private static Place place(TokenStreamLocation location) {
         return new Place(Math.max(1, location.getLineNr()), Math.max(1, location.getColumnNr()));
+    }
+
+    /** What the parser says, without where it thinks the text came from. */
+    private static String words(JacksonException broken) {
+        return broken.getOriginalMessage().replaceFirst(" *\\([^()]*\\[Source: .*", "");
     }
 }
