@@ -27,6 +27,12 @@ final class SkinnyBox implements HardCase {
     }
 
     @Override
+    public String finding() {
+        return "At DRAFT nobody looks for impacts in flight: what is fast is found in overlap a"
+                   + " step later, and pushed out.";
+    }
+
+    @Override
     public void run(Trial trial) {
         Random random = new Random(SEED);
         int lost = 0;
