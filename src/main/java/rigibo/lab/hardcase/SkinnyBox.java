@@ -29,7 +29,7 @@ final class SkinnyBox implements HardCase {
     @Override
     public String finding() {
         return "At DRAFT nobody looks for impacts in flight: what is fast is found in overlap a"
-                   + " step later, and pushed out.";
+                + " step later, and pushed out.";
     }
 
     @Override
