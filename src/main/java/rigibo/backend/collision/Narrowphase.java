@@ -89,8 +89,9 @@ public final class Narrowphase {
         keep(pair);
     }
 
-    /** Drops the points that lie in a seam, as measured last. */
-    public void leaveOutCovered(int pair) {
+    /** The same without the points that lie in a seam: what the solver of piles is to see. */
+    public void measureContact(int pair, Pose atA, Pose atB, double reach) {
+        measure(pair, atA, atB, reach);
         seams.leaveOutCovered(pair);
     }
 

@@ -153,7 +153,7 @@ public final class PileSolver {
             }
             kick.accelerate(substep == 0 ? start : middle - h, middle);
             fastest = motions.fastest();
-            limitSpeed(substep);
+            setLimit(substep);
             begin(substep == 1 ? 2 : 1, substep);
             substep(h, substep);
         }
@@ -180,7 +180,7 @@ public final class PileSolver {
     }
 
     /** A large pile may also part as fast as overlap is taken back. */
-    private void limitSpeed(int substep) {
+    private void setLimit(int substep) {
         if (substep == 0) {
             double parting = isSmall ? 0 : OverlapSolver.MOST_PUSH * rows.widest();
             limit = Math.max(leverage() * fastest, parting);

@@ -206,8 +206,7 @@ final class TurningRows {
         pairs.normalForce[2 * pair + 1] = rows.data[at + Rows.IMPULSE1];
         place(pairs.bodyA[pair], rows.bodyA[row], poseA);
         place(pairs.bodyB[pair], rows.bodyB[row], poseB);
-        narrowphase.measure(pair, poseA, poseB, reach(row, pair, left));
-        narrowphase.leaveOutCovered(pair);
+        narrowphase.measureContact(pair, poseA, poseB, reach(row, pair, left));
         rows.data[at + Rows.IMPULSE0] = pairs.normalForce[2 * pair];
         rows.data[at + Rows.IMPULSE1] = pairs.normalForce[2 * pair + 1];
         builder.rewrite(row);

@@ -1,7 +1,6 @@
 package rigibo.backend.flight;
 
 import rigibo.backend.broadphase.Broadphase;
-import rigibo.backend.collision.Motion;
 import rigibo.backend.collision.Narrowphase;
 import rigibo.backend.collision.Pose;
 import rigibo.backend.impact.Impact;
@@ -30,8 +29,6 @@ final class Bystanders {
     private final Broadphase broadphase;
     private final Trajectories paths;
     private final ImpactLaw law = new ImpactLaw();
-    private final Motion motionA = new Motion();
-    private final Motion motionB = new Motion();
     private final Pose poseA = new Pose();
     private final Pose poseB = new Pose();
 
@@ -85,8 +82,7 @@ final class Bystanders {
 
     /** Finds all that lies within a reach of a body at a time, as pairs. */
     void lookRound(int slot, double time, double reach) {
-        paths.load(slot, motionA);
-        motionA.placeAt(time, poseA);
+        paths.poseAt(slot, time, poseA);
         broadphase.lookRound(slot, poseA.x, poseA.y, reach);
     }
 
@@ -102,14 +98,11 @@ final class Bystanders {
             poseA.set(bodies.x[a], bodies.y[a], bodies.cos[a], bodies.sin[a]);
             poseB.set(bodies.x[b], bodies.y[b], bodies.cos[b], bodies.sin[b]);
         } else {
-            paths.load(a, motionA);
-            paths.load(b, motionB);
-            motionA.poseAt(time, poseA);
-            motionB.poseAt(time, poseB);
+            paths.poseAt(a, time, poseA);
+            paths.poseAt(b, time, poseB);
         }
         double both = reach + narrowphase.reach(pair, time + left);
-        narrowphase.measure(pair, poseA, poseB, both);
-        narrowphase.leaveOutCovered(pair);
+        narrowphase.measureContact(pair, poseA, poseB, both);
         return pairs.points[pair] > 0;
     }
 

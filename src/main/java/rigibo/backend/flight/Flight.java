@@ -277,13 +277,9 @@ public final class Flight {
 
     /** The manifold of a pair that the pile's solver will see to, where its bodies are by then. */
     private void remeasure(int pair, double time, double dt) {
-        boolean touched = pairs.touching[pair];
-        paths.load(pairs.bodyA[pair], motionA);
-        paths.load(pairs.bodyB[pair], motionB);
-        motionA.poseAt(time, poseA);
-        motionB.poseAt(time, poseB);
-        narrowphase.measure(pair, poseA, poseB, narrowphase.reach(pair, dt - time));
-        narrowphase.leaveOutCovered(pair);
-        pairs.touching[pair] = touched;
+        paths.poseAt(pairs.bodyA[pair], time, poseA);
+        paths.poseAt(pairs.bodyB[pair], time, poseB);
+        double reach = narrowphase.reach(pair, dt - time);
+        narrowphase.measureContact(pair, poseA, poseB, reach);
     }
 }

@@ -94,14 +94,19 @@ final class Trajectories {
         out.drag = flies && bodies.drag != null ? bodies.drag[slot] : 0;
     }
 
+    /** Writes where a body's path leads it by a time in s. */
+    void poseAt(int slot, double time, Pose out) {
+        load(slot, motion);
+        motion.poseAt(time, out);
+    }
+
     /** Brings a flyer's columns to a time in s after the step's start. */
     void advance(int slot, double time) {
         double elapsed = time - since[slot];
         if (elapsed == 0) {
             return;
         }
-        load(slot, motion);
-        motion.poseAt(time, pose);
+        poseAt(slot, time, pose);
         bodies.x[slot] = pose.x;
         bodies.y[slot] = pose.y;
         bodies.velocityX[slot] = motion.velocityXAt(time);
