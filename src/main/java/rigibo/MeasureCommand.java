@@ -5,6 +5,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Spec;
 
 import rigibo.frontend.catalog.Catalog;
+import rigibo.frontend.display.DrawingTiming;
 import rigibo.frontend.display.LoopTiming;
 import rigibo.lab.FloodTiming;
 
@@ -14,11 +15,12 @@ import java.util.concurrent.Callable;
 /** Measures what the README claims about time. */
 @Command(
         name = "measure",
-        description = "Times 600 turns of the loop, with and without vsync, and the flood.")
+        description = "Times the flood, drawing, and 600 turns of the loop with and without vsync.")
 final class MeasureCommand implements Callable<Integer> {
 
     private static final int TURNS = 600;
     private static final int[] FLOODS = {1000, 2000, 5000};
+    private static final int[] PICTURES = {50, 2000};
 
     @Spec private CommandSpec spec;
 
@@ -33,6 +35,12 @@ final class MeasureCommand implements Callable<Integer> {
                     flood.medianMillis(),
                     flood.p99Millis(),
                     1000 * flood.deepestOverlap());
+        }
+        for (int bodies : PICTURES) {
+            double[] millis = DrawingTiming.millis(bodies);
+            out.printf(
+                    "drawing %d bodies: median %.2f ms, p99 %.2f ms a frame%n",
+                    bodies, millis[0], millis[1]);
         }
         for (boolean vsync : new boolean[] {true, false}) {
             double seconds = LoopTiming.seconds(Catalog::menu, TURNS, vsync);

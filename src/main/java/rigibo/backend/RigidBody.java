@@ -1,5 +1,6 @@
 package rigibo.backend;
 
+import rigibo.backend.geometry.Aabb;
 import rigibo.backend.geometry.Shape;
 import rigibo.backend.setup.BodyType;
 import rigibo.backend.setup.Material;
@@ -100,6 +101,19 @@ public final class RigidBody {
     /** Whether the body is simulated; a static body is never awake. */
     public boolean isAwake() {
         return columns().awake[slot] && columns().type[slot] != BodyType.STATIC;
+    }
+
+    /**
+     * Writes the box that the broadphase keeps for the body, m: its bounds with a margin and, where
+     * it is fast, its way ahead.
+     */
+    public void sizeFixture(Aabb into) {
+        Bodies bodies = columns();
+        into.set(
+                bodies.fixtureMinX[slot],
+                bodies.fixtureMinY[slot],
+                bodies.fixtureMaxX[slot],
+                bodies.fixtureMaxY[slot]);
     }
 
     /** Whether the body is in its pool. */

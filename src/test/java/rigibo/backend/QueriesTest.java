@@ -34,6 +34,21 @@ class QueriesTest {
     }
 
     @Test
+    void sizeFixtureHoldsTheBody() {
+        Aabb fixture = new Aabb();
+        Aabb bounds = new Aabb();
+        for (RigidBody body : pool.bodies()) {
+            body.sizeFixture(fixture);
+            double angle = body.angle();
+            body.shape().bounds(body.x(), body.y(), Math.cos(angle), Math.sin(angle), bounds);
+            assertThat(fixture.minX).isLessThanOrEqualTo(bounds.minX + ON_THE_EDGE);
+            assertThat(fixture.minY).isLessThanOrEqualTo(bounds.minY + ON_THE_EDGE);
+            assertThat(fixture.maxX).isGreaterThanOrEqualTo(bounds.maxX - ON_THE_EDGE);
+            assertThat(fixture.maxY).isGreaterThanOrEqualTo(bounds.maxY - ON_THE_EDGE);
+        }
+    }
+
+    @Test
     void bodyUnderAPointIsTheLastAddedThatHoldsIt() {
         int found = 0;
         for (int i = 0; i < COUNT; i++) {

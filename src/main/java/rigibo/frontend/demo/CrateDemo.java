@@ -30,6 +30,7 @@ final class CrateDemo implements Demo {
     private final List<RigidBody> stack = new ArrayList<>();
     private RigidBody edgeBox;
     private double size = 0.6;
+    private double mass = 1;
     private double ratio = 1;
     private double overhang = 0.4;
 
@@ -74,8 +75,7 @@ final class CrateDemo implements Demo {
     private void stack(int count) {
         clear();
         for (int i = 0; i < count; i++) {
-            double density = i == count - 1 ? ratio : 1;
-            stack.add(crate(2.4, (i + 0.5) * size, density));
+            stack.add(crate(2.4, (i + 0.5) * size, i == count - 1 ? ratio : 1));
         }
     }
 
@@ -90,12 +90,13 @@ final class CrateDemo implements Demo {
         }
     }
 
-    private RigidBody crate(double x, double y, double density) {
+    private RigidBody crate(double x, double y, double times) {
         return bench.add(
                 BodyDefinition.dynamic(Polygon.box(size, size))
                         .at(x, y)
-                        .material(new Material(density, 0.5, 0.1)),
-                density > 1 ? Skin.IRON : Skin.RIGIBO);
+                        .mass(mass * times)
+                        .material(new Material(1, 0.5, 0.1)),
+                times > 1 ? Skin.IRON : Skin.RIGIBO);
     }
 
     private void clear() {
@@ -130,8 +131,9 @@ final class CrateDemo implements Demo {
                 new Button("pyramid", this::pyramid),
                 new Button("blast (B)", () -> blast(2.4, 0.3)),
                 new Slider("size", "%.1f m", 0.3, 1, 0.1, () -> size, value -> size = value),
-                new Slider("top's mass", "%.0f x", 1, 100, 1, () -> ratio, v -> ratio = v),
-                new Slider("over edge", "%.2f", 0.1, 0.9, 0.02, () -> overhang, this::hang),
+                new Slider("mass", "%.0f kg", 1, 50, 1, () -> mass, value -> mass = value),
+                new Slider("top's mass", "%.0f ×", 1, 100, 1, () -> ratio, v -> ratio = v),
+                new Slider("over the edge", "%.2f", 0.1, 0.9, 0.02, () -> overhang, this::hang),
                 new Readout("predicted", () -> overhang < 0.5 ? "stays" : "tips"),
                 new Readout("seen", this::seen),
                 new Readout("bodies", () -> "" + bench.pool().report().bodies()),
@@ -139,7 +141,7 @@ final class CrateDemo implements Demo {
                 new Readout("asleep", this::asleep),
                 new Readout("overlap", () -> millis(bench.pool().report().deepestOverlap())),
                 new Readout("lean", () -> millis(lean())),
-                new Readout("kinetic", this::kinetic));
+                new Readout("energy", this::energy));
     }
 
     private void hang(double share) {
@@ -167,8 +169,10 @@ final class CrateDemo implements Demo {
         return most;
     }
 
-    private String kinetic() {
-        return String.format(Locale.ROOT, "%.2f J", bench.pool().kineticEnergy());
+    /** Of motion and of height over the floor. */
+    private String energy() {
+        double joules = bench.pool().kineticEnergy() + bench.pool().potentialEnergy();
+        return String.format(Locale.ROOT, "%.2f J", joules);
     }
 
     private static String millis(double metres) {

@@ -35,6 +35,9 @@ interface Demo {
     /** Draws what is special about it, above the bodies. */
     default void draw(Workbench bench, Canvas canvas) {}
 
+    /** The last frame took this long to draw, ns. */
+    default void drawn(long nanos) {}
+
     /** The right button went down, world m. */
     default void rightClick(Workbench bench, double x, double y) {}
 

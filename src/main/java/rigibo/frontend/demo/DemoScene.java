@@ -76,27 +76,31 @@ final class DemoScene implements Scene {
 
     @Override
     public void draw(Canvas canvas) {
-        long begin = System.nanoTime();
         bench.draw(canvas);
         if (isDebugging) {
-            bench.drawDebug(canvas);
+            bench.drawDebug(canvas, STEP);
         }
         demo.draw(bench, canvas);
         panel.draw(canvas);
         dial.draw(canvas);
         effects.draw(canvas);
-        profile.drawing(System.nanoTime() - begin);
         profile.draw(canvas, RIGHT, TOP, isPaused);
         if (isHelping) {
             drawHelp(canvas);
         }
     }
 
+    @Override
+    public void drawn(long nanos) {
+        profile.drawing(nanos);
+        demo.drawn(nanos);
+    }
+
     private static void drawHelp(Canvas canvas) {
         String[] rows = {
             "drag a body, let go to fling it",
             "Space  pause      .  one step",
-            "R  restart        D  debug drawing",
+            "R  restart      D  debug drawing",
             "wheel zoom, right drag pan, Home",
             "1 to 4  accuracy   [ ]  other demos",
             "Esc back to the menu"

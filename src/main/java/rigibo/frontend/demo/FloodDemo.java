@@ -9,12 +9,12 @@ import rigibo.backend.effect.Gravity;
 import rigibo.backend.effect.Restitution;
 import rigibo.backend.effect.Rotation;
 import rigibo.backend.effect.Sleep;
+import rigibo.backend.geometry.Aabb;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.geometry.Shape;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.Material;
-import rigibo.backend.setup.StepStage;
 import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.SceneEntry;
@@ -26,7 +26,6 @@ import rigibo.frontend.scene.widget.Toggle;
 import rigibo.frontend.scene.widget.Widget;
 
 import java.util.ArrayDeque;
-import java.util.Arrays;
 import java.util.Deque;
 import java.util.List;
 import java.util.Locale;
@@ -40,16 +39,26 @@ final class FloodDemo implements Demo {
 
     private static final double RIGHT = 8;
     private static final double SHAFT = 10.2;
-    private static final double BUDGET_MILLIS = 1000.0 / 60;
-    private static final int WINDOW = 120;
+    private static final Material STONE = new Material(1, 0.4, 0);
     private static final int MOST_BODIES = 8000;
     private static final Skin[] SKINS = {Skin.BALL, Skin.RUBBER, Skin.ICE, Skin.RIGIBO};
 
+    /** The hatch in the floor that a drain opens, m. */
+    private static final double HATCH_LEFT = -4;
+
+    private static final double HATCH_RIGHT = 1;
+    private static final double FLOOR_END = 12;
+
+    private static final int POURED_PER_TURN = 12;
+    private static final double HOSE_WIDTH = 1.2;
+    private static final double NOZZLE_HEIGHT = 20.5;
+
     private final SplittableRandom random = new SplittableRandom(7);
     private final Deque<RigidBody> drops = new ArrayDeque<>();
-    private final double[] millis = new double[WINDOW];
+    private final FrameTimes times = new FrameTimes();
     private Workbench bench;
-    private int turn;
+    private RigidBody hatch;
+    private boolean isHosing;
     private double wanted = 600;
     private double elasticity = 0.5;
     private final ReferenceBall reference = new ReferenceBall(SHAFT, () -> elasticity);
@@ -58,7 +67,8 @@ final class FloodDemo implements Demo {
     private boolean hasFriction;
     private boolean hasSleep;
     private boolean isSearching;
-    private int best;
+    private int heldDrawn;
+    private int heldAlone;
 
     /** How the menu lists it. */
     static SceneEntry entry() {
@@ -101,14 +111,23 @@ final class FloodDemo implements Demo {
     @Override
     public void build(Workbench on) {
         bench = on;
-        Material stone = new Material(1, 0.4, 0);
-        bench.add(BodyDefinition.fixed(Polygon.box(24, 1)).at(0, -0.5).material(stone), Skin.STONE);
+        floor(-FLOOR_END, HATCH_LEFT);
+        floor(HATCH_RIGHT, FLOOR_END);
+        hatch = floor(HATCH_LEFT, HATCH_RIGHT);
         for (double x : new double[] {LEFT - 0.3, RIGHT + 0.3}) {
             bench.add(
-                    BodyDefinition.fixed(Polygon.box(0.6, 80)).at(x, 39).material(stone),
+                    BodyDefinition.fixed(Polygon.box(0.6, 80)).at(x, 39).material(STONE),
                     Skin.STONE);
         }
         reference.drop(bench);
+    }
+
+    private RigidBody floor(double from, double to) {
+        return bench.add(
+                BodyDefinition.fixed(Polygon.box(to - from, 1))
+                        .at((from + to) / 2, -0.5)
+                        .material(STONE),
+                Skin.STONE);
     }
 
     @Override
@@ -121,13 +140,15 @@ final class FloodDemo implements Demo {
                 new Toggle(
                         "friction", () -> hasFriction, () -> switchTo(hasFriction = !hasFriction)),
                 new Toggle("sleep", () -> hasSleep, () -> switchTo(hasSleep = !hasSleep)),
-                new Button("drain", this::drain),
-                new Button("find my maximum", () -> isSearching = true),
+                new Toggle("hose at the pointer", () -> isHosing, () -> isHosing = !isHosing),
+                new Toggle("drain", () -> hatch == null, this::drain),
+                new Button("find my maximum", this::search),
                 new Readout("bodies", () -> "" + drops.size()),
-                new Readout("p50", () -> percentile(50)),
-                new Readout("p95", () -> percentile(95)),
-                new Readout("p99", () -> percentile(99)),
-                new Readout("holds 60 Hz", () -> isSearching ? "searching" : best + ""),
+                new Readout("step p50", () -> millis(50)),
+                new Readout("step p95", () -> millis(95)),
+                new Readout("step p99", () -> millis(99)),
+                new Readout("60 Hz, drawn", () -> held(heldDrawn)),
+                new Readout("60 Hz, physics", () -> held(heldAlone)),
                 new Readout("overlap", this::overlap),
                 new Readout("ball should rise", reference::predictedWords),
                 new Readout("  seen", reference::seenWords));
@@ -138,53 +159,92 @@ final class FloodDemo implements Demo {
         bench.pool().effects(effects());
     }
 
+    /** Opens the hatch in the floor, or closes it. */
     private void drain() {
-        wanted = 0;
-        isSearching = false;
-        while (!drops.isEmpty()) {
-            bench.remove(drops.removeFirst());
+        if (hatch == null) {
+            hatch = floor(HATCH_LEFT, HATCH_RIGHT);
+        } else {
+            bench.remove(hatch);
+            hatch = null;
         }
+    }
+
+    /** Pours until the step alone no longer fits into a frame; with drawing it is so earlier. */
+    private void search() {
+        isSearching = true;
+        heldDrawn = 0;
+        heldAlone = 0;
+        times.forget();
     }
 
     @Override
     public void beforeStep(Workbench on) {
         if (isSearching) {
-            wanted = drops.size() + 20;
+            wanted = drops.size() + POURED_PER_TURN;
         }
-        int perTurn = isSearching ? 10 : 12;
-        for (int i = 0; i < perTurn && drops.size() < Math.min(wanted, MOST_BODIES); i++) {
+        for (int i = 0; i < POURED_PER_TURN && (isHosing || drops.size() < wanted); i++) {
             pour();
         }
-        while (drops.size() > wanted) {
+        while (drops.size() > Math.min(wanted, MOST_BODIES)) {
             bench.remove(drops.removeFirst());
+        }
+        if (hatch == null) {
+            removeDrained();
         }
     }
 
+    private void removeDrained() {
+        drops.removeIf(
+                drop -> {
+                    boolean isGone = drop.y() < -2;
+                    if (isGone) {
+                        bench.remove(drop);
+                    }
+                    return isGone;
+                });
+    }
+
+    /** A drop from above or out of the hose; none where it would come to lie in another body. */
     private void pour() {
-        double x = LEFT + 1 + random.nextDouble() * (RIGHT - LEFT - 2);
-        double y = 20.5 + 2 * random.nextDouble();
-        Shape shape = isBoxes ? Polygon.box(1.7 * size, 1.7 * size) : new Circle(size);
-        drops.add(
-                bench.add(
-                        BodyDefinition.dynamic(shape)
-                                .at(x, y)
-                                .velocity(0, -6)
-                                .material(new Material(1, 0.4, elasticity)),
-                        isBoxes ? Skin.RIGIBO : SKINS[drops.size() % 3]));
+        double middle = isHosing ? bench.pointerX() : (LEFT + RIGHT) / 2;
+        double width = isHosing ? HOSE_WIDTH : RIGHT - LEFT;
+        double height = isHosing ? Math.min(bench.pointerY(), NOZZLE_HEIGHT) : NOZZLE_HEIGHT;
+        double room = 1.3 * size;
+        double x = middle + (random.nextDouble() - 0.5) * width;
+        double y = Math.max(room, height) + 2 * random.nextDouble();
+        x = Math.max(LEFT + room, Math.min(RIGHT - room, x));
+        if (isFree(new Aabb(x - room, y - room, x + room, y + room))) {
+            Shape shape = isBoxes ? Polygon.box(1.7 * size, 1.7 * size) : new Circle(size);
+            drops.add(
+                    bench.add(
+                            BodyDefinition.dynamic(shape)
+                                    .at(x, y)
+                                    .velocity(0, -6)
+                                    .material(new Material(1, 0.4, elasticity)),
+                            isBoxes ? Skin.RIGIBO : SKINS[drops.size() % 3]));
+        }
+    }
+
+    private boolean isFree(Aabb place) {
+        boolean[] isTaken = new boolean[1];
+        bench.pool().overlapping(place, body -> isTaken[0] = true);
+        return !isTaken[0];
     }
 
     @Override
     public void afterStep(Workbench on) {
-        long nanos = 0;
-        for (StepStage stage : StepStage.values()) {
-            nanos += on.pool().report().nanos(stage);
-        }
-        millis[turn++ % WINDOW] = nanos / 1e6;
+        times.step(on.pool().report());
         reference.afterStep(on);
-        if (isSearching && turn > WINDOW && at(95) > BUDGET_MILLIS || drops.size() >= MOST_BODIES) {
-            best = drops.size();
-            isSearching = false;
+        if (isSearching) {
+            heldDrawn = times.frameHolds() ? drops.size() : heldDrawn;
+            heldAlone = times.stepHolds() ? drops.size() : heldAlone;
+            isSearching = times.stepHolds() && drops.size() < MOST_BODIES;
         }
+    }
+
+    @Override
+    public void drawn(long nanos) {
+        times.drawing(nanos);
     }
 
     @Override
@@ -192,14 +252,12 @@ final class FloodDemo implements Demo {
         reference.draw(on.camera(), canvas);
     }
 
-    private double at(int percent) {
-        double[] sorted = Arrays.copyOf(millis, Math.max(1, Math.min(turn, WINDOW)));
-        Arrays.sort(sorted);
-        return sorted[(sorted.length - 1) * percent / 100];
+    private String held(int bodies) {
+        return bodies == 0 ? "not yet known" : bodies + (isSearching ? " so far" : "");
     }
 
-    private String percentile(int percent) {
-        return String.format(Locale.ROOT, "%.2f ms", at(percent));
+    private String millis(int percent) {
+        return String.format(Locale.ROOT, "%.2f ms", times.step(percent));
     }
 
     private String overlap() {

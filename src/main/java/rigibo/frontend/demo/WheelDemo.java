@@ -34,6 +34,13 @@ final class WheelDemo implements Demo {
     private static final double RADIUS = 0.45;
     private static final double RAMP_LENGTH = 18;
     private static final double STEP = 1.0 / 60;
+    private static final double MASS = 10;
+
+    /** What a strong hand holds, N·m. */
+    private static final double MOST_BRAKE = 40;
+
+    /** A rim that is slower or faster than the ramp by so much slips, m/s. */
+    private static final double SLIPS = 1e-4;
 
     private Workbench bench;
     private RigidBody ramp;
@@ -42,9 +49,12 @@ final class WheelDemo implements Demo {
     private boolean isBraking;
     private double slope = 15;
     private double friction = 0.6;
+    private double lever;
     private double torque;
     private double thrust;
+    private double brake;
     private double lastSpeed;
+    private double predicted;
     private double measured;
 
     /** How the menu lists it. */
@@ -102,32 +112,32 @@ final class WheelDemo implements Demo {
         double above = 0.3 + RADIUS;
         double x = along * Math.cos(angle) - above * Math.sin(angle);
         double y = along * Math.sin(angle) + above * Math.cos(angle);
-        BodyDefinition disc =
+        BodyDefinition made =
                 BodyDefinition.dynamic(new Circle(RADIUS))
                         .at(x, y)
-                        .mass(10)
-                        .material(new Material(1, friction, 0));
-        // A hoop has all its mass at the rim: I = m·r².
-        BodyDefinition shaped = isHoop ? disc.inertia(10 * RADIUS * RADIUS) : disc;
-        wheel = bench.add(shaped, Skin.BALL);
+                        .mass(MASS)
+                        .inertia(k() * MASS * RADIUS * RADIUS)
+                        .material(new Material(1, friction, 0).rollingResistance(lever));
+        wheel = bench.add(made, Skin.BALL);
         lastSpeed = 0;
     }
 
     @Override
     public List<Widget> widgets() {
         return List.of(
-                new Slider("ramp", "%.0f deg", 0, 45, 1, () -> slope, this::tilt),
+                new Slider("ramp", "%.0f°", 0, 45, 1, () -> slope, this::tilt),
                 new Slider("friction", "%.2f", 0, 1, 0.05, () -> friction, this::grip),
+                new Slider("rolling c", "%.0f mm", 0, 20, 1, () -> 1000 * lever, this::resist),
                 new Slider("torque", "%.0f Nm", -60, 60, 5, () -> torque, v -> torque = v),
                 new Slider("thrust", "%.0f N", -120, 120, 10, () -> thrust, v -> thrust = v),
                 new Toggle("brake", () -> isBraking, () -> isBraking = !isBraking),
                 new Toggle("hoop", () -> isHoop, this::flip),
                 new Button("again", this::lay),
                 new Readout("speed v", () -> metres(speed())),
-                new Readout("rim wr", () -> metres(rim())),
+                new Readout("rim", () -> metres(rim())),
                 new Readout("slip", () -> metres(speed() - rim())),
-                new Readout("used of uN", this::share),
-                new Readout("a predicted", () -> acceleration(predicted())),
+                new Readout("used of µN", this::share),
+                new Readout("a predicted", () -> acceleration(predicted)),
                 new Readout("a measured", () -> acceleration(measured)));
     }
 
@@ -138,6 +148,11 @@ final class WheelDemo implements Demo {
 
     private void grip(double coefficient) {
         friction = coefficient;
+        lay();
+    }
+
+    private void resist(double millimetres) {
+        lever = millimetres / 1000;
         lay();
     }
 
@@ -161,42 +176,75 @@ final class WheelDemo implements Demo {
         return isHoop ? 1 : 0.5;
     }
 
+    /** What pulls the wheel down the ramp beside friction, m/s². */
+    private double pull() {
+        return GRAVITY * Math.sin(Math.toRadians(slope)) + thrust / MASS;
+    }
+
+    /** What friction can hold, m/s². */
+    private double grip() {
+        return friction * GRAVITY * Math.cos(Math.toRadians(slope));
+    }
+
+    private boolean slips() {
+        return Math.abs(speed() - rim()) > SLIPS;
+    }
+
     /**
-     * Down the ramp, m/s²: rolling (g·sin + τ/(mr) + F/m)/(1 + k) while the friction that takes is
-     * no more than μ·g·cos, else slipping.
+     * The torque that turns the wheel faster, N·m: while it rolls, about the point it rolls on;
+     * while it slips, about its centre, where friction turns it.
      */
-    double predicted() {
-        double pull = GRAVITY * Math.sin(Math.toRadians(slope)) + thrust / wheel.mass();
-        double drive = torque / (wheel.mass() * RADIUS);
-        double rolling = (pull + drive) / (1 + k());
-        double most = friction * GRAVITY * Math.cos(Math.toRadians(slope));
-        double needed = rolling - pull;
-        return Math.abs(needed) <= most ? rolling : pull + Math.signum(needed) * most;
+    private double turning() {
+        double byRamp = slips() ? Math.signum(speed() - rim()) * grip() : pull();
+        return torque + byRamp * MASS * RADIUS;
+    }
+
+    /** As much as stops the wheel within a step, and no more than a strong hand's worth. */
+    private double brake() {
+        double inertia = (slips() ? k() : 1 + k()) * MASS * RADIUS * RADIUS;
+        double stop = -turning() - rim() / RADIUS * inertia / STEP;
+        return Math.max(-MOST_BRAKE, Math.min(MOST_BRAKE, stop));
+    }
+
+    /**
+     * Down the ramp, m/s²: τ/(m·r·(1 + k)) of the torque about the point the wheel rolls on, less
+     * the rolling resistance c·N, while the friction that takes is no more than μ·g·cos; slipping
+     * otherwise.
+     */
+    private double predicted() {
+        double grip = grip();
+        if (slips()) {
+            return pull() - Math.signum(speed() - rim()) * grip;
+        }
+        double driven = turning() + brake;
+        double resisted = lever * MASS * GRAVITY * Math.cos(Math.toRadians(slope));
+        double way = Math.abs(rim()) > SLIPS ? Math.signum(rim()) : Math.signum(driven);
+        boolean stands = way * driven < resisted && Math.abs(rim()) <= SLIPS;
+        double left = stands ? 0 : driven - way * resisted;
+        double rolling = left / (MASS * RADIUS * (1 + k()));
+        double needed = rolling - pull();
+        return Math.abs(needed) <= grip ? rolling : pull() + Math.signum(needed) * grip;
     }
 
     private String share() {
-        double pull = GRAVITY * Math.sin(Math.toRadians(slope)) + thrust / wheel.mass();
-        double most = friction * GRAVITY * Math.cos(Math.toRadians(slope));
-        double used = most > 0 ? Math.min(1, Math.abs(measured - pull) / most) : 0;
+        double used = grip() > 0 ? Math.min(1, Math.abs(measured - pull()) / grip()) : 0;
         return String.format(Locale.ROOT, "%.0f %%", 100 * used);
     }
 
-    double measured() {
-        return measured;
+    /** The acceleration down the ramp in the last step, m/s²: by the formula and as it was. */
+    double[] accelerations() {
+        return new double[] {predicted, measured};
     }
 
     @Override
     public void beforeStep(Workbench on) {
         double angle = ramp.angle();
-        wheel.applyTorque(-torque);
+        brake = isBraking ? brake() : 0;
+        predicted = predicted();
+        wheel.applyTorque(-torque - brake);
         double fx = thrust * Math.cos(angle);
         double fy = thrust * Math.sin(angle);
         wheel.applyForce(fx, fy, wheel.x(), wheel.y());
-        if (isBraking) {
-            // As much as stops it within a step, and no more than a strong hand's worth.
-            double stop = -wheel.angularVelocity() * wheel.inertia() / STEP;
-            wheel.applyTorque(Math.max(-40, Math.min(40, stop)));
-        }
     }
 
     @Override
@@ -226,6 +274,6 @@ final class WheelDemo implements Demo {
     }
 
     private static String acceleration(double value) {
-        return String.format(Locale.ROOT, "%.3f m/s2", value);
+        return String.format(Locale.ROOT, "%.3f m/s²", value);
     }
 }

@@ -4,6 +4,7 @@ import rigibo.backend.ContactEvent;
 import rigibo.backend.Pool;
 import rigibo.backend.RigidBody;
 import rigibo.backend.effect.Effects;
+import rigibo.backend.geometry.Aabb;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.BodyType;
@@ -27,10 +28,16 @@ final class Workbench {
 
     private static final double NORMAL_LENGTH_PX = 22;
 
+    /** A force is drawn as long as its square root tells, so that weak ones show beside strong. */
+    private static final double FORCE_LENGTH_PX = 8;
+
+    private static final double LONGEST_FORCE_PX = 120;
+
     private final Pool pool;
     private final Camera camera;
     private final Map<RigidBody, Skin> skins = new IdentityHashMap<>();
     private RigidBody held;
+    private final Aabb fixture = new Aabb();
     private double pointerX;
     private double pointerY;
 
@@ -128,19 +135,15 @@ final class Workbench {
         return x > -radius && x < Scene.WIDTH + radius && y > -radius && y < Scene.HEIGHT + radius;
     }
 
-    /** Contacts with their normals, and centres of mass. */
-    void drawDebug(Canvas canvas) {
+    /** Size fixtures, contacts with their normals and forces, centres, who is asleep. */
+    void drawDebug(Canvas canvas, double step) {
+        for (RigidBody body : pool.bodies()) {
+            if (isInView(body)) {
+                drawFixture(canvas, body);
+            }
+        }
         for (ContactEvent contact : pool.contactEvents()) {
-            double x = camera.screenX(contact.x());
-            double y = camera.screenY(contact.y());
-            canvas.disc(x, y, 3, Color.BAD);
-            canvas.line(
-                    x,
-                    y,
-                    x + NORMAL_LENGTH_PX * contact.normalX(),
-                    y - NORMAL_LENGTH_PX * contact.normalY(),
-                    1.5,
-                    Color.BAD);
+            drawContact(canvas, contact, step);
         }
         for (RigidBody body : pool.bodies()) {
             if (body.type() == BodyType.DYNAMIC && isInView(body)) {
@@ -148,5 +151,31 @@ final class Workbench {
                 canvas.disc(camera.screenX(body.x()), camera.screenY(body.y()), 3, color);
             }
         }
+    }
+
+    private void drawFixture(Canvas canvas, RigidBody body) {
+        body.sizeFixture(fixture);
+        double left = camera.screenX(fixture.minX);
+        double top = camera.screenY(fixture.maxY);
+        double width = camera.screenX(fixture.maxX) - left;
+        double height = camera.screenY(fixture.minY) - top;
+        canvas.frame(left, top, width, height, 0, Color.EDGE);
+    }
+
+    private void drawContact(Canvas canvas, ContactEvent contact, double step) {
+        double force = contact.impulse() / step;
+        double length = Math.min(LONGEST_FORCE_PX, FORCE_LENGTH_PX * Math.sqrt(force));
+        drawAlong(canvas, contact, length, 4, Color.BRASS);
+        drawAlong(canvas, contact, NORMAL_LENGTH_PX, 1.5, Color.BAD);
+        canvas.disc(camera.screenX(contact.x()), camera.screenY(contact.y()), 3, Color.BAD);
+    }
+
+    private void drawAlong(
+            Canvas canvas, ContactEvent contact, double length, double width, Color color) {
+        double x = camera.screenX(contact.x());
+        double y = camera.screenY(contact.y());
+        double tipX = x + length * contact.normalX();
+        double tipY = y - length * contact.normalY();
+        canvas.line(x, y, tipX, tipY, width, color);
     }
 }

@@ -87,12 +87,18 @@ final class Window {
         glfwSetWindowShouldClose(handle, true);
     }
 
-    /** Draws the scene into the back buffer. */
+    /**
+     * Draws the scene into the back buffer. OpenGL is waited for: nothing else is to be done until
+     * the frame is shown, and only so is it known what it cost.
+     */
     void render() {
+        long begin = System.nanoTime();
         glfwGetFramebufferSize(handle, width, height);
         painter.begin(width[0], height[0]);
         scene.draw(painter);
         painter.end(glfwGetTime());
+        glFinish();
+        scene.drawn(System.nanoTime() - begin);
         troubles.askOpenGl("while drawing " + scene.title());
     }
 

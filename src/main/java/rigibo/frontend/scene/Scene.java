@@ -19,6 +19,9 @@ public interface Scene {
     /** Draws everything. */
     void draw(Canvas canvas);
 
+    /** A frame was drawn and took this long, ns, all that OpenGL had to do for it included. */
+    default void drawn(long nanos) {}
+
     /** The pointer moved. */
     default void pointerMoved(double x, double y) {}
 

@@ -1,0 +1,63 @@
+package rigibo.frontend.demo;
+
+import rigibo.backend.StepReport;
+import rigibo.backend.setup.StepStage;
+
+import java.util.Arrays;
+
+/** What the steps and the drawing of the last two seconds took, and whether both fit into 60 Hz. */
+final class FrameTimes {
+
+    private static final double BUDGET_MILLIS = 1000.0 / 60;
+    private static final int WINDOW = 120;
+
+    /** A rate is held when so many of a hundred frames come in time. */
+    private static final int HELD = 95;
+
+    private final double[] steps = new double[WINDOW];
+    private final double[] frames = new double[WINDOW];
+    private int turn;
+    private double drawing;
+
+    /** Takes the times of a step. */
+    void step(StepReport report) {
+        long nanos = 0;
+        for (StepStage stage : StepStage.values()) {
+            nanos += report.nanos(stage);
+        }
+        steps[turn % WINDOW] = nanos / 1e6;
+        frames[turn % WINDOW] = nanos / 1e6 + drawing;
+        turn++;
+    }
+
+    /** Takes the time that drawing took, ns. */
+    void drawing(long nanos) {
+        drawing = nanos / 1e6;
+    }
+
+    /** Begins anew. */
+    void forget() {
+        turn = 0;
+    }
+
+    /** The time that a share of the steps stay below, ms. */
+    double step(int percent) {
+        return percentile(steps, percent);
+    }
+
+    /** Whether the steps alone hold 60 Hz. */
+    boolean stepHolds() {
+        return percentile(steps, HELD) <= BUDGET_MILLIS;
+    }
+
+    /** Whether steps and drawing together hold 60 Hz. */
+    boolean frameHolds() {
+        return percentile(frames, HELD) <= BUDGET_MILLIS;
+    }
+
+    private double percentile(double[] millis, int percent) {
+        double[] sorted = Arrays.copyOf(millis, Math.max(1, Math.min(turn, WINDOW)));
+        Arrays.sort(sorted);
+        return sorted[(sorted.length - 1) * percent / 100];
+    }
+}

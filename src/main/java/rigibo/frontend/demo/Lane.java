@@ -1,0 +1,158 @@
+package rigibo.frontend.demo;
+
+import rigibo.backend.RigidBody;
+import rigibo.backend.geometry.Polygon;
+import rigibo.backend.setup.BodyDefinition;
+import rigibo.backend.setup.Material;
+import rigibo.frontend.scene.Skin;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** A floor at an angle, a box launched up it, and what Coulomb's law says of its way. */
+final class Lane {
+
+    private static final double GRAVITY = 9.81;
+    private static final double STEP = 1.0 / 60;
+
+    /** Longer than the way of the fastest launch on ice: 8²/(2·0.03·g) = 109 m. */
+    private static final double LENGTH = 120;
+
+    private static final double THICKNESS = 0.4;
+
+    /** The floor behind the start, m; a block at its end catches what slides back. */
+    private static final double RUN_OUT = 2;
+
+    private static final double BLOCK = 0.3;
+
+    /** What is slower stands, m/s. */
+    private static final double STILL = 1e-6;
+
+    /** Lower than wide, or rubber would tumble it instead of stopping it. */
+    private static final double BOX_WIDTH = 0.9;
+
+    private static final double HALF_HEIGHT = 0.3;
+
+    final String name;
+    final double friction;
+
+    private final double x;
+    private final double y;
+    private final Skin skin;
+    private final List<RigidBody> parts = new ArrayList<>();
+    private RigidBody box;
+    private double slope;
+    private double launched;
+    private double lastSpeed;
+    private double slowing;
+    private double farthest;
+    private boolean hasTurned;
+
+    /** A lane of a friction that starts at (x, y), m. */
+    Lane(String name, double friction, double x, double y, Skin skin) {
+        this.name = name;
+        this.friction = friction;
+        this.x = x;
+        this.y = y;
+        this.skin = skin;
+    }
+
+    /** Lays the floor at an angle in rad and launches a box up it, m/s and kg. */
+    void launch(Workbench bench, double angle, double speed, double mass) {
+        parts.forEach(bench::remove);
+        parts.clear();
+        slope = angle;
+        Polygon ground = Polygon.box(LENGTH, THICKNESS);
+        place(bench, BodyDefinition.fixed(ground), LENGTH / 2 - RUN_OUT, -THICKNESS / 2, skin);
+        Polygon block = Polygon.box(BLOCK, 2 * HALF_HEIGHT);
+        place(bench, BodyDefinition.fixed(block), BLOCK / 2 - RUN_OUT, HALF_HEIGHT, skin);
+        BodyDefinition thrown =
+                BodyDefinition.dynamic(Polygon.box(BOX_WIDTH, 2 * HALF_HEIGHT))
+                        .velocity(speed * Math.cos(slope), speed * Math.sin(slope))
+                        .mass(mass);
+        box = place(bench, thrown, 0, HALF_HEIGHT, Skin.RIGIBO);
+        launched = speed;
+        lastSpeed = speed;
+        farthest = 0;
+        hasTurned = false;
+    }
+
+    private RigidBody place(
+            Workbench bench, BodyDefinition body, double along, double above, Skin look) {
+        double px = x + along * Math.cos(slope) - above * Math.sin(slope);
+        double py = y + along * Math.sin(slope) + above * Math.cos(slope);
+        Material material = new Material(1, friction, 0);
+        RigidBody part = bench.add(body.at(px, py).angle(slope).material(material), look);
+        parts.add(part);
+        return part;
+    }
+
+    /**
+     * Follows the box. Where it slides back it turns within a step, later than the step before by
+     * its speed over what slowed it.
+     */
+    void afterStep() {
+        double speed = speed();
+        if (!hasTurned && speed <= STILL) {
+            hasTurned = true;
+            boolean isBack = speed < -STILL;
+            farthest = isBack ? farthest + lastSpeed * lastSpeed / (2 * slowing) : gone();
+        } else if (!hasTurned) {
+            farthest = gone();
+        }
+        slowing = (lastSpeed - speed) / STEP;
+        lastSpeed = speed;
+    }
+
+    /** Up the floor, m/s. */
+    private double speed() {
+        return box.velocityX() * Math.cos(slope) + box.velocityY() * Math.sin(slope);
+    }
+
+    /** How far the box is up the floor from where it was launched, m. */
+    double gone() {
+        return (box.x() - x) * Math.cos(slope) + (box.y() - y) * Math.sin(slope);
+    }
+
+    /** How far the box should come: v²/(2g(μ·cos + sin)), m. */
+    double predicted() {
+        double held = GRAVITY * (friction * Math.cos(slope) + Math.sin(slope));
+        return launched * launched / (2 * held);
+    }
+
+    /** How far it came, so far, m. */
+    double farthest() {
+        return farthest;
+    }
+
+    /** Whether it has come as far as it will. */
+    boolean hasTurned() {
+        return hasTurned;
+    }
+
+    /** Whether friction holds the box where it stops: up to the angle arctan μ. */
+    boolean holds() {
+        return Math.tan(slope) <= friction;
+    }
+
+    boolean isStill() {
+        return Math.abs(speed()) <= STILL;
+    }
+
+    /** What the floor has taken from the launch, J. */
+    double heat() {
+        double given = box.mass() * launched * launched / 2;
+        double risen = box.mass() * GRAVITY * (box.y() - y - HALF_HEIGHT * Math.cos(slope));
+        return given - box.kineticEnergy() - risen;
+    }
+
+    /** World x of a place on the floor, m from the start. */
+    double floorX(double along) {
+        return x + along * Math.cos(slope);
+    }
+
+    /** World y of a place on the floor, m from the start. */
+    double floorY(double along) {
+        return y + along * Math.sin(slope);
+    }
+}

@@ -1,0 +1,112 @@
+package rigibo.frontend.display;
+
+import rigibo.backend.geometry.Circle;
+import rigibo.backend.geometry.Polygon;
+import rigibo.backend.geometry.Shape;
+import rigibo.frontend.scene.Camera;
+import rigibo.frontend.scene.Canvas;
+import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Director;
+import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.Skin;
+
+import java.util.Arrays;
+
+/**
+ * Measures what drawing costs in a real window: a frame of bodies of every skin in rows over the
+ * whole picture, boxes and discs in turn, with a bar of words and numbers and a graph. Nothing is
+ * simulated.
+ */
+public final class DrawingTiming {
+
+    private static final int WARM_FRAMES = 120;
+    private static final int TIMED_FRAMES = 300;
+
+    private final int bodies;
+    private final double[] millis = new double[TIMED_FRAMES];
+
+    private DrawingTiming(int bodies) {
+        this.bodies = bodies;
+    }
+
+    /**
+     * Draws some hundred frames with so many bodies.
+     *
+     * @return the time that half of the frames stayed below, and 99 % of them, ms
+     * @throws DisplayException when no window can be opened
+     */
+    public static double[] millis(int bodies) {
+        DrawingTiming timing = new DrawingTiming(bodies);
+        new Display(director -> timing.new Rows(director), false).run(null);
+        Arrays.sort(timing.millis);
+        return new double[] {
+            timing.millis[TIMED_FRAMES / 2], timing.millis[TIMED_FRAMES * 99 / 100]
+        };
+    }
+
+    /** The picture that is drawn. */
+    private final class Rows implements Scene {
+
+        private static final double TOP = 70;
+
+        private final Director director;
+        private final int columns;
+        private final double pitch;
+        private final Shape box;
+        private final Shape disc;
+        private final double[] graph = new double[120];
+        private int frame = -WARM_FRAMES;
+
+        Rows(Director director) {
+            this.director = director;
+            double area = WIDTH * (HEIGHT - TOP) / bodies;
+            columns = (int) Math.ceil(WIDTH / Math.sqrt(area));
+            pitch = WIDTH / Camera.DEFAULT_SCALE / columns;
+            box = Polygon.box(0.8 * pitch, 0.8 * pitch);
+            disc = new Circle(0.4 * pitch);
+            Arrays.setAll(graph, i -> 0.5 + 0.4 * Math.sin(i / 9.0));
+        }
+
+        @Override
+        public String title() {
+            return bodies + " bodies";
+        }
+
+        @Override
+        public void step() {}
+
+        @Override
+        public void draw(Canvas canvas) {
+            canvas.camera(Camera.ofPuzzle());
+            for (int i = 0; i < bodies; i++) {
+                double x = (i % columns + 0.5) * pitch;
+                double y = (i / columns + 0.5) * pitch;
+                Skin skin = Skin.values()[i % Skin.values().length];
+                canvas.body(i % 2 == 0 ? box : disc, x, y, 0.01 * i, skin, Canvas.Mood.PLAIN);
+            }
+            canvas.panel(8, 8, WIDTH - 16, 48, 14, Color.PANEL);
+            canvas.text(title(), 26, 32, 20, Canvas.Font.WORDS, Canvas.Align.LEFT, Color.BRASS);
+            canvas.text(
+                    "1/2 clicks    3.4 s",
+                    WIDTH - 70,
+                    32,
+                    18,
+                    Canvas.Font.NUMBERS,
+                    Canvas.Align.RIGHT,
+                    Color.TEXT);
+            canvas.ring(WIDTH - 38, 32, 13, 5, 0.7, Color.GOOD);
+            canvas.graph(graph, graph.length, 250, 14, 200, 36, Color.GOOD);
+        }
+
+        @Override
+        public void drawn(long nanos) {
+            if (frame >= 0 && frame < TIMED_FRAMES) {
+                millis[frame] = nanos / 1e6;
+            }
+            frame++;
+            if (frame == TIMED_FRAMES) {
+                director.quit();
+            }
+        }
+    }
+}
