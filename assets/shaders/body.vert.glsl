@@ -1,21 +1,20 @@
 #version 330 core
-// Bodies: positions come in logical pixels, everything else in the body's own frame, in metres.
+// Bodies; the position is in logical pixels.
 layout(location = 0) in vec2 position;
-layout(location = 1) in vec2 local;
-layout(location = 2) in vec4 nature; // skin, mood, distance to the outline (m), radius (m, 0: polygon)
-layout(location = 3) in vec4 extra;  // gaze direction and half extents, or a particle's colour
+layout(location = 1) in vec2 texel;
+layout(location = 2) in vec2 way;    // from the centre (px)
+layout(location = 3) in vec2 reach;  // of a box to its sides (px); of a round body x, and y negative
+layout(location = 4) in vec2 kind;   // skin and mood
 uniform vec2 screen;
-out vec2 place;
-flat out vec2 kind;
-out float inside;
-flat out float radius;
-flat out vec4 more;
+out vec3 sheet;
+out vec2 out_way;
+flat out vec2 out_reach;
+flat out float mood;
 
 void main() {
     gl_Position = vec4(2.0 * position.x / screen.x - 1.0, 1.0 - 2.0 * position.y / screen.y, 0.0, 1.0);
-    place = local;
-    kind = nature.xy;
-    inside = nature.z;
-    radius = nature.w;
-    more = extra;
+    sheet = vec3(texel, kind.x);
+    out_way = way;
+    out_reach = reach;
+    mood = kind.y;
 }

@@ -20,7 +20,9 @@ final class MeasureCommand implements Callable<Integer> {
 
     private static final int TURNS = 600;
     private static final int[] FLOODS = {1000, 2000, 5000};
-    private static final int[] PICTURES = {50, 2000};
+
+    /** Bodies and their width in px: a full level, and the flood. */
+    private static final int[][] PICTURES = {{50, 64}, {2000, 9}};
 
     @Spec private CommandSpec spec;
 
@@ -36,11 +38,11 @@ final class MeasureCommand implements Callable<Integer> {
                     flood.p99Millis(),
                     1000 * flood.deepestOverlap());
         }
-        for (int bodies : PICTURES) {
-            double[] millis = DrawingTiming.millis(bodies);
+        for (int[] picture : PICTURES) {
+            double[] millis = DrawingTiming.millis(picture[0], picture[1]);
             out.printf(
-                    "drawing %d bodies: median %.2f ms, p99 %.2f ms a frame%n",
-                    bodies, millis[0], millis[1]);
+                    "drawing %d bodies of %d px: median %.2f ms, p99 %.2f ms a frame%n",
+                    picture[0], picture[1], millis[0], millis[1]);
         }
         for (boolean vsync : new boolean[] {true, false}) {
             double seconds = LoopTiming.seconds(Catalog::menu, TURNS, vsync);

@@ -253,7 +253,7 @@ final class FloodDemo implements Demo {
     }
 
     private String held(int bodies) {
-        return bodies == 0 ? "not yet known" : bodies + (isSearching ? " so far" : "");
+        return bodies == 0 ? "unknown" : bodies + (isSearching ? " so far" : "");
     }
 
     private String millis(int percent) {

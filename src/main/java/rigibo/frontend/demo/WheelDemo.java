@@ -86,7 +86,7 @@ final class WheelDemo implements Demo {
 
     @Override
     public Camera camera() {
-        return new Camera(0.2, 2.7, 50);
+        return new Camera(-2.4, 2.7, 50);
     }
 
     @Override

@@ -13,9 +13,8 @@ import rigibo.frontend.scene.Skin;
 import java.util.Arrays;
 
 /**
- * Measures what drawing costs in a real window: a frame of bodies of every skin in rows over the
- * whole picture, boxes and discs in turn, with a bar of words and numbers and a graph. Nothing is
- * simulated.
+ * Measures what drawing costs in a real window: a frame of bodies of every skin in rows, boxes and
+ * discs in turn, with a bar of words and numbers and a graph. Nothing is simulated.
  */
 public final class DrawingTiming {
 
@@ -23,20 +22,22 @@ public final class DrawingTiming {
     private static final int TIMED_FRAMES = 300;
 
     private final int bodies;
+    private final double pixels;
     private final double[] millis = new double[TIMED_FRAMES];
 
-    private DrawingTiming(int bodies) {
+    private DrawingTiming(int bodies, double pixels) {
         this.bodies = bodies;
+        this.pixels = pixels;
     }
 
     /**
-     * Draws some hundred frames with so many bodies.
+     * Draws some hundred frames with so many bodies of a width in px.
      *
      * @return the time that half of the frames stayed below, and 99 % of them, ms
      * @throws DisplayException when no window can be opened
      */
-    public static double[] millis(int bodies) {
-        DrawingTiming timing = new DrawingTiming(bodies);
+    public static double[] millis(int bodies, double pixels) {
+        DrawingTiming timing = new DrawingTiming(bodies, pixels);
         new Display(director -> timing.new Rows(director), false).run(null);
         Arrays.sort(timing.millis);
         return new double[] {
@@ -47,23 +48,16 @@ public final class DrawingTiming {
     /** The picture that is drawn. */
     private final class Rows implements Scene {
 
-        private static final double TOP = 70;
-
         private final Director director;
-        private final int columns;
-        private final double pitch;
-        private final Shape box;
-        private final Shape disc;
+        private final double pitch = 1.2 * pixels / Camera.DEFAULT_SCALE;
+        private final int columns = (int) (WIDTH / (1.2 * pixels));
+        private final Shape box = Polygon.box(pitch / 1.2, pitch / 1.2);
+        private final Shape disc = new Circle(pitch / 2.4);
         private final double[] graph = new double[120];
         private int frame = -WARM_FRAMES;
 
         Rows(Director director) {
             this.director = director;
-            double area = WIDTH * (HEIGHT - TOP) / bodies;
-            columns = (int) Math.ceil(WIDTH / Math.sqrt(area));
-            pitch = WIDTH / Camera.DEFAULT_SCALE / columns;
-            box = Polygon.box(0.8 * pitch, 0.8 * pitch);
-            disc = new Circle(0.4 * pitch);
             Arrays.setAll(graph, i -> 0.5 + 0.4 * Math.sin(i / 9.0));
         }
 

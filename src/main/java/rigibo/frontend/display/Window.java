@@ -94,9 +94,9 @@ final class Window {
     void render() {
         long begin = System.nanoTime();
         glfwGetFramebufferSize(handle, width, height);
-        painter.begin(width[0], height[0]);
+        painter.begin(width[0], height[0], glfwGetTime());
         scene.draw(painter);
-        painter.end(glfwGetTime());
+        painter.end();
         glFinish();
         scene.drawn(System.nanoTime() - begin);
         troubles.askOpenGl("while drawing " + scene.title());

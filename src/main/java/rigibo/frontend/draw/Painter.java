@@ -11,41 +11,63 @@ import rigibo.frontend.scene.Skin;
 
 /**
  * The canvas of one window. Made and freed with the window's context; a frame is begun, drawn on
- * and ended.
+ * and ended. Plates and what the pen draws are gathered apart, the pen's above; only a plate that
+ * is to cover something of the pen's has all that was gathered drawn before it.
  */
 public final class Painter implements Canvas {
 
-    private final Program ground = new Program("ground");
-    private final int nothing = glGenVertexArrays();
     private final BodyBatch bodies = new BodyBatch();
+    private final Plates plates = new Plates();
     private final Pen pen = new Pen();
+    private final Marks marks = new Marks();
+    private Baked ground;
+    private float pixelRatio = 1;
+    private double seconds;
 
-    /** Begins a frame on a framebuffer of a size in pixels; the picture keeps its proportions. */
-    public void begin(int framebufferWidth, int framebufferHeight) {
+    /**
+     * Begins a frame on a framebuffer of a size in pixels; the picture keeps its proportions.
+     * Seconds since the start let faces blink.
+     */
+    public void begin(int framebufferWidth, int framebufferHeight, double now) {
+        seconds = now;
         Letterbox box = Letterbox.of(framebufferWidth, framebufferHeight);
-        glViewport(0, 0, framebufferWidth, framebufferHeight);
-        glClearColor(0.07f, 0.08f, 0.13f, 1);
-        glClear(GL_COLOR_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+        if (ground == null || !ground.fits(box)) {
+            layGround(box);
+        }
+        if (box.width() < framebufferWidth || box.height() < framebufferHeight) {
+            glViewport(0, 0, framebufferWidth, framebufferHeight);
+            glClearColor(0.07f, 0.08f, 0.13f, 1);
+            glClear(GL_COLOR_BUFFER_BIT);
+        }
         glViewport(box.x(), box.y(), box.width(), box.height());
-        glDisable(GL_BLEND);
-        ground.use();
-        glBindVertexArray(nothing);
-        glDrawArrays(GL_TRIANGLES, 0, 3);
-        pen.begin((float) box.width() / Scene.WIDTH);
+        ground.copyTo(box);
+        pixelRatio = (float) box.width() / Scene.WIDTH;
+        pen.begin(pixelRatio);
     }
 
-    /** Ends the frame; seconds since the start let faces blink. */
-    public void end(double seconds) {
-        bodies.flush(seconds);
+    private void layGround(Letterbox box) {
+        if (ground != null) {
+            ground.free();
+        }
+        ground = new Baked("ground", box.width(), box.height(), 1);
+    }
+
+    /** Ends the frame. */
+    public void end() {
+        bodies.draw(pixelRatio, seconds);
+        plates.draw(pixelRatio, seconds);
         pen.end();
+        marks.clear();
     }
 
     /** Frees what OpenGL and NanoVG hold. */
     public void free() {
         pen.free();
+        plates.free();
         bodies.free();
-        ground.free();
-        glDeleteVertexArrays(nothing);
+        if (ground != null) {
+            ground.free();
+        }
     }
 
     @Override
@@ -70,33 +92,52 @@ public final class Painter implements Canvas {
 
     @Override
     public void line(double x1, double y1, double x2, double y2, double width, Color color) {
+        marks.add(Math.min(x1, x2), Math.min(y1, y2), Math.max(x1, x2), Math.max(y1, y2));
         pen.line(x1, y1, x2, y2, width, color);
     }
 
     @Override
     public void disc(double x, double y, double radius, Color color) {
+        marks.add(x - radius, y - radius, x + radius, y + radius);
         pen.disc(x, y, radius, color);
     }
 
     @Override
     public void ring(
             double x, double y, double radius, double width, double fraction, Color color) {
+        marks.add(x - radius, y - radius, x + radius, y + radius);
         pen.ring(x, y, radius, width, fraction, color);
     }
 
     @Override
     public void panel(double x, double y, double width, double height, double corner, Color color) {
-        pen.panel(x, y, width, height, corner, color);
+        if (marks.meet(x, y, x + width, y + height)) {
+            end();
+            pen.begin(pixelRatio);
+        }
+        plates.add(x, y, width, height, corner, color);
     }
 
     @Override
     public void frame(double x, double y, double width, double height, double corner, Color color) {
+        marks.add(x, y, x + width, y + 1);
+        marks.add(x, y + height - 1, x + width, y + height);
+        marks.add(x, y, x + 1, y + height);
+        marks.add(x + width - 1, y, x + width, y + height);
         pen.frame(x, y, width, height, corner, color);
     }
 
     @Override
     public void text(
             String words, double x, double y, double size, Font font, Align align, Color color) {
+        double width = pen.textWidth(words, size, font);
+        double left =
+                switch (align) {
+                    case LEFT -> x;
+                    case CENTRE -> x - width / 2;
+                    case RIGHT -> x - width;
+                };
+        marks.add(left, y - size / 2, left + width, y + size / 2);
         pen.text(words, x, y, size, font, align, color);
     }
 
@@ -108,6 +149,7 @@ public final class Painter implements Canvas {
     @Override
     public void graph(
             double[] values, int count, double x, double y, double w, double h, Color color) {
+        marks.add(x, y, x + w, y + h);
         pen.graph(values, count, x, y, w, h, color);
     }
 }

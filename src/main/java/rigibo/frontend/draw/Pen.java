@@ -10,7 +10,7 @@ import rigibo.frontend.scene.Canvas.Font;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Scene;
 
-/** Text, panels, rings and graphs by NanoVG. */
+/** Text, lines, rings and graphs by NanoVG. */
 final class Pen {
 
     private static final String WORDS = "words";
@@ -69,12 +69,6 @@ final class Pen {
         nvgArc(context, (float) x, (float) y, (float) radius, (float) from, (float) to, NVG_CW);
         nvgLineCap(context, NVG_ROUND);
         stroke(width, color);
-    }
-
-    void panel(double x, double y, double width, double height, double corner, Color color) {
-        rectangle(x, y, width, height, corner);
-        nvgFillColor(context, ink(color));
-        nvgFill(context);
     }
 
     void frame(double x, double y, double width, double height, double corner, Color color) {

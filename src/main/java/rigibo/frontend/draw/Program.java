@@ -7,10 +7,10 @@ final class Program {
 
     private final int id;
 
-    /** Builds {@code shaders/NAME.vert.glsl} and {@code shaders/NAME.frag.glsl}. */
-    Program(String name) {
-        int vertex = compile(GL_VERTEX_SHADER, "shaders/" + name + ".vert.glsl");
-        int fragment = compile(GL_FRAGMENT_SHADER, "shaders/" + name + ".frag.glsl");
+    /** Builds {@code shaders/VERTEX.vert.glsl} and {@code shaders/FRAGMENT.frag.glsl}. */
+    Program(String vertexName, String fragmentName) {
+        int vertex = compile(GL_VERTEX_SHADER, "shaders/" + vertexName + ".vert.glsl");
+        int fragment = compile(GL_FRAGMENT_SHADER, "shaders/" + fragmentName + ".frag.glsl");
         id = glCreateProgram();
         glAttachShader(id, vertex);
         glAttachShader(id, fragment);
@@ -18,12 +18,17 @@ final class Program {
         glDeleteShader(vertex);
         glDeleteShader(fragment);
         if (glGetProgrami(id, GL_LINK_STATUS) == GL_FALSE) {
-            throw new IllegalStateException(name + " does not link: " + glGetProgramInfoLog(id));
+            throw new IllegalStateException(
+                    fragmentName + " does not link: " + glGetProgramInfoLog(id));
         }
     }
 
     void use() {
         glUseProgram(id);
+    }
+
+    void set(String uniform, int value) {
+        glUniform1i(glGetUniformLocation(id, uniform), value);
     }
 
     void set(String uniform, float value) {

@@ -1,0 +1,88 @@
+package rigibo.frontend.draw;
+
+import static org.lwjgl.opengl.GL33C.*;
+
+/**
+ * Layers of one size whose pixels a shader computes once, so that drawing only looks them up: on
+ * software OpenGL every pixel's noise counts in every frame.
+ */
+final class Baked {
+
+    private final int texture = glGenTextures();
+    private final int frame = glGenFramebuffers();
+    private final int nothing = glGenVertexArrays();
+    private final int width;
+    private final int height;
+
+    /** Runs a shader over each layer, which it is told by its uniform {@code layer}. */
+    Baked(String shader, int width, int height, int layers) {
+        this.width = width;
+        this.height = height;
+        glBindTexture(GL_TEXTURE_2D_ARRAY, texture);
+        glTexImage3D(
+                GL_TEXTURE_2D_ARRAY,
+                0,
+                GL_RGBA8,
+                width,
+                height,
+                layers,
+                0,
+                GL_RGBA,
+                GL_UNSIGNED_BYTE,
+                0L);
+        glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
+        glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+        Program program = new Program("everywhere", shader);
+        program.use();
+        for (int layer = 0; layer < layers; layer++) {
+            program.set("layer", layer);
+            run(layer);
+        }
+        program.free();
+        glBindTexture(GL_TEXTURE_2D_ARRAY, texture);
+        glGenerateMipmap(GL_TEXTURE_2D_ARRAY);
+    }
+
+    private void run(int layer) {
+        glBindFramebuffer(GL_FRAMEBUFFER, frame);
+        glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, texture, 0, layer);
+        glViewport(0, 0, width, height);
+        glDisable(GL_BLEND);
+        glBindVertexArray(nothing);
+        glDrawArrays(GL_TRIANGLES, 0, 3);
+        glBindVertexArray(0);
+        glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    }
+
+    /** Makes it the texture that shaders read. */
+    void bind() {
+        glBindTexture(GL_TEXTURE_2D_ARRAY, texture);
+    }
+
+    /** Copies the last layer to a place in the window, framebuffer pixels. */
+    void copyTo(Letterbox box) {
+        glBindFramebuffer(GL_READ_FRAMEBUFFER, frame);
+        glBlitFramebuffer(
+                0,
+                0,
+                width,
+                height,
+                box.x(),
+                box.y(),
+                box.x() + box.width(),
+                box.y() + box.height(),
+                GL_COLOR_BUFFER_BIT,
+                GL_NEAREST);
+        glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
+    }
+
+    boolean fits(Letterbox box) {
+        return width == box.width() && height == box.height();
+    }
+
+    void free() {
+        glDeleteFramebuffers(frame);
+        glDeleteTextures(texture);
+        glDeleteVertexArrays(nothing);
+    }
+}
