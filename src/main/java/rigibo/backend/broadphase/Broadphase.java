@@ -25,6 +25,9 @@ public final class Broadphase {
      */
     private static final double STEPS_AHEAD = 3;
 
+    /** A fixture that is larger than it would be laid now by this factor is laid anew. */
+    private static final double LOOSE = 1.25;
+
     private final Bodies bodies;
     private final Pairs pairs;
     private final Roster roster;
@@ -104,7 +107,11 @@ public final class Broadphase {
     /** Stage 3: fixtures for a step of {@code dt} seconds, and the pairs they make. */
     public void update(double dt) {
         for (int i = 0; i < roster.awakeCount; i++) {
-            cover(roster.awake[i], dt);
+            int slot = roster.awake[i];
+            sweep(slot, dt);
+            if (!isCovered(slot) || isLoose(slot, dt)) {
+                lay(slot, dt);
+            }
         }
         moved.sort();
         for (int i = 0; i < moved.count; i++) {
@@ -184,6 +191,23 @@ public final class Broadphase {
                 && swept.minY >= bodies.fixtureMinY[slot]
                 && swept.maxX <= bodies.fixtureMaxX[slot]
                 && swept.maxY <= bodies.fixtureMaxY[slot];
+    }
+
+    /**
+     * A body that was fast, or might have been, keeps no neighbours that it cannot meet any more.
+     */
+    private boolean isLoose(int slot, double dt) {
+        double radius = bodies.boundingRadius[slot];
+        double aheadX = Math.abs(ahead(bodies.velocityX[slot], dt, radius));
+        double aheadY = Math.abs(ahead(bodies.velocityY[slot], dt, radius));
+        double needed =
+                (swept.maxX - swept.minX)
+                        + (swept.maxY - swept.minY)
+                        + (4 * MARGIN * radius + aheadX + aheadY);
+        double laid =
+                (bodies.fixtureMaxX[slot] - bodies.fixtureMinX[slot])
+                        + (bodies.fixtureMaxY[slot] - bodies.fixtureMinY[slot]);
+        return laid > LOOSE * needed;
     }
 
     /**
