@@ -18,7 +18,8 @@ public final class Found {
         Arrays.sort(numbers, 0, count);
     }
 
-    void add(int number) {
+    /** Appends a number. */
+    public void add(int number) {
         if (count == numbers.length) {
             numbers = Arrays.copyOf(numbers, 2 * count);
         }

@@ -16,13 +16,10 @@ import java.util.Arrays;
  * kinetic energy never rises from one step to the next. K is factored by Cholesky within its
  * envelope, which in a stack is a band of six rows.
  */
-final class DirectSolver {
+final class DirectSolver implements WholeSolver {
 
     /** Largest island in rows; beyond it the elimination costs more than it gains. */
-    static final int MOST_ROWS = 192;
-
-    /** The same for an island that hardly moves: once it is solved it is not eliminated again. */
-    static final int MOST_ROWS_IF_CALM = 480;
+    private static final int MOST_ROWS = 192;
 
     /** Room that the factor of any island in motion has: none grows once the first is solved. */
     private static final int FULL = MOST_ROWS * (MOST_ROWS + 1) / 2;
@@ -80,20 +77,19 @@ final class DirectSolver {
         mostTries = TRIES_PER_SUBSTEP * substeps;
     }
 
-    /** Begins an island: the factor of the last one is worth nothing. */
-    void prepare() {
+    /** Begins the packed island, unless it is too large. */
+    boolean prepare() {
+        if (ROWS_PER_CONTACT * rows.count > MOST_ROWS) {
+            return false;
+        }
         forget();
         order.find();
+        return true;
     }
 
-    /** The rows are not what they were: a factor of them is worth nothing. */
-    void forget() {
+    @Override
+    public void forget() {
         factoredSize = 0;
-    }
-
-    /** Whether the packed island is small enough; a calm one may be larger. */
-    boolean isSmallEnough(boolean isCalm) {
-        return ROWS_PER_CONTACT * rows.count <= (isCalm ? MOST_ROWS_IF_CALM : MOST_ROWS);
     }
 
     /** A lone disc's normal and friction do not feel each other: nothing is to be eliminated. */
@@ -101,11 +97,8 @@ final class DirectSolver {
         return rows.count == 1 && rows.points[0] == 1;
     }
 
-    /**
-     * Brings the loaded rows to rest against each other, for a substep of h seconds, but for a
-     * speed of {@code settled} m/s.
-     */
-    void solve(double h, int substep, double settled) {
+    @Override
+    public void solve(double h, int substep, double settled) {
         if (isUncoupled()) {
             return;
         }
@@ -125,8 +118,14 @@ final class DirectSolver {
         }
     }
 
+    @Override
+    public double finestShare() {
+        return 0;
+    }
+
     /** Takes the overlap of loaded rows back, or of all that overlap where nothing is loaded. */
-    void correct(double h, int substep) {
+    @Override
+    public void correct(double h, int substep) {
         if (factoredSize == 0) {
             chooseOverlapping(h, substep);
             factorize();

@@ -68,6 +68,11 @@ public final class PileSolver {
     private final EnergyGuard guard;
     private final Halfway halfway;
     private final DirectSolver direct;
+    private final SplitSolver split;
+
+    /** Which of the two the packed island is solved by, null where by neither. */
+    private WholeSolver whole;
+
     private final SoftPush soft = new SoftPush();
     private final boolean isDirect;
 
@@ -108,6 +113,7 @@ public final class PileSolver {
         guard = new EnergyGuard(motions, rows);
         halfway = new Halfway(motions, rows);
         direct = new DirectSolver(motions, rows, overlap, accuracy.substeps());
+        split = new SplitSolver(motions, rows, overlap);
         isDirect = accuracy.contactSolver() == ContactSolver.DIRECT;
         impacts = new PileImpacts(motions, rows, pairs, counters);
         joint = new JointBlows(data, motions, rows, kick);
@@ -138,18 +144,16 @@ public final class PileSolver {
         friction.prepare();
         impacts.prepare();
         warmStart.prepare();
-        isSmall = isDirect && isSmallEnough(dt);
-        if (isSmall) {
-            direct.prepare();
-        }
+        whole = isDirect ? wholeSolver(dt) : null;
+        isSmall = whole != null;
         delayLateJoiners(start, h);
         counters.rows += friction.rowCount() + rows.count;
         for (int substep = 0; substep < substeps; substep++) {
             double middle = start + (substep + 0.5) * h;
             kick.remember();
             double left = (substeps - substep) * h;
-            if (turning.refresh(substep, h, dt - left, left)) {
-                direct.forget();
+            if (turning.refresh(substep, h, dt - left, left) && isSmall) {
+                whole.forget();
             }
             kick.accelerate(substep == 0 ? start : middle - h, middle);
             fastest = motions.fastest();
@@ -162,9 +166,12 @@ public final class PileSolver {
     }
 
     /** An island whose bodies move less than a falling one gains in a step counts as calm. */
-    private boolean isSmallEnough(double dt) {
+    private WholeSolver wholeSolver(double dt) {
+        if (direct.prepare()) {
+            return direct;
+        }
         boolean isCalm = motions.fastest() <= CALM * dt * kick.strongest();
-        return direct.isSmallEnough(isCalm);
+        return split.prepare(isCalm) ? split : null;
     }
 
     private void begin(double scale, int substep) {
@@ -216,7 +223,7 @@ public final class PileSolver {
 
     private void takeOverlapBack(double h, int substep) {
         if (isCorrecting) {
-            direct.correct(h, substep);
+            whole.correct(h, substep);
             overlap.correct(h, substep);
         }
     }
@@ -257,17 +264,19 @@ public final class PileSolver {
     }
 
     private boolean settleRows(double h, int substep) {
-        double settled = SETTLED * accuracy.impactTolerance() * fastest;
+        double share = SETTLED * accuracy.impactTolerance();
+        double settled = Math.max(share, whole.finestShare()) * fastest;
         double before = Double.POSITIVE_INFINITY;
         for (int i = 0; i < LEAST_ROUNDS + accuracy.substeps(); i++) {
             double change = friction.solve(substep);
             change = Math.max(change, normals.back(h, substep));
             settled = Math.max(settled, ROUND_OFF * rows.strongestAnswer());
-            if (change <= settled) {
+            boolean isStuck = whole == split && change > SHRINKS * before;
+            if (change <= settled || isStuck) {
                 return true;
             }
             halfway.begin();
-            direct.solve(h, substep, settled);
+            whole.solve(h, substep, settled);
             if (change > SHRINKS * before) {
                 halfway.end();
             }
@@ -285,10 +294,11 @@ public final class PileSolver {
      */
     private void finish(double h, double dt) {
         int last = substeps;
-        if (turning.refresh(last, 0, dt, 0)) {
-            direct.forget();
-        }
+        boolean isChanged = turning.refresh(last, 0, dt, 0);
         if (isSmall) {
+            if (isChanged) {
+                whole.forget();
+            }
             closeLoadedGaps();
         }
         kick.accelerate(dt - h / 2, dt);

@@ -42,21 +42,37 @@ final class Bystanders {
     }
 
     /**
-     * How far in m a body of a pile may get in what is left of the step, s, when another strikes
-     * it; 0 where that surprises nobody.
+     * How far in m either body of a blow may get in what is left of the step, s, when a flyer
+     * strikes a pile: the one that was in it, and the flyer, which other contacts of the pile may
+     * turn again; 0 where that surprises nobody. The blow is resolved.
      */
-    double reachOfStruck(int struck, Impact blow, boolean isA, double left) {
-        if (!bodies.isDynamic(struck) || blow.points == 0) {
+    double reachOfBlow(int a, int b, Impact blow, double left) {
+        double oldAX = blow.velocityAX;
+        double oldAY = blow.velocityAY;
+        double oldBX = blow.velocityBX;
+        double oldBY = blow.velocityBY;
+        if (blow.points > 0) {
+            law.resolve(blow);
+        }
+        double ofA = reach(a, blow.velocityAX, blow.velocityAY, oldAX, oldAY, left);
+        return Math.max(ofA, reach(b, blow.velocityBX, blow.velocityBY, oldBX, oldBY, left));
+    }
+
+    private double reach(int slot, double vx, double vy, double oldX, double oldY, double left) {
+        if (!bodies.isDynamic(slot)) {
             return 0;
         }
-        law.resolve(blow);
-        double vx = isA ? blow.velocityAX : blow.velocityBX;
-        double vy = isA ? blow.velocityAY : blow.velocityBY;
-        double changeX = vx - bodies.velocityX[struck];
-        double changeY = vy - bodies.velocityY[struck];
-        double way = Math.sqrt(changeX * changeX + changeY * changeY) * left;
-        boolean isSurprise = way > SURPRISE * bodies.smallestWidth[struck];
-        return isSurprise ? WEDGED * Math.sqrt(vx * vx + vy * vy) * left : 0;
+        double way = length(vx - oldX, vy - oldY) * left;
+        return isSurprise(slot, way) ? WEDGED * length(vx, vy) * left : 0;
+    }
+
+    private static double length(double x, double y) {
+        return Math.sqrt(x * x + y * y);
+    }
+
+    /** Whether a way in m off its path shows against a body's width. */
+    private boolean isSurprise(int slot, double way) {
+        return way > SURPRISE * bodies.smallestWidth[slot];
     }
 
     /**
@@ -72,7 +88,7 @@ final class Bystanders {
         double closing = turning - (x * pairs.normalX[pair] + y * pairs.normalY[pair]);
         double unseen = SURPRISE * PairTolerances.width(bodies, a, b);
         boolean isSurprise = closing * dt > Math.max(unseen, pairs.gap(pair));
-        return isSurprise ? WEDGED * (Math.sqrt(x * x + y * y) + turning) * dt : 0;
+        return isSurprise ? WEDGED * (length(x, y) + turning) * dt : 0;
     }
 
     /** Speed in m/s that turning gives the outline of a body. */

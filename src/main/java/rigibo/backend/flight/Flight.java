@@ -1,6 +1,7 @@
 package rigibo.backend.flight;
 
 import rigibo.backend.broadphase.Broadphase;
+import rigibo.backend.broadphase.Found;
 import rigibo.backend.collision.Motion;
 import rigibo.backend.collision.Narrowphase;
 import rigibo.backend.collision.Pose;
@@ -37,6 +38,9 @@ public final class Flight {
     private final Trajectories paths;
     private final Blows blows;
     private final Bystanders bystanders;
+
+    /** Those whose path is not what was expected, in the order found. */
+    private final Found disturbed = new Found();
 
     /** Paths under forces that change along the way, or null where there are none. */
     private final Course course;
@@ -118,11 +122,22 @@ public final class Flight {
         }
     }
 
-    /** What a body of a pile may reach from a time on becomes part of the pile, or a contact. */
+    /**
+     * What a body of a pile may reach from a time on becomes part of the pile, or a contact; and so
+     * does what that may reach in its turn.
+     */
     private void disturb(int slot, double reach, double time, double dt) {
         if (reach == 0 || !hitsPile(slot) || !bodies.awake[slot]) {
             return;
         }
+        disturbed.clear();
+        disturbed.add(slot);
+        for (int i = 0; i < disturbed.count; i++) {
+            disturbNeighbours(disturbed.numbers[i], reach, time, dt);
+        }
+    }
+
+    private void disturbNeighbours(int slot, double reach, double time, double dt) {
         bystanders.lookRound(slot, time, reach);
         reserve();
         for (int p = bodies.firstPair[slot]; p != Pairs.NONE; p = pairs.nextOf(p, slot)) {
@@ -133,6 +148,7 @@ public final class Flight {
                 blows.bring(other, time);
                 paths.land(other, time);
                 repredict(other, time, dt);
+                disturbed.add(other);
             }
         }
     }
@@ -242,9 +258,9 @@ public final class Flight {
         }
         paths.landEarlier(pileBody, time);
         paths.land(flyer, time);
-        boolean isA = pairs.bodyA[pair] == pileBody;
         Impact blow = blows.expectedBlow(pair);
-        double reach = bystanders.reachOfStruck(pileBody, blow, isA, dt - time);
+        int a = pairs.bodyA[pair];
+        double reach = bystanders.reachOfBlow(a, pairs.bodyB[pair], blow, dt - time);
         blows.expectRebound(pair, flyer);
         pairs.impacts[pair]++;
         repredict(flyer, time, dt);

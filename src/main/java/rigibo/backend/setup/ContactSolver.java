@@ -6,6 +6,10 @@ public enum ContactSolver {
     SEQUENTIAL,
     /** Both points of a flat contact at once, contact after contact. */
     BLOCK,
-    /** Islands of up to 192 rows by elimination, larger ones as {@link #BLOCK}. */
+    /**
+     * Islands that are not too large solved whole: up to 192 rows by trying sets of loaded ones, to
+     * some thousand, if they hardly move, by splitting rows from their bounds; what is larger as
+     * {@link #BLOCK}.
+     */
     DIRECT
 }

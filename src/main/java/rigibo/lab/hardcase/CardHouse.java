@@ -45,13 +45,6 @@ final class CardHouse implements HardCase {
     }
 
     @Override
-    public String finding() {
-        return "It stands. But while the cards settle on the 0.1 mm that they are placed apart,"
-                + " their island of some 400 rows is too large to be solved whole in motion, and"
-                + " passes over the rows let cards of 2 mm sink into each other.";
-    }
-
-    @Override
     public void run(Trial trial) {
         WatchedPool pool = trial.pool(Surroundings.earth());
         pool.add(Surroundings.floor(FRICTION, 0));

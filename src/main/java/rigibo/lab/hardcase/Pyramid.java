@@ -37,15 +37,6 @@ final class Pyramid implements HardCase {
     }
 
     @Override
-    public String finding() {
-        return base <= 10
-                ? ""
-                : "Its island of some 4,000 rows is beyond those that are solved whole, and passes"
-                        + " over the rows bring the load of 30 storeys to the floor too slowly: the"
-                        + " soft push gives way, the lowest boxes creep apart and tremble.";
-    }
-
-    @Override
     public void run(Trial trial) {
         trial.variant("with sleep");
         WatchedPool sleeping = build(trial, Surroundings.earth().with(new Sleep()));

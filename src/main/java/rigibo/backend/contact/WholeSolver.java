@@ -1,0 +1,20 @@
+package rigibo.backend.contact;
+
+/** Solves all rows of a packed island at once, each within its bounds. */
+interface WholeSolver {
+
+    /** The rows are not what they were: a factor of them is worth nothing. */
+    void forget();
+
+    /**
+     * Brings the rows to rest against each other, for a substep of h seconds, but for a speed of
+     * {@code settled} m/s.
+     */
+    void solve(double h, int substep, double settled);
+
+    /** The least share of the fastest speed that is worth asking for. */
+    double finestShare();
+
+    /** Takes overlap back by moving bodies. */
+    void correct(double h, int substep);
+}
