@@ -165,10 +165,16 @@ public final class PileSolver {
         store(h);
     }
 
-    /** An island whose bodies move less than a falling one gains in a step counts as calm. */
+    /**
+     * An island whose bodies move less than a falling one gains in a step counts as calm. Without
+     * friction nothing is stacked wide: what is poured is left to passes, which are faster.
+     */
     private WholeSolver wholeSolver(double dt) {
         if (direct.prepare()) {
             return direct;
+        }
+        if (friction.rowCount() == 0) {
+            return null;
         }
         boolean isCalm = motions.fastest() <= CALM * dt * kick.strongest();
         return split.prepare(isCalm) ? split : null;

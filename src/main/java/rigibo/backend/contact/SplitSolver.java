@@ -29,7 +29,7 @@ final class SplitSolver implements WholeSolver {
     /** Multiplications that factoring one may take. */
     private static final double MOST_WORK = 1e6;
 
-    private static final double MOST_WORK_IF_CALM = 3e7;
+    private static final double MOST_WORK_IF_CALM = 8e6;
 
     /** How much softer a row is than a free body, as a share; a tenth is near the fastest. */
     private static final double SOFTNESS = 0.1;
