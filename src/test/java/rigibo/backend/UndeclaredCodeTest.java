@@ -11,8 +11,6 @@ import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.BodyDefinition;
 
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Collectors;
 
@@ -70,17 +68,12 @@ class UndeclaredCodeTest {
 
     private static List<String> loaded(String... arguments)
             throws IOException, InterruptedException {
-        ProcessBuilder builder =
-                new ProcessBuilder(
-                        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                        "-Xlog:class+load=info:stdout:none",
-                        "-cp",
-                        System.getProperty("java.class.path"),
-                        UndeclaredCodeTest.class.getName());
-        builder.command().addAll(List.of(arguments));
-        Process process = builder.redirectErrorStream(true).start();
-        String log = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
-        assertThat(process.waitFor()).as(log).isZero();
+        String log =
+                ChildJvm.output(
+                        ChildJvm.own(),
+                        List.of("-Xlog:class+load=info:stdout:none"),
+                        UndeclaredCodeTest.class,
+                        arguments);
         return log.lines()
                 .map(line -> line.split(" ")[0])
                 .filter(name -> KERNELS.stream().anyMatch(room -> isIn(room, name)))
