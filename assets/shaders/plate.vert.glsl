@@ -1,5 +1,5 @@
 #version 330 core
-// Filled rectangles with round corners, in logical pixels.
+// Filled rectangles with round corners, turned or not, in logical pixels.
 layout(location = 0) in vec2 position;
 layout(location = 1) in vec2 way;    // from the centre
 layout(location = 2) in vec3 extent; // half width, half height, radius of the corners

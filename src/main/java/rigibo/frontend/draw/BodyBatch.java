@@ -1,5 +1,6 @@
 package rigibo.frontend.draw;
 
+import rigibo.backend.geometry.Aabb;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.geometry.Shape;
@@ -37,7 +38,7 @@ final class BodyBatch {
 
     private final Program bodyProgram = new Program("body", "body");
     private final Program faceProgram = new Program("face", "face");
-    private final Program dotProgram = new Program("dot", "dot");
+    private final Program dotProgram = new Program("plate", "plate");
     private final Baked skins = new Baked("skin", TEXELS, TEXELS, Skin.values().length);
 
     /** Position, texture, way from the centre (px), how far it reaches there, skin and mood. */
@@ -46,8 +47,11 @@ final class BodyBatch {
     /** Position, place on the face, px of its unit, where it looks, mood and number. */
     private final Triangles faces = new Triangles(2, 2, 1, 2, 2);
 
-    /** Position, way from the centre (px), its length at the outline, colour. */
-    private final Triangles dots = new Triangles(2, 2, 1, 4);
+    /** Rivets and particles: plates that turn with the world. */
+    private final Triangles dots = Plates.triangles();
+
+    /** Of the body that is drawn, about its centre. */
+    private final Aabb bounds = new Aabb();
 
     private Camera camera = Camera.ofPuzzle();
     private double gazeX;
@@ -75,8 +79,9 @@ final class BodyBatch {
         place(atX, atY, angle);
         skin = of.ordinal();
         mood = in.ordinal();
-        double halfWidth = halfWidth(shape);
-        double halfHeight = halfHeight(shape);
+        shape.bounds(0, 0, 1, 0, bounds);
+        double halfWidth = Math.max(bounds.maxX, -bounds.minX);
+        double halfHeight = Math.max(bounds.maxY, -bounds.minY);
         // A ball's stripes fit the ball; everything else is cut from an endless sheet.
         textureScale = of == Skin.BALL ? 0.5 / Math.max(halfWidth, halfHeight) : 1 / TILE;
         textureOffset = of == Skin.BALL ? 0.5 : 0;
@@ -98,7 +103,7 @@ final class BodyBatch {
     /** A small square particle. */
     void particle(double atX, double atY, double size, double angle, Color color) {
         place(atX, atY, angle);
-        dot(0, 0, size / 2, size * camera.scale(), color);
+        dot(0, 0, size / 2, size / 2, 0, color);
     }
 
     /** Draws what was gathered, and empties the batch. */
@@ -212,19 +217,21 @@ final class BodyBatch {
     }
 
     private void rivet(double localX, double localY, double radius) {
-        double half = radius + 1 / camera.scale();
-        dot(localX, localY, half, radius * camera.scale(), RIVET_COLOR);
+        // A pixel more than the disc, for its smooth edge.
+        double drawn = radius + 1 / camera.scale();
+        dot(localX, localY, drawn, radius, radius, RIVET_COLOR);
     }
 
-    /** A square cut to a disc of a radius in px, the whole square where that is large. */
-    private void dot(double localX, double localY, double half, double radius, Color color) {
+    /** A square that is drawn so far and cut to so much, with round corners, m. */
+    private void dot(
+            double localX, double localY, double drawn, double half, double corner, Color color) {
+        double scale = camera.scale();
         for (int i = 0; i < Triangles.SQUARE.length; i += 2) {
-            double dx = Triangles.SQUARE[i] * half;
-            double dy = Triangles.SQUARE[i + 1] * half;
+            double dx = Triangles.SQUARE[i] * drawn;
+            double dy = Triangles.SQUARE[i + 1] * drawn;
             FloatBuffer to = at(dots, localX + dx, localY + dy);
-            to.put((float) (dx * camera.scale())).put((float) (dy * camera.scale()));
-            to.put((float) radius);
-            to.put(color.red()).put(color.green()).put(color.blue()).put(color.alpha());
+            Plates.put(
+                    to, dx * scale, dy * scale, half * scale, half * scale, corner * scale, color);
         }
     }
 
@@ -236,29 +243,5 @@ final class BodyBatch {
                 .vertex()
                 .put((float) camera.screenX(worldX))
                 .put((float) camera.screenY(worldY));
-    }
-
-    private static double halfWidth(Shape shape) {
-        if (shape instanceof Circle circle) {
-            return circle.radius();
-        }
-        Polygon polygon = (Polygon) shape;
-        double most = 0;
-        for (int i = 0; i < polygon.corners(); i++) {
-            most = Math.max(most, Math.abs(polygon.cornerX(i)));
-        }
-        return most;
-    }
-
-    private static double halfHeight(Shape shape) {
-        if (shape instanceof Circle circle) {
-            return circle.radius();
-        }
-        Polygon polygon = (Polygon) shape;
-        double most = 0;
-        for (int i = 0; i < polygon.corners(); i++) {
-            most = Math.max(most, Math.abs(polygon.cornerY(i)));
-        }
-        return most;
     }
 }
