@@ -107,11 +107,7 @@ public final class Broadphase {
     /** Stage 3: fixtures for a step of {@code dt} seconds, and the pairs they make. */
     public void update(double dt) {
         for (int i = 0; i < roster.awakeCount; i++) {
-            int slot = roster.awake[i];
-            sweep(slot, dt);
-            if (!isCovered(slot) || isLoose(slot, dt)) {
-                lay(slot, dt);
-            }
+            cover(roster.awake[i], dt, true);
         }
         moved.sort();
         for (int i = 0; i < moved.count; i++) {
@@ -131,7 +127,7 @@ public final class Broadphase {
      */
     public void follow(int slot, double left) {
         int before = moved.count;
-        cover(slot, left);
+        cover(slot, left, false);
         if (moved.count > before) {
             moved.count = before;
             meetNeighbours(slot);
@@ -179,9 +175,9 @@ public final class Broadphase {
         return found;
     }
 
-    private void cover(int slot, double dt) {
+    private void cover(int slot, double dt, boolean isToFit) {
         sweep(slot, dt);
-        if (!isCovered(slot)) {
+        if (!isCovered(slot) || isToFit && isLoose(slot, dt)) {
             lay(slot, dt);
         }
     }

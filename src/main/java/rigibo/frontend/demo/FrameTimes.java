@@ -8,7 +8,9 @@ import java.util.Arrays;
 /** What the steps and the drawing of the last two seconds took, and whether both fit into 60 Hz. */
 final class FrameTimes {
 
-    private static final double BUDGET_MILLIS = 1000.0 / 60;
+    /** What a step and its drawing may take together. */
+    static final double BUDGET_MILLIS = 1000.0 / 60;
+
     private static final int WINDOW = 120;
 
     /** A rate is held when so many of a hundred frames come in time. */

@@ -79,8 +79,8 @@ final class Lane {
 
     private RigidBody place(
             Workbench bench, BodyDefinition body, double along, double above, Skin look) {
-        double px = x + along * Math.cos(slope) - above * Math.sin(slope);
-        double py = y + along * Math.sin(slope) + above * Math.cos(slope);
+        double px = floorX(along) - above * Math.sin(slope);
+        double py = floorY(along) + above * Math.cos(slope);
         Material material = new Material(1, friction, 0);
         RigidBody part = bench.add(body.at(px, py).angle(slope).material(material), look);
         parts.add(part);

@@ -16,7 +16,6 @@ final class StageProfile {
     static final double WIDTH = 240;
     static final double HEIGHT = 178;
 
-    private static final double BUDGET_MILLIS = 1000.0 / 60;
     private static final double BAR_WIDTH = WIDTH - 24;
 
     /** Frames over which a time is smoothed. */
@@ -88,17 +87,17 @@ final class StageProfile {
     /** The parts side by side; what is over the budget does not fit and turns the frame red. */
     private void bar(Canvas canvas, double x, double y, double total) {
         canvas.panel(x, y, BAR_WIDTH, 12, 4, Color.PANEL_LIT);
-        double scale = BAR_WIDTH / Math.max(BUDGET_MILLIS, total);
+        double scale = BAR_WIDTH / Math.max(FrameTimes.BUDGET_MILLIS, total);
         double from = x;
         for (Part part : Part.values()) {
             double width = millis[part.ordinal()] * scale;
             canvas.panel(from, y, width, 12, Math.min(4, width / 2), part.color);
             from += width;
         }
-        if (total > BUDGET_MILLIS) {
+        if (total > FrameTimes.BUDGET_MILLIS) {
             canvas.frame(x - 2, y - 2, BAR_WIDTH + 4, 16, 5, Color.BAD);
         }
-        double line = x + BUDGET_MILLIS * scale;
+        double line = x + FrameTimes.BUDGET_MILLIS * scale;
         canvas.line(line, y - 4, line, y + 16, 2, Color.BRASS);
     }
 
