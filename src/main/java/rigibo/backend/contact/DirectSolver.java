@@ -3,8 +3,6 @@ package rigibo.backend.contact;
 import static rigibo.backend.contact.SingleRows.ROWS_PER_CONTACT;
 import static rigibo.backend.contact.SingleRows.TANGENT;
 
-import java.util.Arrays;
-
 /**
  * Solves all loaded rows of a small island at once. Passing over the contacts one by one carries a
  * load through a stack of N only after some N² passes, and its bending after N⁴, so that a tower
@@ -19,10 +17,7 @@ import java.util.Arrays;
 final class DirectSolver implements WholeSolver {
 
     /** Largest island in rows; beyond it the elimination costs more than it gains. */
-    private static final int MOST_ROWS = 192;
-
-    /** Room that the factor of any island in motion has: none grows once the first is solved. */
-    private static final int FULL = MOST_ROWS * (MOST_ROWS + 1) / 2;
+    static final int MOST_ROWS = 192;
 
     /** Sets tried within one solve, for each substep; passes over the rows see to what is left. */
     private static final int TRIES_PER_SUBSTEP = 8;
@@ -32,6 +27,7 @@ final class DirectSolver implements WholeSolver {
     private final OverlapSolver overlap;
     private final SingleRows single;
     private final ContactOrder order;
+    private final RowFactor factor;
     private final int mostTries;
 
     /** The rows of the present set: 3·contact + point, or + 2 for the tangent. */
@@ -39,21 +35,6 @@ final class DirectSolver implements WholeSolver {
 
     private int size;
 
-    /** The factored set, to see whether the factor still holds. */
-    private int[] factored = new int[64];
-
-    private int factoredSize;
-
-    /** Lower triangle by rows, from the first entry of each row on, and where each row starts. */
-    private double[] factor = new double[0];
-
-    private int[] start = new int[65];
-    private int[] first = new int[64];
-
-    /** For each place in the order the first row of the set from there on; and each row's place. */
-    private int[] firstInSet = new int[64];
-
-    private int[] placeInOrder = new int[64];
     private double[] unknown = new double[64];
 
     /** By how much the rows of the set moved last, and each contact's bound of friction, N·s. */
@@ -74,6 +55,7 @@ final class DirectSolver implements WholeSolver {
         this.overlap = overlap;
         single = new SingleRows(motions, rows);
         order = new ContactOrder(motions, rows);
+        factor = new RowFactor(rows, single, order);
         mostTries = TRIES_PER_SUBSTEP * substeps;
     }
 
@@ -89,7 +71,7 @@ final class DirectSolver implements WholeSolver {
 
     @Override
     public void forget() {
-        factoredSize = 0;
+        factor.forget();
     }
 
     /** A lone disc's normal and friction do not feel each other: nothing is to be eliminated. */
@@ -105,11 +87,11 @@ final class DirectSolver implements WholeSolver {
         least = settled;
         chooseLoaded(h, substep);
         for (int attempt = 0; attempt < mostTries && !isSolved(h, settled); attempt++) {
-            factorize();
+            factor.factorize(set, size);
             for (int i = 0; i < size; i++) {
                 unknown[i] = -approach(set[i], h);
             }
-            substitute();
+            factor.solve(unknown);
             if (stepToAllBounds(h)) {
                 chooseLoaded(h, substep);
             } else {
@@ -126,12 +108,11 @@ final class DirectSolver implements WholeSolver {
     /** Takes the overlap of loaded rows back, or of all that overlap where nothing is loaded. */
     @Override
     public void correct(double h, int substep) {
-        if (factoredSize == 0) {
+        if (factor.size() == 0) {
             chooseOverlapping(h, substep);
-            factorize();
+            factor.factorize(set, size);
         }
-        size = factoredSize;
-        System.arraycopy(factored, 0, set, 0, size);
+        size = factor.writeSet(set);
         double widest = 0;
         for (int i = 0; i < size; i++) {
             int row = set[i] / ROWS_PER_CONTACT;
@@ -142,7 +123,7 @@ final class DirectSolver implements WholeSolver {
             }
         }
         if (widest > 0) {
-            substitute();
+            factor.solve(unknown);
             keepPlaces();
             for (int i = 0; i < size; i++) {
                 single.push(set[i], unknown[i], Motions.DX, Motions.DY, Motions.TURN);
@@ -210,15 +191,10 @@ final class DirectSolver implements WholeSolver {
         if (set.length < ROWS_PER_CONTACT * rows.count) {
             int capacity = ROWS_PER_CONTACT * rows.pair.length;
             set = new int[capacity];
-            factored = Arrays.copyOf(factored, capacity);
-            start = new int[capacity + 1];
-            first = new int[capacity];
-            firstInSet = new int[capacity];
-            placeInOrder = new int[capacity];
             unknown = new double[capacity];
             moved = new double[capacity];
             cone = new double[capacity];
-            factoredSize = 0;
+            factor.forget();
         }
     }
 
@@ -342,78 +318,5 @@ final class DirectSolver implements WholeSolver {
             worst = Math.max(worst, Math.abs(approach(set[i], h)));
         }
         return worst <= settled;
-    }
-
-    /** Factors the matrix of the set, from the first row on that the last factor did not have. */
-    private void factorize() {
-        int same = Arrays.mismatch(set, 0, size, factored, 0, factoredSize);
-        if (same < 0) {
-            return;
-        }
-        System.arraycopy(set, 0, factored, 0, size);
-        factoredSize = size;
-        findPlaces();
-        layEnvelope();
-        for (int i = same; i < size; i++) {
-            for (int j = first[i]; j <= i; j++) {
-                double sum = single.response(set[i], set[j]);
-                if (i == j) {
-                    sum += single.give(set[i]);
-                }
-                int from = Math.max(first[i], first[j]);
-                for (int k = from; k < j; k++) {
-                    sum -= factor[start[i] + k - first[i]] * factor[start[j] + k - first[j]];
-                }
-                factor[start[i] + j - first[i]] =
-                        i == j ? root(sum, set[i]) : sum / factor[start[j] + j - first[j]];
-            }
-        }
-    }
-
-    /** A row that repeats others leaves nothing on its diagonal; its compliance stays. */
-    private double root(double remainder, int id) {
-        return Math.sqrt(Math.max(remainder, single.give(id)));
-    }
-
-    /** Where the rows of the set stand in the order of contacts, and the other way round. */
-    private void findPlaces() {
-        int i = 0;
-        for (int place = 0; place < rows.count; place++) {
-            firstInSet[place] = i;
-            while (i < size && set[i] / ROWS_PER_CONTACT == order.order[place]) {
-                placeInOrder[i++] = place;
-            }
-        }
-    }
-
-    /** A row's envelope begins with the first loaded row of the first contact it shares with. */
-    private void layEnvelope() {
-        int length = 0;
-        for (int i = 0; i < size; i++) {
-            first[i] = firstInSet[order.firstNeighbour[placeInOrder[i]]];
-            start[i] = length;
-            length += i - first[i] + 1;
-        }
-        if (factor.length < length) {
-            factor = Arrays.copyOf(factor, Math.max(FULL, 2 * length));
-        }
-    }
-
-    /** Forward and backward substitution, in place. */
-    private void substitute() {
-        for (int i = 0; i < size; i++) {
-            double sum = unknown[i];
-            for (int k = first[i]; k < i; k++) {
-                sum -= factor[start[i] + k - first[i]] * unknown[k];
-            }
-            unknown[i] = sum / factor[start[i] + i - first[i]];
-        }
-        for (int i = size - 1; i >= 0; i--) {
-            double x = unknown[i] / factor[start[i] + i - first[i]];
-            unknown[i] = x;
-            for (int k = first[i]; k < i; k++) {
-                unknown[k] -= factor[start[i] + k - first[i]] * x;
-            }
-        }
     }
 }

@@ -14,9 +14,6 @@ import rigibo.backend.storage.Pairs;
 /** Advances all piles by one step, island by island. */
 public final class PileSolver {
 
-    /** Over how many seconds a contact's load is averaged: longer than a pile rocks. */
-    private static final double LOAD_MEMORY = 2;
-
     /** Share of a substep that stands for no time at all, yet lets a gap of round-off rest. */
     private static final double NO_TIME = 1e-3;
 
@@ -70,13 +67,13 @@ public final class PileSolver {
     private final DirectSolver direct;
     private final SplitSolver split;
 
-    /** Which of the two the packed island is solved by, null where by neither. */
-    private WholeSolver whole;
-
     private final SoftPush soft = new SoftPush();
     private final boolean isDirect;
-
     private final TurningRows turning;
+    private final PileResults results;
+
+    /** Which of the two solves the packed island whole, null where it is too large for both. */
+    private WholeSolver whole;
 
     /** The highest speed before contacts answer, m/s. */
     private double fastest;
@@ -86,9 +83,6 @@ public final class PileSolver {
 
     /** Substeps that the packed island is given. */
     private int substeps;
-
-    /** Whether the packed island is solved whole. */
-    private boolean isSmall;
 
     /** A solver at an accuracy; {@code forces} change along the way, null where there are none. */
     public PileSolver(
@@ -116,6 +110,7 @@ public final class PileSolver {
         split = new SplitSolver(motions, rows, overlap);
         isDirect = accuracy.contactSolver() == ContactSolver.DIRECT;
         impacts = new PileImpacts(motions, rows, pairs, counters);
+        results = new PileResults(data, motions, rows);
         joint = new JointBlows(data, motions, rows, kick);
     }
 
@@ -145,14 +140,13 @@ public final class PileSolver {
         impacts.prepare();
         warmStart.prepare();
         whole = isDirect ? wholeSolver(dt) : null;
-        isSmall = whole != null;
         delayLateJoiners(start, h);
         counters.rows += friction.rowCount() + rows.count;
         for (int substep = 0; substep < substeps; substep++) {
             double middle = start + (substep + 0.5) * h;
             kick.remember();
             double left = (substeps - substep) * h;
-            if (turning.refresh(substep, h, dt - left, left) && isSmall) {
+            if (turning.refresh(substep, h, dt - left, left) && whole != null) {
                 whole.forget();
             }
             kick.accelerate(substep == 0 ? start : middle - h, middle);
@@ -162,7 +156,7 @@ public final class PileSolver {
             substep(h, substep);
         }
         finish(h, dt);
-        store(h);
+        results.store(h, substeps * h);
     }
 
     /**
@@ -181,10 +175,10 @@ public final class PileSolver {
     }
 
     private void begin(double scale, int substep) {
-        if (isSmall && rows.strongestAnswer() > MOST_STRESS * fastest) {
+        if (whole != null && rows.strongestAnswer() > MOST_STRESS * fastest) {
             rows.unload();
         }
-        if (isSmall && substep > 0) {
+        if (whole != null && substep > 0) {
             warmStart.leaveOutBlows();
         }
         warmStart.apply(scale, substep);
@@ -195,26 +189,26 @@ public final class PileSolver {
     /** A large pile may also part as fast as overlap is taken back. */
     private void setLimit(int substep) {
         if (substep == 0) {
-            double parting = isSmall ? 0 : OverlapSolver.MOST_PUSH * rows.widest();
+            double parting = whole != null ? 0 : OverlapSolver.MOST_PUSH * rows.widest();
             limit = Math.max(leverage() * fastest, parting);
-        } else if (isSmall) {
+        } else if (whole != null) {
             limit = Math.max(limit, fastest);
         }
     }
 
     /** A large pile is never solved to the end: only what would blow it up is held back there. */
     private double leverage() {
-        return isSmall ? MOST_LEVERAGE : MOST_LEVERAGE_IF_LARGE;
+        return whole != null ? MOST_LEVERAGE : MOST_LEVERAGE_IF_LARGE;
     }
 
     private void substep(double h, int substep) {
-        if (isSmall) {
+        if (whole != null) {
             kick.measureGain();
             joint.resolve(h, substep);
         } else {
             impacts.resolve(h, substep);
         }
-        if (isSmall) {
+        if (whole != null) {
             hold(h, substep);
             addUpImpulses();
             motions.drift(h);
@@ -249,7 +243,7 @@ public final class PileSolver {
 
     /** Keeps contacts from closing and from sliding. */
     private void hold(double h, int substep) {
-        if (isSmall) {
+        if (whole != null) {
             settle(h, substep);
             return;
         }
@@ -301,7 +295,7 @@ public final class PileSolver {
     private void finish(double h, double dt) {
         int last = substeps;
         boolean isChanged = turning.refresh(last, 0, dt, 0);
-        if (isSmall) {
+        if (whole != null) {
             if (isChanged) {
                 whole.forget();
             }
@@ -310,7 +304,7 @@ public final class PileSolver {
         kick.accelerate(dt - h / 2, dt);
         fastest = motions.fastest();
         begin(last == 1 ? 1 : 0.5, last);
-        if (isSmall) {
+        if (whole != null) {
             joint.resolveAtOnce(h * NO_TIME, last);
             hold(h * NO_TIME, last);
         } else {
@@ -372,54 +366,5 @@ public final class PileSolver {
                 rows.unload(row);
             }
         }
-    }
-
-    private void store(double h) {
-        for (int entry = 1; entry < motions.count; entry++) {
-            int slot = motions.slots[entry];
-            if (bodies.isDynamic(slot)) {
-                storeBody(slot, entry * Motions.STRIDE);
-            }
-        }
-        for (int row = 0; row < rows.count; row++) {
-            storePair(row, h);
-        }
-    }
-
-    private void storeBody(int slot, int at) {
-        double[] m = motions.data;
-        bodies.x[slot] += m[at + Motions.DX];
-        bodies.y[slot] += m[at + Motions.DY];
-        bodies.velocityX[slot] = m[at + Motions.VX];
-        bodies.velocityY[slot] = m[at + Motions.VY];
-        bodies.spin[slot] = m[at + Motions.SPIN];
-        if (m[at + Motions.TURN] != 0) {
-            bodies.turn(slot, m[at + Motions.TURN]);
-        }
-    }
-
-    /** Keeps the forces that held, as impulses of the last half kick over its length. */
-    private void storePair(int row, double h) {
-        double[] d = rows.data;
-        int at = row * Rows.STRIDE;
-        int pair = rows.pair[row];
-        double perSecond = 2 / h;
-        pairs.normalForce[2 * pair] = d[at + Rows.IMPULSE0] * perSecond;
-        pairs.normalForce[2 * pair + 1] = d[at + Rows.IMPULSE1] * perSecond;
-        pairs.frictionForce[pair] = d[at + Rows.IMPULSE_T] * perSecond;
-        pairs.rollingTorque[pair] = d[at + Rows.IMPULSE_R] * perSecond;
-        remember(2 * pair, h);
-        remember(2 * pair + 1, h);
-        pairs.impulse[pair] += d[at + Rows.TOTAL];
-        if (d[at + Rows.IMPULSE0] + d[at + Rows.IMPULSE1] > 0) {
-            pairs.resting[pair] = true;
-            pairs.touching[pair] = true;
-        }
-    }
-
-    /** Moves a point's remembered load towards the force it carries. */
-    private void remember(int point, double h) {
-        double share = Math.min(1, h * substeps / LOAD_MEMORY);
-        pairs.load[point] += share * (pairs.normalForce[point] - pairs.load[point]);
     }
 }

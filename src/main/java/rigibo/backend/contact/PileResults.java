@@ -1,0 +1,73 @@
+package rigibo.backend.contact;
+
+import rigibo.backend.storage.Bodies;
+import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.Pairs;
+
+/** Carries what a packed island came to back into the storage. */
+final class PileResults {
+
+    /** Over how many seconds a contact's load is averaged: longer than a pile rocks. */
+    private static final double LOAD_MEMORY = 2;
+
+    private final Bodies bodies;
+    private final Pairs pairs;
+    private final Motions motions;
+    private final Rows rows;
+
+    PileResults(DataStorage data, Motions motions, Rows rows) {
+        bodies = data.bodies;
+        pairs = data.pairs;
+        this.motions = motions;
+        this.rows = rows;
+    }
+
+    /** Stores an island that went {@code length} seconds in substeps of {@code h}. */
+    void store(double h, double length) {
+        for (int entry = 1; entry < motions.count; entry++) {
+            int slot = motions.slots[entry];
+            if (bodies.isDynamic(slot)) {
+                storeBody(slot, entry * Motions.STRIDE);
+            }
+        }
+        for (int row = 0; row < rows.count; row++) {
+            storePair(row, h, Math.min(1, length / LOAD_MEMORY));
+        }
+    }
+
+    private void storeBody(int slot, int at) {
+        double[] m = motions.data;
+        bodies.x[slot] += m[at + Motions.DX];
+        bodies.y[slot] += m[at + Motions.DY];
+        bodies.velocityX[slot] = m[at + Motions.VX];
+        bodies.velocityY[slot] = m[at + Motions.VY];
+        bodies.spin[slot] = m[at + Motions.SPIN];
+        if (m[at + Motions.TURN] != 0) {
+            bodies.turn(slot, m[at + Motions.TURN]);
+        }
+    }
+
+    /** Keeps the forces that held, as impulses of the last half kick over its length. */
+    private void storePair(int row, double h, double share) {
+        double[] d = rows.data;
+        int at = row * Rows.STRIDE;
+        int pair = rows.pair[row];
+        double perSecond = 2 / h;
+        pairs.normalForce[2 * pair] = d[at + Rows.IMPULSE0] * perSecond;
+        pairs.normalForce[2 * pair + 1] = d[at + Rows.IMPULSE1] * perSecond;
+        pairs.frictionForce[pair] = d[at + Rows.IMPULSE_T] * perSecond;
+        pairs.rollingTorque[pair] = d[at + Rows.IMPULSE_R] * perSecond;
+        remember(2 * pair, share);
+        remember(2 * pair + 1, share);
+        pairs.impulse[pair] += d[at + Rows.TOTAL];
+        if (d[at + Rows.IMPULSE0] + d[at + Rows.IMPULSE1] > 0) {
+            pairs.resting[pair] = true;
+            pairs.touching[pair] = true;
+        }
+    }
+
+    /** Moves a point's remembered load by a share towards the force it carries. */
+    private void remember(int point, double share) {
+        pairs.load[point] += share * (pairs.normalForce[point] - pairs.load[point]);
+    }
+}
