@@ -76,7 +76,14 @@ public final class Narrowphase {
         int b = pairs.bodyB[pair];
         poseA.set(bodies.x[a], bodies.y[a], bodies.cos[a], bodies.sin[a]);
         poseB.set(bodies.x[b], bodies.y[b], bodies.cos[b], bodies.sin[b]);
-        measure(pair, poseA, poseB, reach(pair, dt));
+        double reach = reach(pair, dt);
+        measure(pair, poseA, poseB, reach);
+        if (pairs.points[pair] == 0) {
+            double more = wayIfHeld(pair, dt);
+            if (more > 0) {
+                measure(pair, poseA, poseB, reach + more);
+            }
+        }
     }
 
     /**
@@ -108,11 +115,27 @@ public final class Narrowphase {
         double vy = bodies.velocityY[b] - bodies.velocityY[a];
         double ax = bodies.accelerationX[b] - bodies.accelerationX[a];
         double ay = bodies.accelerationY[b] - bodies.accelerationY[a];
-        double turning = turning(a, dt) + turning(b, dt);
-        double speed = Math.sqrt(vx * vx + vy * vy) + turning;
-        double gained = Math.sqrt(ax * ax + ay * ay) * dt;
+        double speed = length(vx, vy) + turning(a, dt) + turning(b, dt);
         double touching = PairTolerances.TOUCHING_GAP * PairTolerances.width(bodies, a, b);
-        return touching + (speed + gained) * dt;
+        return touching + (speed + length(ax, ay) * dt) * dt;
+    }
+
+    /**
+     * How much farther in m than by its reach a pair may come together: what pulls at both alike
+     * does it, too, if one of them is held and the other slips. 0 where that would not show.
+     */
+    private double wayIfHeld(int pair, double dt) {
+        int a = pairs.bodyA[pair];
+        int b = pairs.bodyB[pair];
+        double pulled =
+                length(bodies.accelerationX[a], bodies.accelerationY[a])
+                        + length(bodies.accelerationX[b], bodies.accelerationY[b]);
+        double way = pulled * dt * dt;
+        return way > PairTolerances.SURPRISE * PairTolerances.width(bodies, a, b) ? way : 0;
+    }
+
+    private static double length(double x, double y) {
+        return Math.sqrt(x * x + y * y);
     }
 
     /** Speed in m/s that turning gives the outline; a disc's outline stays where it is. */

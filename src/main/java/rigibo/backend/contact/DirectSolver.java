@@ -80,7 +80,7 @@ final class DirectSolver implements WholeSolver {
     }
 
     @Override
-    public void solve(double h, int substep, double settled) {
+    public void solve(double h, int substep, double settled, double fastest) {
         if (isUncoupled()) {
             return;
         }

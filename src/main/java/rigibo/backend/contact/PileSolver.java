@@ -276,7 +276,7 @@ public final class PileSolver {
                 return true;
             }
             halfway.begin();
-            whole.solve(h, substep, settled);
+            whole.solve(h, substep, settled, fastest);
             if (change > SHRINKS * before) {
                 halfway.end();
             }

@@ -44,6 +44,9 @@ final class SplitSolver implements WholeSolver {
      */
     private static final double FINEST = 1e-5;
 
+    /** How many times the fastest speed two bodies may close at: each twice as fast. */
+    private static final double CLOSING = 4;
+
     /** Iterations that an overlap is worth; the next substep goes on. */
     private static final int MOST_CORRECTIONS = 20;
 
@@ -80,6 +83,9 @@ final class SplitSolver implements WholeSolver {
     private double[] beyond = new double[64];
     private double[] right = new double[64];
 
+    /** Gap in m up to which a row takes part. */
+    private double near;
+
     /** By body: three speeds, and at the end those of what does not move. */
     private double[] speed = new double[48];
 
@@ -109,7 +115,8 @@ final class SplitSolver implements WholeSolver {
     }
 
     @Override
-    public void solve(double h, int substep, double settled) {
+    public void solve(double h, int substep, double settled, double fastest) {
+        near = h * CLOSING * fastest;
         factorize(substep);
         for (int i = 0; i < size; i++) {
             began[i] = rows.data[impulseAt(i)];
@@ -150,6 +157,11 @@ final class SplitSolver implements WholeSolver {
         }
     }
 
+    /** Whether no row of the same contact stands before it. */
+    private boolean isFirst(int i) {
+        return i == 0 || contact(i - 1) != contact(i);
+    }
+
     private int contact(int i) {
         return set[i] / ROWS_PER_CONTACT;
     }
@@ -178,12 +190,7 @@ final class SplitSolver implements WholeSolver {
         for (int i = 0; i < rows.count; i++) {
             int row = order.order[i];
             if (rows.firstSubstep[row] <= substep) {
-                for (int point = 0; point < rows.points[row]; point++) {
-                    set[size++] = ROWS_PER_CONTACT * row + point;
-                }
-                if (rows.data[row * Rows.STRIDE + Rows.FRICTION] > 0) {
-                    set[size++] = ROWS_PER_CONTACT * row + TANGENT;
-                }
+                chooseNear(row);
             }
         }
         if (Arrays.equals(set, 0, size, factored, 0, factoredSize)) {
@@ -203,6 +210,20 @@ final class SplitSolver implements WholeSolver {
             factor.couple(placeA[i], placeB[i], gradient, 2 * PER_BODY * i, weight);
         }
         factor.factorize();
+    }
+
+    /** A gap too wide to close would only stiffen what its bodies do. */
+    private void chooseNear(int row) {
+        int before = size;
+        for (int point = 0; point < rows.points[row]; point++) {
+            boolean isLoaded = rows.data[row * Rows.STRIDE + Rows.IMPULSE0 + point] > 0;
+            if (isLoaded || motions.gap(rows, row, point) <= near) {
+                set[size++] = ROWS_PER_CONTACT * row + point;
+            }
+        }
+        if (size > before && rows.data[row * Rows.STRIDE + Rows.FRICTION] > 0) {
+            set[size++] = ROWS_PER_CONTACT * row + TANGENT;
+        }
     }
 
     private void reserve() {
@@ -291,7 +312,7 @@ final class SplitSolver implements WholeSolver {
                 bounded = Math.max(-cone, Math.min(cone, wanted));
             } else {
                 bounded = Math.max(0, wanted);
-                load = set[i] % ROWS_PER_CONTACT == 0 ? bounded : load + bounded;
+                load = isFirst(i) ? bounded : load + bounded;
             }
             double change = Math.max(Math.abs(bounded - solved), Math.abs(bounded - within[i]));
             most = Math.max(most, softness[i] * change);

@@ -10,7 +10,7 @@ interface WholeSolver {
      * Brings the rows to rest against each other, for a substep of h seconds, but for a speed of
      * {@code settled} m/s.
      */
-    void solve(double h, int substep, double settled);
+    void solve(double h, int substep, double settled, double fastest);
 
     /** The least share of the fastest speed that is worth asking for. */
     double finestShare();

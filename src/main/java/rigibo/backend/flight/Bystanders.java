@@ -17,9 +17,6 @@ import rigibo.backend.storage.Pairs;
  */
 final class Bystanders {
 
-    /** Way off its path, as a share of its width, from which on a body surprises its neighbours. */
-    private static final double SURPRISE = 0.02;
-
     /** How much faster than by a single blow a body may leave when it is struck against others. */
     private static final double WEDGED = 2;
 
@@ -72,7 +69,7 @@ final class Bystanders {
 
     /** Whether a way in m off its path shows against a body's width. */
     private boolean isSurprise(int slot, double way) {
-        return way > SURPRISE * bodies.smallestWidth[slot];
+        return way > PairTolerances.SURPRISE * bodies.smallestWidth[slot];
     }
 
     /**
@@ -86,7 +83,7 @@ final class Bystanders {
         double y = bodies.velocityY[b] - bodies.velocityY[a];
         double turning = turning(a) + turning(b);
         double closing = turning - (x * pairs.normalX[pair] + y * pairs.normalY[pair]);
-        double unseen = SURPRISE * PairTolerances.width(bodies, a, b);
+        double unseen = PairTolerances.SURPRISE * PairTolerances.width(bodies, a, b);
         boolean isSurprise = closing * dt > Math.max(unseen, pairs.gap(pair));
         return isSurprise ? WEDGED * (length(x, y) + turning) * dt : 0;
     }
