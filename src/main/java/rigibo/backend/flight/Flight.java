@@ -45,7 +45,7 @@ public final class Flight {
     /** Paths under forces that change along the way, or null where there are none. */
     private final Course course;
 
-    private final ImpactQueue queue = new ImpactQueue();
+    private final ImpactQueue queue;
     private final TimeOfImpact timeOfImpact = new TimeOfImpact();
     private final Motion motionA = new Motion();
     private final Motion motionB = new Motion();
@@ -74,6 +74,7 @@ public final class Flight {
         this.accuracy = accuracy;
         this.course = course;
         paths = new Trajectories(bodies);
+        queue = new ImpactQueue(pairs);
         blows = new Blows(data, narrowphase, accuracy, paths, course);
         bystanders = new Bystanders(data, narrowphase, broadphase, paths);
     }
@@ -205,13 +206,30 @@ public final class Flight {
         blows.reserve(pairCapacity);
     }
 
-    /** Takes the earliest impact from the queue, and all that fall on the same instant. */
+    /**
+     * Takes the earliest impact from the queue, and all that fall on the same instant and hang
+     * together with it by bodies that pass something on: strangers' impacts are none of its matter.
+     */
     private void takeTies() {
         double until = queue.firstTime() + TIE_PER_METRE * accuracy.impactTolerance();
-        tiedCount = 0;
-        while (!queue.isEmpty() && queue.firstTime() <= until) {
-            tied[tiedCount] = queue.first();
-            queue.remove(tied[tiedCount++]);
+        tied[0] = queue.first();
+        tiedCount = 1;
+        queue.remove(tied[0]);
+        for (int i = 0; i < tiedCount; i++) {
+            takeTiesOf(pairs.bodyA[tied[i]], until);
+            takeTiesOf(pairs.bodyB[tied[i]], until);
+        }
+    }
+
+    private void takeTiesOf(int slot, double until) {
+        if (!bodies.isDynamic(slot)) {
+            return;
+        }
+        for (int p = bodies.firstPair[slot]; p != Pairs.NONE; p = pairs.nextOf(p, slot)) {
+            if (queue.timeOf(p) <= until) {
+                tied[tiedCount++] = p;
+                queue.remove(p);
+            }
         }
     }
 

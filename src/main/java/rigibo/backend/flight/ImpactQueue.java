@@ -1,20 +1,27 @@
 package rigibo.backend.flight;
 
+import rigibo.backend.storage.Pairs;
+
 import java.util.Arrays;
 
 /**
  * The impacts to come, earliest first, one per pair at most: a binary heap that knows where each
  * pair sits, so that a prediction can be replaced. Impacts at the same time come in the order of
- * their pairs.
+ * their bodies, which does not depend on what else there is.
  */
 final class ImpactQueue {
 
     private static final int ABSENT = -1;
 
+    private final Pairs pairs;
     private int[] heap = new int[0];
     private int size;
     private double[] time = new double[0];
     private int[] place = new int[0];
+
+    ImpactQueue(Pairs pairs) {
+        this.pairs = pairs;
+    }
 
     /** Empties the queue; pairs are numbered below {@code pairCapacity}. */
     void clear(int pairCapacity) {
@@ -48,6 +55,11 @@ final class ImpactQueue {
     /** When that is, s after the step's start. */
     double firstTime() {
         return time[heap[0]];
+    }
+
+    /** When a pair hits, s; infinite where nothing is noted. */
+    double timeOf(int pair) {
+        return place[pair] == ABSENT ? Double.POSITIVE_INFINITY : time[pair];
     }
 
     /** Notes when a pair hits, in place of what was noted before. */
@@ -99,7 +111,12 @@ final class ImpactQueue {
     }
 
     private boolean isBefore(int pair, int other) {
-        return time[pair] < time[other] || time[pair] == time[other] && pair < other;
+        if (time[pair] != time[other]) {
+            return time[pair] < time[other];
+        }
+        int a = pairs.bodyA[pair];
+        int otherA = pairs.bodyA[other];
+        return a < otherA || a == otherA && pairs.bodyB[pair] < pairs.bodyB[other];
     }
 
     private void swap(int i, int j) {
