@@ -126,7 +126,7 @@ public final class MenuScene implements Scene {
                 canvas,
                 "Arrows and Enter, or the mouse. Esc leaves, F11 fills the screen.",
                 WIDTH / 2.0,
-                HEIGHT - 20,
+                HEIGHT - 10,
                 16,
                 Canvas.Align.CENTRE,
                 Color.TEXT);
