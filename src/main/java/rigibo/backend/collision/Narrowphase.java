@@ -15,6 +15,12 @@ import rigibo.backend.storage.Roster;
  */
 public final class Narrowphase {
 
+    /** Way that shows, per metre of body. */
+    private static final double SHOWS = 0.02;
+
+    /** Distance up to which two points are in one place, per metre of body. */
+    private static final double SAME_PLACE = 1e-2;
+
     private final Bodies bodies;
     private final Pairs pairs;
     private final Roster roster;
@@ -131,7 +137,7 @@ public final class Narrowphase {
                 length(bodies.accelerationX[a], bodies.accelerationY[a])
                         + length(bodies.accelerationX[b], bodies.accelerationY[b]);
         double way = pulled * dt * dt;
-        return way > PairTolerances.SURPRISE * PairTolerances.width(bodies, a, b) ? way : 0;
+        return way > SHOWS * PairTolerances.width(bodies, a, b) ? way : 0;
     }
 
     private static double length(double x, double y) {
@@ -150,12 +156,20 @@ public final class Narrowphase {
         int from1 = manifold.count > 1 ? predecessor(pair, 1) : Pairs.NONE;
         inherit(pairs.normalForce, first, from0, from1);
         inherit(pairs.load, first, from0, from1);
+        pairs.former[first] = from0 == Pairs.NONE ? Pairs.NONE : from0 - first;
+        pairs.former[first + 1] = from1 == Pairs.NONE ? Pairs.NONE : from1 - first;
         pairs.points[pair] = manifold.count;
         if (manifold.count > 0) {
             // Without points the manifold's normal is some other pair's; a contact that ends keeps
             // the one it had.
             pairs.normalX[pair] = manifold.normalX;
             pairs.normalY[pair] = manifold.normalY;
+            pairs.faceOf[pair] =
+                    switch (manifold.source) {
+                        case FACE_A -> pairs.bodyA[pair];
+                        case FACE_B -> pairs.bodyB[pair];
+                        case CLOSEST_POINTS -> Pairs.NONE;
+                    };
         }
         for (int i = 0; i < manifold.count; i++) {
             pairs.pointX[first + i] = manifold.pointX[i];
@@ -200,7 +214,31 @@ public final class Narrowphase {
                 return point;
             }
         }
-        return Pairs.NONE;
+        return samePlace(pair, i);
+    }
+
+    /**
+     * The old point in the place of a new one. A corner is named anew where a face comes to lie
+     * before it, or where a seam turned its normal.
+     */
+    private int samePlace(int pair, int i) {
+        double width = PairTolerances.width(bodies, pairs.bodyA[pair], pairs.bodyB[pair]);
+        double least = SAME_PLACE * width;
+        int nearest = Pairs.NONE;
+        for (int point = 2 * pair; point < 2 * pair + pairs.points[pair]; point++) {
+            double away = away(point, i);
+            boolean isOthers = manifold.count == 2 && away(point, 1 - i) < away;
+            if (away < least && !isOthers) {
+                least = away;
+                nearest = point;
+            }
+        }
+        return nearest;
+    }
+
+    private double away(int point, int i) {
+        return length(
+                manifold.pointX[i] - pairs.pointX[point], manifold.pointY[i] - pairs.pointY[point]);
     }
 
     private double along(double x, double y) {

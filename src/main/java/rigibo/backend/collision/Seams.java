@@ -80,9 +80,25 @@ final class Seams {
             int point = 2 * pair + i;
             x = pairs.pointX[point] - outX * pairs.separation[point] / 2;
             y = pairs.pointY[point] - outY * pairs.separation[point] / 2;
-            if (isCovered(pair) && !(pairs.points[pair] == 1 && turnsToFace(pair, point))) {
+            if (isCovered(pair)) {
+                if (isAlone(pair, i) && turnsToFace(pair, point)) {
+                    keepOnly(pair, i);
+                    return;
+                }
                 pairs.removePoint(pair, i);
             }
+        }
+    }
+
+    /** Whether the other point, if there is one, only looks along a normal that is none. */
+    private boolean isAlone(int pair, int i) {
+        return pairs.points[pair] == 1
+                || pairs.separation[2 * pair + 1 - i] > touching() && !findFace();
+    }
+
+    private void keepOnly(int pair, int i) {
+        if (pairs.points[pair] == 2) {
+            pairs.removePoint(pair, 1 - i);
         }
     }
 
@@ -121,6 +137,7 @@ final class Seams {
         double sign = fixed == pairs.bodyA[pair] ? 1 : -1;
         pairs.normalX[pair] = sign * bestX;
         pairs.normalY[pair] = sign * bestY;
+        pairs.faceOf[pair] = fixed;
         pairs.separation[point] = best;
         return true;
     }
@@ -184,7 +201,11 @@ final class Seams {
 
     /** What only flies past a neighbour may still meet what the neighbour covers now. */
     private boolean touches(int pair) {
-        return pairs.gap(pair) <= PairTolerances.TOUCHING_GAP * width;
+        return pairs.gap(pair) <= touching();
+    }
+
+    private double touching() {
+        return PairTolerances.TOUCHING_GAP * width;
     }
 
     /** Looks for the face that the normal belongs to, by the corners that lie as high. */

@@ -238,10 +238,8 @@ final class DirectSolver implements WholeSolver {
         int kind = id % ROWS_PER_CONTACT;
         double v = single.relative(id, Motions.VX, Motions.VY, Motions.SPIN);
         double impulse = rows.data[row * Rows.STRIDE + SingleRows.impulseColumn(id)];
-        double given = v + single.give(id) * impulse;
-        return kind == TANGENT
-                ? given - rows.surface[row]
-                : given + Math.max(0, motions.gap(rows, row, kind)) / h;
+        double given = v + single.give(id) * impulse - single.ownSpeed(id);
+        return kind == TANGENT ? given : given + Math.max(0, motions.gap(rows, row, kind)) / h;
     }
 
     /**

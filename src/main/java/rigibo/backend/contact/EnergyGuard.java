@@ -29,12 +29,22 @@ final class EnergyGuard {
 
     /** Scales all impulses back to what adds no energy, if they do. */
     void limitEnergy() {
+        limitWork(0);
+    }
+
+    /**
+     * Scales all impulses back to what adds no more than a multiple of the energy of motion there
+     * was, if they do.
+     */
+    void limitWork(double multiple) {
         takeBack();
         double first = work(before);
         // The work of impulses scaled by s is s·Σ j·w₀ + s²·Σ j·(w₁ − w₀)/2.
         double growth = (work(motions.data) - first) / 2;
-        if (first + growth > ROUND_OFF * growth) {
-            scale(Math.max(0, -first / growth));
+        double most = multiple > 0 ? multiple * motions.energy(before) : 0;
+        if (first + growth > most + ROUND_OFF * growth) {
+            double root = Math.sqrt(first * first + 4 * growth * most);
+            scale(growth > 0 ? (root - first) / (2 * growth) : 0);
         }
     }
 
@@ -95,7 +105,7 @@ final class EnergyGuard {
             double impulse = impulse(id);
             if (impulse != 0) {
                 double speed = single.relative(m, id, Motions.VX, Motions.VY, Motions.SPIN);
-                sum += impulse * (speed - single.surface(id));
+                sum += impulse * (speed - single.running(id));
             }
         }
         for (int row = 0; row < rows.count; row++) {

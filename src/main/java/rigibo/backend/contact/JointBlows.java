@@ -97,8 +97,21 @@ final class JointBlows {
         }
         double pull = gained(row, point);
         double time = Math.min(h, timeToClose(gap, speed - middle * pull, pull));
-        double limit = Math.max(ROUND_OFF, rows.data[row * Rows.STRIDE + Rows.BOUNCE_SPEED]);
-        return speed + (time - middle) * pull < -limit ? time : Double.POSITIVE_INFINITY;
+        return strikes(row, point, time) ? time : Double.POSITIVE_INFINITY;
+    }
+
+    /**
+     * Whether a point closes too fast for a load at a time. What touched before the kick that
+     * presses it now carries a load, however fast it would close without an answer; it does not
+     * strike.
+     */
+    private boolean strikes(int row, int point, double time) {
+        double speed = motions.parting(rows, row, point);
+        double met = speed + (time - middle) * gained(row, point);
+        boolean touched = motions.gap(rows, row, point) <= 0;
+        double parting = touched ? Math.max(met, speed - gainedInAll(row, point)) : met;
+        double limit = rows.data[row * Rows.STRIDE + Rows.BOUNCE_SPEED];
+        return parting < -Math.max(ROUND_OFF, limit);
     }
 
     /** The first root of gap + v·τ + a·τ²/2, by the form that does not cancel. */
@@ -114,14 +127,24 @@ final class JointBlows {
 
     /** How fast the parting of a point grows, m/s². */
     private double gained(int row, int point) {
-        int at = row * Rows.STRIDE;
-        double[] d = rows.data;
+        return gained(row, point, rows.bodyB[row]) - gained(row, point, rows.bodyA[row]);
+    }
+
+    /** What the parting of a point grew by in the kick, m/s. */
+    private double gainedInAll(int row, int point) {
         int a = rows.bodyA[row];
         int b = rows.bodyB[row];
-        return d[at + Rows.NX] * (kick.gained(b, Motions.VX) - kick.gained(a, Motions.VX))
-                + d[at + Rows.NY] * (kick.gained(b, Motions.VY) - kick.gained(a, Motions.VY))
-                + d[at + 2 * point + Rows.LEVER_B0] * kick.gained(b, Motions.SPIN)
-                - d[at + 2 * point + Rows.LEVER_A0] * kick.gained(a, Motions.SPIN);
+        return kick.length(b) * gained(row, point, b) - kick.length(a) * gained(row, point, a);
+    }
+
+    /** How fast a body's point of a contact gains speed along the normal, m/s². */
+    private double gained(int row, int point, int body) {
+        int at = row * Rows.STRIDE;
+        double[] d = rows.data;
+        int lever = body == rows.bodyA[row] ? Rows.LEVER_A0 : Rows.LEVER_B0;
+        return d[at + Rows.NX] * kick.gained(body, Motions.VX)
+                + d[at + Rows.NY] * kick.gained(body, Motions.VY)
+                + d[at + 2 * point + lever] * kick.gained(body, Motions.SPIN);
     }
 
     /** Whether the blows of one instant had an answer; without one, rows have to hold them. */
@@ -163,7 +186,7 @@ final class JointBlows {
             double touching = TOUCHING * OverlapSolver.KEPT_OVERLAP * d[at + Rows.WIDTH];
             if (gapAt(row, point, time) <= touching) {
                 addPoint(at, point);
-                strikes |= impact.parting(impact.points - 1) < -d[at + Rows.BOUNCE_SPEED];
+                strikes |= strikes(row, point, time);
             }
         }
         together.add(rows.pair[row], impact, strikes ? d[at + Rows.ELASTICITY] : 0);

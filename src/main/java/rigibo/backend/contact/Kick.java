@@ -62,6 +62,11 @@ final class Kick {
         return gained[body + column];
     }
 
+    /** How long the kick was for a body, s. */
+    double length(int body) {
+        return gained[body + LENGTH];
+    }
+
     /**
      * Moves the velocities from one time to a later one, both in s after the step's start. A body
      * that joined the pile in between is kicked only from when it joined.

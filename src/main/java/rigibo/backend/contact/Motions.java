@@ -123,6 +123,18 @@ final class Motions {
         return most;
     }
 
+    /** The energy of motion at velocities laid out as the motions, of what can be moved, J. */
+    double energy(double[] m) {
+        double sum = 0;
+        for (int at = STRIDE; at < count * STRIDE; at += STRIDE) {
+            double square = m[at + VX] * m[at + VX] + m[at + VY] * m[at + VY];
+            double turning = m[at + SPIN] * m[at + SPIN];
+            sum += data[at + INVERSE_MASS] > 0 ? square / data[at + INVERSE_MASS] : 0;
+            sum += data[at + INVERSE_INERTIA] > 0 ? turning / data[at + INVERSE_INERTIA] : 0;
+        }
+        return sum / 2;
+    }
+
     /** kg of all that can be moved. */
     double mass() {
         double sum = 0;

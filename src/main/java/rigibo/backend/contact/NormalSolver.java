@@ -78,7 +78,8 @@ final class NormalSolver {
         int b = rows.bodyB[row];
         double nx = d[at + Rows.NX];
         double ny = d[at + Rows.NY];
-        double vn = nx * (m[b + VX] - m[a + VX]) + ny * (m[b + VY] - m[a + VY]);
+        double vn =
+                nx * (m[b + VX] - m[a + VX]) + ny * (m[b + VY] - m[a + VY]) - d[at + Rows.NEARING];
         double dn = nx * (m[b + DX] - m[a + DX]) + ny * (m[b + DY] - m[a + DY]);
         double la0 = d[at + Rows.LEVER_A0];
         double lb0 = d[at + Rows.LEVER_B0];

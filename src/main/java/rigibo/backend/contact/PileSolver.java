@@ -43,6 +43,9 @@ public final class PileSolver {
      */
     private static final double MOST_STRESS = 1e6;
 
+    /** Turn in a step, rad, by which loads may miss what they carried in the substep before. */
+    private static final double MOST_TURN = 0.5;
+
     /** A round that changes more than this share of what the last one did goes half its way. */
     private static final double SHRINKS = 0.5;
 
@@ -184,6 +187,10 @@ public final class PileSolver {
         warmStart.apply(scale, substep);
         // What contacts carried throws bodies about if what they carried it against is gone.
         guard.limitSpeed(leverage() * fastest);
+        if (whole != null) {
+            double turn = MOST_TURN / substeps;
+            guard.limitWork(turn * turn);
+        }
     }
 
     /** A large pile may also part as fast as overlap is taken back. */

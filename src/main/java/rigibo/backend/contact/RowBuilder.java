@@ -285,6 +285,7 @@ final class RowBuilder {
                         ? 0
                         : bodies.surfaceSpeed[pairs.bodyA[rows.pair[row]]]
                                 + bodies.surfaceSpeed[pairs.bodyB[rows.pair[row]]];
+        rows.running[row] = running;
         rows.surface[row] = running + beside;
     }
 

@@ -71,13 +71,21 @@ final class Rows {
 
     static final int LOAD1 = 29;
 
-    /** Speed at which the contact gives way to a unit impulse, 1/kg. */
-    static final int GIVE = 31;
-
     /** Share of an overlap taken back per second, 1/s. */
     static final int RECOVERY = 30;
 
-    static final int STRIDE = 32;
+    /** Speed at which the contact gives way to a unit impulse, 1/kg. */
+    static final int GIVE = 31;
+
+    /** Normal impulses of the kick before, N·s. */
+    static final int BEFORE0 = 32;
+
+    static final int BEFORE1 = 33;
+
+    /** Speed at which the surfaces come together by turning, whatever the points do, m/s. */
+    static final int NEARING = 34;
+
+    static final int STRIDE = 35;
 
     /**
      * What every row gives way, as a share of what its impulse does to its bodies: nothing that is
@@ -100,8 +108,10 @@ final class Rows {
     int[] firstSubstep = new int[16];
     int count;
 
-    /** Speed in m/s along the tangent at which friction lets B run on A. */
+    /** Speed in m/s along the tangent at which friction lets B run on A, and driven by surfaces. */
     double[] surface = new double[16];
+
+    double[] running = new double[16];
 
     /**
      * Contacts from here on are against what cannot give way. Every pass takes them last: what it
@@ -152,12 +162,14 @@ final class Rows {
             bodyB = Arrays.copyOf(bodyB, capacity);
             pair = Arrays.copyOf(pair, capacity);
             surface = Arrays.copyOf(surface, capacity);
+            running = Arrays.copyOf(running, capacity);
             points = Arrays.copyOf(points, capacity);
             firstSubstep = Arrays.copyOf(firstSubstep, capacity);
         }
         Arrays.fill(data, count * STRIDE, (count + 1) * STRIDE, 0);
         firstSubstep[count] = ALWAYS;
         surface[count] = 0;
+        running[count] = 0;
         return count++;
     }
 }

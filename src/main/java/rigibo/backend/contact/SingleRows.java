@@ -59,9 +59,17 @@ final class SingleRows {
         return kind == TANGENT ? Rows.IMPULSE_T : Rows.IMPULSE0 + kind;
     }
 
-    /** Speed in m/s at which the surfaces of a row run, 0 for a normal row. */
-    double surface(int id) {
-        return id % ROWS_PER_CONTACT == TANGENT ? rows.surface[id / ROWS_PER_CONTACT] : 0;
+    /** Speed in m/s at which the surfaces of a row are driven past each other. */
+    double running(int id) {
+        return id % ROWS_PER_CONTACT == TANGENT ? rows.running[id / ROWS_PER_CONTACT] : 0;
+    }
+
+    /** Speed in m/s along a row that is none: as surfaces run, or come together by turning. */
+    double ownSpeed(int id) {
+        int row = id / ROWS_PER_CONTACT;
+        return id % ROWS_PER_CONTACT == TANGENT
+                ? rows.surface[row]
+                : rows.data[row * Rows.STRIDE + Rows.NEARING];
     }
 
     /** Speed at which a row gives way to a unit impulse, 1/kg. */

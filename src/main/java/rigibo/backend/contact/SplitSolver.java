@@ -121,7 +121,8 @@ final class SplitSolver implements WholeSolver {
         for (int i = 0; i < size; i++) {
             began[i] = rows.data[impulseAt(i)];
             double v = single.relative(set[i], Motions.VX, Motions.VY, Motions.SPIN);
-            asked[i] = v + give[i] * began[i] + (isTangent(i) ? -surface(i) : openPerSecond(i, h));
+            double open = isTangent(i) ? 0 : openPerSecond(i, h);
+            asked[i] = v + give[i] * began[i] - single.ownSpeed(set[i]) + open;
         }
         search(SOFTNESS * settled, MOST_ITERATIONS);
         for (int i = 0; i < size; i++) {
@@ -172,10 +173,6 @@ final class SplitSolver implements WholeSolver {
 
     private int impulseAt(int i) {
         return contact(i) * Rows.STRIDE + SingleRows.impulseColumn(set[i]);
-    }
-
-    private double surface(int i) {
-        return rows.surface[contact(i)];
     }
 
     /** The speed at which a gap of a normal row may close within h seconds, m/s. */

@@ -141,20 +141,72 @@ final class TurningRows {
         double[] d = rows.data;
         double bendA = bend(pairs.bodyA[rows.pair[row]], rows.bodyA[row], h);
         double bendB = bend(pairs.bodyB[rows.pair[row]], rows.bodyB[row], h);
-        double gap = bendA * d[at + Rows.LEVER_TA] - bendB * d[at + Rows.LEVER_TB];
+        double gap =
+                bendA * d[at + Rows.LEVER_TA]
+                        - bendB * d[at + Rows.LEVER_TB]
+                        + faceTurnsAway(row, h);
         double way0 = bendA * d[at + Rows.LEVER_A0] - bendB * d[at + Rows.LEVER_B0];
         double way1 = bendA * d[at + Rows.LEVER_A1] - bendB * d[at + Rows.LEVER_B1];
         double difference = rows.points[row] == 2 ? d[at + Rows.GAP1] - d[at + Rows.GAP0] : 1;
         double way = difference == 0 ? (way0 + way1) / 2 : difference > 0 ? way0 : way1;
-        d[at + Rows.GAP0] += gap;
-        d[at + Rows.GAP1] += gap;
+        d[at + Rows.GAP0] += Math.max(0, gap);
+        d[at + Rows.GAP1] += Math.max(0, gap);
+        d[at + Rows.NEARING] = gap < 0 ? -gap / h : 0;
         builder.writeSurface(row, h > 0 ? way / h : 0);
     }
 
     /** Half the square of the angle by which an outline turns in h seconds. */
     private double bend(int slot, int entry, double h) {
-        double turn = Math.min(MOST_BEND, Math.abs(motions.data[entry + Motions.SPIN] * h));
-        return bodies.sweepRadius[slot] > 0 ? turn * turn / 2 : 0;
+        double turn = turn(slot, entry, h);
+        return turn * turn / 2;
+    }
+
+    /** The angle by which an outline turns in h seconds, as far as its arc is a parabola's. */
+    private double turn(int slot, int entry, double h) {
+        double turn = motions.data[entry + Motions.SPIN] * h;
+        return bodies.sweepRadius[slot] > 0 ? Math.max(-MOST_BEND, Math.min(MOST_BEND, turn)) : 0;
+    }
+
+    /**
+     * How much wider than that the gap gets, m, where it is measured from a face that turns while
+     * the other body slides along it by s: by φs. Of a disc the point that counts is its centre,
+     * which does not go along with the face.
+     */
+    private double faceTurnsAway(int row, double h) {
+        int pair = rows.pair[row];
+        int face = pairs.faceOf[pair];
+        if (face == Pairs.NONE) {
+            return 0;
+        }
+        boolean isOfA = face == pairs.bodyA[pair];
+        double turn = turn(face, isOfA ? rows.bodyA[row] : rows.bodyB[row], h);
+        if (turn == 0) {
+            return 0;
+        }
+        double[] d = rows.data;
+        int at = row * Rows.STRIDE;
+        double armA = d[at + Rows.LEVER_TA];
+        double armB = d[at + Rows.LEVER_TB];
+        if (bodies.sweepRadius[pairs.other(pair, face)] > 0) {
+            return turn * h * slide(row, armA, armB);
+        }
+        double toCentre = isOfA ? armB : -armA;
+        double slide = slide(row, isOfA ? armA : 0, isOfA ? 0 : armB);
+        return turn * (h * slide + turn * toCentre / 2);
+    }
+
+    /** How fast a point of B slides along one of A, each so far from its body's centre, m/s. */
+    private double slide(int row, double armA, double armB) {
+        double[] m = motions.data;
+        int at = row * Rows.STRIDE;
+        int a = rows.bodyA[row];
+        int b = rows.bodyB[row];
+        double nx = rows.data[at + Rows.NX];
+        double ny = rows.data[at + Rows.NY];
+        return nx * (m[b + Motions.VY] - m[a + Motions.VY])
+                - ny * (m[b + Motions.VX] - m[a + Motions.VX])
+                + armB * m[b + Motions.SPIN]
+                - armA * m[a + Motions.SPIN];
     }
 
     /** When the later of two bodies joins, s after the step's start. */
@@ -209,8 +261,16 @@ final class TurningRows {
         narrowphase.measureContact(pair, poseA, poseB, reach(row, pair, left));
         rows.data[at + Rows.IMPULSE0] = pairs.normalForce[2 * pair];
         rows.data[at + Rows.IMPULSE1] = pairs.normalForce[2 * pair + 1];
+        double before0 = before(at, pairs.former[2 * pair]);
+        double before1 = before(at, pairs.former[2 * pair + 1]);
+        rows.data[at + Rows.BEFORE0] = before0;
+        rows.data[at + Rows.BEFORE1] = before1;
         builder.rewrite(row);
         rows.data[at + Rows.RECOVERY] = OverlapSolver.RATE + (more - 1) * AT_ONCE;
+    }
+
+    private double before(int at, int point) {
+        return point == Pairs.NONE ? 0 : rows.data[at + Rows.BEFORE0 + point];
     }
 
     private void place(int slot, int entry, Pose pose) {

@@ -17,9 +17,6 @@ final class WarmStart {
     private final Motions motions;
     private final Rows rows;
 
-    /** The normal impulses of the kick before the last, per row and point. */
-    private double[] before = new double[32];
-
     WarmStart(Motions motions, Rows rows) {
         this.motions = motions;
         this.rows = rows;
@@ -27,24 +24,20 @@ final class WarmStart {
 
     /** Takes the packed island's impulses for those of the last two kicks. */
     void prepare() {
-        if (before.length < 2 * rows.count) {
-            before = new double[2 * rows.pair.length];
-        }
-        for (int row = 0; row < rows.count; row++) {
-            keep(row, row * Rows.STRIDE);
+        for (int at = 0; at < rows.count * Rows.STRIDE; at += Rows.STRIDE) {
+            keep(at);
         }
     }
 
     /** Leaves out of every impulse what it has more than the one before. */
     void leaveOutBlows() {
         double[] d = rows.data;
-        for (int row = 0; row < rows.count; row++) {
-            int at = row * Rows.STRIDE;
-            double j0 = Math.min(d[at + Rows.IMPULSE0], before[2 * row]);
-            double j1 = Math.min(d[at + Rows.IMPULSE1], before[2 * row + 1]);
+        for (int at = 0; at < rows.count * Rows.STRIDE; at += Rows.STRIDE) {
+            double j0 = Math.min(d[at + Rows.IMPULSE0], d[at + Rows.BEFORE0]);
+            double j1 = Math.min(d[at + Rows.IMPULSE1], d[at + Rows.BEFORE1]);
             double both = d[at + Rows.IMPULSE0] + d[at + Rows.IMPULSE1];
             double share = both > 0 ? (j0 + j1) / both : 0;
-            keep(row, at);
+            keep(at);
             d[at + Rows.IMPULSE0] = j0;
             d[at + Rows.IMPULSE1] = j1;
             d[at + Rows.IMPULSE_T] *= share;
@@ -52,9 +45,9 @@ final class WarmStart {
         }
     }
 
-    private void keep(int row, int at) {
-        before[2 * row] = rows.data[at + Rows.IMPULSE0];
-        before[2 * row + 1] = rows.data[at + Rows.IMPULSE1];
+    private void keep(int at) {
+        rows.data[at + Rows.BEFORE0] = rows.data[at + Rows.IMPULSE0];
+        rows.data[at + Rows.BEFORE1] = rows.data[at + Rows.IMPULSE1];
     }
 
     /** Scales every impulse and applies it. */
@@ -74,8 +67,8 @@ final class WarmStart {
         int b = rows.bodyB[row];
         double nx = d[at + Rows.NX];
         double ny = d[at + Rows.NY];
-        before[2 * row] *= scale;
-        before[2 * row + 1] *= scale;
+        d[at + Rows.BEFORE0] *= scale;
+        d[at + Rows.BEFORE1] *= scale;
         double j0 = d[at + Rows.IMPULSE0] *= scale;
         double j1 = d[at + Rows.IMPULSE1] *= scale;
         double jt = d[at + Rows.IMPULSE_T] *= scale;

@@ -20,6 +20,9 @@ final class Bystanders {
     /** How much faster than by a single blow a body may leave when it is struck against others. */
     private static final double WEDGED = 2;
 
+    /** Way off its path, as a share of its width, from which on a body surprises its neighbours. */
+    private final double surprise;
+
     private final Bodies bodies;
     private final Pairs pairs;
     private final Narrowphase narrowphase;
@@ -29,8 +32,17 @@ final class Bystanders {
     private final Pose poseA = new Pose();
     private final Pose poseB = new Pose();
 
+    /**
+     * A watch over surprises half way, by orders of magnitude, between the tolerance of impacts (m)
+     * and the whole width of a body.
+     */
     Bystanders(
-            DataStorage data, Narrowphase narrowphase, Broadphase broadphase, Trajectories paths) {
+            DataStorage data,
+            Narrowphase narrowphase,
+            Broadphase broadphase,
+            Trajectories paths,
+            double impactTolerance) {
+        surprise = 2 * Math.sqrt(impactTolerance);
         bodies = data.bodies;
         pairs = data.pairs;
         this.narrowphase = narrowphase;
@@ -69,7 +81,7 @@ final class Bystanders {
 
     /** Whether a way in m off its path shows against a body's width. */
     private boolean isSurprise(int slot, double way) {
-        return way > PairTolerances.SURPRISE * bodies.smallestWidth[slot];
+        return way > surprise * bodies.smallestWidth[slot];
     }
 
     /**
@@ -83,9 +95,15 @@ final class Bystanders {
         double y = bodies.velocityY[b] - bodies.velocityY[a];
         double turning = turning(a) + turning(b);
         double closing = turning - (x * pairs.normalX[pair] + y * pairs.normalY[pair]);
-        double unseen = PairTolerances.SURPRISE * PairTolerances.width(bodies, a, b);
+        double unseen = surprise * PairTolerances.width(bodies, a, b);
         boolean isSurprise = closing * dt > Math.max(unseen, pairs.gap(pair));
         return isSurprise ? WEDGED * (length(x, y) + turning) * dt : 0;
+    }
+
+    /** Whether a body of a pile moves so fast that to be stopped within some seconds surprises. */
+    boolean goesAlong(int slot, double left) {
+        double speed = length(bodies.velocityX[slot], bodies.velocityY[slot]);
+        return bodies.isDynamic(slot) && bodies.awake[slot] && isSurprise(slot, speed * left);
     }
 
     /** Speed in m/s that turning gives the outline of a body. */

@@ -42,6 +42,11 @@ public final class Flight {
     /** Those whose path is not what was expected, in the order found. */
     private final Found disturbed = new Found();
 
+    /** For each body in which step it was last found to follow behind, and the number of this. */
+    private int[] followedIn = new int[16];
+
+    private int step;
+
     /** Paths under forces that change along the way, or null where there are none. */
     private final Course course;
 
@@ -76,7 +81,8 @@ public final class Flight {
         paths = new Trajectories(bodies);
         queue = new ImpactQueue(pairs);
         blows = new Blows(data, narrowphase, accuracy, paths, course);
-        bystanders = new Bystanders(data, narrowphase, broadphase, paths);
+        bystanders =
+                new Bystanders(data, narrowphase, broadphase, paths, accuracy.impactTolerance());
     }
 
     /** Moves every flyer to the end of a step of {@code dt} seconds, through everything. */
@@ -90,6 +96,10 @@ public final class Flight {
         paths.begin();
         queue.clear(pairs.bodyA.length);
         reserve();
+        step++;
+        if (followedIn.length < bodies.type.length) {
+            followedIn = new int[bodies.type.length];
+        }
         for (int i = 0; i < pairs.activeCount; i++) {
             if (pairs.points[pairs.active[i]] > 0) {
                 predict(pairs.active[i], 0, dt);
@@ -125,7 +135,7 @@ public final class Flight {
 
     /**
      * What a body of a pile may reach from a time on becomes part of the pile, or a contact; and so
-     * does what that may reach in its turn.
+     * does what that may reach in its turn, or what follows close behind.
      */
     private void disturb(int slot, double reach, double time, double dt) {
         if (reach == 0 || !hitsPile(slot) || !bodies.awake[slot]) {
@@ -145,6 +155,10 @@ public final class Flight {
             int other = pairs.other(p, slot);
             boolean flies = paths.isFlyer(other);
             boolean isContact = !flies && pairs.points[p] > 0;
+            if (isContact && followedIn[other] != step && bystanders.goesAlong(other, dt - time)) {
+                followedIn[other] = step;
+                disturbed.add(other);
+            }
             if (!isContact && bystanders.isWithinReach(p, reach, time, dt - time) && flies) {
                 blows.bring(other, time);
                 paths.land(other, time);

@@ -14,9 +14,6 @@ public final class PairTolerances {
     /** Lift in m, per metre of body, below which a rebound is not seen; decides bounce or rest. */
     public static final double INVISIBLE_LIFT = 0.5e-3;
 
-    /** Way off its path, as a share of its width, from which on a body surprises its neighbours. */
-    public static final double SURPRISE = 0.02;
-
     private PairTolerances() {}
 
     /** Width in m of the smaller movable body; of the smaller of two where neither is. */

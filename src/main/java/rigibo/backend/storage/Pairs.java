@@ -31,6 +31,10 @@ public final class Pairs {
     public double[] normalX = new double[FIRST_CAPACITY];
 
     public double[] normalY = new double[FIRST_CAPACITY];
+
+    /** Slot of the body whose face the normal stands on, or {@link #NONE}: it joins two points. */
+    public int[] faceOf = new int[FIRST_CAPACITY];
+
     public int[] points = new int[FIRST_CAPACITY];
 
     /** Per point: world place and gap in m (negative in overlap), and the id of its features. */
@@ -39,6 +43,9 @@ public final class Pairs {
     public double[] pointY = new double[2 * FIRST_CAPACITY];
     public double[] separation = new double[2 * FIRST_CAPACITY];
     public int[] feature = new int[2 * FIRST_CAPACITY];
+
+    /** Per point: which one of the manifold before it continues, 0 or 1, or {@link #NONE}. */
+    public int[] former = new int[2 * FIRST_CAPACITY];
 
     /** Per point: the force (N) that held at the end of the last step; starts the next one. */
     public double[] normalForce = new double[2 * FIRST_CAPACITY];
@@ -181,6 +188,7 @@ public final class Pairs {
     public void clear(int pair) {
         normalX[pair] = 0;
         normalY[pair] = 0;
+        faceOf[pair] = NONE;
         points[pair] = 0;
         clearPoint(2 * pair);
         clearPoint(2 * pair + 1);
@@ -209,6 +217,7 @@ public final class Pairs {
         pointY[to] = pointY[from];
         separation[to] = separation[from];
         feature[to] = feature[from];
+        former[to] = former[from];
         normalForce[to] = normalForce[from];
         load[to] = load[from];
     }
@@ -218,6 +227,7 @@ public final class Pairs {
         pointY[point] = 0;
         separation[point] = 0;
         feature[point] = 0;
+        former[point] = NONE;
         normalForce[point] = 0;
         load[point] = 0;
     }
@@ -256,11 +266,13 @@ public final class Pairs {
         previous = Arrays.copyOf(previous, 2 * capacity);
         normalX = Arrays.copyOf(normalX, capacity);
         normalY = Arrays.copyOf(normalY, capacity);
+        faceOf = Arrays.copyOf(faceOf, capacity);
         points = Arrays.copyOf(points, capacity);
         pointX = Arrays.copyOf(pointX, 2 * capacity);
         pointY = Arrays.copyOf(pointY, 2 * capacity);
         separation = Arrays.copyOf(separation, 2 * capacity);
         feature = Arrays.copyOf(feature, 2 * capacity);
+        former = Arrays.copyOf(former, 2 * capacity);
         normalForce = Arrays.copyOf(normalForce, 2 * capacity);
         load = Arrays.copyOf(load, 2 * capacity);
         frictionForce = Arrays.copyOf(frictionForce, capacity);

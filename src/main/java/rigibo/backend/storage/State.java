@@ -88,6 +88,7 @@ final class State {
         twin("previous", p.previous);
         column("normalX", p.normalX);
         column("normalY", p.normalY);
+        column("faceOf", p.faceOf);
         column("points", p.points);
         twin("pointX", p.pointX);
         twin("pointY", p.pointY);

@@ -43,29 +43,18 @@ class EnergyLawTest {
                 scene -> gainedAtMost(limit, scene));
     }
 
-    /** Two seeds that break it are left out here and named below. */
+    /** In no step more than a thousandth of what there was at the start. */
     @ParameterizedTest
-    @CsvSource({"GAME, 1, 284", "FINE, 57, 244", "EXACT, 1, 200"})
-    void pilesGainNone(Preset preset, long firstSeed, int scenes) {
+    @CsvSource({"GAME, 300", "FINE, 300", "EXACT, 200"})
+    void pilesGainNone(Preset preset, int scenes) {
         Laws.hold(
-                firstSeed,
+                1,
                 scenes,
                 seed -> Surroundings.tray(seed, preset.accuracy),
                 scene -> gainedAtMost(1e-3, scene));
     }
 
-    @Disabled("a disc squeezed into the floor by a heavy body is lifted again: 1.8e-3 and 1.3e-3")
-    @ParameterizedTest
-    @CsvSource({"GAME, 285", "FINE, 56"})
-    void pilesThatWereSqueezedGainNone(Preset preset, long seed) {
-        Laws.hold(
-                seed,
-                1,
-                any -> Surroundings.tray(any, preset.accuracy),
-                scene -> gainedAtMost(1e-3, scene));
-    }
-
-    @Disabled("at EXACT beyond it in 25 of 300 scenes, worst 5.1e-5 at seed 37")
+    @Disabled("at EXACT beyond it in 10 of 300 scenes, worst 1.5e-5 at seed 56")
     @Test
     void pilesGainNoMoreThanAMillionth() {
         Laws.hold(

