@@ -124,6 +124,8 @@ final class TurningRows {
             }
             if (isTurning) {
                 bend(row, h);
+            } else if (isBent(row)) {
+                bend(row, 0);
             }
             isAny |= joins || isTurning;
         }
@@ -134,7 +136,8 @@ final class TurningRows {
      * A point that turns with its body leaves its line by ½ω²h² of its arm within a substep,
      * towards the centre of mass. So much wider is the gap that may close, and so much the point
      * must run ahead along the surface if it is to stay where it is: then what pivots on a corner
-     * keeps its energy but for terms in h².
+     * keeps its energy but for terms in h². Where the gap gets narrower by itself, the contact has
+     * to part as fast.
      */
     private void bend(int row, double h) {
         int at = row * Rows.STRIDE;
@@ -153,6 +156,11 @@ final class TurningRows {
         d[at + Rows.GAP1] += Math.max(0, gap);
         d[at + Rows.NEARING] = gap < 0 ? -gap / h : 0;
         builder.writeSurface(row, h > 0 ? way / h : 0);
+    }
+
+    private boolean isBent(int row) {
+        return rows.surface[row] != rows.running[row]
+                || rows.data[row * Rows.STRIDE + Rows.NEARING] != 0;
     }
 
     /** Half the square of the angle by which an outline turns in h seconds. */
