@@ -13,6 +13,13 @@ public final class Found {
         count = 0;
     }
 
+    /** Makes room for so many numbers; contents are to be written anew. */
+    public void reserve(int capacity) {
+        if (numbers.length < capacity) {
+            numbers = new int[capacity];
+        }
+    }
+
     /** Sorts ascending, so that what follows does not depend on the order of finding. */
     public void sort() {
         Arrays.sort(numbers, 0, count);

@@ -100,6 +100,8 @@ public final class Flight {
         if (followedIn.length < bodies.type.length) {
             followedIn = new int[bodies.type.length];
         }
+        disturbed.clear();
+        disturbed.reserve(bodies.type.length + 1);
         for (int i = 0; i < pairs.activeCount; i++) {
             if (pairs.points[pairs.active[i]] > 0) {
                 predict(pairs.active[i], 0, dt);
