@@ -107,7 +107,7 @@ final class DirectSolver implements WholeSolver {
 
     /** Takes the overlap of loaded rows back, or of all that overlap where nothing is loaded. */
     @Override
-    public void correct(double h, int substep) {
+    public void correct(double h, int substep, double fastest) {
         if (factor.size() == 0) {
             chooseOverlapping(h, substep);
             factor.factorize(set, size);

@@ -230,7 +230,7 @@ public final class PileSolver {
 
     private void takeOverlapBack(double h, int substep) {
         if (isCorrecting) {
-            whole.correct(h, substep);
+            whole.correct(h, substep, fastest);
             overlap.correct(h, substep);
         }
     }

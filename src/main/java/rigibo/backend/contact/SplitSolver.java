@@ -83,9 +83,6 @@ final class SplitSolver implements WholeSolver {
     private double[] beyond = new double[64];
     private double[] right = new double[64];
 
-    /** Gap in m up to which a row takes part. */
-    private double near;
-
     /** By body: three speeds, and at the end those of what does not move. */
     private double[] speed = new double[48];
 
@@ -116,8 +113,7 @@ final class SplitSolver implements WholeSolver {
 
     @Override
     public void solve(double h, int substep, double settled, double fastest) {
-        near = h * CLOSING * fastest;
-        factorize(substep);
+        factorize(substep, h * CLOSING * fastest);
         for (int i = 0; i < size; i++) {
             began[i] = rows.data[impulseAt(i)];
             double v = single.relative(set[i], Motions.VX, Motions.VY, Motions.SPIN);
@@ -138,8 +134,8 @@ final class SplitSolver implements WholeSolver {
 
     /** What overlaps parts as far as wanted, and no gap closes. */
     @Override
-    public void correct(double h, int substep) {
-        factorize(substep);
+    public void correct(double h, int substep, double fastest) {
+        factorize(substep, h * CLOSING * fastest);
         double widest = 0;
         for (int i = 0; i < size; i++) {
             began[i] = 0;
@@ -180,14 +176,17 @@ final class SplitSolver implements WholeSolver {
         return Math.max(0, motions.gap(rows, contact(i), set[i] % ROWS_PER_CONTACT)) / h;
     }
 
-    /** Chooses the rows that take part in a substep and factors them, unless it was done. */
-    private void factorize(int substep) {
+    /**
+     * Chooses the rows that take part in a substep, those loaded or as near as said in m, and
+     * factors them, unless it was done.
+     */
+    private void factorize(int substep, double near) {
         reserve();
         size = 0;
         for (int i = 0; i < rows.count; i++) {
             int row = order.order[i];
             if (rows.firstSubstep[row] <= substep) {
-                chooseNear(row);
+                chooseNear(row, near);
             }
         }
         if (Arrays.equals(set, 0, size, factored, 0, factoredSize)) {
@@ -210,7 +209,7 @@ final class SplitSolver implements WholeSolver {
     }
 
     /** A gap too wide to close would only stiffen what its bodies do. */
-    private void chooseNear(int row) {
+    private void chooseNear(int row, double near) {
         int before = size;
         for (int point = 0; point < rows.points[row]; point++) {
             boolean isLoaded = rows.data[row * Rows.STRIDE + Rows.IMPULSE0 + point] > 0;

@@ -8,13 +8,13 @@ interface WholeSolver {
 
     /**
      * Brings the rows to rest against each other, for a substep of h seconds, but for a speed of
-     * {@code settled} m/s.
+     * {@code settled} m/s. Nothing went faster than {@code fastest} m/s before.
      */
     void solve(double h, int substep, double settled, double fastest);
 
     /** The least share of the fastest speed that is worth asking for. */
     double finestShare();
 
-    /** Takes overlap back by moving bodies. */
-    void correct(double h, int substep);
+    /** Takes overlap back by moving bodies, after a substep that began as fast. */
+    void correct(double h, int substep, double fastest);
 }
