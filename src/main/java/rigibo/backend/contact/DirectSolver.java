@@ -194,7 +194,6 @@ final class DirectSolver implements WholeSolver {
             unknown = new double[capacity];
             moved = new double[capacity];
             cone = new double[capacity];
-            factor.forget();
         }
     }
 

@@ -108,9 +108,10 @@ final class Rows {
     int[] firstSubstep = new int[16];
     int count;
 
-    /** Speed in m/s along the tangent at which friction lets B run on A, and driven by surfaces. */
+    /** Speed along the tangent at which friction lets B run on A: driven, or turning, m/s. */
     double[] surface = new double[16];
 
+    /** The part of it by which driven surfaces carry, m/s. */
     double[] running = new double[16];
 
     /**

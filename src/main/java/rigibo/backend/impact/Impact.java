@@ -96,7 +96,7 @@ public final class Impact {
     }
 
     /** Speed in m/s at which the bodies part at a point; negative when they close. */
-    public double parting(int i) {
+    double parting(int i) {
         double vx = velocityBX - spinB * armBY[i] - velocityAX + spinA * armAY[i];
         double vy = velocityBY + spinB * armBX[i] - velocityAY - spinA * armAX[i];
         return vx * normalX + vy * normalY;
