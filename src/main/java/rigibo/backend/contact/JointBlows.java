@@ -102,14 +102,15 @@ final class JointBlows {
 
     /**
      * Whether a point closes too fast for a load at a time. What touched before the kick that
-     * presses it now carries a load, however fast it would close without an answer; it does not
-     * strike.
+     * presses it now, or before the face turned that it lies on, carries a load, however fast it
+     * would close without an answer; it does not strike.
      */
     private boolean strikes(int row, int point, double time) {
         double speed = motions.parting(rows, row, point);
         double met = speed + (time - middle) * gained(row, point);
         boolean touched = motions.gap(rows, row, point) <= 0;
-        double parting = touched ? Math.max(met, speed - gainedInAll(row, point)) : met;
+        double unloaded = speed - gainedInAll(row, point) + turnedBy(row);
+        double parting = touched ? Math.max(met, unloaded) : met;
         double limit = rows.data[row * Rows.STRIDE + Rows.BOUNCE_SPEED];
         return parting < -Math.max(ROUND_OFF, limit);
     }
@@ -135,6 +136,11 @@ final class JointBlows {
         int a = rows.bodyA[row];
         int b = rows.bodyB[row];
         return kick.length(b) * gained(row, point, b) - kick.length(a) * gained(row, point, a);
+    }
+
+    /** How much faster the surfaces come together than a substep ago, by turning alone, m/s. */
+    private double turnedBy(int row) {
+        return 2 * rows.data[row * Rows.STRIDE + Rows.NEARING];
     }
 
     /** How fast a body's point of a contact gains speed along the normal, m/s². */

@@ -3,8 +3,8 @@ package rigibo.backend.law;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Disabled;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 
 import rigibo.backend.Pool;
@@ -36,21 +36,16 @@ class OverlapLawTest {
                 OverlapLawTest::shallow);
     }
 
-    @Disabled("deeper at DRAFT in 4 of 300 scenes (0.15 widths, seed 199), at GAME in 2 (0.03)")
     @ParameterizedTest
-    @EnumSource(
-            value = Preset.class,
-            names = {"DRAFT", "GAME"})
+    @EnumSource(value = Preset.class, names = "DRAFT", mode = EnumSource.Mode.EXCLUDE)
     void fewBodiesHardlySinkIn(Preset preset) {
         Laws.hold(1, SCENES, seed -> few(seed, preset), OverlapLawTest::shallow);
     }
 
-    @ParameterizedTest
-    @EnumSource(
-            value = Preset.class,
-            names = {"FINE", "EXACT"})
-    void fewBodiesDoNotSinkIntoEachOther(Preset preset) {
-        Laws.hold(1, SCENES, seed -> few(seed, preset), OverlapLawTest::shallow);
+    @Disabled("nobody looks for impacts in flight: seeds 51, 80, 258 and 199, by up to 0.15 widths")
+    @Test
+    void fewBodiesHardlySinkInAtDraft() {
+        Laws.hold(1, SCENES, seed -> few(seed, Preset.DRAFT), OverlapLawTest::shallow);
     }
 
     @ParameterizedTest
@@ -69,18 +64,10 @@ class OverlapLawTest {
                 OverlapLawTest::stoppedWithinASubstep);
     }
 
-    /** A seed that breaks it is left out here and named below. */
     @ParameterizedTest
-    @CsvSource({"DRAFT, 300", "GAME, 300", "FINE, 300", "EXACT, 212"})
-    void bodiesThrownInATraySinkNoDeeperThanInASubstep(Preset preset, int scenes) {
-        Laws.hold(1, scenes, seed -> tray(seed, preset), OverlapLawTest::stoppedWithinASubstep);
-    }
-
-    @Disabled("deeper at EXACT in one of 300 scenes: by 1.28 ways of a substep")
-    @ParameterizedTest
-    @CsvSource("EXACT, 213")
-    void bodiesThrownInATraySinkNoDeeperThanInAShortSubstep(Preset preset, long seed) {
-        Laws.hold(seed, 1, any -> tray(any, preset), OverlapLawTest::stoppedWithinASubstep);
+    @EnumSource(Preset.class)
+    void bodiesThrownInATraySinkNoDeeperThanInASubstep(Preset preset) {
+        Laws.hold(1, SCENES, seed -> tray(seed, preset), OverlapLawTest::stoppedWithinASubstep);
     }
 
     /** A hundred boxes in space, each 10 % in its neighbours, too many to be solved whole. */
