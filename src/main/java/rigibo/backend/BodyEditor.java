@@ -1,9 +1,8 @@
 package rigibo.backend;
 
 import rigibo.backend.broadphase.Broadphase;
+import rigibo.backend.effect.Contacts;
 import rigibo.backend.effect.Effects;
-import rigibo.backend.effect.Friction;
-import rigibo.backend.effect.Restitution;
 import rigibo.backend.effect.Rotation;
 import rigibo.backend.geometry.MassProperties;
 import rigibo.backend.geometry.Shape;
@@ -27,7 +26,6 @@ final class BodyEditor {
     private final DataStorage data;
     private final Bodies bodies;
     private final StepPlan plan;
-    private final Broadphase broadphase;
     private final Waking waking;
     private final SupportLoss supportLoss;
 
@@ -35,7 +33,6 @@ final class BodyEditor {
         this.data = data;
         this.plan = plan;
         bodies = data.bodies;
-        broadphase = plan.broadphase();
         waking = new Waking(data);
         supportLoss = new SupportLoss(data, waking);
     }
@@ -46,12 +43,11 @@ final class BodyEditor {
         bodies.type[slot] = definition.type();
         bodies.group[slot] = definition.group();
         bodies.gravityScale[slot] = definition.gravityScale();
-        bodies.firstPair[slot] = Pairs.NONE;
         bodies.statedMass[slot] = definition.statesMass() ? plate.mass() : 0;
         bodies.statedInertia[slot] = definition.statesInertia() ? plate.inertia() : 0;
         bodies.velocityX[slot] = definition.velocityX();
         bodies.velocityY[slot] = definition.velocityY();
-        bodies.spin[slot] = definition.spin();
+        bodies.spin[slot] = turns() ? definition.spin() : 0;
         bodies.awake[slot] = definition.awake() || definition.type() != BodyType.DYNAMIC;
         bodies.clearForces(slot);
         bodies.clearAccelerations(slot);
@@ -59,14 +55,33 @@ final class BodyEditor {
         writeMaterial(slot, definition.material());
         weigh(slot);
         writePose(slot, definition.x(), definition.y(), definition.angle());
-        broadphase.add(slot);
+        join(slot);
         data.roster.isStale = true;
         return slot;
     }
 
+    /** Lays the first fixture of a body that is new to contacts. */
+    private void join(int slot) {
+        if (plan.broadphase() != null) {
+            bodies.firstPair[slot] = Pairs.NONE;
+            plan.broadphase().add(slot);
+        }
+    }
+
+    /** Lays the fixture of a body that was placed or shaped anew, and forgets its contacts. */
+    private void refit(int slot) {
+        Broadphase broadphase = plan.broadphase();
+        if (broadphase != null) {
+            broadphase.forgetContacts(slot);
+            broadphase.refit(slot);
+        }
+    }
+
     void remove(int slot) {
         supportLoss.wakeNeighbours(slot);
-        broadphase.remove(slot);
+        if (plan.broadphase() != null) {
+            plan.broadphase().remove(slot);
+        }
         bodies.release(slot);
         data.roster.isStale = true;
     }
@@ -78,8 +93,7 @@ final class BodyEditor {
         Require.within("RigidBody.moveTo angle", angle, -most, most, "rad");
         waking.wakeNeighbours(slot);
         writePose(slot, x, y, angle);
-        broadphase.forgetContacts(slot);
-        broadphase.refit(slot);
+        refit(slot);
         waking.wake(slot);
     }
 
@@ -98,7 +112,7 @@ final class BodyEditor {
         double most = BodyDefinition.MOST_SPIN;
         Require.within("RigidBody.spin", radiansPerSecond, -most, most, "rad/s");
         requireMovable(slot, "spin", radiansPerSecond != 0);
-        bodies.spin[slot] = radiansPerSecond;
+        bodies.spin[slot] = turns() ? radiansPerSecond : 0;
         data.roster.isStale = true;
         waking.wake(slot);
     }
@@ -150,8 +164,10 @@ final class BodyEditor {
             bodies.spin[slot] = 0;
         }
         weigh(slot);
-        broadphase.forgetPairs(slot);
-        broadphase.refit(slot);
+        if (plan.broadphase() != null) {
+            plan.broadphase().forgetPairs(slot);
+            plan.broadphase().refit(slot);
+        }
         data.roster.isStale = true;
         waking.wake(slot);
     }
@@ -160,7 +176,7 @@ final class BodyEditor {
         MassProperties plate = plate(slot, bodies.shape[slot], material);
         writeMaterial(slot, material);
         weigh(slot, plate);
-        for (int p = bodies.firstPair[slot]; p != Pairs.NONE; p = data.pairs.nextOf(p, slot)) {
+        for (int p = bodies.firstPairOf(slot); p != Pairs.NONE; p = data.pairs.nextOf(p, slot)) {
             data.pairs.mix(bodies, p);
         }
         waking.wakeNeighbours(slot);
@@ -172,8 +188,7 @@ final class BodyEditor {
         waking.wakeNeighbours(slot);
         writeShape(slot, shape);
         weigh(slot, plate);
-        broadphase.forgetContacts(slot);
-        broadphase.refit(slot);
+        refit(slot);
         waking.wake(slot);
     }
 
@@ -183,13 +198,22 @@ final class BodyEditor {
 
     /** Declares other effects: columns come and go, everything wakes. */
     void effects(Effects effects) {
+        boolean hadContacts = plan.broadphase() != null;
+        if (hadContacts && !effects.declares(Contacts.class)) {
+            forgetAllPairs();
+        }
         bodies.declare(effects);
+        data.pairs.declare(effects);
         plan.compile(effects, plan.accuracy());
         for (int slot = 0; slot < bodies.slots.high; slot++) {
             if (bodies.type[slot] != null) {
+                writeShape(slot, bodies.shape[slot]);
                 writeMaterial(slot, bodies.material[slot]);
                 weigh(slot);
-                waking.wake(slot);
+                bodies.spin[slot] = turns() ? bodies.spin[slot] : 0;
+                if (!hadContacts) {
+                    join(slot);
+                }
             }
         }
         for (int pair = 0; pair < data.pairs.slots.high; pair++) {
@@ -197,6 +221,23 @@ final class BodyEditor {
                 data.pairs.mix(bodies, pair);
             }
         }
+        for (int slot = 0; slot < bodies.slots.high; slot++) {
+            if (bodies.type[slot] != null) {
+                waking.wake(slot);
+            }
+        }
+    }
+
+    private void forgetAllPairs() {
+        for (int slot = 0; slot < bodies.slots.high; slot++) {
+            if (bodies.type[slot] != null) {
+                plan.broadphase().forgetPairs(slot);
+            }
+        }
+    }
+
+    private boolean turns() {
+        return plan.effects().declares(Rotation.class);
     }
 
     /** Writes what follows from what a snapshot holds. */
@@ -210,7 +251,9 @@ final class BodyEditor {
             }
         }
         data.pairs.derive(bodies);
-        broadphase.rebuild();
+        if (plan.broadphase() != null) {
+            plan.broadphase().rebuild();
+        }
     }
 
     private void writePose(int slot, double x, double y, double angle) {
@@ -224,17 +267,21 @@ final class BodyEditor {
     private void writeShape(int slot, Shape shape) {
         bodies.shape[slot] = shape;
         bodies.boundingRadius[slot] = shape.boundingRadius();
-        bodies.smallestWidth[slot] = shape.smallestWidth();
-        bodies.sweepRadius[slot] = shape.kind() == ShapeKind.CIRCLE ? 0 : shape.boundingRadius();
+        if (bodies.sweepRadius != null) {
+            boolean isDisc = shape.kind() == ShapeKind.CIRCLE;
+            bodies.smallestWidth[slot] = shape.smallestWidth();
+            bodies.sweepRadius[slot] = isDisc ? 0 : shape.boundingRadius();
+        }
     }
 
     private void writeMaterial(int slot, Material material) {
         bodies.material[slot] = material;
-        // An effect that is not declared leaves its column neutral, so no contact has a row for it.
-        boolean rubs = plan.effects().declares(Friction.class);
-        boolean bounces = plan.effects().declares(Restitution.class);
-        bodies.friction[slot] = rubs ? material.friction() : 0;
-        bodies.elasticity[slot] = bounces ? material.elasticity() : 0;
+        if (bodies.friction != null) {
+            bodies.friction[slot] = material.friction();
+        }
+        if (bodies.elasticity != null) {
+            bodies.elasticity[slot] = material.elasticity();
+        }
         if (bodies.rollingResistance != null) {
             bodies.rollingResistance[slot] = material.rollingResistance();
         }
@@ -255,8 +302,7 @@ final class BodyEditor {
         bodies.mass[slot] = plate.mass();
         bodies.inertia[slot] = plate.inertia();
         bodies.inverseMass[slot] = moves ? 1 / plate.mass() : 0;
-        boolean turns = moves && plan.effects().declares(Rotation.class);
-        bodies.inverseInertia[slot] = turns ? 1 / plate.inertia() : 0;
+        bodies.inverseInertia[slot] = moves && turns() ? 1 / plate.inertia() : 0;
     }
 
     private MassProperties plate(int slot, Shape shape, Material material) {

@@ -38,7 +38,10 @@ public final class Pool {
     private final StepPlan plan;
     private final StepReport report;
     private final BodyEditor editor;
-    private final PoolQueries queries;
+
+    /** Made when it is first asked: who never asks loads none of its classes. */
+    private PoolQueries queries;
+
     private final PoolTotals totals;
     private final List<RigidBody> bodies = new ArrayList<>();
     private final List<RigidBody> bodiesView = Collections.unmodifiableList(bodies);
@@ -70,7 +73,6 @@ public final class Pool {
         plan = new StepPlan(data, effects, accuracy);
         report = new StepReport(this, data);
         editor = new BodyEditor(data, plan);
-        queries = new PoolQueries(this, data, plan.broadphase());
         totals = new PoolTotals(this, data);
     }
 
@@ -213,6 +215,14 @@ public final class Pool {
         editor.effects(effects);
     }
 
+    /**
+     * How many bits each body takes in the columns that the declared effects need; what they refer
+     * to, its shape and its material, is not counted.
+     */
+    public int bitsPerBody() {
+        return data.bodies.bitsPerBody();
+    }
+
     /** The stages one step consists of and the columns it keeps, in words. */
     public String plan() {
         return plan.describe();
@@ -228,19 +238,19 @@ public final class Pool {
 
     /** Whether two bodies touched in the last step. */
     public boolean touching(RigidBody a, RigidBody b) {
-        return queries.touching(own(a).slot(), own(b).slot());
+        return queries().touching(own(a).slot(), own(b).slot());
     }
 
     /** The contacts of the last step, in the order their pairs were found; a list of its own. */
     public List<ContactEvent> contactEvents() {
-        return queries.contactEvents();
+        return queries().contactEvents();
     }
 
     /** The body under a point: the last added of several, none where there is none. */
     public Optional<RigidBody> bodyAt(double x, double y) {
         Require.finite("Pool.bodyAt x", x, "m");
         Require.finite("Pool.bodyAt y", y, "m");
-        return queries.bodyAt(x, y);
+        return queries().bodyAt(x, y);
     }
 
     /**
@@ -256,7 +266,7 @@ public final class Pool {
         Require.finite("Pool.rayCast fromY", fromY, "m");
         Require.finite("Pool.rayCast toX", toX, "m");
         Require.finite("Pool.rayCast toY", toY, "m");
-        return queries.rayCast(fromX, fromY, toX, toY);
+        return queries().rayCast(fromX, fromY, toX, toY);
     }
 
     /**
@@ -264,7 +274,7 @@ public final class Pool {
      */
     public void overlapping(Aabb box, Consumer<RigidBody> visitor) {
         Require.present("Pool.overlapping box", box);
-        queries.overlapping(box).forEach(visitor);
+        queries().overlapping(box).forEach(visitor);
     }
 
     /**
@@ -319,6 +329,17 @@ public final class Pool {
     /**
      * What changes a body; refuses bodies of other pools, removed ones, and calls within a step.
      */
+    private PoolQueries queries() {
+        if (queries == null) {
+            queries = new PoolQueries(this, data, plan);
+        }
+        return queries;
+    }
+
+    void sizeFixture(int slot, Aabb into) {
+        queries().sizeFixture(slot, into);
+    }
+
     BodyEditor editor(RigidBody body) {
         own(body);
         requireBetweenSteps("change a body");

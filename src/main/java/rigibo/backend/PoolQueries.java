@@ -1,7 +1,6 @@
 package rigibo.backend;
 
 import rigibo.backend.broadphase.Broadphase;
-import rigibo.backend.broadphase.Found;
 import rigibo.backend.collision.Collider;
 import rigibo.backend.collision.Manifold;
 import rigibo.backend.collision.PointAndRay;
@@ -9,8 +8,10 @@ import rigibo.backend.collision.Pose;
 import rigibo.backend.geometry.Aabb;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.geometry.Shape;
+import rigibo.backend.step.StepPlan;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.Found;
 import rigibo.backend.storage.PairIndex;
 import rigibo.backend.storage.Pairs;
 
@@ -26,8 +27,10 @@ final class PoolQueries {
 
     private final Pool pool;
     private final DataStorage data;
-    private final Broadphase broadphase;
+    private final StepPlan plan;
     private final Bodies bodies;
+    private final Found near = new Found();
+    private final Aabb bounds = new Aabb();
     private final Aabb box = new Aabb();
     private final Pose pose = new Pose();
     private final Pose areaPose = new Pose();
@@ -35,10 +38,10 @@ final class PoolQueries {
     private final Collider collider = new Collider();
     private final Manifold manifold = new Manifold();
 
-    PoolQueries(Pool pool, DataStorage data, Broadphase broadphase) {
+    PoolQueries(Pool pool, DataStorage data, StepPlan plan) {
         this.pool = pool;
         this.data = data;
-        this.broadphase = broadphase;
+        this.plan = plan;
         bodies = data.bodies;
     }
 
@@ -59,7 +62,7 @@ final class PoolQueries {
 
     Optional<RigidBody> bodyAt(double x, double y) {
         box.set(x, y, x, y);
-        Found found = broadphase.query(box);
+        Found found = near(box);
         RigidBody last = null;
         for (int i = 0; i < found.count; i++) {
             int slot = found.numbers[i];
@@ -84,7 +87,7 @@ final class PoolQueries {
                 Math.min(fromY, toY),
                 Math.max(fromX, toX),
                 Math.max(fromY, toY));
-        Found found = broadphase.query(box);
+        Found found = near(box);
         RayHit first = null;
         for (int i = 0; i < found.count; i++) {
             int slot = found.numbers[i];
@@ -112,7 +115,7 @@ final class PoolQueries {
         // A box without an area is no polygon; half a nanometre is nothing to any body.
         Shape shape = Polygon.box(Math.max(width, LEAST_SIDE), Math.max(height, LEAST_SIDE));
         areaPose.set((area.minX + area.maxX) / 2, (area.minY + area.maxY) / 2, 1, 0);
-        Found found = broadphase.query(area);
+        Found found = near(area);
         for (int i = 0; i < found.count; i++) {
             int slot = found.numbers[i];
             pose.set(bodies.x[slot], bodies.y[slot], bodies.cos[slot], bodies.sin[slot]);
@@ -122,6 +125,44 @@ final class PoolQueries {
             }
         }
         return inside;
+    }
+
+    /**
+     * The slots of all bodies that may reach into a box; without contacts nobody keeps fixtures.
+     */
+    private Found near(Aabb area) {
+        Broadphase broadphase = plan.broadphase();
+        if (broadphase != null) {
+            return broadphase.query(area);
+        }
+        near.clear();
+        for (int slot = 0; slot < bodies.slots.high; slot++) {
+            if (bodies.type[slot] != null) {
+                bounds(slot, bounds);
+                if (bounds.overlaps(area)) {
+                    near.add(slot);
+                }
+            }
+        }
+        return near;
+    }
+
+    private void bounds(int slot, Aabb into) {
+        bodies.shape[slot].bounds(
+                bodies.x[slot], bodies.y[slot], bodies.cos[slot], bodies.sin[slot], into);
+    }
+
+    /** Writes the box kept for a body, or its bounds where none is kept. */
+    void sizeFixture(int slot, Aabb into) {
+        if (bodies.firstPair == null) {
+            bounds(slot, into);
+        } else {
+            into.set(
+                    bodies.fixtureMinX[slot],
+                    bodies.fixtureMinY[slot],
+                    bodies.fixtureMaxX[slot],
+                    bodies.fixtureMaxY[slot]);
+        }
     }
 
     private void addEvent(int pair, List<ContactEvent> events) {

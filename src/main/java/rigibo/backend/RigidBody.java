@@ -105,15 +105,11 @@ public final class RigidBody {
 
     /**
      * Writes the box that the broadphase keeps for the body, m: its bounds with a margin and, where
-     * it is fast, its way ahead.
+     * it is fast, its way ahead; its bounds alone where no contacts are declared.
      */
     public void sizeFixture(Aabb into) {
-        Bodies bodies = columns();
-        into.set(
-                bodies.fixtureMinX[slot],
-                bodies.fixtureMinY[slot],
-                bodies.fixtureMaxX[slot],
-                bodies.fixtureMaxY[slot]);
+        columns();
+        pool.sizeFixture(slot, into);
     }
 
     /** Whether the body is in its pool. */

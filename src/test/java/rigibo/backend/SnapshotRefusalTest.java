@@ -71,7 +71,7 @@ class SnapshotRefusalTest {
         byte[] newer = SNAPSHOT.clone();
         newer[VERSION_AT]++;
         assertRefused(newer)
-                .withMessageContaining("format up to 2, was 3")
+                .withMessageContaining("format up to 3, was 4")
                 .withMessageContaining("a newer version wrote it");
     }
 

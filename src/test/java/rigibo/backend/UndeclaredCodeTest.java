@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
 
+import rigibo.backend.effect.Effect;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Gravity;
 import rigibo.backend.geometry.Circle;
@@ -21,49 +22,96 @@ class UndeclaredCodeTest {
     private static final List<String> KERNELS =
             List.of("force", "flight", "impact", "contact", "rest", "broadphase", "collision");
 
-    /** What is run: a pool of gravity alone, or the usual one. */
+    /** What is run: a pool of gravity and of what is named. */
     public static void main(String[] arguments) {
-        boolean isUsual = arguments.length > 0;
-        Pool pool =
-                isUsual ? new Pool() : new Pool(Effects.of(new Gravity(0, -9.81)), Accuracy.GAME);
-        if (isUsual) {
-            Scenes.addFloor(pool);
+        Effects effects = Effects.of(new Gravity(0, -9.81));
+        for (String name : arguments) {
+            effects = effects.with(named(name));
         }
+        Pool pool = new Pool(effects, Accuracy.GAME);
+        Scenes.addFloor(pool);
         pool.add(BodyDefinition.dynamic(new Circle(0.3)).at(0, 1));
         Scenes.run(pool, 120);
     }
 
+    private static Effect named(String name) {
+        return Effects.usual().all().stream()
+                .filter(effect -> effect.title().equals(name))
+                .findFirst()
+                .orElseThrow();
+    }
+
+    /** Of the effects that are forces, whatever else is declared. */
+    private static final String[] FORCES = {
+        "force.ThrustKernel",
+        "force.WindKernel",
+        "force.GustForce",
+        "force.AirDragForce",
+        "force.BuoyantForce",
+        "force.Submerged",
+        "force.CentralPull",
+        "force.FieldForce",
+        "force.Instant",
+        "flight.Course",
+        "flight.Deviation",
+        "contact.PileForces",
+        "contact.DragKick"
+    };
+
     @Test
     void usualPoolLoadsNoKernelOfTheOtherEffects() throws IOException, InterruptedException {
-        assertThat(loaded("usual"))
-                .contains("force.GravityKernel", "contact.FrictionSolver", "rest.Sleeping")
+        List<String> usual =
+                Effects.usual().all().stream().map(Effect::title).collect(Collectors.toList());
+        assertThat(loaded(usual.toArray(new String[0])))
+                .contains(
+                        "force.GravityKernel",
+                        "contact.FrictionSolver",
+                        "contact.TurningRows",
+                        "contact.PileBlows",
+                        "flight.Flight",
+                        "rest.Sleeping")
+                .doesNotContain(FORCES)
+                .doesNotContain("contact.RollingSolver", "contact.RunningRows");
+    }
+
+    @Test
+    void contactsAloneLoadNothingOfWhatBuildsOnThem() throws IOException, InterruptedException {
+        assertThat(loaded("contacts"))
+                .contains("contact.PileSolver", "contact.NoRubbing", "flight.FreeFlight")
+                .doesNotContain(FORCES)
                 .doesNotContain(
-                        "force.ThrustKernel",
-                        "force.WindKernel",
-                        "force.GustForce",
-                        "force.AirDragForce",
-                        "force.BuoyantForce",
-                        "force.Submerged",
-                        "force.CentralPull",
-                        "force.FieldForce",
-                        "force.Instant",
-                        "flight.Course",
-                        "flight.Deviation",
-                        "contact.PileForces");
+                        "contact.FrictionSolver",
+                        "contact.RollingSolver",
+                        "contact.RunningRows",
+                        "contact.TurningRows",
+                        "contact.PileBlows",
+                        "contact.BounceRows",
+                        "contact.JointBlows",
+                        "contact.PileImpacts",
+                        "flight.Flight",
+                        "flight.Blows",
+                        "flight.Bystanders",
+                        "flight.ImpactQueue",
+                        "collision.TimeOfImpact",
+                        "rest.Sleeping");
     }
 
     @Test
     void flightAloneLoadsNothingOfContacts() throws IOException, InterruptedException {
         assertThat(loaded())
-                .contains("flight.Flight", "force.GravityKernel")
+                .contains("flight.OpenFlight", "force.GravityKernel")
+                .doesNotContain(FORCES)
+                .noneMatch(name -> name.startsWith("contact.") || name.startsWith("impact."))
+                .noneMatch(name -> name.startsWith("broadphase."))
                 .doesNotContain(
-                        "contact.PileSolver",
-                        "contact.FrictionSolver",
+                        "flight.Flight",
+                        "flight.FreeFlight",
+                        "flight.Trajectories",
+                        "collision.Narrowphase",
+                        "collision.Collider",
                         "rest.PileClassifier",
                         "rest.IslandBuilder",
-                        "rest.Sleeping",
-                        "force.ThrustKernel",
-                        "flight.Course");
+                        "rest.Sleeping");
     }
 
     private static List<String> loaded(String... arguments)

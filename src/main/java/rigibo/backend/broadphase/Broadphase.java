@@ -4,6 +4,7 @@ import rigibo.backend.geometry.Aabb;
 import rigibo.backend.setup.BodyType;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.Found;
 import rigibo.backend.storage.PairIndex;
 import rigibo.backend.storage.Pairs;
 import rigibo.backend.storage.Roster;

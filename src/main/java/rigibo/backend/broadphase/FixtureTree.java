@@ -1,5 +1,6 @@
 package rigibo.backend.broadphase;
 
+import rigibo.backend.storage.Found;
 import rigibo.backend.storage.Slots;
 
 import java.util.Arrays;

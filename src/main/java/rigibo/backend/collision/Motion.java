@@ -2,6 +2,7 @@ package rigibo.backend.collision;
 
 import rigibo.backend.geometry.Angle;
 import rigibo.backend.geometry.Shape;
+import rigibo.backend.storage.Bodies;
 
 /**
  * How a body moves within a step: constant acceleration and linear drag, exactly. A plain carrier
@@ -49,6 +50,22 @@ public final class Motion {
 
     private double knownCos = 1;
     private double knownSin;
+
+    /** Takes the state of a body in flight at the step's start, without drag. */
+    public void take(Bodies bodies, int slot) {
+        shape = bodies.shape[slot];
+        startTime = 0;
+        x = bodies.x[slot];
+        y = bodies.y[slot];
+        angle = bodies.angle[slot];
+        velocityX = bodies.velocityX[slot];
+        velocityY = bodies.velocityY[slot];
+        spin = bodies.spin[slot];
+        accelerationX = bodies.accelerationX[slot];
+        accelerationY = bodies.accelerationY[slot];
+        angularAcceleration = bodies.angularAcceleration[slot];
+        drag = 0;
+    }
 
     /** Writes where the body is at a time in s. */
     public void poseAt(double time, Pose out) {

@@ -177,10 +177,6 @@ public final class Narrowphase {
             pairs.separation[first + i] = manifold.separation[i];
             pairs.feature[first + i] = manifold.feature[i];
         }
-        if (pairs.normalForce[first] == 0 && pairs.normalForce[first + 1] == 0) {
-            pairs.frictionForce[pair] = 0;
-            pairs.rollingTorque[pair] = 0;
-        }
     }
 
     private static void inherit(double[] column, int first, int from0, int from1) {

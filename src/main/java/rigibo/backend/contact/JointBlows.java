@@ -33,6 +33,7 @@ final class JointBlows {
     private final Motions motions;
     private final Rows rows;
     private final Kick kick;
+    private final BounceRows bounces;
     private final Impact impact = new Impact();
     private final TiedImpacts together;
 
@@ -42,13 +43,14 @@ final class JointBlows {
     private double h;
     private double middle;
 
-    JointBlows(DataStorage data, Motions motions, Rows rows, Kick kick) {
+    JointBlows(DataStorage data, Motions motions, Rows rows, Kick kick, BounceRows bounces) {
         bodies = data.bodies;
         pairs = data.pairs;
         counters = data.counters;
         this.motions = motions;
         this.rows = rows;
         this.kick = kick;
+        this.bounces = bounces;
         together = new TiedImpacts(bodies, pairs);
     }
 
@@ -77,9 +79,9 @@ final class JointBlows {
     /** When the first row strikes, s into the substep; infinite where none does. */
     private double firstBlow() {
         double first = Double.POSITIVE_INFINITY;
-        for (int row = 0; row < rows.count; row++) {
-            boolean isElastic = rows.data[row * Rows.STRIDE + Rows.ELASTICITY] > 0;
-            if (isElastic && rows.firstSubstep[row] <= substep) {
+        for (int i = 0; i < bounces.count; i++) {
+            int row = bounces.elastic[i];
+            if (rows.firstSubstep[row] <= substep) {
                 for (int point = 0; point < rows.points[row]; point++) {
                     first = Math.min(first, strikesAt(row, point));
                 }

@@ -6,7 +6,7 @@ import rigibo.backend.storage.Bodies;
 final class Kick {
 
     /** Where the length of the kick in s is kept, beside the velocities before it. */
-    private static final int LENGTH = Motions.DX;
+    static final int LENGTH = Motions.DX;
 
     private final Bodies bodies;
     private final Motions motions;
@@ -17,7 +17,11 @@ final class Kick {
     /** Forces that change along the way, or null where there are none. */
     private final PileForces forces;
 
-    Kick(Bodies bodies, Motions motions, PileForces forces) {
+    /** Linear drag, or null where none is declared. */
+    private final DragKick drag;
+
+    Kick(Bodies bodies, Motions motions, PileForces forces, DragKick drag) {
+        this.drag = drag;
         this.bodies = bodies;
         this.motions = motions;
         this.forces = forces;
@@ -75,29 +79,25 @@ final class Kick {
         if (forces != null) {
             forces.refresh(motions, (from + to) / 2, to - from);
         }
+        if (drag != null) {
+            drag.accelerate(from, to, gained);
+        } else {
+            accelerateFreely(from, to);
+        }
+    }
+
+    private void accelerateFreely(double from, double to) {
         double[] m = motions.data;
         for (int entry = 1; entry < motions.count; entry++) {
             int slot = motions.slots[entry];
             int at = entry * Motions.STRIDE;
-            double since = Math.max(from, bodies.pileTime[slot]);
-            if (m[at + Motions.INVERSE_MASS] > 0 && to > since) {
-                accelerate(m, at, slot, to - since);
+            double length = to - Math.max(from, bodies.pileTime[slot]);
+            if (m[at + Motions.INVERSE_MASS] > 0 && length > 0) {
+                gained[at + LENGTH] = length;
+                m[at + Motions.VX] += length * bodies.accelerationX[slot];
+                m[at + Motions.VY] += length * bodies.accelerationY[slot];
+                m[at + Motions.SPIN] += length * bodies.angularAcceleration[slot];
             }
         }
-    }
-
-    private void accelerate(double[] m, int at, int slot, double length) {
-        gained[at + LENGTH] = length;
-        if (bodies.drag != null && bodies.drag[slot] > 0) {
-            // v' = a − k·v, exactly: v·e^(−kh) + a·(1 − e^(−kh))/k.
-            double k = bodies.drag[slot];
-            double lost = -StrictMath.expm1(-k * length);
-            m[at + Motions.VX] += lost * (bodies.accelerationX[slot] / k - m[at + Motions.VX]);
-            m[at + Motions.VY] += lost * (bodies.accelerationY[slot] / k - m[at + Motions.VY]);
-        } else {
-            m[at + Motions.VX] += length * bodies.accelerationX[slot];
-            m[at + Motions.VY] += length * bodies.accelerationY[slot];
-        }
-        m[at + Motions.SPIN] += length * bodies.angularAcceleration[slot];
     }
 }

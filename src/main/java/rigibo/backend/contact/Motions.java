@@ -143,4 +143,15 @@ final class Motions {
         }
         return sum;
     }
+
+    /**
+     * What a unit impulse along one row between A and B, with its levers, gives another with the
+     * same direction, 1/kg.
+     */
+    double response(int a, int b, double leverA, double leverB, double otherA, double otherB) {
+        return data[a + INVERSE_MASS]
+                + data[b + INVERSE_MASS]
+                + data[a + INVERSE_INERTIA] * leverA * otherA
+                + data[b + INVERSE_INERTIA] * leverB * otherB;
+    }
 }

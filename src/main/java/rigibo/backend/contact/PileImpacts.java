@@ -12,6 +12,7 @@ import static rigibo.backend.contact.Motions.VY;
 import rigibo.backend.impact.Impact;
 import rigibo.backend.impact.ImpactLaw;
 import rigibo.backend.storage.Counters;
+import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.Pairs;
 
 import java.util.Arrays;
@@ -33,32 +34,19 @@ final class PileImpacts {
     private final Impact impact = new Impact();
     private final ImpactLaw law = new ImpactLaw();
 
-    /** Rows with elasticity, and of those the ones that close fast, with their speed. */
-    private int[] elastic = new int[16];
+    private final BounceRows bounces;
 
-    private int elasticCount;
+    /** Of the rows that can bounce the ones that close fast, with their speed. */
     private long[] closing = new long[16];
+
     private int closingCount;
 
-    PileImpacts(Motions motions, Rows rows, Pairs pairs, Counters counters) {
+    PileImpacts(DataStorage data, Motions motions, Rows rows, BounceRows bounces) {
         this.motions = motions;
         this.rows = rows;
-        this.pairs = pairs;
-        this.counters = counters;
-    }
-
-    /** Lists the rows of the packed island that can bounce. */
-    void prepare() {
-        if (elastic.length < rows.count) {
-            elastic = new int[rows.pair.length];
-            closing = new long[rows.pair.length];
-        }
-        elasticCount = 0;
-        for (int row = 0; row < rows.count; row++) {
-            if (rows.data[row * Rows.STRIDE + Rows.ELASTICITY] > 0) {
-                elastic[elasticCount++] = row;
-            }
-        }
+        this.bounces = bounces;
+        pairs = data.pairs;
+        counters = data.counters;
     }
 
     /** Resolves all blows that fall into a substep of h seconds. */
@@ -77,8 +65,11 @@ final class PileImpacts {
     /** Sorted by closing speed, as the bits of a float order; ties by row. */
     private void findClosing(double h, int substep) {
         closingCount = 0;
-        for (int i = 0; i < elasticCount; i++) {
-            int row = elastic[i];
+        if (closing.length < bounces.count) {
+            closing = new long[bounces.elastic.length];
+        }
+        for (int i = 0; i < bounces.count; i++) {
+            int row = bounces.elastic[i];
             if (rows.firstSubstep[row] <= substep && strikes(row, h)) {
                 int order = ~Float.floatToIntBits((float) -slowest(row));
                 closing[closingCount++] = (long) order << 32 | row;

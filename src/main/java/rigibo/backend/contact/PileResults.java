@@ -55,8 +55,6 @@ final class PileResults {
         double perSecond = 2 / h;
         pairs.normalForce[2 * pair] = d[at + Rows.IMPULSE0] * perSecond;
         pairs.normalForce[2 * pair + 1] = d[at + Rows.IMPULSE1] * perSecond;
-        pairs.frictionForce[pair] = d[at + Rows.IMPULSE_T] * perSecond;
-        pairs.rollingTorque[pair] = d[at + Rows.IMPULSE_R] * perSecond;
         remember(2 * pair, share);
         remember(2 * pair + 1, share);
         pairs.impulse[pair] += d[at + Rows.TOTAL];

@@ -1,6 +1,8 @@
 package rigibo.backend.contact;
 
 import rigibo.backend.collision.Narrowphase;
+import rigibo.backend.effect.Drag;
+import rigibo.backend.effect.Effects;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.ContactSolver;
 import rigibo.backend.setup.Correction;
@@ -9,7 +11,6 @@ import rigibo.backend.storage.Counters;
 import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.Islands;
 import rigibo.backend.storage.PairTolerances;
-import rigibo.backend.storage.Pairs;
 
 /** Advances all piles by one step, island by island. */
 public final class PileSolver {
@@ -50,7 +51,6 @@ public final class PileSolver {
     private static final double SHRINKS = 0.5;
 
     private final Bodies bodies;
-    private final Pairs pairs;
     private final Islands islands;
     private final Counters counters;
     private final Accuracy accuracy;
@@ -61,9 +61,6 @@ public final class PileSolver {
     private final Kick kick;
     private final WarmStart warmStart;
     private final NormalSolver normals;
-    private final FrictionSolver friction;
-    private final PileImpacts impacts;
-    private final JointBlows joint;
     private final OverlapSolver overlap;
     private final EnergyGuard guard;
     private final Halfway halfway;
@@ -72,7 +69,7 @@ public final class PileSolver {
 
     private final SoftPush soft = new SoftPush();
     private final boolean isDirect;
-    private final TurningRows turning;
+    private final DeclaredRows declared;
     private final PileResults results;
 
     /** Which of the two solves the packed island whole, null where it is too large for both. */
@@ -87,34 +84,39 @@ public final class PileSolver {
     /** Substeps that the packed island is given. */
     private int substeps;
 
-    /** A solver at an accuracy; {@code forces} change along the way, null where there are none. */
+    /**
+     * A solver of what is declared, at an accuracy; {@code forces} change along the way, null where
+     * there are none.
+     */
     public PileSolver(
-            DataStorage data, Narrowphase narrowphase, Accuracy accuracy, PileForces forces) {
+            DataStorage data,
+            Narrowphase narrowphase,
+            Effects effects,
+            Accuracy accuracy,
+            PileForces forces) {
         bodies = data.bodies;
-        pairs = data.pairs;
         islands = data.islands;
         counters = data.counters;
         this.accuracy = accuracy;
         isCorrecting = accuracy.correction() == Correction.SOFT;
+        isDirect = accuracy.contactSolver() == ContactSolver.DIRECT;
         builder = new RowBuilder(data, motions, rows);
-        turning =
-                new TurningRows(
-                        data, narrowphase, motions, rows, builder, accuracy.impactTolerance());
-        kick = new Kick(bodies, motions, forces);
         warmStart = new WarmStart(motions, rows);
         normals =
                 new NormalSolver(
                         motions, rows, accuracy.contactSolver() != ContactSolver.SEQUENTIAL);
-        friction = new FrictionSolver(motions, rows);
         overlap = new OverlapSolver(motions, rows);
         guard = new EnergyGuard(motions, rows);
         halfway = new Halfway(motions, rows);
         direct = new DirectSolver(motions, rows, overlap, accuracy.substeps());
         split = new SplitSolver(motions, rows, overlap);
-        isDirect = accuracy.contactSolver() == ContactSolver.DIRECT;
-        impacts = new PileImpacts(motions, rows, pairs, counters);
         results = new PileResults(data, motions, rows);
-        joint = new JointBlows(data, motions, rows, kick);
+        boolean drags = effects.declares(Drag.class);
+        kick = new Kick(bodies, motions, forces, drags ? new DragKick(bodies, motions) : null);
+        FreshRows fresh = new FreshRows(data, narrowphase, motions, rows, builder);
+        declared =
+                new DeclaredRows(
+                        data, effects, motions, rows, kick, fresh, accuracy.impactTolerance());
     }
 
     /** Advances every island to the end of a step of {@code dt} seconds. */
@@ -122,7 +124,7 @@ public final class PileSolver {
         for (int island = 0; island < islands.count; island++) {
             double start = startOf(island);
             if (dt > start) {
-                substeps = turning.substepsFor(island, dt - start, accuracy.substeps());
+                substeps = declared.substepsFor(island, dt - start, accuracy.substeps());
                 advance(island, start, (dt - start) / substeps, dt);
             }
         }
@@ -139,17 +141,16 @@ public final class PileSolver {
 
     private void advance(int island, double start, double h, double dt) {
         builder.build(island, h / 2);
-        friction.prepare();
-        impacts.prepare();
+        declared.begin(h);
         warmStart.prepare();
         whole = isDirect ? wholeSolver(dt) : null;
         delayLateJoiners(start, h);
-        counters.rows += friction.rowCount() + rows.count;
+        counters.rows += declared.rowCount() + rows.count;
         for (int substep = 0; substep < substeps; substep++) {
             double middle = start + (substep + 0.5) * h;
             kick.remember();
             double left = (substeps - substep) * h;
-            if (turning.refresh(substep, h, dt - left, left) && whole != null) {
+            if (declared.measureAnew(substep, h, dt - left, left) && whole != null) {
                 whole.forget();
             }
             kick.accelerate(substep == 0 ? start : middle - h, middle);
@@ -160,6 +161,7 @@ public final class PileSolver {
         }
         finish(h, dt);
         results.store(h, substeps * h);
+        declared.store(h);
     }
 
     /**
@@ -170,7 +172,7 @@ public final class PileSolver {
         if (direct.prepare()) {
             return direct;
         }
-        if (friction.rowCount() == 0) {
+        if (declared.rowCount() == 0) {
             return null;
         }
         boolean isCalm = motions.fastest() <= CALM * dt * kick.strongest();
@@ -210,17 +212,13 @@ public final class PileSolver {
 
     private void substep(double h, int substep) {
         if (whole != null) {
-            kick.measureGain();
-            joint.resolve(h, substep);
-        } else {
-            impacts.resolve(h, substep);
-        }
-        if (whole != null) {
+            declared.strikeJointly(h, substep);
             hold(h, substep);
             addUpImpulses();
             motions.drift(h);
             takeOverlapBack(h, substep);
         } else {
+            declared.strikeApart(h, substep);
             pushApart(h, substep);
             motions.drift(h);
             hold(h, substep);
@@ -255,7 +253,7 @@ public final class PileSolver {
             return;
         }
         for (int i = 0; i < accuracy.velocityIterations(); i++) {
-            friction.solve(substep);
+            declared.rub(substep);
             normals.back(h, substep);
         }
         guard.limitSpeed(limit);
@@ -275,7 +273,7 @@ public final class PileSolver {
         double settled = Math.max(share, whole.finestShare()) * fastest;
         double before = Double.POSITIVE_INFINITY;
         for (int i = 0; i < LEAST_ROUNDS + accuracy.substeps(); i++) {
-            double change = friction.solve(substep);
+            double change = declared.rub(substep);
             change = Math.max(change, normals.back(h, substep));
             settled = Math.max(settled, ROUND_OFF * rows.strongestAnswer());
             boolean isStuck = whole == split && change > SHRINKS * before;
@@ -289,7 +287,7 @@ public final class PileSolver {
             }
             before = change;
         }
-        friction.solve(substep);
+        declared.rub(substep);
         normals.forth(h, substep);
         return false;
     }
@@ -301,7 +299,7 @@ public final class PileSolver {
      */
     private void finish(double h, double dt) {
         int last = substeps;
-        boolean isChanged = turning.refresh(last, 0, dt, 0);
+        boolean isChanged = declared.measureAnew(last, 0, dt, 0);
         if (whole != null) {
             if (isChanged) {
                 whole.forget();
@@ -312,7 +310,7 @@ public final class PileSolver {
         fastest = motions.fastest();
         begin(last == 1 ? 1 : 0.5, last);
         if (whole != null) {
-            joint.resolveAtOnce(h * NO_TIME, last);
+            declared.strikeAtOnce(h * NO_TIME, last);
             hold(h * NO_TIME, last);
         } else {
             hold(h, last);

@@ -1,8 +1,5 @@
 package rigibo.backend.contact;
 
-import static rigibo.backend.contact.Motions.INVERSE_INERTIA;
-import static rigibo.backend.contact.Motions.INVERSE_MASS;
-
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.Counters;
 import rigibo.backend.storage.DataStorage;
@@ -15,12 +12,6 @@ final class RowBuilder {
 
     /** Two points whose rows are this dependent are solved as one; below it M loses its digits. */
     private static final double DEPENDENT = 1e-4;
-
-    /**
-     * Share of what the effects add to a speed in one substep that a closing speed must pass to be
-     * a blow: less is what one pass over a pile leaves unsolved.
-     */
-    private static final double PULLED = 0.25;
 
     /** Overlap with what is driven from which on a body is crushed, as a share of its width. */
     private static final double CRUSHED = 0.05;
@@ -99,11 +90,8 @@ final class RowBuilder {
         int at = row * Rows.STRIDE;
         writeLevers(row, at, pair);
         writeNormalMasses(row, at);
-        writeFriction(row, at, pair);
-        if (bodies.surfaceSpeed != null) {
-            writeSurface(row, 0);
-        }
-        writeBounce(at, pair, 2 * firstKick);
+        rows.data[at + Rows.RECOVERY] = OverlapSolver.RATE;
+        rows.data[at + Rows.WIDTH] = PairTolerances.width(bodies, a, b);
         writeImpulses(row, at, pair, firstKick);
     }
 
@@ -119,10 +107,6 @@ final class RowBuilder {
         d[at + Rows.LOAD1] = isPair ? load1 : 0;
         d[at + Rows.IMPULSE0] = isPair ? impulse0 : impulse0 + impulse1;
         d[at + Rows.IMPULSE1] = isPair ? impulse1 : 0;
-        boolean rubs = d[at + Rows.FRICTION] > 0;
-        boolean rolls = d[at + Rows.ROLLING] > 0;
-        d[at + Rows.IMPULSE_T] = rubs ? pairs.frictionForce[pair] * firstKick : 0;
-        d[at + Rows.IMPULSE_R] = rolls ? pairs.rollingTorque[pair] * firstKick : 0;
     }
 
     /**
@@ -136,7 +120,6 @@ final class RowBuilder {
         rows.points[row] = Math.max(1, pairs.points[pair]);
         writeLevers(row, at, pair);
         writeNormalMasses(row, at);
-        writeFriction(row, at, pair);
         d[at + Rows.GAP0] = 2 * d[at + Rows.GAP0] - motions.gap(rows, row, 0);
         d[at + Rows.GAP1] = 2 * d[at + Rows.GAP1] - motions.gap(rows, row, 1);
         if (pairs.points[pair] == 0) {
@@ -258,75 +241,7 @@ final class RowBuilder {
         d[at + Rows.M00] = 1 / d[at + Rows.K00];
     }
 
-    private void writeFriction(int row, int at, int pair) {
-        double[] d = rows.data;
-        double ta = d[at + Rows.LEVER_TA];
-        double tb = d[at + Rows.LEVER_TB];
-        d[at + Rows.FRICTION] = pairs.friction[pair];
-        d[at + Rows.MASS_T] = 1 / response(row, ta, tb, ta, tb);
-        if (bodies.rollingResistance != null) {
-            double ia = motions.data[rows.bodyA[row] + INVERSE_INERTIA];
-            double ib = motions.data[rows.bodyB[row] + INVERSE_INERTIA];
-            d[at + Rows.INERTIA_R] = ia + ib > 0 ? 1 / (ia + ib) : 0;
-            d[at + Rows.ROLLING] =
-                    Math.max(
-                            bodies.rollingResistance[pairs.bodyA[pair]],
-                            bodies.rollingResistance[pairs.bodyB[pair]]);
-        }
-    }
-
-    /**
-     * Writes the speed that friction aims at: that of running surfaces, whose outlines both run
-     * counter-clockwise, so that at the contact their speeds add, and another beside it, m/s.
-     */
-    void writeSurface(int row, double beside) {
-        double running =
-                bodies.surfaceSpeed == null
-                        ? 0
-                        : bodies.surfaceSpeed[pairs.bodyA[rows.pair[row]]]
-                                + bodies.surfaceSpeed[pairs.bodyB[rows.pair[row]]];
-        rows.running[row] = running;
-        rows.surface[row] = running + beside;
-    }
-
-    /**
-     * From which approach on a contact bounces. What presses it is the effects' acceleration or the
-     * load it carried, whichever is more: inside a heap a contact is pressed from far above. What a
-     * body gains by being pressed for a substep is load, not a blow.
-     */
-    private void writeBounce(int at, int pair, double h) {
-        double[] d = rows.data;
-        int a = pairs.bodyA[pair];
-        int b = pairs.bodyB[pair];
-        double load = pairs.normalForce[2 * pair] + pairs.normalForce[2 * pair + 1];
-        double pressing =
-                Math.max(
-                        load * d[at + Rows.K00],
-                        PairTolerances.pressingAcceleration(
-                                bodies, a, b, pairs.normalX[pair], pairs.normalY[pair]));
-        double width = PairTolerances.width(bodies, a, b);
-        double unseen = PairTolerances.restSpeed(pressing, width);
-        d[at + Rows.RECOVERY] = OverlapSolver.RATE;
-        d[at + Rows.WIDTH] = width;
-        d[at + Rows.ELASTICITY] = pairs.elasticity[pair];
-        double pulled = Math.max(acceleration(a), acceleration(b)) * h * PULLED;
-        d[at + Rows.BOUNCE_SPEED] = Math.max(pulled, Math.max(unseen, pressing * h));
-    }
-
-    private double acceleration(int slot) {
-        double x = bodies.accelerationX[slot];
-        double y = bodies.accelerationY[slot];
-        return bodies.isMoved(slot) ? Math.sqrt(x * x + y * y) : 0;
-    }
-
-    /** What a unit impulse along one row gives another with the same direction, 1/kg. */
     private double response(int row, double la, double lb, double ma, double mb) {
-        double[] m = motions.data;
-        int a = rows.bodyA[row];
-        int b = rows.bodyB[row];
-        return m[a + INVERSE_MASS]
-                + m[b + INVERSE_MASS]
-                + m[a + INVERSE_INERTIA] * la * ma
-                + m[b + INVERSE_INERTIA] * lb * mb;
+        return motions.response(rows.bodyA[row], rows.bodyB[row], la, lb, ma, mb);
     }
 }

@@ -1,8 +1,5 @@
 package rigibo.backend.contact;
 
-import rigibo.backend.collision.Narrowphase;
-import rigibo.backend.collision.Pose;
-import rigibo.backend.geometry.Angle;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
@@ -42,34 +39,21 @@ final class TurningRows {
     private final Bodies bodies;
     private final Pairs pairs;
     private final Islands islands;
-    private final Narrowphase narrowphase;
     private final Motions motions;
     private final Rows rows;
-    private final RowBuilder builder;
-    private final Pose poseA = new Pose();
-    private final Pose poseB = new Pose();
+    private final FreshRows fresh;
 
     /** Sagitta of a whole step that may be passed over, as a share of the body's width. */
     private final double straight;
 
-    /** How many times the usual substeps the packed island has. */
-    private double more;
-
-    TurningRows(
-            DataStorage data,
-            Narrowphase narrowphase,
-            Motions motions,
-            Rows rows,
-            RowBuilder builder,
-            double straight) {
+    TurningRows(DataStorage data, Motions motions, Rows rows, FreshRows fresh, double straight) {
         this.straight = straight;
         bodies = data.bodies;
         pairs = data.pairs;
         islands = data.islands;
-        this.narrowphase = narrowphase;
         this.motions = motions;
         this.rows = rows;
-        this.builder = builder;
+        this.fresh = fresh;
     }
 
     /** How many substeps the bodies of an island need for the rest of a step, usually as usual. */
@@ -85,7 +69,8 @@ final class TurningRows {
             }
         }
         double most = Math.min(MOST_MORE, MOST_IN_ALL / (end - islands.bodyStart[island]));
-        more = Math.max(1, Math.min(most, wanted));
+        double more = Math.max(1, Math.min(most, wanted));
+        fresh.recovery = OverlapSolver.RATE + (more - 1) * AT_ONCE;
         return (int) Math.ceil(usual * more);
     }
 
@@ -104,30 +89,24 @@ final class TurningRows {
     }
 
     /**
-     * Measures anew what turned too far or is about to, before a substep of h seconds that begins
-     * at {@code time}, with {@code left} seconds to go; and what joins the pile in that substep,
-     * where the two are when it joins: the pile has moved on since the step's start.
+     * Measures anew what turned too far or is about to, before a substep of h seconds with {@code
+     * left} seconds to go, and foresees what the gaps do by turning.
      *
      * @return whether there was anything
      */
-    boolean refresh(int substep, double h, double time, double left) {
+    boolean refresh(int substep, double h, double left) {
         boolean turns = isAnyTurning(left);
         boolean isAny = false;
         for (int row = 0; row < rows.count; row++) {
-            boolean joins = rows.firstSubstep[row] == substep;
-            boolean isTurning =
-                    turns && (isTurning(rows.bodyA[row], left) || isTurning(rows.bodyB[row], left));
-            if (joins) {
-                measureAhead(row, left, Math.max(0, joinsAt(row) - time));
-            } else if (isTurning && substep > 0) {
-                measure(row, left);
-            }
-            if (isTurning) {
+            if (turns && (isTurning(rows.bodyA[row], left) || isTurning(rows.bodyB[row], left))) {
+                if (substep > 0 && rows.firstSubstep[row] != substep) {
+                    fresh.measure(row, left);
+                }
                 bend(row, h);
+                isAny = true;
             } else if (isBent(row)) {
                 bend(row, 0);
             }
-            isAny |= joins || isTurning;
         }
         return isAny;
     }
@@ -155,7 +134,7 @@ final class TurningRows {
         d[at + Rows.GAP0] += Math.max(0, gap);
         d[at + Rows.GAP1] += Math.max(0, gap);
         d[at + Rows.NEARING] = gap < 0 ? -gap / h : 0;
-        builder.writeSurface(row, h > 0 ? way / h : 0);
+        rows.surface[row] = rows.running[row] + (h > 0 ? way / h : 0);
     }
 
     private boolean isBent(int row) {
@@ -217,23 +196,6 @@ final class TurningRows {
                 - armA * m[a + Motions.SPIN];
     }
 
-    /** When the later of two bodies joins, s after the step's start. */
-    private double joinsAt(int row) {
-        int a = rows.bodyA[row];
-        int b = rows.bodyB[row];
-        double whenA = a == 0 ? 0 : bodies.pileTime[motions.slots[a / Motions.STRIDE]];
-        double whenB = b == 0 ? 0 : bodies.pileTime[motions.slots[b / Motions.STRIDE]];
-        return Math.max(whenA, whenB);
-    }
-
-    private void measureAhead(int row, double left, double ahead) {
-        motions.drift(rows.bodyA[row], ahead);
-        motions.drift(rows.bodyB[row], ahead);
-        measure(row, left);
-        motions.drift(rows.bodyA[row], -ahead);
-        motions.drift(rows.bodyB[row], -ahead);
-    }
-
     private boolean isAnyTurning(double left) {
         for (int entry = 1; entry < motions.count; entry++) {
             if (isTurning(entry * Motions.STRIDE, left)) {
@@ -256,50 +218,5 @@ final class TurningRows {
 
     private double sagitta(int slot, double turn) {
         return bodies.sweepRadius[slot] * turn * turn / 2;
-    }
-
-    private void measure(int row, double left) {
-        int pair = rows.pair[row];
-        int at = row * Rows.STRIDE;
-        // The manifold hands on what its columns hold from the points it had to those it has.
-        pairs.normalForce[2 * pair] = rows.data[at + Rows.IMPULSE0];
-        pairs.normalForce[2 * pair + 1] = rows.data[at + Rows.IMPULSE1];
-        place(pairs.bodyA[pair], rows.bodyA[row], poseA);
-        place(pairs.bodyB[pair], rows.bodyB[row], poseB);
-        narrowphase.measureContact(pair, poseA, poseB, reach(row, pair, left));
-        rows.data[at + Rows.IMPULSE0] = pairs.normalForce[2 * pair];
-        rows.data[at + Rows.IMPULSE1] = pairs.normalForce[2 * pair + 1];
-        double before0 = before(at, pairs.former[2 * pair]);
-        double before1 = before(at, pairs.former[2 * pair + 1]);
-        rows.data[at + Rows.BEFORE0] = before0;
-        rows.data[at + Rows.BEFORE1] = before1;
-        builder.rewrite(row);
-        rows.data[at + Rows.RECOVERY] = OverlapSolver.RATE + (more - 1) * AT_ONCE;
-    }
-
-    private double before(int at, int point) {
-        return point == Pairs.NONE ? 0 : rows.data[at + Rows.BEFORE0 + point];
-    }
-
-    private void place(int slot, int entry, Pose pose) {
-        double angle = bodies.angle[slot] + motions.data[entry + Motions.TURN];
-        pose.set(
-                bodies.x[slot] + motions.data[entry + Motions.DX],
-                bodies.y[slot] + motions.data[entry + Motions.DY],
-                Angle.cos(angle),
-                Angle.sin(angle));
-    }
-
-    /** The gap in m that could close in what is left of the step. */
-    private double reach(int row, int pair, double left) {
-        double[] m = motions.data;
-        int a = rows.bodyA[row];
-        int b = rows.bodyB[row];
-        double speed =
-                Math.abs(m[b + Motions.VX] - m[a + Motions.VX])
-                        + Math.abs(m[b + Motions.VY] - m[a + Motions.VY])
-                        + Math.abs(m[a + Motions.SPIN]) * bodies.sweepRadius[pairs.bodyA[pair]]
-                        + Math.abs(m[b + Motions.SPIN]) * bodies.sweepRadius[pairs.bodyB[pair]];
-        return 2 * speed * left + bodies.smallestWidth[pairs.bodyA[pair]];
     }
 }

@@ -1,7 +1,6 @@
 package rigibo.backend.flight;
 
 import rigibo.backend.broadphase.Broadphase;
-import rigibo.backend.broadphase.Found;
 import rigibo.backend.collision.Motion;
 import rigibo.backend.collision.Narrowphase;
 import rigibo.backend.collision.Pose;
@@ -11,8 +10,8 @@ import rigibo.backend.setup.Accuracy;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.Counters;
 import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.Found;
 import rigibo.backend.storage.Pairs;
-import rigibo.backend.storage.Roster;
 import rigibo.backend.storage.Waking;
 
 /**
@@ -29,12 +28,12 @@ public final class Flight {
 
     private final Bodies bodies;
     private final Pairs pairs;
-    private final Roster roster;
     private final Counters counters;
     private final Waking waking;
     private final Narrowphase narrowphase;
     private final Broadphase broadphase;
     private final Accuracy accuracy;
+    private final FreeFlight free;
     private final Trajectories paths;
     private final Blows blows;
     private final Bystanders bystanders;
@@ -71,28 +70,22 @@ public final class Flight {
             Course course) {
         bodies = data.bodies;
         pairs = data.pairs;
-        roster = data.roster;
         counters = data.counters;
         waking = new Waking(data);
         this.narrowphase = narrowphase;
         this.broadphase = broadphase;
         this.accuracy = accuracy;
         this.course = course;
-        paths = new Trajectories(bodies);
+        free = new FreeFlight(data, course);
+        paths = free.paths;
         queue = new ImpactQueue(pairs);
         blows = new Blows(data, narrowphase, accuracy, paths, course);
         bystanders =
                 new Bystanders(data, narrowphase, broadphase, paths, accuracy.impactTolerance());
     }
 
-    /** Moves every flyer to the end of a step of {@code dt} seconds, through everything. */
-    public void fly(double dt) {
-        paths.begin();
-        finish(dt);
-    }
-
     /** Moves every flyer to the end of a step of {@code dt} seconds, impact by impact. */
-    public void flyWithImpacts(double dt) {
+    public void fly(double dt) {
         paths.begin();
         queue.clear(pairs.bodyA.length);
         reserve();
@@ -113,7 +106,7 @@ public final class Flight {
             takeTies();
             strikeTies(time, dt);
         }
-        finish(dt);
+        free.finish(dt);
     }
 
     private void disturbBouncers(double dt) {
@@ -166,25 +159,6 @@ public final class Flight {
                 paths.land(other, time);
                 repredict(other, time, dt);
                 disturbed.add(other);
-            }
-        }
-    }
-
-    private void finish(double dt) {
-        for (int i = 0; i < roster.awakeCount; i++) {
-            if (paths.isFlyer(roster.awake[i])) {
-                paths.advance(roster.awake[i], dt);
-            }
-        }
-        if (course != null) {
-            catchUp(dt);
-        }
-    }
-
-    private void catchUp(double dt) {
-        for (int i = 0; i < roster.awakeCount; i++) {
-            if (paths.isFlyer(roster.awake[i])) {
-                course.catchUp(roster.awake[i], dt);
             }
         }
     }

@@ -73,25 +73,30 @@ final class Trajectories {
 
     /** Writes a body's path within the step. */
     void load(int slot, Motion out) {
-        boolean flies = isFlyer(slot);
-        boolean moves = bodies.isMoved(slot);
-        out.shape = bodies.shape[slot];
-        out.startTime = flies || !bodies.isDynamic(slot) ? since[slot] : bodies.pileTime[slot];
-        out.x = bodies.x[slot];
-        out.y = bodies.y[slot];
-        out.angle = bodies.angle[slot];
-        out.velocityX = moves ? bodies.velocityX[slot] : 0;
-        out.velocityY = moves ? bodies.velocityY[slot] : 0;
-        out.spin = moves ? bodies.spin[slot] : 0;
-        out.accelerationX = flies ? bodies.accelerationX[slot] : 0;
-        out.accelerationY = flies ? bodies.accelerationY[slot] : 0;
-        out.angularAcceleration = flies ? bodies.angularAcceleration[slot] : 0;
+        out.take(bodies, slot);
+        if (isFlyer(slot)) {
+            out.startTime = since[slot];
+            out.drag = bodies.drag == null ? 0 : bodies.drag[slot];
+        } else {
+            loadUnflying(slot, out);
+        }
+    }
+
+    /** What does not fly goes straight on, as fast as it is expected to, or stands still. */
+    private void loadUnflying(int slot, Motion out) {
+        out.startTime = bodies.isDynamic(slot) ? bodies.pileTime[slot] : since[slot];
+        out.accelerationX = 0;
+        out.accelerationY = 0;
+        out.angularAcceleration = 0;
         if (hasLanded[slot]) {
             out.velocityX = expected[3 * slot];
             out.velocityY = expected[3 * slot + 1];
             out.spin = expected[3 * slot + 2];
+        } else if (!bodies.isMoved(slot)) {
+            out.velocityX = 0;
+            out.velocityY = 0;
+            out.spin = 0;
         }
-        out.drag = flies && bodies.drag != null ? bodies.drag[slot] : 0;
     }
 
     /** Writes where a body's path leads it by a time in s. */
@@ -106,7 +111,8 @@ final class Trajectories {
         if (elapsed == 0) {
             return;
         }
-        poseAt(slot, time, pose);
+        load(slot, motion);
+        motion.placeAt(time, pose);
         bodies.x[slot] = pose.x;
         bodies.y[slot] = pose.y;
         bodies.velocityX[slot] = motion.velocityXAt(time);

@@ -57,8 +57,8 @@ public final class Impact {
         int b = pairs.bodyB[pair];
         normalX = pairs.normalX[pair];
         normalY = pairs.normalY[pair];
-        friction = pairs.friction[pair];
-        elasticity = pairs.elasticity[pair];
+        friction = pairs.frictionOf(pair);
+        elasticity = pairs.elasticityOf(pair);
         surfaceSpeed =
                 bodies.surfaceSpeed == null ? 0 : bodies.surfaceSpeed[a] + bodies.surfaceSpeed[b];
         points = 0;

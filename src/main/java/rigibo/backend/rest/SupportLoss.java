@@ -46,7 +46,7 @@ public final class SupportLoss {
     public void wakeNeighbours(int going) {
         // Waking spreads through sleepers; it is not to spread through the one that goes.
         bodies.awake[going] = true;
-        for (int p = bodies.firstPair[going]; p != Pairs.NONE; p = pairs.nextOf(p, going)) {
+        for (int p = bodies.firstPairOf(going); p != Pairs.NONE; p = pairs.nextOf(p, going)) {
             int other = pairs.other(p, going);
             boolean sleeps = bodies.isDynamic(other) && !bodies.awake[other];
             if (pairs.touching[p] && sleeps && !(isUnder(p, other) && isSteady(other))) {

@@ -23,11 +23,17 @@ final class BodyLedger {
         roster = data.roster;
     }
 
-    /** Lists the bodies that move, remembers where each begins, and takes all for flyers. */
+    /** Lists the bodies that move and remembers where each begins. */
     void accept(double dt) {
         roster.refresh(bodies);
         for (int i = 0; i < roster.awakeCount; i++) {
             bodies.keepStart(roster.awake[i]);
+        }
+    }
+
+    /** Takes all for flyers. */
+    void scatter(double dt) {
+        for (int i = 0; i < roster.awakeCount; i++) {
             bodies.piled[roster.awake[i]] = false;
             bodies.pileTime[roster.awake[i]] = 0;
         }

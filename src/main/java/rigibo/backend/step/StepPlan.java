@@ -14,6 +14,8 @@ import rigibo.backend.effect.Thrust;
 import rigibo.backend.effect.Wind;
 import rigibo.backend.flight.Course;
 import rigibo.backend.flight.Flight;
+import rigibo.backend.flight.FreeFlight;
+import rigibo.backend.flight.OpenFlight;
 import rigibo.backend.force.ChangingForces;
 import rigibo.backend.force.GravityKernel;
 import rigibo.backend.force.ThrustKernel;
@@ -38,15 +40,16 @@ import java.util.function.LongSupplier;
 public final class StepPlan {
 
     private final DataStorage data;
-    private final Broadphase broadphase;
     private final List<Part> parts = new ArrayList<>();
     private Effects effects;
     private Accuracy accuracy;
 
+    /** Null where contacts are not declared. */
+    private Broadphase broadphase;
+
     /** A plan for a pool's data. */
     public StepPlan(DataStorage data, Effects effects, Accuracy accuracy) {
         this.data = data;
-        broadphase = new Broadphase(data);
         compile(effects, accuracy);
     }
 
@@ -63,9 +66,12 @@ public final class StepPlan {
         add(StepStage.ACCEPT, "list the bodies that move", ledger::accept);
         compileEffects(ledger, course);
         if (declared.declares(Contacts.class)) {
+            broadphase = broadphase == null ? new Broadphase(data) : broadphase;
+            add(StepStage.ACCEPT, "take all for flyers", ledger::scatter);
             compileContacts(course, areIntegrated ? new PileForces(data, forces) : null);
         } else {
-            Flight flight = new Flight(data, new Narrowphase(data), broadphase, wanted, course);
+            broadphase = null;
+            OpenFlight flight = new OpenFlight(data, course);
             add(StepStage.FLIGHT, "move every body along its exact path", flight::fly);
         }
         add(StepStage.REST, "move driven bodies", ledger::moveDriven);
@@ -114,7 +120,6 @@ public final class StepPlan {
                         : ImpactMode.DISCRETE;
         Narrowphase narrowphase = new Narrowphase(data);
         PileClassifier classifier = new PileClassifier(data, accuracy, mode);
-        Flight flight = new Flight(data, narrowphase, broadphase, accuracy, course);
         add(StepStage.BROADPHASE, "size fixtures and candidate pairs", broadphase::update);
         if (mode == ImpactMode.DISCRETE) {
             add(StepStage.CLASSIFY, "manifolds of pairs that touch", dt -> narrowphase.collide(0));
@@ -126,16 +131,19 @@ public final class StepPlan {
             add(
                     StepStage.FLIGHT,
                     "move flyers from impact to impact, in the order of time",
-                    flight::flyWithImpacts);
+                    new Flight(data, narrowphase, broadphase, accuracy, course)::fly);
         } else {
-            add(StepStage.FLIGHT, "move flyers along their exact paths", flight::fly);
+            add(
+                    StepStage.FLIGHT,
+                    "move flyers along their exact paths",
+                    new FreeFlight(data, course)::fly);
         }
         IslandBuilder islands = new IslandBuilder(data);
         add(StepStage.CONTACT, "group piled bodies into islands", dt -> islands.build());
         add(
                 StepStage.CONTACT,
                 "solve piles in " + accuracy.substeps() + " substeps",
-                new PileSolver(data, narrowphase, accuracy, forces)::solve);
+                new PileSolver(data, narrowphase, effects, accuracy, forces)::solve);
     }
 
     /** Advances by {@code dt} seconds; the clock counts ns. */
@@ -151,6 +159,7 @@ public final class StepPlan {
         }
     }
 
+    /** Null where contacts are not declared. */
     public Broadphase broadphase() {
         return broadphase;
     }

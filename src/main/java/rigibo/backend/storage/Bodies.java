@@ -1,8 +1,12 @@
 package rigibo.backend.storage;
 
+import rigibo.backend.effect.Contacts;
 import rigibo.backend.effect.Drag;
 import rigibo.backend.effect.Effects;
+import rigibo.backend.effect.Friction;
+import rigibo.backend.effect.Restitution;
 import rigibo.backend.effect.RollingResistance;
+import rigibo.backend.effect.Sleep;
 import rigibo.backend.effect.SurfaceSpeed;
 import rigibo.backend.effect.Thrust;
 import rigibo.backend.geometry.Angle;
@@ -59,40 +63,11 @@ public final class Bodies {
     public double[] inverseMass = new double[FIRST_CAPACITY];
     public double[] inverseInertia = new double[FIRST_CAPACITY];
 
-    /** From the material, so that a loop over contacts reads flat columns. */
-    public double[] friction = new double[FIRST_CAPACITY];
-
-    public double[] elasticity = new double[FIRST_CAPACITY];
-
-    /** From the shape: farthest point and smallest width, m. */
+    /** From the shape: farthest point, m. */
     public double[] boundingRadius = new double[FIRST_CAPACITY];
 
-    public double[] smallestWidth = new double[FIRST_CAPACITY];
-
-    /** How far turning moves the outline, m per rad: a disc's stays where it is. */
-    public double[] sweepRadius = new double[FIRST_CAPACITY];
-
-    /** The size fixture, m, and its leaf in the broadphase. */
-    public double[] fixtureMinX = new double[FIRST_CAPACITY];
-
-    public double[] fixtureMinY = new double[FIRST_CAPACITY];
-    public double[] fixtureMaxX = new double[FIRST_CAPACITY];
-    public double[] fixtureMaxY = new double[FIRST_CAPACITY];
-    public int[] leaf = new int[FIRST_CAPACITY];
-
-    /** Whether the fixture was laid anew since pairs were last sought. */
-    public boolean[] refitted = new boolean[FIRST_CAPACITY];
-
-    /** Head of the list of the body's pairs; see {@link Pairs}. */
-    public int[] firstPair = new int[FIRST_CAPACITY];
-
-    /** Whether the body is simulated, and for how long (s) it has stayed by an anchor pose. */
+    /** Whether the body is simulated. */
     public boolean[] awake = new boolean[FIRST_CAPACITY];
-
-    public double[] stillTime = new double[FIRST_CAPACITY];
-    public double[] stillX = new double[FIRST_CAPACITY];
-    public double[] stillY = new double[FIRST_CAPACITY];
-    public double[] stillAngle = new double[FIRST_CAPACITY];
 
     /**
      * Where the step began, m and rad: what a body returns to when its state stops being finite.
@@ -102,15 +77,46 @@ public final class Bodies {
     public double[] startY = new double[FIRST_CAPACITY];
     public double[] startAngle = new double[FIRST_CAPACITY];
 
+    // From here on columns of declared effects only, else null.
+
+    /** Of contacts, from the shape: smallest width, m. */
+    public double[] smallestWidth;
+
+    /** How far turning moves the outline, m per rad: a disc's stays where it is. */
+    public double[] sweepRadius;
+
+    /** The size fixture, m, and its leaf in the broadphase. */
+    public double[] fixtureMinX;
+
+    public double[] fixtureMinY;
+    public double[] fixtureMaxX;
+    public double[] fixtureMaxY;
+    public int[] leaf;
+
+    /** Whether the fixture was laid anew since pairs were last sought. */
+    public boolean[] refitted;
+
+    /** Head of the list of the body's pairs; see {@link Pairs}. */
+    public int[] firstPair;
+
     /** Whether the body is part of a pile in this step, and since when, s after its start. */
-    public boolean[] piled = new boolean[FIRST_CAPACITY];
+    public boolean[] piled;
 
-    public double[] pileTime = new double[FIRST_CAPACITY];
+    public double[] pileTime;
 
-    /**
-     * Of declared effects only, else null: N and N·m asked for, rolling lever in m, speed of the
-     * outline in m/s, drag in 1/s.
-     */
+    /** Of sleep: for how long (s) the body has stayed by an anchor pose, and which. */
+    public double[] stillTime;
+
+    public double[] stillX;
+    public double[] stillY;
+    public double[] stillAngle;
+
+    /** From the material, so that a loop over contacts reads flat columns. */
+    public double[] friction;
+
+    public double[] elasticity;
+
+    /** N and N·m asked for, rolling lever in m, speed of the outline in m/s, drag in 1/s. */
     public double[] forceX;
 
     public double[] forceY;
@@ -137,6 +143,25 @@ public final class Bodies {
      * Makes the columns of newly declared effects and drops those of effects no longer declared.
      */
     public void declare(Effects effects) {
+        boolean contacts = effects.declares(Contacts.class);
+        smallestWidth = declared(smallestWidth, contacts);
+        sweepRadius = declared(sweepRadius, contacts);
+        fixtureMinX = declared(fixtureMinX, contacts);
+        fixtureMinY = declared(fixtureMinY, contacts);
+        fixtureMaxX = declared(fixtureMaxX, contacts);
+        fixtureMaxY = declared(fixtureMaxY, contacts);
+        leaf = declared(leaf, contacts);
+        refitted = declared(refitted, contacts);
+        firstPair = declared(firstPair, contacts);
+        piled = declared(piled, contacts);
+        pileTime = declared(pileTime, contacts);
+        boolean sleep = effects.declares(Sleep.class);
+        stillTime = declared(stillTime, sleep);
+        stillX = declared(stillX, sleep);
+        stillY = declared(stillY, sleep);
+        stillAngle = declared(stillAngle, sleep);
+        friction = declared(friction, effects.declares(Friction.class));
+        elasticity = declared(elasticity, effects.declares(Restitution.class));
         boolean thrust = effects.declares(Thrust.class);
         forceX = declared(forceX, thrust);
         forceY = declared(forceY, thrust);
@@ -236,6 +261,9 @@ public final class Bodies {
 
     /** Begins to measure anew how long the body stays where it is. */
     public void restartStillness(int slot) {
+        if (stillTime == null) {
+            return;
+        }
         stillTime[slot] = 0;
         stillX[slot] = x[slot];
         stillY[slot] = y[slot];
@@ -253,14 +281,110 @@ public final class Bodies {
         return (mass[slot] * (vx * vx + vy * vy) + inertia[slot] * w * w) / 2;
     }
 
-    /** Names of the columns that only declared effects need. */
+    /** The first pair in the list of a body, or {@link Pairs#NONE}. */
+    public int firstPairOf(int slot) {
+        return firstPair == null ? Pairs.NONE : firstPair[slot];
+    }
+
+    /** Names of the columns there are. */
     public String declaredColumns() {
-        return "pose, motion, mass, fixture"
+        return "pose, motion, mass"
+                + (firstPair == null ? "" : ", fixture, pile")
+                + (stillTime == null ? "" : ", stillness")
+                + (friction == null ? "" : ", friction")
+                + (elasticity == null ? "" : ", elasticity")
                 + (forceX == null ? "" : ", force")
                 + (rollingResistance == null ? "" : ", rolling resistance")
                 + (surfaceSpeed == null ? "" : ", surface speed")
                 + (drag == null ? "" : ", drag")
                 + (pullX == null ? "" : ", changing forces");
+    }
+
+    /** How many bits the columns hold for each body; what they refer to is not counted. */
+    public int bitsPerBody() {
+        return Arrays.stream(columns()).mapToInt(Bodies::bits).sum();
+    }
+
+    /** Those there are and those that are null. */
+    Object[] columns() {
+        return new Object[] {
+            type,
+            shape,
+            material,
+            group,
+            gravityScale,
+            statedMass,
+            statedInertia,
+            x,
+            y,
+            angle,
+            cos,
+            sin,
+            velocityX,
+            velocityY,
+            spin,
+            accelerationX,
+            accelerationY,
+            angularAcceleration,
+            mass,
+            inertia,
+            inverseMass,
+            inverseInertia,
+            boundingRadius,
+            awake,
+            startX,
+            startY,
+            startAngle,
+            smallestWidth,
+            sweepRadius,
+            fixtureMinX,
+            fixtureMinY,
+            fixtureMaxX,
+            fixtureMaxY,
+            leaf,
+            refitted,
+            firstPair,
+            piled,
+            pileTime,
+            stillTime,
+            stillX,
+            stillY,
+            stillAngle,
+            friction,
+            elasticity,
+            forceX,
+            forceY,
+            torque,
+            rollingResistance,
+            surfaceSpeed,
+            drag,
+            pullX,
+            pullY,
+            pullTurn
+        };
+    }
+
+    private static int bits(Object column) {
+        if (column == null) {
+            return 0;
+        }
+        return column instanceof double[]
+                ? Double.SIZE
+                : column instanceof boolean[] ? Byte.SIZE : Integer.SIZE;
+    }
+
+    private int[] declared(int[] column, boolean isDeclared) {
+        if (!isDeclared) {
+            return null;
+        }
+        return column != null ? column : new int[type.length];
+    }
+
+    private boolean[] declared(boolean[] column, boolean isDeclared) {
+        if (!isDeclared) {
+            return null;
+        }
+        return column != null ? column : new boolean[type.length];
     }
 
     private double[] declared(double[] column, boolean isDeclared) {
@@ -275,14 +399,12 @@ public final class Bodies {
         shape = Arrays.copyOf(shape, capacity);
         material = Arrays.copyOf(material, capacity);
         group = Arrays.copyOf(group, capacity);
-        leaf = Arrays.copyOf(leaf, capacity);
-        firstPair = Arrays.copyOf(firstPair, capacity);
         awake = Arrays.copyOf(awake, capacity);
         growStated(capacity);
         growMotion(capacity);
         growMass(capacity);
-        growFixture(capacity);
-        growRest(capacity);
+        growContacts(capacity);
+        growStart(capacity);
         growDeclared(capacity);
     }
 
@@ -290,11 +412,7 @@ public final class Bodies {
         gravityScale = Arrays.copyOf(gravityScale, capacity);
         statedMass = Arrays.copyOf(statedMass, capacity);
         statedInertia = Arrays.copyOf(statedInertia, capacity);
-        friction = Arrays.copyOf(friction, capacity);
-        elasticity = Arrays.copyOf(elasticity, capacity);
         boundingRadius = Arrays.copyOf(boundingRadius, capacity);
-        smallestWidth = Arrays.copyOf(smallestWidth, capacity);
-        sweepRadius = Arrays.copyOf(sweepRadius, capacity);
     }
 
     private void growMotion(int capacity) {
@@ -318,24 +436,30 @@ public final class Bodies {
         inverseInertia = Arrays.copyOf(inverseInertia, capacity);
     }
 
-    private void growFixture(int capacity) {
-        fixtureMinX = Arrays.copyOf(fixtureMinX, capacity);
-        fixtureMinY = Arrays.copyOf(fixtureMinY, capacity);
-        fixtureMaxX = Arrays.copyOf(fixtureMaxX, capacity);
-        fixtureMaxY = Arrays.copyOf(fixtureMaxY, capacity);
-        refitted = Arrays.copyOf(refitted, capacity);
+    private void growContacts(int capacity) {
+        smallestWidth = grown(smallestWidth, capacity);
+        sweepRadius = grown(sweepRadius, capacity);
+        fixtureMinX = grown(fixtureMinX, capacity);
+        fixtureMinY = grown(fixtureMinY, capacity);
+        fixtureMaxX = grown(fixtureMaxX, capacity);
+        fixtureMaxY = grown(fixtureMaxY, capacity);
+        leaf = leaf == null ? null : Arrays.copyOf(leaf, capacity);
+        refitted = grown(refitted, capacity);
+        firstPair = firstPair == null ? null : Arrays.copyOf(firstPair, capacity);
+        piled = grown(piled, capacity);
+        pileTime = grown(pileTime, capacity);
+        stillTime = grown(stillTime, capacity);
+        stillX = grown(stillX, capacity);
+        stillY = grown(stillY, capacity);
+        stillAngle = grown(stillAngle, capacity);
+        friction = grown(friction, capacity);
+        elasticity = grown(elasticity, capacity);
     }
 
-    private void growRest(int capacity) {
-        stillTime = Arrays.copyOf(stillTime, capacity);
-        stillX = Arrays.copyOf(stillX, capacity);
-        stillY = Arrays.copyOf(stillY, capacity);
-        stillAngle = Arrays.copyOf(stillAngle, capacity);
+    private void growStart(int capacity) {
         startX = Arrays.copyOf(startX, capacity);
         startY = Arrays.copyOf(startY, capacity);
         startAngle = Arrays.copyOf(startAngle, capacity);
-        piled = Arrays.copyOf(piled, capacity);
-        pileTime = Arrays.copyOf(pileTime, capacity);
     }
 
     private void growDeclared(int capacity) {
@@ -350,7 +474,11 @@ public final class Bodies {
         pullTurn = grown(pullTurn, capacity);
     }
 
-    private static double[] grown(double[] column, int capacity) {
+    private static boolean[] grown(boolean[] column, int capacity) {
+        return column == null ? null : Arrays.copyOf(column, capacity);
+    }
+
+    static double[] grown(double[] column, int capacity) {
         return column == null ? null : Arrays.copyOf(column, capacity);
     }
 }

@@ -10,6 +10,11 @@ interface Codec {
     /** Names what comes next, in ASCII; who reads refuses anything else in its place. */
     void label(String name);
 
+    /** Whether to go through the column of a declared effect, of which these rows are in use. */
+    default boolean keeps(String name, double[] column, int[] rows) {
+        return true;
+    }
+
     int number(int value);
 
     double number(double value);

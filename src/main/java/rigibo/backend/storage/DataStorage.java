@@ -6,7 +6,7 @@ import rigibo.backend.effect.Effects;
 public final class DataStorage {
 
     public final Bodies bodies;
-    public final Pairs pairs = new Pairs();
+    public final Pairs pairs;
     public final Roster roster = new Roster();
     public final Islands islands = new Islands();
     public final Counters counters = new Counters();
@@ -17,5 +17,6 @@ public final class DataStorage {
     /** Storage with the columns that a set of effects needs. */
     public DataStorage(Effects effects) {
         bodies = new Bodies(effects);
+        pairs = new Pairs(effects);
     }
 }

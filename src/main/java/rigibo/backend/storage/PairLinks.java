@@ -65,7 +65,7 @@ final class PairLinks {
     /** A list whose links back hold at every step has no way back into itself. */
     private void requireList(int body) {
         int before = Pairs.NONE;
-        int pair = bodies.firstPair[body];
+        int pair = bodies.firstPairOf(body);
         while (pair != Pairs.NONE) {
             if (!isInListAfter(pair, body, before)) {
                 throw new IllegalArgumentException(

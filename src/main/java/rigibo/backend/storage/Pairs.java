@@ -1,5 +1,10 @@
 package rigibo.backend.storage;
 
+import rigibo.backend.effect.Effects;
+import rigibo.backend.effect.Friction;
+import rigibo.backend.effect.Restitution;
+import rigibo.backend.effect.RollingResistance;
+
 import java.util.Arrays;
 
 /**
@@ -53,15 +58,16 @@ public final class Pairs {
     /** Per point: the force (N) carried of late, averaged over the last seconds. */
     public double[] load = new double[2 * FIRST_CAPACITY];
 
-    /** Friction force (N) and rolling torque (N·m) that held at the end of the last step. */
-    public double[] frictionForce = new double[FIRST_CAPACITY];
+    /**
+     * Of declared effects only, else null: mixed from the two materials, and the friction force (N)
+     * and rolling torque (N·m) that held at the end of the last step, which mean nothing where the
+     * points carry nothing.
+     */
+    public double[] friction;
 
-    public double[] rollingTorque = new double[FIRST_CAPACITY];
-
-    /** Mixed from the two materials. */
-    public double[] friction = new double[FIRST_CAPACITY];
-
-    public double[] elasticity = new double[FIRST_CAPACITY];
+    public double[] elasticity;
+    public double[] frictionForce;
+    public double[] rollingTorque;
 
     /** Normal impulse of the last step, impacts included, N·s. */
     public double[] impulse = new double[FIRST_CAPACITY];
@@ -89,6 +95,29 @@ public final class Pairs {
     private int[] activeStep = new int[FIRST_CAPACITY];
 
     private int step;
+
+    /** Creates the columns that a set of effects needs. */
+    public Pairs(Effects effects) {
+        declare(effects);
+    }
+
+    /**
+     * Makes the columns of newly declared effects and drops those of effects no longer declared.
+     */
+    public void declare(Effects effects) {
+        boolean rubs = effects.declares(Friction.class);
+        friction = declared(friction, rubs);
+        frictionForce = declared(frictionForce, rubs);
+        elasticity = declared(elasticity, effects.declares(Restitution.class));
+        rollingTorque = declared(rollingTorque, effects.declares(RollingResistance.class));
+    }
+
+    private double[] declared(double[] column, boolean isDeclared) {
+        if (!isDeclared) {
+            return null;
+        }
+        return column != null ? column : new double[bodyA.length];
+    }
 
     /** A new pair of bodies {@code a < b}, linked into both their lists, without contact. */
     public int add(Bodies bodies, int a, int b) {
@@ -176,12 +205,32 @@ public final class Pairs {
         }
     }
 
+    /** Whether one of the points carried a force when the last step ended. */
+    public boolean isLoaded(int pair) {
+        return normalForce[2 * pair] != 0 || normalForce[2 * pair + 1] != 0;
+    }
+
     /** Mixes friction √(μaμb) and elasticity max(ea, eb) anew from the bodies' columns. */
     public void mix(Bodies bodies, int pair) {
         int a = bodyA[pair];
         int b = bodyB[pair];
-        friction[pair] = Math.sqrt(bodies.friction[a] * bodies.friction[b]);
-        elasticity[pair] = Math.max(bodies.elasticity[a], bodies.elasticity[b]);
+        if (friction != null) {
+            friction[pair] = Math.sqrt(bodies.friction[a] * bodies.friction[b]);
+            frictionForce[pair] = friction[pair] > 0 ? frictionForce[pair] : 0;
+        }
+        if (elasticity != null) {
+            elasticity[pair] = Math.max(bodies.elasticity[a], bodies.elasticity[b]);
+        }
+    }
+
+    /** The mixed friction, 0 where none is declared. */
+    public double frictionOf(int pair) {
+        return friction == null ? 0 : friction[pair];
+    }
+
+    /** The mixed elasticity, 0 where no restitution is declared. */
+    public double elasticityOf(int pair) {
+        return elasticity == null ? 0 : elasticity[pair];
     }
 
     /** Forgets all that is known of the contact. */
@@ -192,8 +241,12 @@ public final class Pairs {
         points[pair] = 0;
         clearPoint(2 * pair);
         clearPoint(2 * pair + 1);
-        frictionForce[pair] = 0;
-        rollingTorque[pair] = 0;
+        if (frictionForce != null) {
+            frictionForce[pair] = 0;
+        }
+        if (rollingTorque != null) {
+            rollingTorque[pair] = 0;
+        }
         impulse[pair] = 0;
         impacts[pair] = 0;
         crushed[pair] = false;
@@ -275,10 +328,10 @@ public final class Pairs {
         former = Arrays.copyOf(former, 2 * capacity);
         normalForce = Arrays.copyOf(normalForce, 2 * capacity);
         load = Arrays.copyOf(load, 2 * capacity);
-        frictionForce = Arrays.copyOf(frictionForce, capacity);
-        rollingTorque = Arrays.copyOf(rollingTorque, capacity);
-        friction = Arrays.copyOf(friction, capacity);
-        elasticity = Arrays.copyOf(elasticity, capacity);
+        friction = Bodies.grown(friction, capacity);
+        elasticity = Bodies.grown(elasticity, capacity);
+        frictionForce = Bodies.grown(frictionForce, capacity);
+        rollingTorque = Bodies.grown(rollingTorque, capacity);
         impulse = Arrays.copyOf(impulse, capacity);
         impacts = Arrays.copyOf(impacts, capacity);
         resting = Arrays.copyOf(resting, capacity);

@@ -47,12 +47,20 @@ final class SnapshotCheck {
         Require.finite("accelerationX", bodies.accelerationX[slot], "m/s²");
         Require.finite("accelerationY", bodies.accelerationY[slot], "m/s²");
         Require.finite("angularAcceleration", bodies.angularAcceleration[slot], "rad/s²");
+        requireStill(slot);
+        if (bodies.stillTime != null) {
+            requireStillness(slot);
+        }
+        if (bodies.firstPair != null) {
+            requireFixture(slot);
+        }
+    }
+
+    private void requireStillness(int slot) {
         Require.notNegative("stillTime", bodies.stillTime[slot], "s");
         Require.finite("stillX", bodies.stillX[slot], "m");
         Require.finite("stillY", bodies.stillY[slot], "m");
         Require.finite("stillAngle", bodies.stillAngle[slot], "rad");
-        requireFixture(slot);
-        requireStill(slot);
     }
 
     private void requireFixture(int slot) {

@@ -47,13 +47,14 @@ final class State {
         column("statedMass", b.statedMass);
         column("statedInertia", b.statedInertia);
         visitMotion(b);
-        visitFixture(b);
         column("awake", b.awake);
-        column("stillTime", b.stillTime);
-        column("stillX", b.stillX);
-        column("stillY", b.stillY);
-        column("stillAngle", b.stillAngle);
-        column("firstPair", b.firstPair);
+        if (b.firstPair != null) {
+            visitFixture(b);
+        }
+        declared("stillTime", b.stillTime);
+        declared("stillX", b.stillX);
+        declared("stillY", b.stillY);
+        declared("stillAngle", b.stillAngle);
     }
 
     private void visitMotion(Bodies b) {
@@ -78,6 +79,7 @@ final class State {
         column("fixtureMaxX", b.fixtureMaxX);
         column("fixtureMaxY", b.fixtureMaxY);
         column("refitted", b.refitted);
+        column("firstPair", b.firstPair);
     }
 
     private void visitPairs(Pairs p) {
@@ -96,8 +98,8 @@ final class State {
         twin("feature", p.feature);
         twin("normalForce", p.normalForce);
         twin("load", p.load);
-        column("frictionForce", p.frictionForce);
-        column("rollingTorque", p.rollingTorque);
+        declared("frictionForce", p.frictionForce);
+        declared("rollingTorque", p.rollingTorque);
         column("impulse", p.impulse);
         column("impacts", p.impacts);
         column("crushed", p.crushed);
@@ -160,7 +162,7 @@ final class State {
 
     /** A column that only a declared effect needs. */
     private void declared(String name, double[] column) {
-        if (column != null) {
+        if (column != null && codec.keeps(name, column, rows)) {
             column(name, column);
         }
     }

@@ -23,6 +23,18 @@ public final class StateHash implements Codec {
         // Names are not state.
     }
 
+    /** What a declared effect keeps and does not use is as if it were not declared. */
+    @Override
+    public boolean keeps(String name, double[] column, int[] rows) {
+        for (int row : rows) {
+            if (column[row] != 0) {
+                text(name);
+                return true;
+            }
+        }
+        return false;
+    }
+
     @Override
     public int number(int value) {
         hash = Bits.fold(hash, value);

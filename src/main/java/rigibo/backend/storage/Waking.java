@@ -29,7 +29,7 @@ public final class Waking {
 
     /** Wakes what touches a body that is about to go or change. */
     public void wakeNeighbours(int slot) {
-        for (int p = bodies.firstPair[slot]; p != Pairs.NONE; p = pairs.nextOf(p, slot)) {
+        for (int p = bodies.firstPairOf(slot); p != Pairs.NONE; p = pairs.nextOf(p, slot)) {
             int other = pairs.other(p, slot);
             if (pairs.touching[p] && bodies.isDynamic(other)) {
                 wake(other);
@@ -71,7 +71,7 @@ public final class Waking {
     }
 
     private void pushSleepers(int slot) {
-        for (int p = bodies.firstPair[slot]; p != Pairs.NONE; p = pairs.nextOf(p, slot)) {
+        for (int p = bodies.firstPairOf(slot); p != Pairs.NONE; p = pairs.nextOf(p, slot)) {
             int other = pairs.other(p, slot);
             if (pairs.touching[p] && bodies.isDynamic(other) && !bodies.awake[other]) {
                 push(other);

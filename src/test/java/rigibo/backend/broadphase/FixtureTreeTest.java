@@ -7,6 +7,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 import rigibo.backend.Allocation;
+import rigibo.backend.storage.Found;
 
 import java.util.Arrays;
 import java.util.Random;

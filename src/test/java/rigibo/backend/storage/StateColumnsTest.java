@@ -11,8 +11,10 @@ import rigibo.backend.effect.Drag;
 import rigibo.backend.effect.Effect;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Friction;
+import rigibo.backend.effect.Restitution;
 import rigibo.backend.effect.RollingResistance;
 import rigibo.backend.effect.Rotation;
+import rigibo.backend.effect.Sleep;
 import rigibo.backend.effect.SurfaceSpeed;
 import rigibo.backend.effect.Thrust;
 import rigibo.backend.geometry.Circle;
@@ -189,6 +191,8 @@ class StateColumnsTest {
                                 new Contacts(),
                                 new Rotation(),
                                 new Friction(),
+                                new Restitution(),
+                                new Sleep(),
                                 new RollingResistance(),
                                 new SurfaceSpeed(),
                                 new Drag(),

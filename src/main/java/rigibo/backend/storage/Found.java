@@ -1,4 +1,4 @@
-package rigibo.backend.broadphase;
+package rigibo.backend.storage;
 
 import java.util.Arrays;
 

@@ -1,0 +1,75 @@
+package rigibo.backend.contact;
+
+import rigibo.backend.storage.Bodies;
+import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.PairTolerances;
+import rigibo.backend.storage.Pairs;
+
+/** The contacts of a packed island that can bounce, and from which approach on they do. */
+final class BounceRows {
+
+    /**
+     * Share of what the effects add to a speed in one substep that a closing speed must pass to be
+     * a blow: less is what one pass over a pile leaves unsolved.
+     */
+    private static final double PULLED = 0.25;
+
+    private final Bodies bodies;
+    private final Pairs pairs;
+    private final Rows rows;
+
+    /** Rows with elasticity. */
+    int[] elastic = new int[16];
+
+    int count;
+
+    BounceRows(DataStorage data, Rows rows) {
+        bodies = data.bodies;
+        pairs = data.pairs;
+        this.rows = rows;
+    }
+
+    /** Lists the rows of the packed island, for substeps of h seconds. */
+    void begin(double h) {
+        if (elastic.length < rows.count) {
+            elastic = new int[rows.pair.length];
+        }
+        count = 0;
+        for (int row = 0; row < rows.count; row++) {
+            double elasticity = pairs.elasticity[rows.pair[row]];
+            if (elasticity > 0) {
+                rows.data[row * Rows.STRIDE + Rows.ELASTICITY] = elasticity;
+                rows.data[row * Rows.STRIDE + Rows.BOUNCE_SPEED] = bounceSpeed(row, h);
+                elastic[count++] = row;
+            }
+        }
+    }
+
+    /**
+     * From which approach on, m/s, a contact bounces. What presses it is the effects' acceleration
+     * or the load it carried, whichever is more: inside a heap a contact is pressed from far above.
+     * What a body gains by being pressed for a substep is load, not a blow.
+     */
+    private double bounceSpeed(int row, double h) {
+        double[] d = rows.data;
+        int at = row * Rows.STRIDE;
+        int pair = rows.pair[row];
+        int a = pairs.bodyA[pair];
+        int b = pairs.bodyB[pair];
+        double load = pairs.normalForce[2 * pair] + pairs.normalForce[2 * pair + 1];
+        double pressing =
+                Math.max(
+                        load * d[at + Rows.K00],
+                        PairTolerances.pressingAcceleration(
+                                bodies, a, b, pairs.normalX[pair], pairs.normalY[pair]));
+        double unseen = PairTolerances.restSpeed(pressing, d[at + Rows.WIDTH]);
+        double pulled = Math.max(acceleration(a), acceleration(b)) * h * PULLED;
+        return Math.max(pulled, Math.max(unseen, pressing * h));
+    }
+
+    private double acceleration(int slot) {
+        double x = bodies.accelerationX[slot];
+        double y = bodies.accelerationY[slot];
+        return bodies.isMoved(slot) ? Math.sqrt(x * x + y * y) : 0;
+    }
+}

@@ -1,0 +1,121 @@
+package rigibo.backend.contact;
+
+import rigibo.backend.effect.Effects;
+import rigibo.backend.effect.Friction;
+import rigibo.backend.effect.Restitution;
+import rigibo.backend.effect.RollingResistance;
+import rigibo.backend.effect.Rotation;
+import rigibo.backend.effect.SurfaceSpeed;
+import rigibo.backend.storage.DataStorage;
+
+/**
+ * What the declared effects ask of the contacts of an island. What is not declared is null here,
+ * and asked for once per substep, not once per contact; its classes are not even loaded.
+ */
+final class DeclaredRows {
+
+    private final Kick kick;
+    private final FreshRows fresh;
+    private final Rubbing rubbing;
+    private final RunningRows running;
+    private final TurningRows turning;
+    private final PileBlows blows;
+
+    DeclaredRows(
+            DataStorage data,
+            Effects effects,
+            Motions motions,
+            Rows rows,
+            Kick kick,
+            FreshRows fresh,
+            double straight) {
+        this.kick = kick;
+        this.fresh = fresh;
+        rubbing = rubbing(data, effects, motions, rows);
+        boolean runs = effects.declares(SurfaceSpeed.class);
+        running = runs ? new RunningRows(data, rows) : null;
+        boolean turns = effects.declares(Rotation.class);
+        turning = turns ? new TurningRows(data, motions, rows, fresh, straight) : null;
+        boolean bounces = effects.declares(Restitution.class);
+        blows = bounces ? new PileBlows(data, motions, rows, kick) : null;
+    }
+
+    private static Rubbing rubbing(DataStorage data, Effects effects, Motions motions, Rows rows) {
+        boolean rubs = effects.declares(Friction.class);
+        FrictionSolver friction = rubs ? new FrictionSolver(motions, rows, data.pairs) : null;
+        if (effects.declares(RollingResistance.class)) {
+            return new RollingSolver(data, motions, rows, friction);
+        }
+        return rubs ? friction : new NoRubbing();
+    }
+
+    /** How many substeps an island needs for the rest of a step, {@code left} seconds. */
+    int substepsFor(int island, double left, int usual) {
+        return turning == null ? usual : turning.substepsFor(island, left, usual);
+    }
+
+    /** Writes the rows of the packed island for substeps of h seconds. */
+    void begin(double h) {
+        rubbing.begin(h / 2);
+        if (running != null) {
+            running.begin();
+        }
+        if (blows != null) {
+            blows.begin(h);
+        }
+    }
+
+    /**
+     * Measures what joins or turns, before a substep of h seconds that begins at a time, with
+     * {@code left} seconds to go.
+     *
+     * @return whether there was anything
+     */
+    boolean measureAnew(int substep, double h, double time, double left) {
+        boolean isAny = fresh.measureJoining(substep, time, left);
+        if (turning != null) {
+            isAny |= turning.refresh(substep, h, left);
+        }
+        if (isAny) {
+            rubbing.refresh();
+        }
+        return isAny;
+    }
+
+    /** Resolves the blows in a substep of h seconds of a pile that is solved whole. */
+    void strikeJointly(double h, int substep) {
+        if (blows != null) {
+            kick.measureGain();
+            blows.resolveJointly(h, substep);
+        }
+    }
+
+    /** Resolves the blows of velocities as they are, within next to no time. */
+    void strikeAtOnce(double h, int substep) {
+        if (blows != null) {
+            blows.resolveAtOnce(h, substep);
+        }
+    }
+
+    /** Resolves the blows in a substep of h seconds one after the other. */
+    void strikeApart(double h, int substep) {
+        if (blows != null) {
+            blows.resolveApart(h, substep);
+        }
+    }
+
+    /** How many rows a pass along the tangents solves. */
+    int rowCount() {
+        return rubbing.rowCount();
+    }
+
+    /** One pass along the tangents; returns the largest change of speed in it, m/s. */
+    double rub(int substep) {
+        return rubbing.solve(substep);
+    }
+
+    /** Keeps what held in the last substep of h seconds. */
+    void store(double h) {
+        rubbing.store(h);
+    }
+}

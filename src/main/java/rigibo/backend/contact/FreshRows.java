@@ -1,0 +1,121 @@
+package rigibo.backend.contact;
+
+import rigibo.backend.collision.Narrowphase;
+import rigibo.backend.collision.Pose;
+import rigibo.backend.geometry.Angle;
+import rigibo.backend.storage.Bodies;
+import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.Pairs;
+
+/**
+ * Contacts that are measured anew within a step. What joins the pile in a substep is measured where
+ * the two are when it joins: the pile has moved on since the step's start.
+ */
+final class FreshRows {
+
+    /** Share of an overlap that contacts measured anew take back per second, 1/s. */
+    double recovery = OverlapSolver.RATE;
+
+    private final Bodies bodies;
+    private final Pairs pairs;
+    private final Narrowphase narrowphase;
+    private final Motions motions;
+    private final Rows rows;
+    private final RowBuilder builder;
+    private final Pose poseA = new Pose();
+    private final Pose poseB = new Pose();
+
+    FreshRows(
+            DataStorage data,
+            Narrowphase narrowphase,
+            Motions motions,
+            Rows rows,
+            RowBuilder builder) {
+        bodies = data.bodies;
+        pairs = data.pairs;
+        this.narrowphase = narrowphase;
+        this.motions = motions;
+        this.rows = rows;
+        this.builder = builder;
+    }
+
+    /**
+     * Measures what joins in a substep that begins at {@code time}, with {@code left} seconds to
+     * go.
+     *
+     * @return whether there was anything
+     */
+    boolean measureJoining(int substep, double time, double left) {
+        boolean isAny = false;
+        for (int row = 0; row < rows.count; row++) {
+            if (rows.firstSubstep[row] == substep) {
+                measureAhead(row, left, Math.max(0, joinsAt(row) - time));
+                isAny = true;
+            }
+        }
+        return isAny;
+    }
+
+    /** When the later of two bodies joins, s after the step's start. */
+    private double joinsAt(int row) {
+        int a = rows.bodyA[row];
+        int b = rows.bodyB[row];
+        double whenA = a == 0 ? 0 : bodies.pileTime[motions.slots[a / Motions.STRIDE]];
+        double whenB = b == 0 ? 0 : bodies.pileTime[motions.slots[b / Motions.STRIDE]];
+        return Math.max(whenA, whenB);
+    }
+
+    private void measureAhead(int row, double left, double ahead) {
+        motions.drift(rows.bodyA[row], ahead);
+        motions.drift(rows.bodyB[row], ahead);
+        measure(row, left);
+        motions.drift(rows.bodyA[row], -ahead);
+        motions.drift(rows.bodyB[row], -ahead);
+    }
+
+    /** Measures a contact where its bodies are now, with {@code left} seconds to go. */
+    void measure(int row, double left) {
+        int pair = rows.pair[row];
+        int at = row * Rows.STRIDE;
+        // The manifold hands on what its columns hold from the points it had to those it has.
+        pairs.normalForce[2 * pair] = rows.data[at + Rows.IMPULSE0];
+        pairs.normalForce[2 * pair + 1] = rows.data[at + Rows.IMPULSE1];
+        place(pairs.bodyA[pair], rows.bodyA[row], poseA);
+        place(pairs.bodyB[pair], rows.bodyB[row], poseB);
+        narrowphase.measureContact(pair, poseA, poseB, reach(row, pair, left));
+        rows.data[at + Rows.IMPULSE0] = pairs.normalForce[2 * pair];
+        rows.data[at + Rows.IMPULSE1] = pairs.normalForce[2 * pair + 1];
+        double before0 = before(at, pairs.former[2 * pair]);
+        double before1 = before(at, pairs.former[2 * pair + 1]);
+        rows.data[at + Rows.BEFORE0] = before0;
+        rows.data[at + Rows.BEFORE1] = before1;
+        builder.rewrite(row);
+        rows.data[at + Rows.RECOVERY] = recovery;
+    }
+
+    private double before(int at, int point) {
+        return point == Pairs.NONE ? 0 : rows.data[at + Rows.BEFORE0 + point];
+    }
+
+    private void place(int slot, int entry, Pose pose) {
+        double angle = bodies.angle[slot] + motions.data[entry + Motions.TURN];
+        pose.set(
+                bodies.x[slot] + motions.data[entry + Motions.DX],
+                bodies.y[slot] + motions.data[entry + Motions.DY],
+                Angle.cos(angle),
+                Angle.sin(angle));
+    }
+
+    /** The gap in m that could close in what is left of the step. */
+    private double reach(int row, int pair, double left) {
+        double[] m = motions.data;
+        int a = rows.bodyA[row];
+        int b = rows.bodyB[row];
+        double speed =
+                Math.abs(m[b + Motions.VX] - m[a + Motions.VX])
+                        + Math.abs(m[b + Motions.VY] - m[a + Motions.VY])
+                        + Math.abs(m[a + Motions.SPIN]) * bodies.sweepRadius[pairs.bodyA[pair]]
+                        + Math.abs(m[b + Motions.SPIN]) * bodies.sweepRadius[pairs.bodyB[pair]];
+        return 2 * speed * left + bodies.smallestWidth[pairs.bodyA[pair]];
+    }
+}

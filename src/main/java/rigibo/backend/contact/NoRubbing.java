@@ -1,0 +1,24 @@
+package rigibo.backend.contact;
+
+/** Where neither friction nor rolling resistance is declared. */
+final class NoRubbing implements Rubbing {
+
+    @Override
+    public void begin(double firstKick) {}
+
+    @Override
+    public void refresh() {}
+
+    @Override
+    public int rowCount() {
+        return 0;
+    }
+
+    @Override
+    public double solve(int substep) {
+        return 0;
+    }
+
+    @Override
+    public void store(double h) {}
+}

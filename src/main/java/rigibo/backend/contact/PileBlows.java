@@ -1,0 +1,37 @@
+package rigibo.backend.contact;
+
+import rigibo.backend.storage.DataStorage;
+
+/** Blows inside piles: answered by all that touches where a pile is solved whole. */
+final class PileBlows {
+
+    private final BounceRows bounces;
+    private final JointBlows joint;
+    private final PileImpacts apart;
+
+    PileBlows(DataStorage data, Motions motions, Rows rows, Kick kick) {
+        bounces = new BounceRows(data, rows);
+        joint = new JointBlows(data, motions, rows, kick, bounces);
+        apart = new PileImpacts(data, motions, rows, bounces);
+    }
+
+    /** Lists what can bounce in the packed island, for substeps of h seconds. */
+    void begin(double h) {
+        bounces.begin(h);
+    }
+
+    /** Resolves all blows that fall into a substep of h seconds of a pile that is solved whole. */
+    void resolveJointly(double h, int substep) {
+        joint.resolve(h, substep);
+    }
+
+    /** Resolves the blows of velocities as they are, within next to no time. */
+    void resolveAtOnce(double h, int substep) {
+        joint.resolveAtOnce(h, substep);
+    }
+
+    /** Resolves all blows that fall into a substep of h seconds, one after the other. */
+    void resolveApart(double h, int substep) {
+        apart.resolve(h, substep);
+    }
+}

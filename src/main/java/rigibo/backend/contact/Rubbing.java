@@ -1,0 +1,20 @@
+package rigibo.backend.contact;
+
+/** What surfaces do to each other along the tangent, as declared: nothing, rub, or roll too. */
+interface Rubbing {
+
+    /** Writes the rows of the packed island whose kicks begin with {@code firstKick} seconds. */
+    void begin(double firstKick);
+
+    /** Writes what follows from contacts that were measured anew. */
+    void refresh();
+
+    /** How many rows a pass solves. */
+    int rowCount();
+
+    /** One pass over all rows; returns the largest change of speed in it, m/s. */
+    double solve(int substep);
+
+    /** Keeps what held in the last substep of h seconds. */
+    void store(double h);
+}

@@ -1,0 +1,48 @@
+package rigibo.backend.flight;
+
+import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.Roster;
+
+/** Moves the bodies in flight along their paths, whatever is in the way. */
+public final class FreeFlight {
+
+    final Trajectories paths;
+
+    private final Roster roster;
+
+    /** Paths under forces that change along the way, or null where there are none. */
+    private final Course course;
+
+    /** Free flight; {@code course} is null where no path has to be integrated. */
+    public FreeFlight(DataStorage data, Course course) {
+        roster = data.roster;
+        this.course = course;
+        paths = new Trajectories(data.bodies);
+    }
+
+    /** Moves every flyer to the end of a step of {@code dt} seconds. */
+    public void fly(double dt) {
+        paths.begin();
+        finish(dt);
+    }
+
+    /** Moves every flyer from where it is to the end of a step. */
+    void finish(double dt) {
+        for (int i = 0; i < roster.awakeCount; i++) {
+            if (paths.isFlyer(roster.awake[i])) {
+                paths.advance(roster.awake[i], dt);
+            }
+        }
+        if (course != null) {
+            catchUp(dt);
+        }
+    }
+
+    private void catchUp(double dt) {
+        for (int i = 0; i < roster.awakeCount; i++) {
+            if (paths.isFlyer(roster.awake[i])) {
+                course.catchUp(roster.awake[i], dt);
+            }
+        }
+    }
+}

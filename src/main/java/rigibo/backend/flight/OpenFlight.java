@@ -1,0 +1,88 @@
+package rigibo.backend.flight;
+
+import rigibo.backend.collision.Motion;
+import rigibo.backend.collision.Pose;
+import rigibo.backend.storage.Bodies;
+import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.Roster;
+
+/** Moves every body along its exact path through everything: contacts are not declared. */
+public final class OpenFlight {
+
+    private final Bodies bodies;
+    private final Roster roster;
+    private final Motion motion = new Motion();
+    private final Pose pose = new Pose();
+
+    /** Paths under forces that change along the way, or null where there are none. */
+    private final Course course;
+
+    /** Open flight; {@code course} is null where no path has to be integrated. */
+    public OpenFlight(DataStorage data, Course course) {
+        bodies = data.bodies;
+        roster = data.roster;
+        this.course = course;
+    }
+
+    /** Moves every dynamic body by a step of {@code dt} seconds. */
+    public void fly(double dt) {
+        if (bodies.drag == null) {
+            flyFreely(dt);
+        } else {
+            flyThroughDrag(dt);
+        }
+        if (course != null) {
+            catchUp(dt);
+        }
+    }
+
+    /** A parabola is a parabola at any length of the step. */
+    private void flyFreely(double dt) {
+        double half = dt * dt / 2;
+        for (int i = 0; i < roster.awakeCount; i++) {
+            int slot = roster.awake[i];
+            if (bodies.isDynamic(slot)) {
+                double ax = bodies.accelerationX[slot];
+                double ay = bodies.accelerationY[slot];
+                bodies.x[slot] += bodies.velocityX[slot] * dt + ax * half;
+                bodies.y[slot] += bodies.velocityY[slot] * dt + ay * half;
+                bodies.velocityX[slot] += ax * dt;
+                bodies.velocityY[slot] += ay * dt;
+                turn(slot, dt);
+            }
+        }
+    }
+
+    private void flyThroughDrag(double dt) {
+        for (int i = 0; i < roster.awakeCount; i++) {
+            int slot = roster.awake[i];
+            if (bodies.isDynamic(slot)) {
+                motion.take(bodies, slot);
+                motion.drag = bodies.drag[slot];
+                motion.placeAt(dt, pose);
+                bodies.x[slot] = pose.x;
+                bodies.y[slot] = pose.y;
+                bodies.velocityX[slot] = motion.velocityXAt(dt);
+                bodies.velocityY[slot] = motion.velocityYAt(dt);
+                turn(slot, dt);
+            }
+        }
+    }
+
+    private void turn(int slot, double dt) {
+        double spin = bodies.spin[slot];
+        double angular = bodies.angularAcceleration[slot];
+        if (spin != 0 || angular != 0) {
+            bodies.turn(slot, dt * (spin + dt * angular / 2));
+            bodies.spin[slot] = spin + dt * angular;
+        }
+    }
+
+    private void catchUp(double dt) {
+        for (int i = 0; i < roster.awakeCount; i++) {
+            if (bodies.isDynamic(roster.awake[i])) {
+                course.catchUp(roster.awake[i], dt);
+            }
+        }
+    }
+}

@@ -1,0 +1,84 @@
+package rigibo.frontend.demo;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+
+import rigibo.backend.Pool;
+import rigibo.backend.effect.AirDrag;
+import rigibo.backend.effect.Buoyancy;
+import rigibo.backend.effect.CentralForce;
+import rigibo.backend.effect.Drag;
+import rigibo.backend.effect.Effect;
+import rigibo.backend.effect.Effects;
+import rigibo.backend.effect.Field;
+import rigibo.backend.effect.Friction;
+import rigibo.backend.effect.Sleep;
+import rigibo.backend.effect.SurfaceSpeed;
+import rigibo.backend.effect.Thrust;
+
+import java.util.List;
+import java.util.function.Supplier;
+import java.util.function.UnaryOperator;
+import java.util.stream.Stream;
+
+/** What no demo calls for changes nothing in any of them, as long as it does nothing. */
+class DemoEffectsTest {
+
+    private static final double STEP = 1.0 / 60;
+    private static final int STEPS = 600;
+
+    /** No body of a demo has drag, or an outline that runs; no demo reaches so deep. */
+    private static final List<Effect> NEUTRAL =
+            List.of(
+                    new Drag(),
+                    new AirDrag(0, 1),
+                    new SurfaceSpeed(),
+                    new Thrust(),
+                    new CentralForce(1, 2, 0, -2),
+                    new Buoyancy(-1e4, 1000, 5),
+                    new Field(at -> at.push(0, 0)));
+
+    static Stream<Arguments> demosAndEffects() {
+        List<Supplier<Demo>> demos =
+                List.of(CrateDemo::new, WheelDemo::new, FrictionDemo::new, FloodDemo::new);
+        return demos.stream()
+                .flatMap(
+                        demo ->
+                                NEUTRAL.stream()
+                                        .filter(effect -> isForeign(effect, demo.get().effects()))
+                                        .map(effect -> Arguments.of(demo, effect)));
+    }
+
+    /** Nothing sleeps where a function of the caller's is declared: it may change with time. */
+    private static boolean isForeign(Effect effect, Effects called) {
+        boolean keepsAwake = effect.holdsFunction() && called.declares(Sleep.class);
+        boolean lacksFriction = effect instanceof SurfaceSpeed && !called.declares(Friction.class);
+        return !called.declares(effect.getClass()) && !keepsAwake && !lacksFriction;
+    }
+
+    @ParameterizedTest
+    @MethodSource("demosAndEffects")
+    void neutralEffectLeavesTheHashOfADemo(Supplier<Demo> demo, Effect effect) {
+        Pool plain = run(demo.get(), called -> called);
+        Pool neutral = run(demo.get(), called -> called.with(effect));
+        assertThat(neutral.stateHash())
+                .as("%s in %s", effect.title(), demo.get().title())
+                .isEqualTo(plain.stateHash());
+    }
+
+    private static Pool run(Demo demo, UnaryOperator<Effects> choice) {
+        Workbench bench = new Workbench(demo.effects(), demo.camera());
+        demo.build(bench);
+        Pool pool = bench.pool();
+        pool.effects(choice.apply(pool.effects()));
+        for (int step = 1; step <= STEPS; step++) {
+            demo.beforeStep(bench);
+            pool.step(STEP);
+            demo.afterStep(bench);
+        }
+        return pool;
+    }
+}
