@@ -4,6 +4,7 @@ import rigibo.backend.broadphase.Broadphase;
 import rigibo.backend.effect.Contacts;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Rotation;
+import rigibo.backend.effect.Thrust;
 import rigibo.backend.geometry.MassProperties;
 import rigibo.backend.geometry.Shape;
 import rigibo.backend.geometry.ShapeKind;
@@ -123,6 +124,7 @@ final class BodyEditor {
         Require.finite("RigidBody.applyForce fy", fy, "N");
         Require.finite("RigidBody.applyForce px", px, "m");
         Require.finite("RigidBody.applyForce py", py, "m");
+        thrust(slot);
         bodies.forceX[slot] += fx;
         bodies.forceY[slot] += fy;
         bodies.torque[slot] += (px - bodies.x[slot]) * fy - (py - bodies.y[slot]) * fx;
@@ -131,7 +133,9 @@ final class BodyEditor {
 
     void applyTorque(int slot, double torque) {
         requireThrust("applyTorque");
-        bodies.torque[slot] += Require.finite("RigidBody.applyTorque", torque, "N·m");
+        Require.finite("RigidBody.applyTorque", torque, "N·m");
+        thrust(slot);
+        bodies.torque[slot] += torque;
         waking.wake(slot);
     }
 
@@ -202,6 +206,9 @@ final class BodyEditor {
         if (hadContacts && !effects.declares(Contacts.class)) {
             forgetAllPairs();
         }
+        if (!effects.declares(Thrust.class)) {
+            data.thrusting.clear();
+        }
         bodies.declare(effects);
         data.pairs.declare(effects);
         plan.compile(effects, plan.accuracy());
@@ -248,6 +255,9 @@ final class BodyEditor {
                 writeShape(slot, bodies.shape[slot]);
                 writeMaterial(slot, bodies.material[slot]);
                 weigh(slot);
+                if (bodies.isThrust(slot)) {
+                    data.thrusting.add(slot);
+                }
             }
         }
         data.pairs.derive(bodies);
@@ -314,6 +324,13 @@ final class BodyEditor {
             definition = definition.inertia(bodies.statedInertia[slot]);
         }
         return definition.massProperties();
+    }
+
+    /** Lists a body that a force is asked for the first time since the last step. */
+    private void thrust(int slot) {
+        if (!bodies.isThrust(slot)) {
+            data.thrusting.add(slot);
+        }
     }
 
     private void requireThrust(String verb) {

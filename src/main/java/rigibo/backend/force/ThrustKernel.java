@@ -1,9 +1,8 @@
 package rigibo.backend.force;
 
-import rigibo.backend.setup.BodyType;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
-import rigibo.backend.storage.Roster;
+import rigibo.backend.storage.Found;
 
 /**
  * Turns the forces and torques that were asked for into accelerations, a = F/m and α = τ/I, and
@@ -18,13 +17,13 @@ public final class ThrustKernel {
         this.data = data;
     }
 
-    /** Adds to the accelerations of all awake dynamic bodies. */
+    /** Adds to the accelerations of the bodies that forces were asked for. */
     public void accelerate(double dt) {
         Bodies bodies = data.bodies;
-        Roster roster = data.roster;
-        for (int i = 0; i < roster.awakeCount; i++) {
-            int slot = roster.awake[i];
-            if (bodies.type[slot] == BodyType.DYNAMIC) {
+        Found thrusting = data.thrusting;
+        for (int i = 0; i < thrusting.count; i++) {
+            int slot = thrusting.numbers[i];
+            if (bodies.isDynamic(slot)) {
                 bodies.accelerationX[slot] += bodies.forceX[slot] * bodies.inverseMass[slot];
                 bodies.accelerationY[slot] += bodies.forceY[slot] * bodies.inverseMass[slot];
                 bodies.angularAcceleration[slot] +=
@@ -32,5 +31,6 @@ public final class ThrustKernel {
             }
             bodies.clearForces(slot);
         }
+        thrusting.clear();
     }
 }

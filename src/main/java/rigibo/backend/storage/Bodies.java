@@ -228,6 +228,11 @@ public final class Bodies {
         }
     }
 
+    /** Whether a force or a torque was asked for. */
+    public boolean isThrust(int slot) {
+        return forceX != null && (forceX[slot] != 0 || forceY[slot] != 0 || torque[slot] != 0);
+    }
+
     /** Takes all accelerations from a body. */
     public void clearAccelerations(int slot) {
         accelerationX[slot] = 0;

@@ -11,6 +11,9 @@ public final class DataStorage {
     public final Islands islands = new Islands();
     public final Counters counters = new Counters();
 
+    /** Slots of the bodies that forces were asked for since the last step, some twice. */
+    public final Found thrusting = new Found();
+
     /** When the step in progress began, s since the pool was made. */
     public double time;
 

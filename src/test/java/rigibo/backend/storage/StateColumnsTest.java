@@ -73,6 +73,7 @@ class StateColumnsTest {
                     Map.entry("Pairs.activeCount", OF_A_STEP),
                     Map.entry("Pairs.activeStep", OF_A_STEP),
                     Map.entry("Pairs.step", OF_A_STEP),
+                    Map.entry("DataStorage.thrusting", FOLLOWS),
                     Map.entry("DataStorage.time", OF_A_STEP),
                     Map.entry("DataStorage.roster", "follows from the bodies when it is stale"),
                     Map.entry("DataStorage.islands", OF_A_STEP),
