@@ -7,9 +7,15 @@ import rigibo.backend.contact.PileSolver;
 import rigibo.backend.effect.Contacts;
 import rigibo.backend.effect.ContinuousImpacts;
 import rigibo.backend.effect.Drag;
+import rigibo.backend.effect.Effect;
 import rigibo.backend.effect.Effects;
+import rigibo.backend.effect.Friction;
 import rigibo.backend.effect.Gravity;
+import rigibo.backend.effect.Restitution;
+import rigibo.backend.effect.RollingResistance;
+import rigibo.backend.effect.Rotation;
 import rigibo.backend.effect.Sleep;
+import rigibo.backend.effect.SurfaceSpeed;
 import rigibo.backend.effect.Thrust;
 import rigibo.backend.effect.Wind;
 import rigibo.backend.flight.Course;
@@ -31,6 +37,7 @@ import rigibo.backend.storage.DataStorage;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.StringJoiner;
 import java.util.function.LongSupplier;
 
 /**
@@ -67,8 +74,7 @@ public final class StepPlan {
         compileEffects(ledger, course);
         if (declared.declares(Contacts.class)) {
             broadphase = broadphase == null ? new Broadphase(data) : broadphase;
-            add(StepStage.ACCEPT, "take all for flyers", ledger::scatter);
-            compileContacts(course, areIntegrated ? new PileForces(data, forces) : null);
+            compileContacts(ledger, course, areIntegrated ? new PileForces(data, forces) : null);
         } else {
             broadphase = null;
             OpenFlight flight = new OpenFlight(data, course);
@@ -113,7 +119,7 @@ public final class StepPlan {
         add(StepStage.EFFECTS, "refuse forces beyond all bounds", ledger::quarantine);
     }
 
-    private void compileContacts(Course course, PileForces forces) {
+    private void compileContacts(BodyLedger ledger, Course course, PileForces forces) {
         ImpactMode mode =
                 effects.declares(ContinuousImpacts.class)
                         ? accuracy.impacts()
@@ -121,6 +127,7 @@ public final class StepPlan {
         Narrowphase narrowphase = new Narrowphase(data);
         PileClassifier classifier = new PileClassifier(data, accuracy, mode);
         add(StepStage.BROADPHASE, "size fixtures and candidate pairs", broadphase::update);
+        add(StepStage.CLASSIFY, "take all for flyers", ledger::scatter);
         if (mode == ImpactMode.DISCRETE) {
             add(StepStage.CLASSIFY, "manifolds of pairs that touch", dt -> narrowphase.collide(0));
         } else {
@@ -142,8 +149,24 @@ public final class StepPlan {
         add(StepStage.CONTACT, "group piled bodies into islands", dt -> islands.build());
         add(
                 StepStage.CONTACT,
-                "solve piles in " + accuracy.substeps() + " substeps",
+                "solve piles in " + accuracy.substeps() + " substeps: " + rowsInWords(),
                 new PileSolver(data, narrowphase, effects, accuracy, forces)::solve);
+    }
+
+    private String rowsInWords() {
+        StringJoiner rows = new StringJoiner(", ").add("loads");
+        addIf(Friction.class, "friction", rows);
+        addIf(RollingResistance.class, "rolling", rows);
+        addIf(SurfaceSpeed.class, "running surfaces", rows);
+        addIf(Restitution.class, "blows", rows);
+        addIf(Rotation.class, "faces that turn", rows);
+        return rows.toString();
+    }
+
+    private void addIf(Class<? extends Effect> effect, String row, StringJoiner rows) {
+        if (effects.declares(effect)) {
+            rows.add(row);
+        }
     }
 
     /** Advances by {@code dt} seconds; the clock counts ns. */
@@ -178,7 +201,12 @@ public final class StepPlan {
         for (Part part : parts) {
             words.append(String.format("%-10s %s%n", part.stage, part.words));
         }
-        return words.append("columns    ").append(data.bodies.declaredColumns()).toString();
+        return words.append("columns    ")
+                .append(data.bodies.declaredColumns())
+                .append(": ")
+                .append(data.bodies.bitsPerBody())
+                .append(" bits a body")
+                .toString();
     }
 
     private void add(StepStage stage, String words, Work work) {
