@@ -23,7 +23,7 @@ import java.util.function.Supplier;
 import java.util.stream.Stream;
 
 /** What no demo calls for changes nothing in any of them, as long as it does nothing. */
-class DemoEffectsTest {
+class NeutralInDemosTest {
 
     private static final double STEP = 1.0 / 60;
     private static final int STEPS = 600;
