@@ -74,6 +74,15 @@ final class DirectSolver implements WholeSolver {
         factor.forget();
     }
 
+    @Override
+    public void begin() {}
+
+    /** Small as it is, it is solved. */
+    @Override
+    public boolean isSpent() {
+        return false;
+    }
+
     /** A lone disc's normal and friction do not feel each other: nothing is to be eliminated. */
     private boolean isUncoupled() {
         return rows.count == 1 && rows.points[0] == 1;

@@ -71,7 +71,7 @@ final class FrictionSolver implements Rubbing {
 
     @Override
     public int rowCount() {
-        return slidingCount;
+        return count;
     }
 
     @Override

@@ -212,6 +212,7 @@ public final class PileSolver {
 
     private void substep(double h, int substep) {
         if (whole != null) {
+            whole.begin();
             declared.strikeJointly(h, substep);
             hold(h, substep);
             addUpImpulses();
@@ -282,6 +283,9 @@ public final class PileSolver {
             }
             halfway.begin();
             whole.solve(h, substep, settled, fastest);
+            if (whole.isSpent()) {
+                break;
+            }
             if (change > SHRINKS * before) {
                 halfway.end();
             }

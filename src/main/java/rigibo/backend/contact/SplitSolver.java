@@ -37,6 +37,10 @@ final class SplitSolver implements WholeSolver {
     /** Each iteration goes this much farther than it is told. */
     private static final double OVERSHOOT = 1.6;
 
+    /**
+     * Iterations that a substep is worth in all. What was poured and still settles would take ten
+     * times as many, in vain: it looks the same, and the next substep goes on.
+     */
     private static final int MOST_ITERATIONS = 60;
 
     /**
@@ -64,6 +68,10 @@ final class SplitSolver implements WholeSolver {
     private int[] set = new int[64];
 
     private int size;
+
+    /** Made in this substep. */
+    private int iterations;
+
     private int[] factored = new int[64];
     private int factoredSize;
 
@@ -104,6 +112,16 @@ final class SplitSolver implements WholeSolver {
         forget();
         order.find();
         return factor.layOut() <= (isCalm ? MOST_WORK_IF_CALM : MOST_WORK);
+    }
+
+    @Override
+    public void begin() {
+        iterations = 0;
+    }
+
+    @Override
+    public boolean isSpent() {
+        return iterations >= MOST_ITERATIONS;
     }
 
     @Override
@@ -251,11 +269,11 @@ final class SplitSolver implements WholeSolver {
             boolean parts = !isTangent(i) && began[i] == 0 && asked[i] > 0;
             beyond[i] = parts ? -asked[i] / softness[i] : 0;
         }
-        int iterations = 0;
+        int last = Math.min(MOST_ITERATIONS, iterations + most);
         do {
             solveEquations();
             iterations++;
-        } while (takeToBounds() > settled && iterations < most);
+        } while (takeToBounds() > settled && iterations < last);
     }
 
     /** Writes to {@code right} the change of each impulse that the softened equations ask for. */

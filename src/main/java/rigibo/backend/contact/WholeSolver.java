@@ -6,6 +6,12 @@ interface WholeSolver {
     /** The rows are not what they were: a factor of them is worth nothing. */
     void forget();
 
+    /** Begins a substep: what was spent counts anew. */
+    void begin();
+
+    /** Whether what is left of the rows is not worth more in this substep. */
+    boolean isSpent();
+
     /**
      * Brings the rows to rest against each other, for a substep of h seconds, but for a speed of
      * {@code settled} m/s. Nothing went faster than {@code fastest} m/s before.
