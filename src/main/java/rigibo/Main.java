@@ -19,6 +19,7 @@ import java.io.PrintWriter;
             MeasureCommand.class,
             LevelsCommand.class,
             CasesCommand.class,
+            LabCommand.class,
             HelpCommand.class
         })
 public final class Main implements Runnable {

@@ -1,5 +1,6 @@
 package rigibo.frontend.catalog;
 
+import rigibo.backend.effect.Effects;
 import rigibo.frontend.demo.Demos;
 import rigibo.frontend.menu.MenuScene;
 import rigibo.frontend.puzzle.Levels;
@@ -10,6 +11,7 @@ import rigibo.frontend.scene.SceneEntry;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 
 /** Every scene that can be chosen. */
@@ -27,6 +29,11 @@ public final class Catalog {
     /** The scene of a name, for the command line. */
     public static Optional<SceneEntry> find(String name) {
         return entries().stream().filter(entry -> entry.name().equals(name)).findFirst();
+    }
+
+    /** What each demo declares, by its title, in the order of the menu. */
+    public static Map<String, Effects> demoEffects() {
+        return Demos.effects();
     }
 
     /**

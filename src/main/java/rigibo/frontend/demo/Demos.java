@@ -1,10 +1,13 @@
 package rigibo.frontend.demo;
 
+import rigibo.backend.effect.Effects;
 import rigibo.frontend.scene.Director;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.SceneEntry;
 
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 
 /** The demos in the order of the menu. */
 public final class Demos {
@@ -15,6 +18,16 @@ public final class Demos {
     public static List<SceneEntry> entries() {
         return List.of(
                 CrateDemo.entry(), WheelDemo.entry(), FrictionDemo.entry(), FloodDemo.entry());
+    }
+
+    /** What each of them declares, by its name. */
+    public static Map<String, Effects> effects() {
+        Map<String, Effects> effects = new LinkedHashMap<>();
+        for (Demo demo :
+                List.of(new CrateDemo(), new WheelDemo(), new FrictionDemo(), new FloodDemo())) {
+            effects.put(demo.title(), demo.effects());
+        }
+        return effects;
     }
 
     /** The demo before (−1) or after (1) the one whose window has a title, round and round. */

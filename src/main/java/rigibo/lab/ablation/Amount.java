@@ -1,0 +1,56 @@
+package rigibo.lab.ablation;
+
+import java.util.Locale;
+
+/** Numbers for people: three digits that count, and the unit they are read best in. */
+final class Amount {
+
+    private static final String[] TIMES = {"ns", "µs", "ms", "s"};
+
+    private Amount() {}
+
+    /** A time in ns, perhaps negative, such as {@code 12.3 µs}. */
+    static String time(double nanos) {
+        int unit = 0;
+        double value = nanos;
+        while (Math.abs(value) >= 999.5 && unit < TIMES.length - 1) {
+            value /= 1000;
+            unit++;
+        }
+        return digits(value) + " " + TIMES[unit];
+    }
+
+    /** The same with a plus where it is positive. */
+    static String signedTime(double nanos) {
+        return (nanos > 0 ? "+" : "") + time(nanos);
+    }
+
+    /** Both ends, such as {@code 1.23 µs to 1.31 µs}. */
+    static String times(Interval interval) {
+        return time(interval.low()) + " to " + time(interval.high());
+    }
+
+    /** A number with three digits that count, below 1000. */
+    static String digits(double value) {
+        double size = Math.abs(value);
+        int decimals = size >= 99.95 ? 0 : size >= 9.995 ? 1 : 2;
+        return signed("%." + decimals + "f", value);
+    }
+
+    /** A ratio such as {@code 1.0012}. */
+    static String ratio(double value) {
+        return signed("%.4f", value);
+    }
+
+    /** A number of % such as {@code 12.3}. */
+    static String percent(double value) {
+        return signed("%.1f", value);
+    }
+
+    /** With a minus that is one, and none before zero. */
+    private static String signed(String format, double value) {
+        String digits = String.format(Locale.ROOT, format, value);
+        boolean isZero = digits.matches("-[0.]+");
+        return isZero ? digits.substring(1) : digits.replace('-', '−');
+    }
+}

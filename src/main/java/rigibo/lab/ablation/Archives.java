@@ -1,0 +1,69 @@
+package rigibo.lab.ablation;
+
+import rigibo.lab.ablation.probe.Workloads;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+
+/** The engine as archives, whole and without what a scene does not need. */
+final class Archives {
+
+    private final Path directory;
+    private final Workloads workloads;
+    private final ClassFiles engine = ClassFiles.ofEngine();
+    private final ClassFiles probe = ClassFiles.ofProbe();
+
+    /** Writes the whole engine and the probe into a directory, which is made. */
+    Archives(Path directory, Workloads workloads) {
+        this.directory = directory;
+        this.workloads = workloads;
+        try {
+            Files.createDirectories(directory);
+        } catch (IOException cause) {
+            throw new UncheckedIOException("cannot make " + directory, cause);
+        }
+        engine.write(whole());
+        probe.write(probe());
+    }
+
+    private Path whole() {
+        return directory.resolve("engine.jar");
+    }
+
+    /** What runs in a process. */
+    Path probe() {
+        return directory.resolve("probe.jar");
+    }
+
+    /** Writes the engine without what a scene does not need. */
+    void strip(String scene) {
+        engine.without(takenOut(scene)).write(stripped(scene));
+    }
+
+    private Path stripped(String scene) {
+        return directory.resolve("engine-for-" + scene + ".jar");
+    }
+
+    /** What a run has on its class path. */
+    Path engine(Run run) {
+        return run.engine() == Run.Engine.FULL ? whole() : stripped(run.workload());
+    }
+
+    /** The files that are missing from a scene's archive. */
+    List<String> takenOut(String scene) {
+        return OwnClasses.undeclared(workloads.scene(scene).effects(), engine.names());
+    }
+
+    /** How many class files the engine has. */
+    int size() {
+        return engine.names().size();
+    }
+
+    /** The same for equal classes. */
+    String hash() {
+        return engine.hash() + probe.hash();
+    }
+}

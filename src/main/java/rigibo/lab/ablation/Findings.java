@@ -1,0 +1,99 @@
+package rigibo.lab.ablation;
+
+import rigibo.lab.ablation.probe.Sample;
+import rigibo.lab.ablation.probe.Share;
+
+import java.util.List;
+import java.util.stream.Stream;
+
+/**
+ * What all runs together tell.
+ *
+ * @param ablations of every scene
+ * @param uses of every effect, by how many use it
+ * @param savings of every scene, by what is left out
+ */
+record Findings(List<Ablation> ablations, List<UseCost> uses, List<Saving> savings) {
+
+    /** How far from 1 a ratio may be that is called equal. */
+    static final double TOLERANCE = 0.01;
+
+    /**
+     * A scene with the classes of undeclared effects in the archive, and without them.
+     *
+     * @param scene its name
+     * @param words what it is
+     * @param period steps until it is put back
+     * @param takenOut how many class files were taken out
+     * @param pairs stripped first, full second
+     */
+    record Ablation(String scene, String words, int period, int takenOut, Pairs pairs) {
+
+        /** Whether a cost of undeclared effects is excluded, seen, or neither. */
+        String verdict() {
+            Interval ratio = pairs.ratio();
+            if (ratio.isWithin(TOLERANCE, 1)) {
+                return "equal within 1 %";
+            }
+            return ratio.contains(1) ? "no difference seen" : "different";
+        }
+
+        /** Whether bits and work are the same in every run. */
+        boolean isSame() {
+            return pairs.haveEqualBits() && pairs.haveEqualCounts();
+        }
+
+        /** Of any of its runs. */
+        Sample sample() {
+            return pairs.second().get(0);
+        }
+    }
+
+    /**
+     * What a declared effect costs where so many use it.
+     *
+     * @param effect its simple name
+     * @param scene the scene's name
+     * @param sceneWords what the scene is
+     * @param words how a body uses it
+     * @param users how many do
+     * @param pairs undeclared first, declared second
+     */
+    record UseCost(
+            String effect,
+            String scene,
+            String sceneWords,
+            String words,
+            Share share,
+            int users,
+            Pairs pairs) {}
+
+    /**
+     * What a scene saves without an effect.
+     *
+     * @param companions what is left out with it, because it needs it
+     * @param pairs without it first, whole second
+     */
+    record Saving(String scene, String effect, List<String> companions, Pairs pairs) {
+
+        /** Per step, in % of the whole scene's time. */
+        Interval percent() {
+            return pairs.times((without, whole) -> 100 * (whole - without) / whole);
+        }
+    }
+
+    /** The names of the effects whose use was measured, in their order. */
+    List<String> effects() {
+        return uses.stream().map(UseCost::effect).distinct().toList();
+    }
+
+    /** An effect's costs, by shares that rise. */
+    List<UseCost> usesOf(String effect) {
+        return uses.stream().filter(use -> use.effect().equals(effect)).toList();
+    }
+
+    /** A scene's savings. */
+    Stream<Saving> savingsOf(String scene) {
+        return savings.stream().filter(saving -> saving.scene().equals(scene));
+    }
+}

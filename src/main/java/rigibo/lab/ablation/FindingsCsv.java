@@ -1,0 +1,84 @@
+package rigibo.lab.ablation;
+
+import rigibo.lab.ablation.Findings.Ablation;
+import rigibo.lab.ablation.Findings.Saving;
+import rigibo.lab.ablation.Findings.UseCost;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+
+/** The findings as CSV, a line for each comparison. */
+final class FindingsCsv {
+
+    private static final String HEAD =
+            "table,scene,effect,users,first_ns,second_ns,figure,median,low,high,coverage,"
+                    + "most_bytes_per_step,counts_equal,bits_equal";
+
+    private FindingsCsv() {}
+
+    static List<String> lines(Findings findings) {
+        List<String> lines = new ArrayList<>(List.of(HEAD));
+        findings.ablations().forEach(one -> lines.add(line(one)));
+        findings.uses().forEach(use -> lines.add(line(use)));
+        findings.savings().forEach(saving -> lines.add(line(saving)));
+        return lines;
+    }
+
+    private static String line(Ablation one) {
+        Interval ratio = one.pairs().ratio();
+        String same = "," + one.pairs().haveEqualCounts() + "," + one.pairs().haveEqualBits();
+        return line("undeclared", one.scene(), "", "", one.pairs(), "ratio", ratio) + same;
+    }
+
+    /** Bodies that use an effect go other ways: bits and work are not compared. */
+    private static String line(UseCost use) {
+        return line(
+                        "use",
+                        use.scene(),
+                        use.effect(),
+                        "" + use.users(),
+                        use.pairs(),
+                        "difference_ns",
+                        use.pairs().difference())
+                + ",,";
+    }
+
+    private static String line(Saving saving) {
+        return line(
+                        "left_out",
+                        saving.scene(),
+                        saving.effect(),
+                        "",
+                        saving.pairs(),
+                        "difference_ns",
+                        saving.pairs().difference())
+                + ",,";
+    }
+
+    private static String line(
+            String table,
+            String scene,
+            String effect,
+            String users,
+            Pairs pairs,
+            String figure,
+            Interval value) {
+        return Stream.of(
+                        table,
+                        scene,
+                        effect,
+                        users,
+                        pairs.firstNanos(),
+                        pairs.secondNanos(),
+                        figure,
+                        value.median(),
+                        value.low(),
+                        value.high(),
+                        value.coverage(),
+                        pairs.mostBytes())
+                .map(String::valueOf)
+                .collect(Collectors.joining(","));
+    }
+}

@@ -1,0 +1,124 @@
+package rigibo.lab.ablation;
+
+import rigibo.backend.effect.AirDrag;
+import rigibo.backend.effect.Buoyancy;
+import rigibo.backend.effect.CentralForce;
+import rigibo.backend.effect.Contacts;
+import rigibo.backend.effect.Effect;
+import rigibo.backend.effect.Effects;
+import rigibo.backend.effect.Field;
+import rigibo.backend.effect.Gravity;
+import rigibo.backend.effect.Sleep;
+import rigibo.backend.effect.Thrust;
+import rigibo.backend.effect.Wind;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.TreeSet;
+
+/**
+ * The engine's classes that exist for an effect only. A new effect's classes are one more line.
+ *
+ * @param owners the effects of which one at least has to be declared for the classes to be needed
+ * @param classes in the package {@code rigibo.backend}, by room and simple name, with all that is
+ *     nested in them; {@code contact.*} is a whole room
+ */
+record OwnClasses(List<Class<? extends Effect>> owners, List<String> classes) {
+
+    private static final String ENGINE = "rigibo/backend/";
+    private static final String SUFFIX = ".class";
+    private static final String WHOLE_ROOM = "*";
+
+    /** A class that is of several effects together is in several lines: it needs them all. */
+    static final List<OwnClasses> ALL =
+            List.of(
+                    of(Gravity.class, "force.GravityKernel"),
+                    of(Thrust.class, "force.ThrustKernel"),
+                    of(Wind.class, "force.WindKernel", "force.GustForce"),
+                    of(AirDrag.class, "force.AirDragForce"),
+                    of(Buoyancy.class, "force.BuoyantForce", "force.Submerged"),
+                    of(CentralForce.class, "force.CentralPull"),
+                    of(Field.class, "force.FieldForce"),
+                    ofAny(
+                            List.of(
+                                    AirDrag.class,
+                                    Buoyancy.class,
+                                    CentralForce.class,
+                                    Field.class,
+                                    Wind.class),
+                            "force.Instant",
+                            "flight.Course",
+                            "flight.Deviation",
+                            "contact.PileForces"),
+                    of(
+                            Contacts.class,
+                            "contact.*",
+                            "collision.BoxFaces",
+                            "collision.CircleCircle",
+                            "collision.PolygonCircle",
+                            "rest.IslandBuilder",
+                            "rest.PileClassifier",
+                            "storage.PairTolerances"),
+                    of(Sleep.class, "rest.Sleeping"));
+
+    private static OwnClasses of(Class<? extends Effect> owner, String... classes) {
+        return ofAny(List.of(owner), classes);
+    }
+
+    private static OwnClasses ofAny(List<Class<? extends Effect>> owners, String... classes) {
+        return new OwnClasses(owners, List.of(classes));
+    }
+
+    /**
+     * The files, such as {@code rigibo/backend/force/ThrustKernel.class}, of all classes that no
+     * declared effect needs.
+     *
+     * @param files of the engine
+     * @throws IllegalStateException when a listed class is not among them
+     */
+    static List<String> undeclared(Effects declared, Iterable<String> files) {
+        TreeSet<String> found = new TreeSet<>();
+        for (OwnClasses line : ALL) {
+            List<String> own = line.files(files);
+            if (line.owners.stream().noneMatch(declared::declares)) {
+                found.addAll(own);
+            }
+        }
+        return List.copyOf(found);
+    }
+
+    private List<String> files(Iterable<String> engine) {
+        return classes.stream().flatMap(name -> filesOf(name, engine).stream()).toList();
+    }
+
+    private List<String> filesOf(String name, Iterable<String> engine) {
+        TreeSet<String> found = new TreeSet<>();
+        for (String file : engine) {
+            if (isOf(name, file)) {
+                found.add(file);
+            }
+        }
+        if (found.isEmpty()) {
+            throw new IllegalStateException(
+                    "the class "
+                            + name
+                            + " is listed as existing for "
+                            + names()
+                            + " only, but the engine has none of that name");
+        }
+        return List.copyOf(found);
+    }
+
+    private static boolean isOf(String name, String file) {
+        String path = ENGINE + name.replace('.', '/');
+        if (path.endsWith(WHOLE_ROOM)) {
+            return file.startsWith(path.substring(0, path.length() - 1))
+                    && !file.endsWith("package-info" + SUFFIX);
+        }
+        return file.equals(path + SUFFIX) || file.startsWith(path + "$");
+    }
+
+    private String names() {
+        return Arrays.toString(owners.stream().map(Class::getSimpleName).toArray());
+    }
+}

@@ -1,0 +1,64 @@
+package rigibo.lab.ablation;
+
+import rigibo.lab.ablation.Findings.Ablation;
+
+import java.util.List;
+
+/** The ratio of each scene with its interval, against the band within which it counts as equal. */
+final class RatioPanel {
+
+    private static final double ROW = 30;
+
+    /** Narrowest axis, % to each side: the band and something around it. */
+    private static final double LEAST_REACH = 2;
+
+    /** Widest: a run on a busy machine still shows the band. */
+    private static final double MOST_REACH = 25;
+
+    private final List<Ablation> scenes;
+    private final Axis axis;
+
+    RatioPanel(List<Ablation> scenes) {
+        this.scenes = scenes;
+        double reach =
+                scenes.stream()
+                        .map(one -> one.pairs().ratio())
+                        .mapToDouble(one -> Math.max(-percent(one.low()), percent(one.high())))
+                        .max()
+                        .orElse(0);
+        double end = Math.ceil(Math.max(LEAST_REACH, Math.min(MOST_REACH, reach)));
+        axis = new Axis(-end, end, 130, 740);
+    }
+
+    private static double percent(double ratio) {
+        return 100 * (ratio - 1);
+    }
+
+    /** Draws it below a height and returns where it ends. */
+    double draw(Svg svg, double top) {
+        double bottom = top + ROW * scenes.size();
+        double band = 100 * Findings.TOLERANCE;
+        svg.box(axis.at(-band), axis.at(band), top, bottom - top, Svg.BAND);
+        axis.draw(svg, top, bottom, "time per step with the classes, % more than without them");
+        for (int i = 0; i < scenes.size(); i++) {
+            draw(svg, scenes.get(i), top + (i + 0.5) * ROW);
+        }
+        return bottom + 40;
+    }
+
+    private void draw(Svg svg, Ablation scene, double y) {
+        Interval ratio = scene.pairs().ratio();
+        svg.text(axis.left() - 12, y + 5, Svg.Anchor.END, 14, Svg.INK, scene.scene());
+        double low = axis.at(percent(ratio.low()));
+        svg.line(low, y, axis.at(percent(ratio.high())), y, 3, Svg.BLUE);
+        svg.dot(axis.at(percent(ratio.median())), y, 5, Svg.BLUE);
+        String words =
+                Amount.digits(percent(ratio.median()))
+                        + " % ("
+                        + Amount.digits(percent(ratio.low()))
+                        + " to "
+                        + Amount.digits(percent(ratio.high()))
+                        + ")";
+        svg.text(axis.right() + 20, y + 5, Svg.Anchor.START, 14, Svg.INK, words);
+    }
+}

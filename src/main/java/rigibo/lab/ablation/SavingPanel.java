@@ -1,0 +1,65 @@
+package rigibo.lab.ablation;
+
+import rigibo.lab.ablation.Findings.Ablation;
+import rigibo.lab.ablation.Findings.Saving;
+import rigibo.lab.ablation.Svg.Anchor;
+
+import java.util.List;
+
+/** A bar for each effect of each scene: the share of a step that is saved without it. */
+final class SavingPanel {
+
+    private static final double ROW = 24;
+    private static final double HEAD = 26;
+
+    /** Without a brake a scene may well cost more than it did: so far to the left, %. */
+    private static final double LEAST = -100;
+
+    private final Findings findings;
+    private final Axis axis;
+
+    SavingPanel(Findings findings) {
+        this.findings = findings;
+        double least =
+                findings.savings().stream()
+                        .mapToDouble(saving -> saving.percent().low())
+                        .min()
+                        .orElse(0);
+        double from = Math.max(LEAST, 10 * Math.floor(Math.min(0, least) / 10));
+        axis = new Axis(from, 100, 330, 790);
+    }
+
+    /** Draws it below a height and returns where it ends. */
+    double draw(Svg svg, double top) {
+        double bottom = top + HEAD * findings.ablations().size() + ROW * findings.savings().size();
+        axis.draw(svg, top, bottom, "saved per step, % of the whole scene's step");
+        double y = top;
+        for (Ablation scene : findings.ablations()) {
+            svg.text(40, y + 18, Anchor.START, 15, Svg.INK, scene.scene());
+            y += HEAD;
+            for (Saving saving : findings.savingsOf(scene.scene()).toList()) {
+                draw(svg, saving, y + ROW / 2);
+                y += ROW;
+            }
+        }
+        return bottom + 40;
+    }
+
+    private void draw(Svg svg, Saving saving, double y) {
+        Interval percent = saving.percent();
+        svg.text(axis.left() - 12, y + 5, Anchor.END, 14, Svg.INK, words(saving));
+        svg.box(axis.at(0), axis.at(percent.median()), y - 7, 14, Svg.BLUE);
+        svg.line(axis.at(percent.low()), y, axis.at(percent.high()), y, 2, Svg.ORANGE);
+        String value =
+                Amount.percent(percent.median())
+                        + " %, "
+                        + Amount.time(saving.pairs().difference().median());
+        svg.text(axis.right() + 16, y + 5, Anchor.START, 14, Svg.INK, value);
+    }
+
+    private static String words(Saving saving) {
+        List<String> companions = saving.companions();
+        String more = companions.isEmpty() ? "" : " and " + companions.size() + " that need it";
+        return "without " + saving.effect() + more;
+    }
+}

@@ -1,0 +1,67 @@
+package rigibo.lab.ablation;
+
+import rigibo.lab.ablation.Findings.Ablation;
+import rigibo.lab.ablation.Findings.Saving;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.function.Predicate;
+
+/** What was found, in sentences whose numbers are those of the runs. */
+final class Sentences {
+
+    private Sentences() {}
+
+    static List<String> of(Findings findings) {
+        List<String> sentences = new ArrayList<>();
+        sentences.add(ratios(findings));
+        sentences.add(sameness(findings));
+        sentences.add(bytes(findings));
+        findings.savings().stream()
+                .max(Comparator.comparingDouble(saving -> saving.percent().median()))
+                .ifPresent(saving -> sentences.add(greatest(saving)));
+        return sentences;
+    }
+
+    private static String ratios(Findings findings) {
+        List<Ablation> scenes = findings.ablations();
+        long equal = count(scenes, one -> one.pairs().ratio().isWithin(Findings.TOLERANCE, 1));
+        long open = count(scenes, one -> one.verdict().equals("no difference seen"));
+        long different = count(scenes, one -> one.verdict().equals("different"));
+        return String.format(
+                "Time with the classes of undeclared effects over time without them: in %d of %d"
+                        + " scenes the whole interval is within 1 %% of 1; in %d more it is wider"
+                        + " and holds 1; in %d it does not.",
+                equal, scenes.size(), open, different);
+    }
+
+    private static String sameness(Findings findings) {
+        List<Ablation> scenes = findings.ablations();
+        return String.format(
+                "Bits and work are the same in every run, with and without the classes, in %d of %d"
+                        + " scenes.",
+                count(scenes, Ablation::isSame), scenes.size());
+    }
+
+    private static String bytes(Findings findings) {
+        double most =
+                findings.ablations().stream()
+                        .mapToDouble(one -> one.pairs().mostBytes())
+                        .max()
+                        .orElse(0);
+        return "The most that a warm step allocated is " + Amount.digits(most) + " bytes.";
+    }
+
+    private static String greatest(Saving saving) {
+        return String.format(
+                "The most that leaving out an effect saves is %s %%: %s, without %s.",
+                Amount.percent(saving.percent().median()),
+                saving.scene(),
+                String.join(", ", MarkdownTables.leftOut(saving)));
+    }
+
+    private static long count(List<Ablation> scenes, Predicate<Ablation> which) {
+        return scenes.stream().filter(which).count();
+    }
+}

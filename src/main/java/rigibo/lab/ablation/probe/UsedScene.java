@@ -1,0 +1,85 @@
+package rigibo.lab.ablation.probe;
+
+import rigibo.backend.Pool;
+import rigibo.backend.RigidBody;
+import rigibo.backend.effect.Effects;
+import rigibo.backend.effect.Thrust;
+import rigibo.backend.setup.BodyDefinition;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Consumer;
+
+/** A scene in which a share of the dynamic bodies use an effect: the first ones. */
+final class UsedScene implements Workload {
+
+    private final Use use;
+    private final Share share;
+    private final Effects effects;
+    private final Consumer<RigidBody> push;
+    private final int users;
+    private final boolean isDriven;
+    private final int pushed;
+
+    UsedScene(Use use, Share share, Effects effects, Consumer<RigidBody> push) {
+        this.use = use;
+        this.share = share;
+        this.effects = effects;
+        this.push = push;
+        users = use.users(share);
+        isDriven = effects.declares(Thrust.class);
+        pushed = push == Use.NO_PUSH ? 0 : users;
+    }
+
+    @Override
+    public String name() {
+        return use.scene().name();
+    }
+
+    @Override
+    public String words() {
+        return use.scene().words() + ", " + share;
+    }
+
+    @Override
+    public Effects effects() {
+        return effects;
+    }
+
+    @Override
+    public List<BodyDefinition> bodies() {
+        List<BodyDefinition> all = new ArrayList<>();
+        int met = 0;
+        for (BodyDefinition body : use.scene().bodies()) {
+            if (!Use.mayUse(body)) {
+                all.add(body);
+            } else if (met++ < users) {
+                all.addAll(use.user().apply(body));
+            } else {
+                all.addAll(use.idler().apply(body));
+            }
+        }
+        return all;
+    }
+
+    @Override
+    public int stepsToSettle() {
+        return use.scene().stepsToSettle();
+    }
+
+    @Override
+    public int period() {
+        return use.scene().period();
+    }
+
+    /** Whoever is pushed is among the first bodies: those scenes add nothing before them. */
+    @Override
+    public void drive(Pool pool) {
+        if (isDriven) {
+            use.scene().drive(pool);
+        }
+        for (int i = 0; i < pushed; i++) {
+            push.accept(pool.bodies().get(i));
+        }
+    }
+}
