@@ -22,7 +22,7 @@ class MainTest {
     void helpNamesEveryCommand() {
         assertThat(run("help")).isZero();
         assertThat(out.toString())
-                .contains("Usage: rigibo", "play", "tour", "levels", "cases", "help");
+                .contains("Usage: rigibo", "play", "tour", "levels", "cases", "lab", "help");
     }
 
     @Test
@@ -52,6 +52,20 @@ class MainTest {
         "cases --csv no/such/place.csv, no/such/place.csv"
     })
     void wrongChoiceOfCasesIsRefusedWithTheRightOnes(String typed, String named) {
+        assertThat(run(typed.split(" "))).isEqualTo(2);
+        assertThat(err.toString()).contains(typed.split(" ")[1], named);
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "lab --figures waves, EFFECTS",
+        "lab --scenes moon, flyers",
+        "lab --runs 0, 1 to 1000",
+        "lab --runs many, many",
+        "lab --out README.md, not a directory",
+        "lab --markdown no/such/place.md, no/such/place.md"
+    })
+    void wrongChoiceOfTheLabIsRefusedWithTheRightOnes(String typed, String named) {
         assertThat(run(typed.split(" "))).isEqualTo(2);
         assertThat(err.toString()).contains(typed.split(" ")[1], named);
     }

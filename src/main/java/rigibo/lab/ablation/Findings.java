@@ -18,6 +18,28 @@ record Findings(List<Ablation> ablations, List<UseCost> uses, List<Saving> savin
     /** How far from 1 a ratio may be that is called equal. */
     static final double TOLERANCE = 0.01;
 
+    /** An interval that covers less says nothing; that of five values covers 0.9375. */
+    static final double LEAST_COVERAGE = 0.93;
+
+    /** What an interval of ratios says. */
+    enum Verdict {
+        EQUAL("equal within 1 %"),
+        NOT_TOLD_APART("not told apart"),
+        DIFFERENT("different"),
+        TOO_FEW_RUNS("too few runs to tell");
+
+        private final String words;
+
+        Verdict(String words) {
+            this.words = words;
+        }
+
+        @Override
+        public String toString() {
+            return words;
+        }
+    }
+
     /**
      * A scene with the classes of undeclared effects in the archive, and without them.
      *
@@ -30,12 +52,15 @@ record Findings(List<Ablation> ablations, List<UseCost> uses, List<Saving> savin
     record Ablation(String scene, String words, int period, int takenOut, Pairs pairs) {
 
         /** Whether a cost of undeclared effects is excluded, seen, or neither. */
-        String verdict() {
+        Verdict verdict() {
             Interval ratio = pairs.ratio();
-            if (ratio.isWithin(TOLERANCE, 1)) {
-                return "equal within 1 %";
+            if (ratio.coverage() < LEAST_COVERAGE) {
+                return Verdict.TOO_FEW_RUNS;
             }
-            return ratio.contains(1) ? "no difference seen" : "different";
+            if (ratio.isWithin(TOLERANCE, 1)) {
+                return Verdict.EQUAL;
+            }
+            return ratio.contains(1) ? Verdict.NOT_TOLD_APART : Verdict.DIFFERENT;
         }
 
         /** Whether bits and work are the same in every run. */

@@ -31,7 +31,7 @@ final class MarkdownTables {
     List<String> ablation() {
         List<String> lines = new ArrayList<>();
         lines.add(
-                "| scene | classes taken out | a, without them | b, with them | b/a | 95 % interval"
+                "| scene | classes taken out | a, without them | b, with them | b/a | interval"
                         + " | | bytes per step | work equal | bits equal |");
         lines.add("|---|---:|---:|---:|---:|---|---|---:|---|---|");
         findings.ablations().forEach(one -> lines.add(row(one)));

@@ -27,7 +27,8 @@ final class Page {
             pairs whose order changes (a b, b a) so that what drifts on the machine falls on both. \
             A process builds the scene, runs it warm, and then times periods of %s: after each the \
             bodies are put back where the period began, so that they never come to rest for good. \
-            Of the periods' times per step it tells the median. A comparison is the median of the \
+            Of the periods' times per step, of the processor time that the thread used, it tells the \
+            median. A comparison is the median of the \
             ratios or differences of its pairs, %d for a and b, %d for everything else, with the \
             interval of order statistics that holds the true median with %s %% at least, whatever \
             the distribution (%s %% for the shorter comparisons). Work and bits are compared after \

@@ -45,7 +45,7 @@ final class RunLog {
             if (whole.length() < text.length()) {
                 Files.writeString(file, whole);
             }
-            whole.lines().forEach(this::take);
+            whole.lines().skip(1).forEach(this::take);
         } catch (IOException cause) {
             throw new UncheckedIOException("cannot read " + file, cause);
         }

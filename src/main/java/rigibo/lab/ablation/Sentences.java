@@ -2,6 +2,7 @@ package rigibo.lab.ablation;
 
 import rigibo.lab.ablation.Findings.Ablation;
 import rigibo.lab.ablation.Findings.Saving;
+import rigibo.lab.ablation.Findings.Verdict;
 
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -26,14 +27,13 @@ final class Sentences {
 
     private static String ratios(Findings findings) {
         List<Ablation> scenes = findings.ablations();
-        long equal = count(scenes, one -> one.pairs().ratio().isWithin(Findings.TOLERANCE, 1));
-        long open = count(scenes, one -> one.verdict().equals("no difference seen"));
-        long different = count(scenes, one -> one.verdict().equals("different"));
+        long equal = count(scenes, one -> one.verdict() == Verdict.EQUAL);
+        long different = count(scenes, one -> one.verdict() == Verdict.DIFFERENT);
         return String.format(
                 "Time with the classes of undeclared effects over time without them: in %d of %d"
-                        + " scenes the whole interval is within 1 %% of 1; in %d more it is wider"
-                        + " and holds 1; in %d it does not.",
-                equal, scenes.size(), open, different);
+                        + " scenes the whole interval is within %.0f %% of 1; in %d it is not and"
+                        + " does not hold 1.",
+                equal, scenes.size(), 100 * Findings.TOLERANCE, different);
     }
 
     private static String sameness(Findings findings) {

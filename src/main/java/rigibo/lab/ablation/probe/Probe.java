@@ -97,14 +97,23 @@ public final class Probe {
                 || count < MOST_TIMED_PERIODS
                         && System.nanoTime() - begun < millis * NANOS_PER_MILLI) {
             poses.restore();
+            // The clock may allocate, so it is asked first and last.
+            long before = processorNanos();
             long allocated = THREADS.getCurrentThreadAllocatedBytes();
-            long before = System.nanoTime();
             run();
-            nanos[count] = (double) (System.nanoTime() - before) / period;
-            bytes[count] = (double) (THREADS.getCurrentThreadAllocatedBytes() - allocated) / period;
+            long taken = THREADS.getCurrentThreadAllocatedBytes() - allocated;
+            nanos[count] = (double) (processorNanos() - before) / period;
+            bytes[count] = (double) taken / period;
             count++;
         }
         return new double[][] {Arrays.copyOf(nanos, count), Arrays.copyOf(bytes, count)};
+    }
+
+    /** What this thread has used of a processor: others that are given turns do not count. */
+    private static long processorNanos() {
+        return THREADS.isCurrentThreadCpuTimeSupported()
+                ? THREADS.getCurrentThreadCpuTime()
+                : System.nanoTime();
     }
 
     private static double median(double[] values) {

@@ -7,7 +7,7 @@ import java.util.stream.Stream;
 /**
  * What one process found.
  *
- * @param nanosPerStep median over the periods after warm-up, ns
+ * @param nanosPerStep of the processor, median over the periods after warm-up, ns
  * @param bytesPerStep allocated in the same periods, median, bytes
  * @param stateHash after the counted steps
  * @param counts of the counted steps: those of the first periods, the same however fast the machine
