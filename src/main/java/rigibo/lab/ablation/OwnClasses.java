@@ -4,11 +4,18 @@ import rigibo.backend.effect.AirDrag;
 import rigibo.backend.effect.Buoyancy;
 import rigibo.backend.effect.CentralForce;
 import rigibo.backend.effect.Contacts;
+import rigibo.backend.effect.ContinuousImpacts;
+import rigibo.backend.effect.Drag;
 import rigibo.backend.effect.Effect;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Field;
+import rigibo.backend.effect.Friction;
 import rigibo.backend.effect.Gravity;
+import rigibo.backend.effect.Restitution;
+import rigibo.backend.effect.RollingResistance;
+import rigibo.backend.effect.Rotation;
 import rigibo.backend.effect.Sleep;
+import rigibo.backend.effect.SurfaceSpeed;
 import rigibo.backend.effect.Thrust;
 import rigibo.backend.effect.Wind;
 
@@ -52,13 +59,52 @@ record OwnClasses(List<Class<? extends Effect>> owners, List<String> classes) {
                             "contact.PileForces"),
                     of(
                             Contacts.class,
+                            "broadphase.*",
                             "contact.*",
                             "collision.BoxFaces",
                             "collision.CircleCircle",
+                            "collision.Collider",
+                            "collision.FaceClip",
+                            "collision.FaceSearch",
+                            "collision.Manifold",
+                            "collision.Narrowphase",
+                            "collision.NormalSource",
                             "collision.PolygonCircle",
+                            "collision.PolygonPolygon",
+                            "collision.Seams",
+                            "flight.FreeFlight",
+                            "flight.Trajectories",
                             "rest.IslandBuilder",
                             "rest.PileClassifier",
                             "storage.PairTolerances"),
+                    of(Friction.class, "contact.FrictionSolver"),
+                    of(RollingResistance.class, "contact.RollingSolver"),
+                    of(SurfaceSpeed.class, "contact.RunningRows"),
+                    of(Rotation.class, "contact.TurningRows"),
+                    of(Drag.class, "contact.DragKick"),
+                    of(
+                            Restitution.class,
+                            "contact.BounceRows",
+                            "contact.JointBlows",
+                            "contact.PileBlows",
+                            "contact.PileImpacts"),
+                    of(
+                            ContinuousImpacts.class,
+                            "collision.Approach",
+                            "collision.AxisReach",
+                            "collision.Distance",
+                            "collision.FarthestCorner",
+                            "collision.FixedAxisGap",
+                            "collision.GapAlong",
+                            "collision.RootSearch",
+                            "collision.SafeAdvance",
+                            "collision.TimeOfImpact",
+                            "collision.TurningFaceGap",
+                            "flight.Blows",
+                            "flight.Bystanders",
+                            "flight.Flight",
+                            "flight.ImpactQueue"),
+                    ofAny(List.of(Restitution.class, ContinuousImpacts.class), "impact.*"),
                     of(Sleep.class, "rest.Sleeping"));
 
     private static OwnClasses of(Class<? extends Effect> owner, String... classes) {

@@ -59,7 +59,9 @@ class OwnClassesTest {
     void undeclaredClassesAreNotLoaded(String scene) throws IOException, InterruptedException {
         List<String> undeclared =
                 OwnClasses.undeclared(new Workloads(1).scene(scene).effects(), ENGINE.names());
-        assertThat(loaded(scene)).contains("rigibo/backend/Pool.class").doesNotContainAnyElementsOf(undeclared);
+        assertThat(loaded(scene))
+                .contains("rigibo/backend/Pool.class")
+                .doesNotContainAnyElementsOf(undeclared);
     }
 
     private static List<String> loaded(String scene) throws IOException, InterruptedException {

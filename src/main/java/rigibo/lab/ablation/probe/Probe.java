@@ -67,7 +67,7 @@ public final class Probe {
             run();
         }
         double[][] found = time(timedMillis);
-        return new Sample(median(found[0]), median(found[1]), hash, counts, bitsPerBody());
+        return new Sample(median(found[0]), median(found[1]), hash, counts, pool.bitsPerBody());
     }
 
     private Counts count(Counts before) {
@@ -120,10 +120,5 @@ public final class Probe {
         Arrays.sort(values);
         int half = values.length / 2;
         return values.length % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
-    }
-
-    /** Not told by the engine yet. */
-    private static int bitsPerBody() {
-        return 0;
     }
 }
