@@ -28,11 +28,12 @@ final class Page {
             A process builds the scene, runs it warm, and then times periods of %s: after each the \
             bodies are put back where the period began, so that they never come to rest for good. \
             Of the periods' times per step, of the processor time that the thread used, it tells the \
-            median. A comparison is the median of the \
-            ratios or differences of its pairs, %d for a and b, %d for everything else, with the \
-            interval of order statistics that holds the true median with %s %% at least, whatever \
-            the distribution (%s %% for the shorter comparisons). Work and bits are compared after \
-            two periods, the same number of steps on every machine.
+            median; of their bytes the least, for all do the same, and what comes on top in some \
+            is what the compiler allocates on the thread it holds up. A comparison is the median \
+            of the ratios or differences of its pairs, %d for a and b, %d for everything else, \
+            with the interval of order statistics that holds the true median with %s %% at least, \
+            whatever the distribution (%s %% for the shorter comparisons). Work and bits are \
+            compared after two periods, the same number of steps on every machine.
 
             Made by `./rigibo lab --figures effects%s` on %s, %s.
 

@@ -9,7 +9,6 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.concurrent.TimeUnit;
 
 /** Starts the Java processes that measure, one at a time, each on one core where that can be. */
 final class ProbeJava {
@@ -21,8 +20,6 @@ final class ProbeJava {
      */
     private static final List<String> FLAGS =
             List.of("-Xms256m", "-Xmx256m", "-XX:+UseSerialGC", "-Xbatch");
-
-    private static final int MOST_SECONDS = 300;
 
     private final Archives archives;
     private final long seed;
@@ -69,8 +66,7 @@ final class ProbeJava {
             Process process = new ProcessBuilder(command(run)).redirectErrorStream(true).start();
             String said =
                     new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
-            boolean isEnded = process.waitFor(MOST_SECONDS, TimeUnit.SECONDS);
-            if (!isEnded || process.exitValue() != 0) {
+            if (process.waitFor() != 0) {
                 throw broken(run, said);
             }
             return said.lines()

@@ -19,7 +19,7 @@ record Run(String workload, Engine engine, int round, Budget budget) {
     /** How long a process warms up and is timed at least, ms. */
     enum Budget {
         /** For the ratio that has to be told to a percent. */
-        LONG(800, 800),
+        LONG(1500, 1000),
         /** For costs that are read as such. */
         SHORT(400, 300);
 

@@ -67,7 +67,7 @@ public final class Probe {
             run();
         }
         double[][] found = time(timedMillis);
-        return new Sample(median(found[0]), median(found[1]), hash, counts, pool.bitsPerBody());
+        return new Sample(median(found[0]), least(found[1]), hash, counts, pool.bitsPerBody());
     }
 
     private Counts count(Counts before) {
@@ -114,6 +114,10 @@ public final class Probe {
         return THREADS.isCurrentThreadCpuTimeSupported()
                 ? THREADS.getCurrentThreadCpuTime()
                 : System.nanoTime();
+    }
+
+    private static double least(double[] values) {
+        return Arrays.stream(values).min().orElseThrow();
     }
 
     private static double median(double[] values) {

@@ -8,7 +8,8 @@ import java.util.stream.Stream;
  * What one process found.
  *
  * @param nanosPerStep of the processor, median over the periods after warm-up, ns
- * @param bytesPerStep allocated in the same periods, median, bytes
+ * @param bytesPerStep allocated in the one of those periods that allocated least, bytes: all do the
+ *     same, and what comes on top in some is what the compiler allocates on the thread it holds up
  * @param stateHash after the counted steps
  * @param counts of the counted steps: those of the first periods, the same however fast the machine
  * @param bitsPerBody the columns that the effects need, bits
