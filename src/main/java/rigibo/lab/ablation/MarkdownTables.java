@@ -124,7 +124,8 @@ final class MarkdownTables {
     private static boolean isSeen(List<UseCost> uses) {
         Interval none = of(uses, Share.NONE).orElseThrow().pairs().difference();
         Interval all = of(uses, Share.ALL).orElseThrow().pairs().difference();
-        return none.high() < all.low() || all.high() < none.low();
+        boolean isApart = none.high() < all.low() || all.high() < none.low();
+        return isApart && none.coverage() >= Findings.LEAST_COVERAGE;
     }
 
     private static double ofUse(List<UseCost> uses, Share share) {
