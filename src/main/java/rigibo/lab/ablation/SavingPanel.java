@@ -4,8 +4,6 @@ import rigibo.lab.ablation.Findings.Ablation;
 import rigibo.lab.ablation.Findings.Saving;
 import rigibo.lab.ablation.Svg.Anchor;
 
-import java.util.List;
-
 /** A bar for each effect of each scene: the share of a step that is saved without it. */
 final class SavingPanel {
 
@@ -58,8 +56,13 @@ final class SavingPanel {
     }
 
     private static String words(Saving saving) {
-        List<String> companions = saving.companions();
-        String more = companions.isEmpty() ? "" : " and " + companions.size() + " that need it";
+        int companions = saving.companions().size();
+        String more =
+                switch (companions) {
+                    case 0 -> "";
+                    case 1 -> " and " + saving.companions().get(0);
+                    default -> " and " + companions + " that need it";
+                };
         return "without " + saving.effect() + more;
     }
 }
