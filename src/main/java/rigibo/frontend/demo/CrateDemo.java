@@ -1,7 +1,15 @@
 package rigibo.frontend.demo;
 
 import rigibo.backend.RigidBody;
+import rigibo.backend.effect.Contacts;
+import rigibo.backend.effect.ContinuousImpacts;
 import rigibo.backend.effect.Effects;
+import rigibo.backend.effect.Friction;
+import rigibo.backend.effect.Gravity;
+import rigibo.backend.effect.Restitution;
+import rigibo.backend.effect.Rotation;
+import rigibo.backend.effect.Sleep;
+import rigibo.backend.effect.SurfaceSpeed;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.BodyType;
@@ -10,6 +18,7 @@ import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Key;
 import rigibo.frontend.scene.SceneEntry;
 import rigibo.frontend.scene.Skin;
+import rigibo.frontend.scene.effects.EffectReason;
 import rigibo.frontend.scene.widget.Button;
 import rigibo.frontend.scene.widget.Readout;
 import rigibo.frontend.scene.widget.Slider;
@@ -25,6 +34,9 @@ final class CrateDemo implements Demo {
     private static final double BLAST_SPEED = 9;
     private static final double BLAST_RADIUS = 4;
     private static final double LEDGE_X = 6.2;
+
+    /** Of the floor where surfaces run, m/s; negative carries to the right. */
+    private static final double BELT_SPEED = -0.8;
 
     private Workbench bench;
     private final List<RigidBody> stack = new ArrayList<>();
@@ -55,6 +67,21 @@ final class CrateDemo implements Demo {
     }
 
     @Override
+    public List<EffectReason> reasons() {
+        return List.of(
+                new EffectReason(new Gravity(0, -9.81), "crates fall and press on what is below"),
+                new EffectReason(new Contacts(), "crates lie on each other and on the floor"),
+                new EffectReason(new Rotation(), "crates tumble, and the box tips off its edge"),
+                new EffectReason(new Friction(), "crates hold each other in the stack"),
+                new EffectReason(new Restitution(), "a crate that is thrown bounces a little"),
+                new EffectReason(
+                        new ContinuousImpacts(), "a flung crate cannot pass through another"),
+                new EffectReason(new Sleep(), "a stack at rest costs nothing until it is touched"),
+                new EffectReason(
+                        new SurfaceSpeed(), "the floor runs to the right and carries crates off"));
+    }
+
+    @Override
     public Camera camera() {
         return new Camera(2.4, 3.4, 68);
     }
@@ -65,7 +92,7 @@ final class CrateDemo implements Demo {
         bench.add(
                 BodyDefinition.fixed(Polygon.box(24, 1))
                         .at(2, -0.5)
-                        .material(new Material(1, 0.6, 0)),
+                        .material(new Material(1, 0.6, 0).surfaceSpeed(BELT_SPEED)),
                 Skin.STONE);
         bench.add(BodyDefinition.fixed(Polygon.box(1.6, 1.2)).at(LEDGE_X, 0.6), Skin.WOOD);
         stack(10);

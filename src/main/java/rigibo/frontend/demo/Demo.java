@@ -4,6 +4,7 @@ import rigibo.backend.effect.Effects;
 import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Key;
+import rigibo.frontend.scene.effects.EffectReason;
 import rigibo.frontend.scene.widget.Widget;
 
 import java.util.List;
@@ -16,6 +17,9 @@ interface Demo {
 
     /** What the scene calls for. */
     Effects effects();
+
+    /** What each of them is for here, and what others would do that it has numbers for. */
+    List<EffectReason> reasons();
 
     /** Where to look. */
     Camera camera();

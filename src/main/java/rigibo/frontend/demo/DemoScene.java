@@ -7,6 +7,8 @@ import rigibo.frontend.scene.Director;
 import rigibo.frontend.scene.Key;
 import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.effects.CostMeter;
+import rigibo.frontend.scene.effects.EffectsBar;
 import rigibo.frontend.scene.widget.Panel;
 
 import java.util.function.Supplier;
@@ -29,6 +31,7 @@ final class DemoScene implements Scene {
     private Panel panel;
     private StageProfile profile;
     private AccuracyDial dial;
+    private final CostMeter meter = CostMeter.inBackground();
     private EffectsBar effects;
     private boolean isPaused;
     private boolean isDebugging;
@@ -51,7 +54,7 @@ final class DemoScene implements Scene {
         panel = new Panel(8, TOP, PANEL_WIDTH, demo.widgets());
         profile = new StageProfile();
         dial = new AccuracyDial(bench.pool(), RIGHT, TOP + StageProfile.HEIGHT + 8);
-        effects = new EffectsBar(bench.pool());
+        effects = new EffectsBar(new DemoEffects(demo, bench), meter);
     }
 
     @Override
@@ -83,7 +86,7 @@ final class DemoScene implements Scene {
         demo.draw(bench, canvas);
         panel.draw(canvas);
         dial.draw(canvas);
-        effects.draw(canvas);
+        effects.draw(canvas, HEIGHT - 8 - EffectsBar.HEIGHT);
         profile.draw(canvas, RIGHT, TOP, isPaused);
         if (isHelping) {
             drawHelp(canvas);
@@ -94,6 +97,12 @@ final class DemoScene implements Scene {
     public void drawn(long nanos) {
         profile.drawing(nanos);
         demo.drawn(nanos);
+        effects.turn();
+    }
+
+    @Override
+    public void closed() {
+        meter.close();
     }
 
     private static void drawHelp(Canvas canvas) {

@@ -19,6 +19,7 @@ import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.SceneEntry;
 import rigibo.frontend.scene.Skin;
+import rigibo.frontend.scene.effects.EffectReason;
 import rigibo.frontend.scene.widget.Button;
 import rigibo.frontend.scene.widget.Readout;
 import rigibo.frontend.scene.widget.Slider;
@@ -104,8 +105,23 @@ final class FloodDemo implements Demo {
     }
 
     @Override
+    public List<EffectReason> reasons() {
+        return List.of(
+                new EffectReason(new Gravity(0, -9.81), "drops fall and fill the trough"),
+                new EffectReason(new Contacts(), "drops lie on each other and on the walls"),
+                new EffectReason(new Rotation(), "drops that rub, and boxes, turn"),
+                new EffectReason(new Friction(), "drops hold each other and heap up"),
+                new EffectReason(
+                        new Restitution(), "drops bounce; the ball in the shaft tells how high"),
+                new EffectReason(
+                        new ContinuousImpacts(),
+                        "each impact comes at its own time, none is missed"),
+                new EffectReason(new Sleep(), "drops that have come to rest are not computed"));
+    }
+
+    @Override
     public Camera camera() {
-        return new Camera(0, 9.4, 30);
+        return new Camera(0, 8.4, 30);
     }
 
     @Override

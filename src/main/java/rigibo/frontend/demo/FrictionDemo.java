@@ -10,6 +10,7 @@ import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.SceneEntry;
 import rigibo.frontend.scene.Skin;
+import rigibo.frontend.scene.effects.EffectReason;
 import rigibo.frontend.scene.widget.Button;
 import rigibo.frontend.scene.widget.Readout;
 import rigibo.frontend.scene.widget.Slider;
@@ -57,8 +58,19 @@ final class FrictionDemo implements Demo {
     }
 
     @Override
+    public List<EffectReason> reasons() {
+        return List.of(
+                new EffectReason(
+                        new Gravity(0, -GRAVITY),
+                        "presses the boxes on their lanes: no weight, no friction"),
+                new EffectReason(new Contacts(), "the lanes carry the boxes"),
+                new EffectReason(new Rotation(), "a box could tip; these are too low for it"),
+                new EffectReason(new Friction(), "stops each box, on ice late, on rubber soon"));
+    }
+
+    @Override
     public Camera camera() {
-        return new Camera(3.2, -0.4, 42);
+        return new Camera(3.2, -1.3, 42);
     }
 
     @Override

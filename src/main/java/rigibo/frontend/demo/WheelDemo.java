@@ -6,6 +6,7 @@ import rigibo.backend.effect.ContinuousImpacts;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Friction;
 import rigibo.backend.effect.Gravity;
+import rigibo.backend.effect.Restitution;
 import rigibo.backend.effect.RollingResistance;
 import rigibo.backend.effect.Rotation;
 import rigibo.backend.effect.Thrust;
@@ -18,6 +19,7 @@ import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.SceneEntry;
 import rigibo.frontend.scene.Skin;
+import rigibo.frontend.scene.effects.EffectReason;
 import rigibo.frontend.scene.widget.Button;
 import rigibo.frontend.scene.widget.Readout;
 import rigibo.frontend.scene.widget.Slider;
@@ -82,6 +84,23 @@ final class WheelDemo implements Demo {
                 new RollingResistance(),
                 new Thrust(),
                 new ContinuousImpacts());
+    }
+
+    @Override
+    public List<EffectReason> reasons() {
+        return List.of(
+                new EffectReason(new Gravity(0, -GRAVITY), "pulls the wheel down the ramp"),
+                new EffectReason(new Contacts(), "the ramp carries the wheel"),
+                new EffectReason(new Rotation(), "the wheel turns instead of sliding"),
+                new EffectReason(new Friction(), "the ramp turns the wheel and lets it push off"),
+                new EffectReason(
+                        new RollingResistance(), "the slider's lever c brakes the rolling wheel"),
+                new EffectReason(new Thrust(), "torque, thrust and brake act on the wheel"),
+                new EffectReason(
+                        new ContinuousImpacts(), "the wheel lands on the ramp, however fast it is"),
+                new EffectReason(
+                        new Restitution(),
+                        "the wheel would bounce; its elasticity is 0, so it does not"));
     }
 
     @Override
@@ -241,6 +260,12 @@ final class WheelDemo implements Demo {
         double angle = ramp.angle();
         brake = isBraking ? brake() : 0;
         predicted = predicted();
+        if (on.pool().effects().declares(Thrust.class)) {
+            drive(angle);
+        }
+    }
+
+    private void drive(double angle) {
         wheel.applyTorque(-torque - brake);
         double fx = thrust * Math.cos(angle);
         double fy = thrust * Math.sin(angle);

@@ -155,6 +155,7 @@ public final class Display implements Director {
 
     private void closeWindow() {
         if (window != null) {
+            scene.closed();
             window.destroy();
             window = null;
         }

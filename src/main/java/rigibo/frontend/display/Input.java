@@ -94,6 +94,7 @@ final class Input {
         keys.put(GLFW_KEY_F1, Key.F1);
         keys.put(GLFW_KEY_B, Key.B);
         keys.put(GLFW_KEY_D, Key.D);
+        keys.put(GLFW_KEY_E, Key.E);
         keys.put(GLFW_KEY_H, Key.H);
         keys.put(GLFW_KEY_L, Key.L);
         keys.put(GLFW_KEY_M, Key.M);

@@ -14,10 +14,14 @@ final class Hud {
 
     private static final double BAR = 52;
     private static final double MIDDLE = BAR / 2;
+    private static final double TITLE_LEFT = 26;
+    private static final double TITLE_SIZE = 22;
     private static final double PANEL_WIDTH = 420;
     private static final double PANEL_HEIGHT = 210;
     private static final double PANEL_X = (Scene.WIDTH - PANEL_WIDTH) / 2;
-    private static final double PANEL_Y = 76;
+
+    /** Below what is drawn above the play, px. */
+    private static final double PANEL_GAP = 12;
 
     private final Level level;
 
@@ -25,17 +29,20 @@ final class Hud {
         this.level = level;
     }
 
+    /** Where the title ends and something else may begin, px. */
+    double titleEnd(Canvas canvas) {
+        return TITLE_LEFT + canvas.textWidth(title(), TITLE_SIZE, Canvas.Font.WORDS) + 14;
+    }
+
+    private String title() {
+        return level.title().in(Locale.getDefault());
+    }
+
     /** The bar at the top, with the cooldown's ring. */
     void drawBar(Canvas canvas, Session session) {
         PuzzleGame game = session.game();
         canvas.panel(8, 8, Scene.WIDTH - 16, BAR - 4, 14, Color.PANEL);
-        words(
-                canvas,
-                level.title().in(Locale.getDefault()),
-                26,
-                22,
-                Canvas.Align.LEFT,
-                Color.BRASS);
+        words(canvas, title(), TITLE_LEFT, TITLE_SIZE, Canvas.Align.LEFT, Color.BRASS);
         String counts =
                 String.format(
                         Locale.ROOT,
@@ -78,7 +85,7 @@ final class Hud {
     void drawKeys(Canvas canvas) {
         words(
                 canvas,
-                "click a box   R restart   Backspace undo   P pause   Esc menu",
+                "click a box   R restart   Backspace undo   P pause   E effects   Esc menu",
                 Scene.WIDTH / 2.0,
                 16,
                 Scene.HEIGHT - 18,
@@ -86,28 +93,41 @@ final class Hud {
                 Color.TEXT);
     }
 
-    /** The panel when the game is over. */
-    void drawEnd(Canvas canvas, PuzzleGame game, boolean hasNext) {
+    /** Below the bar, px. */
+    static double foot() {
+        return 8 + BAR - 4;
+    }
+
+    /** The panel when the game is over, below what is drawn above the play. */
+    void drawEnd(Canvas canvas, PuzzleGame game, boolean hasNext, double above) {
         boolean won = game.outcome() == Outcome.WON;
-        canvas.panel(PANEL_X, PANEL_Y, PANEL_WIDTH, PANEL_HEIGHT, 18, Color.PANEL);
-        canvas.frame(PANEL_X, PANEL_Y, PANEL_WIDTH, PANEL_HEIGHT, 18, won ? Color.GOOD : Color.BAD);
-        double centre = Scene.WIDTH / 2.0;
+        double top = above + PANEL_GAP;
+        Color edge = game.isSolved() ? Color.GOOD : won ? Color.BRASS : Color.BAD;
+        canvas.panel(PANEL_X, top, PANEL_WIDTH, PANEL_HEIGHT, 18, Color.PANEL);
+        canvas.frame(PANEL_X, top, PANEL_WIDTH, PANEL_HEIGHT, 18, edge);
         String headline = won ? "Solved!" : "Lost: " + game.loss().orElseThrow().words();
-        words(canvas, headline, centre, 34, PANEL_Y + 48, Canvas.Align.CENTRE, Color.TEXT);
-        if (won) {
-            drawMedal(canvas, centre, PANEL_Y + 100, Medal.of(game.clicks(), level.limits().par()));
+        centred(canvas, headline, 34, top + 48, Color.TEXT);
+        drawEarned(canvas, game, top + 100);
+        String more =
+                game.isSolved() && hasNext
+                        ? "Enter: next level     R: again"
+                        : "R: again     Esc: menu";
+        centred(canvas, more, 20, top + PANEL_HEIGHT - 40, Color.BRASS);
+    }
+
+    private void drawEarned(Canvas canvas, PuzzleGame game, double y) {
+        double centre = Scene.WIDTH / 2.0;
+        if (game.isSolved()) {
+            drawMedal(canvas, centre, y, Medal.of(game.clicks(), level.limits().par()));
+        } else if (game.outcome() == Outcome.WON) {
+            centred(canvas, "an experiment: does not count", 22, y, Color.TEXT_DIM);
         } else {
-            drawCross(canvas, centre, PANEL_Y + 100);
+            drawCross(canvas, centre, y);
         }
-        String more = won && hasNext ? "Enter: next level     R: again" : "R: again     Esc: menu";
-        words(
-                canvas,
-                more,
-                centre,
-                20,
-                PANEL_Y + PANEL_HEIGHT - 40,
-                Canvas.Align.CENTRE,
-                Color.BRASS);
+    }
+
+    private static void centred(Canvas canvas, String words, double size, double y, Color color) {
+        words(canvas, words, Scene.WIDTH / 2.0, size, y, Canvas.Align.CENTRE, color);
     }
 
     /** One, two or three stars beside the colour, so that colour alone does not tell. */

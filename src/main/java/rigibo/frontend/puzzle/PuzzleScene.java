@@ -36,6 +36,7 @@ public final class PuzzleScene implements Scene {
     private final Hud hud;
     private final Splinters splinters = new Splinters();
     private final Camera camera;
+    private final EffectsDrawer drawer;
     private double pointerX = WIDTH / 2.0;
     private double pointerY = HEIGHT / 2.0;
     private int chosen = -1;
@@ -53,6 +54,7 @@ public final class PuzzleScene implements Scene {
         double width = level.world().width();
         double height = level.world().height();
         camera = new Camera(width / 2, height / 2, Math.min(WIDTH / width, HEIGHT / height));
+        drawer = new EffectsDrawer(new LevelEffects(level, session), level.world(), camera);
     }
 
     @Override
@@ -66,7 +68,7 @@ public final class PuzzleScene implements Scene {
         splinters.step();
         shake = Math.max(0, shake - 1);
         PuzzleGame game = session.game();
-        if (game.outcome() == Outcome.WON && seen != Outcome.WON) {
+        if (game.isSolved() && seen != Outcome.WON) {
             splinters.celebrate(game.ball().x(), game.ball().y());
         }
         seen = game.outcome();
@@ -87,10 +89,22 @@ public final class PuzzleScene implements Scene {
         splinters.draw(canvas);
         drawRings(canvas, game);
         hud.drawBar(canvas, session);
+        drawer.draw(canvas, hud.titleEnd(canvas));
         hud.drawKeys(canvas);
         if (game.outcome() != Outcome.RUNNING) {
-            hud.drawEnd(canvas, game, number + 1 < levels.size());
+            double above = drawer.isOpen() ? EffectsDrawer.FOOT : Hud.foot();
+            hud.drawEnd(canvas, game, number + 1 < levels.size(), above);
         }
+    }
+
+    @Override
+    public void drawn(long nanos) {
+        drawer.drawn();
+    }
+
+    @Override
+    public void closed() {
+        drawer.close();
     }
 
     private static void body(Canvas canvas, RigidBody body, Skin skin, Canvas.Mood mood) {
@@ -146,12 +160,13 @@ public final class PuzzleScene implements Scene {
         pointerX = x;
         pointerY = y;
         chosen = -1;
+        drawer.pointerMoved(x, y);
     }
 
     @Override
     public void pointerPressed(PointerButton button, double x, double y) {
         pointerMoved(x, y);
-        if (button == PointerButton.LEFT) {
+        if (button == PointerButton.LEFT && !drawer.pointerPressed(x, y)) {
             double worldX = camera.worldX(x);
             double worldY = camera.worldY(y);
             Optional<Piece> under = session.game().pieceAt(worldX, worldY);
@@ -178,6 +193,7 @@ public final class PuzzleScene implements Scene {
         switch (key) {
             case R -> session.restart();
             case P -> session.togglePause();
+            case E -> drawer.toggle();
             case BACKSPACE -> session.undo();
             case TAB -> chooseNext();
             case S -> session.pace(session.pace().slower());
@@ -204,7 +220,7 @@ public final class PuzzleScene implements Scene {
     /** Deletes the chosen box, or goes on to the next level. */
     private void enter() {
         PuzzleGame game = session.game();
-        if (game.outcome() == Outcome.WON && number + 1 < levels.size()) {
+        if (game.isSolved() && number + 1 < levels.size()) {
             director.show(new PuzzleScene(director, levels, number + 1));
         } else if (chosen >= 0) {
             Piece piece = game.pieces().get(chosen);

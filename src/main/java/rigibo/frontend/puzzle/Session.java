@@ -45,7 +45,8 @@ final class Session {
 
     /**
      * Back to just before the last click, by playing again from the start: a few hundred steps cost
-     * less than a frame or two, and nothing has to be kept that could differ.
+     * less than a frame or two, and nothing has to be kept that could differ. Played again are the
+     * level's own effects, so that an experiment is taken back with the click.
      *
      * @return whether there was a click to take back
      */

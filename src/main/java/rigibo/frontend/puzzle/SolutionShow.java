@@ -57,6 +57,6 @@ final class SolutionShow implements Demonstration {
 
     @Override
     public boolean hasSucceeded() {
-        return session.game().outcome() == Outcome.WON;
+        return session.game().isSolved();
     }
 }

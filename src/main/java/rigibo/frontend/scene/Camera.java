@@ -38,9 +38,14 @@ public final class Camera {
 
     /** Back to where it began. */
     public void home() {
-        centreX = homeX;
-        centreY = homeY;
-        scale = homeScale;
+        look(homeX, homeY, homeScale);
+    }
+
+    /** Looks elsewhere: world m in the middle of the window, pixels per metre. */
+    public void look(double worldX, double worldY, double pixelsPerMetre) {
+        centreX = worldX;
+        centreY = worldY;
+        scale = pixelsPerMetre;
     }
 
     /** Zooms by a factor about a point of the screen, px. */

@@ -17,6 +17,7 @@ public enum Key {
     F1,
     B,
     D,
+    E,
     H,
     L,
     M,

@@ -22,6 +22,9 @@ public interface Scene {
     /** A frame was drawn and took this long, ns, all that OpenGL had to do for it included. */
     default void drawn(long nanos) {}
 
+    /** The window is gone for good: whatever the scene has started ends. */
+    default void closed() {}
+
     /** The pointer moved. */
     default void pointerMoved(double x, double y) {}
 

@@ -45,7 +45,12 @@ public final class RecordingCanvas implements Canvas {
         }
     }
 
+    /** A panel with its colour. */
+    private record Plate(Mark place, Color color) {}
+
     private final List<Mark> marks = new ArrayList<>();
+    private final List<Plate> plates = new ArrayList<>();
+    private final List<Mark> frames = new ArrayList<>();
     private Camera camera = Camera.ofPuzzle();
     private final List<double[]> bodies = new ArrayList<>();
 
@@ -72,10 +77,34 @@ public final class RecordingCanvas implements Canvas {
         return texts;
     }
 
-    /** The middle of a text, logical pixels: x, y. */
+    /** The middle of a text, of the last that was drawn of several, logical pixels: x, y. */
     public double[] middleOf(String words) {
-        Mark text = marks.stream().filter(m -> m.words().equals(words)).findFirst().orElseThrow();
+        Mark text =
+                marks.stream()
+                        .filter(mark -> mark.words().equals(words))
+                        .reduce((first, last) -> last)
+                        .orElseThrow();
         return new double[] {(text.left + text.right) / 2, (text.top + text.bottom) / 2};
+    }
+
+    /** The colour of the uppermost panel under the middle of a text. */
+    public Color plateOf(String words) {
+        Mark middle = point(middleOf(words));
+        return plates.stream()
+                .filter(plate -> plate.place.contains(middle))
+                .reduce((below, above) -> above)
+                .orElseThrow()
+                .color;
+    }
+
+    /** How many frames there are round a text. */
+    public long framesRound(String words) {
+        Mark middle = point(middleOf(words));
+        return frames.stream().filter(frame -> frame.contains(middle)).count();
+    }
+
+    private static Mark point(double[] at) {
+        return new Mark("", null, at[0], at[1], at[0], at[1]);
     }
 
     /** Where the bodies of a frame have their middles, logical pixels: x, y. */
@@ -85,7 +114,7 @@ public final class RecordingCanvas implements Canvas {
 
     /** Whether a point of the screen lies on a panel. */
     public boolean isUnderPanel(double x, double y) {
-        Mark point = new Mark("", null, x, y, x, y);
+        Mark point = point(new double[] {x, y});
         return marks.stream().anyMatch(mark -> !mark.isText() && mark.contains(point));
     }
 
@@ -122,11 +151,13 @@ public final class RecordingCanvas implements Canvas {
             marks.removeIf(mark -> mark.isText() && panel.contains(mark));
         }
         marks.add(panel);
+        plates.add(new Plate(panel, color));
     }
 
     @Override
-    public void frame(
-            double x, double y, double width, double height, double corner, Color color) {}
+    public void frame(double x, double y, double width, double height, double corner, Color color) {
+        frames.add(new Mark("", null, x, y, x + width, y + height));
+    }
 
     @Override
     public void text(

@@ -2,6 +2,7 @@ package rigibo.frontend.puzzle.rules;
 
 import rigibo.backend.Pool;
 import rigibo.backend.RigidBody;
+import rigibo.backend.effect.Effects;
 import rigibo.backend.setup.Accuracy;
 import rigibo.frontend.puzzle.level.Level;
 import rigibo.frontend.puzzle.level.Limits;
@@ -27,6 +28,7 @@ public final class PuzzleGame {
     private Optional<Loss> loss = Optional.empty();
     private int steps;
     private int endedAt;
+    private boolean isExperiment;
 
     /** An attempt at its start. */
     public PuzzleGame(Level level, Accuracy accuracy) {
@@ -198,7 +200,29 @@ public final class PuzzleGame {
         return board.pool();
     }
 
-    /** What has been played so far, to be kept or played again. */
+    /**
+     * Simulates other effects than the level calls for. From then on this attempt is an experiment,
+     * also when they are switched back, for what happened meanwhile stays.
+     */
+    public void experiment(Effects effects) {
+        board.pool().effects(effects);
+        isExperiment = true;
+    }
+
+    /** Whether effects were switched: such an attempt earns nothing, however it ends. */
+    public boolean isExperiment() {
+        return isExperiment;
+    }
+
+    /** Whether the level is solved as it is meant to be. */
+    public boolean isSolved() {
+        return outcome == Outcome.WON && !isExperiment;
+    }
+
+    /**
+     * What has been played so far, to be kept or played again. Of an experiment it holds the clicks
+     * alone: played again, they meet the level's own effects.
+     */
     public Replay replay() {
         return new Replay(level.hash(), deletions, board.pool().accuracy());
     }

@@ -1,0 +1,55 @@
+package rigibo.frontend.demo;
+
+import rigibo.backend.Pool;
+import rigibo.backend.effect.Effect;
+import rigibo.backend.effect.Effects;
+import rigibo.frontend.scene.effects.EffectReason;
+import rigibo.frontend.scene.effects.SceneEffects;
+
+import java.util.List;
+import java.util.Set;
+import java.util.stream.Collectors;
+
+/** The effects of a demo on its workbench. */
+final class DemoEffects implements SceneEffects {
+
+    private static final String MARKING =
+            "an experiment: the framed effects are not as the scene calls for (R restarts)";
+
+    private final Demo demo;
+    private final Workbench bench;
+
+    DemoEffects(Demo demo, Workbench bench) {
+        this.demo = demo;
+        this.bench = bench;
+    }
+
+    @Override
+    public Pool pool() {
+        return bench.pool();
+    }
+
+    @Override
+    public Effects calledFor() {
+        return demo.effects();
+    }
+
+    @Override
+    public List<EffectReason> reasons() {
+        return demo.reasons();
+    }
+
+    @Override
+    public void experiment(Effects effects) {
+        bench.pool().effects(effects);
+    }
+
+    @Override
+    public String marking() {
+        return kinds(pool().effects()).equals(kinds(calledFor())) ? "" : MARKING;
+    }
+
+    private static Set<Class<?>> kinds(Effects effects) {
+        return effects.all().stream().map(Effect::getClass).collect(Collectors.toSet());
+    }
+}

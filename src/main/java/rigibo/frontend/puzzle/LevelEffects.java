@@ -1,0 +1,58 @@
+package rigibo.frontend.puzzle;
+
+import rigibo.backend.Pool;
+import rigibo.backend.effect.Effects;
+import rigibo.backend.effect.RollingResistance;
+import rigibo.backend.effect.Wind;
+import rigibo.frontend.puzzle.level.Level;
+import rigibo.frontend.scene.effects.EffectReason;
+import rigibo.frontend.scene.effects.SceneEffects;
+
+import java.util.List;
+
+/** The effects of the game that is being played; general words suit every level. */
+final class LevelEffects implements SceneEffects {
+
+    /** Boxes are heavy: nothing less than a storm moves them, m/s. */
+    private static final double STORM = 30;
+
+    private static final List<EffectReason> REASONS =
+            List.of(
+                    new EffectReason(new RollingResistance(), "a rolling ball slows down"),
+                    new EffectReason(new Wind(STORM, 0), "a storm blows to the right"));
+
+    private final Level level;
+    private final Session session;
+
+    LevelEffects(Level level, Session session) {
+        this.level = level;
+        this.session = session;
+    }
+
+    @Override
+    public Pool pool() {
+        return session.game().pool();
+    }
+
+    @Override
+    public Effects calledFor() {
+        return level.world().effects();
+    }
+
+    @Override
+    public List<EffectReason> reasons() {
+        return REASONS;
+    }
+
+    @Override
+    public void experiment(Effects effects) {
+        session.game().experiment(effects);
+    }
+
+    @Override
+    public String marking() {
+        return session.game().isExperiment()
+                ? "an experiment: does not count (R starts again with the level's own effects)"
+                : "";
+    }
+}

@@ -1,0 +1,174 @@
+package rigibo.frontend.scene.effects;
+
+import rigibo.backend.Pool;
+import rigibo.backend.effect.Effect;
+import rigibo.backend.effect.Effects;
+import rigibo.backend.effect.Sleep;
+import rigibo.backend.setup.Accuracy;
+
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.Executor;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.function.LongSupplier;
+
+/**
+ * Measures what each effect of a running scene costs, one trial after the other on copies of its
+ * pool. The game's thread only takes a snapshot now and then and looks whether a trial is done; it
+ * never waits. All but the trials themselves happens on the game's thread, so nothing is locked.
+ */
+public final class CostMeter {
+
+    /** A snapshot is taken again after so long at the earliest, ns. */
+    private static final long SNAPSHOT_PERIOD = 1_000_000_000;
+
+    /** And takes one part in so many of the game's time at most. */
+    private static final long SNAPSHOT_SHARE = 500;
+
+    /** Rest after a trial in its own lengths: while somebody looks, and while nobody does. */
+    private static final long SHORT_REST = 2;
+
+    private static final long LONG_REST = 8;
+
+    /** What estimates are of; with any of these they change. */
+    private record Subject(Pool pool, Effects effects, Accuracy accuracy) {}
+
+    private final Executor runner;
+    private final LongSupplier clock;
+    private final Runnable end;
+    private final Map<Class<? extends Effect>, Estimate> costs = new HashMap<>();
+    private Estimate step = new Estimate();
+    private Subject subject;
+    private byte[] snapshot;
+    private long snapshotDue;
+    private long trialDue;
+    private CompletableFuture<CostTrial.Result> trial;
+    private Effect tried;
+    private boolean isWatched;
+    private boolean hasWoken;
+    private int turn;
+    private int next;
+
+    private CostMeter(Executor runner, LongSupplier clock, Runnable end) {
+        this.runner = runner;
+        this.clock = clock;
+        this.end = end;
+    }
+
+    /** A meter whose trials are run by {@code runner} and timed by a clock in ns. */
+    static CostMeter on(Executor runner, LongSupplier clock) {
+        return new CostMeter(runner, clock, () -> {});
+    }
+
+    /** A meter with a thread of its own, which begins with the first trial. */
+    public static CostMeter inBackground() {
+        ExecutorService thread = Executors.newSingleThreadExecutor(CostMeter::thread);
+        return new CostMeter(thread, System::nanoTime, thread::shutdownNow);
+    }
+
+    private static Thread thread(Runnable trials) {
+        Thread thread = new Thread(trials, "effect costs");
+        thread.setDaemon(true);
+        thread.setPriority(Thread.MIN_PRIORITY);
+        return thread;
+    }
+
+    /** Ends the thread; call when the scene is over. */
+    public void close() {
+        end.run();
+    }
+
+    /** Call between steps: takes in what was measured and sees to it that more is. */
+    void turn(Pool pool, List<Effect> shown, Optional<Effect> asked) {
+        Subject now = new Subject(pool, pool.effects(), pool.accuracy());
+        if (!now.equals(subject)) {
+            forget(now);
+        }
+        isWatched = asked.isPresent();
+        collect();
+        if (trial == null && clock.getAsLong() >= trialDue && !shown.isEmpty()) {
+            choose(shown, asked).ifPresent(this::start);
+        }
+    }
+
+    private void forget(Subject now) {
+        subject = now;
+        costs.clear();
+        step = new Estimate();
+        trial = null;
+        snapshotDue = clock.getAsLong();
+    }
+
+    private void collect() {
+        if (trial == null || !trial.isDone()) {
+            return;
+        }
+        CostTrial.Result result = trial.join();
+        boolean isLit = subject.effects.declares(tried.getClass());
+        double cost = isLit ? -result.difference() : result.difference();
+        costs.computeIfAbsent(tried.getClass(), kind -> new Estimate()).add(cost);
+        if (!(tried instanceof Sleep)) {
+            // Switching sleep leaves the sleepers as they are; every other trial wakes them.
+            step.add(result.step());
+            hasWoken = result.hasWoken();
+        }
+        trialDue = clock.getAsLong() + (isWatched ? SHORT_REST : LONG_REST) * result.nanos();
+        trial = null;
+    }
+
+    /** Every other trial is of the effect that is asked for; all take turns in the rest. */
+    private Optional<Effect> choose(List<Effect> shown, Optional<Effect> asked) {
+        turn++;
+        if (turn % 2 == 0 && asked.isPresent() && canSwitch(asked.get())) {
+            return asked;
+        }
+        for (int i = 0; i < shown.size(); i++) {
+            next = (next + 1) % shown.size();
+            if (canSwitch(shown.get(next))) {
+                return Optional.of(shown.get(next));
+            }
+        }
+        return Optional.empty();
+    }
+
+    private boolean canSwitch(Effect effect) {
+        return Switching.of(subject.effects, effect).effects().isPresent();
+    }
+
+    private void start(Effect effect) {
+        refresh();
+        tried = effect;
+        Effects switched = Switching.of(subject.effects, effect).effects().orElseThrow();
+        CostTrial wanted = new CostTrial(snapshot, subject.effects, switched, clock);
+        trial = CompletableFuture.supplyAsync(wanted::run, runner);
+    }
+
+    /** A snapshot of thousands of bodies takes ms, so the more it takes the rarer it is. */
+    private void refresh() {
+        long begin = clock.getAsLong();
+        if (begin >= snapshotDue) {
+            snapshot = subject.pool.snapshot();
+            long end = clock.getAsLong();
+            snapshotDue = end + Math.max(SNAPSHOT_PERIOD, SNAPSHOT_SHARE * (end - begin));
+        }
+    }
+
+    /** What a step costs more for an effect that is simulated, or would for one that is not. */
+    Estimate cost(Effect effect) {
+        return costs.getOrDefault(effect.getClass(), new Estimate());
+    }
+
+    /** What a step takes. */
+    Estimate step() {
+        return step;
+    }
+
+    /** Whether something slept and was woken to be measured. */
+    boolean hasWoken() {
+        return hasWoken;
+    }
+}

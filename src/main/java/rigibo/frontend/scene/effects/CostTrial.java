@@ -1,0 +1,123 @@
+package rigibo.frontend.scene.effects;
+
+import rigibo.backend.Pool;
+import rigibo.backend.RigidBody;
+import rigibo.backend.effect.Effects;
+import rigibo.backend.effect.Sleep;
+import rigibo.backend.setup.BodyType;
+
+import java.util.Arrays;
+import java.util.function.LongSupplier;
+
+/**
+ * What a step costs with one set of effects and with another: two pools of the same state, stepped
+ * in turn, so that whatever else the machine does hits both alike. Everything is done twice and the
+ * lesser time of each step counts: as the work is the same to the last bit, the greater one holds
+ * an interruption. Means of these, not medians, for a step that takes long now and then is the
+ * pool's own doing.
+ */
+final class CostTrial {
+
+    private static final double STEP = 1.0 / 60;
+
+    /** The first steps of a restored pool also lay out its scratch. */
+    private static final int WARMING_STEPS = 2;
+
+    /** Few, or the two pools would go ways of their own and no longer be the same scene. */
+    private static final int MEASURED_STEPS = 8;
+
+    private static final int RUNS = 2;
+
+    /** No step is begun any more once a run has taken so long, ns. */
+    private static final long LONGEST_RUN = 300_000_000;
+
+    private final byte[] snapshot;
+    private final Effects effects;
+    private final Effects switched;
+    private final LongSupplier clock;
+    private final long[] presentTimes = new long[MEASURED_STEPS];
+    private final long[] otherTimes = new long[MEASURED_STEPS];
+    private int steps = MEASURED_STEPS;
+    private boolean hasWoken;
+
+    /**
+     * A trial that has not begun.
+     *
+     * @param snapshot of the pool
+     * @param effects simulated there; given beside the snapshot because functions are not in it
+     * @param switched the other set
+     * @param clock ns
+     */
+    CostTrial(byte[] snapshot, Effects effects, Effects switched, LongSupplier clock) {
+        this.snapshot = snapshot;
+        this.effects = effects;
+        this.switched = switched;
+        this.clock = clock;
+        Arrays.fill(presentTimes, Long.MAX_VALUE);
+        Arrays.fill(otherTimes, Long.MAX_VALUE);
+    }
+
+    /**
+     * What came out.
+     *
+     * @param step a step with the present effects, ns
+     * @param difference how much more a step with the other set takes, ns
+     * @param hasWoken whether bodies that sleep were woken for it
+     * @param nanos how long all of it took
+     */
+    record Result(double step, double difference, boolean hasWoken, long nanos) {}
+
+    Result run() {
+        long begin = clock.getAsLong();
+        for (int i = 0; i < RUNS; i++) {
+            runOnce();
+        }
+        double step = mean(presentTimes);
+        double difference = mean(otherTimes) - step;
+        return new Result(step, difference, hasWoken, clock.getAsLong() - begin);
+    }
+
+    private void runOnce() {
+        long begin = clock.getAsLong();
+        Pool present = Pool.restore(snapshot, effects);
+        Pool other = Pool.restore(snapshot, effects);
+        other.effects(switched);
+        boolean isSleepSwitched = effects.declares(Sleep.class) != switched.declares(Sleep.class);
+        hasWoken = !isSleepSwitched && sleeps(present);
+        if (hasWoken) {
+            // Changing the effects wakes everybody, so the other pool is woken, too.
+            present.effects(effects);
+        }
+        for (int i = -WARMING_STEPS; i < steps; i++) {
+            // Whoever goes second finds warm caches: they take turns.
+            boolean isFirst = i % 2 == 0;
+            long early = time(isFirst ? present : other);
+            long late = time(isFirst ? other : present);
+            if (i >= 0) {
+                presentTimes[i] = Math.min(presentTimes[i], isFirst ? early : late);
+                otherTimes[i] = Math.min(otherTimes[i], isFirst ? late : early);
+                steps = clock.getAsLong() - begin > LONGEST_RUN ? i + 1 : steps;
+            }
+        }
+    }
+
+    private static boolean sleeps(Pool pool) {
+        for (RigidBody body : pool.bodies()) {
+            if (body.type() == BodyType.DYNAMIC && !body.isAwake()) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private long time(Pool pool) {
+        long begin = clock.getAsLong();
+        pool.step(STEP);
+        return clock.getAsLong() - begin;
+    }
+
+    /** Of the steps that were measured. */
+    private double mean(long[] times) {
+        return Arrays.stream(times, 0, steps).average().orElseThrow();
+    }
+}

@@ -1,0 +1,44 @@
+package rigibo.frontend.scene.effects;
+
+import java.util.Arrays;
+
+/** A time measured again and again: the mean of the last rounds, and how sure it is. */
+final class Estimate {
+
+    /** Rounds that count: the scene changes, and what was measured long ago is of another one. */
+    static final int ROUNDS = 9;
+
+    /** Of fewer rounds nothing is said. */
+    static final int FEWEST = 3;
+
+    /** Half the width of a 95 % interval in standard errors, Student's t of nine rounds. */
+    private static final double INTERVAL = 2.31;
+
+    private final double[] rounds = new double[ROUNDS];
+    private int count;
+
+    void add(double nanos) {
+        rounds[count % ROUNDS] = nanos;
+        count++;
+    }
+
+    boolean isKnown() {
+        return count >= FEWEST;
+    }
+
+    /** ns; 0 before the first round. */
+    double mean() {
+        return Arrays.stream(rounds, 0, size()).average().orElse(0);
+    }
+
+    /** Half the width of the mean's 95 % interval, ns; 0 before the second round. */
+    double noise() {
+        double mean = mean();
+        double squares = Arrays.stream(rounds, 0, size()).map(x -> (x - mean) * (x - mean)).sum();
+        return size() < 2 ? 0 : INTERVAL * Math.sqrt(squares / (size() - 1) / size());
+    }
+
+    private int size() {
+        return Math.min(count, ROUNDS);
+    }
+}

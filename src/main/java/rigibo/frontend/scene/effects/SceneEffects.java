@@ -1,0 +1,25 @@
+package rigibo.frontend.scene.effects;
+
+import rigibo.backend.Pool;
+import rigibo.backend.effect.Effects;
+
+import java.util.List;
+
+/** A scene as the effects bar sees it. */
+public interface SceneEffects {
+
+    /** What is simulated now; a scene that begins anew may answer another. */
+    Pool pool();
+
+    /** What the scene calls for. */
+    Effects calledFor();
+
+    /** The scene's own words; of what it has none for, general ones are shown. */
+    List<EffectReason> reasons();
+
+    /** Simulates another set, as an experiment. */
+    void experiment(Effects effects);
+
+    /** How an experiment is marked in words; empty while there is none. */
+    String marking();
+}

@@ -1,0 +1,114 @@
+package rigibo.frontend.demo;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+import rigibo.backend.effect.Effect;
+import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Key;
+import rigibo.frontend.scene.Legibility;
+import rigibo.frontend.scene.PointerButton;
+import rigibo.frontend.scene.RecordingCanvas;
+import rigibo.frontend.scene.RecordingDirector;
+import rigibo.frontend.scene.Scene;
+
+import java.util.List;
+import java.util.function.Supplier;
+import java.util.stream.Stream;
+
+/** The effects bar of each demo. */
+class DemoEffectsTest {
+
+    /** Titles of all chips that any demo shows. */
+    private static final List<String> TITLES =
+            List.of(
+                    "gravity",
+                    "contacts",
+                    "rotation",
+                    "friction",
+                    "restitution",
+                    "rolling-resistance",
+                    "surface-speed",
+                    "thrust",
+                    "continuous-impacts",
+                    "sleep",
+                    "air-drag",
+                    "wind");
+
+    static Stream<Supplier<Demo>> demos() {
+        return Stream.of(CrateDemo::new, WheelDemo::new, FrictionDemo::new, FloodDemo::new);
+    }
+
+    private static Scene open(Supplier<Demo> maker) {
+        return new DemoScene(new RecordingDirector(), maker);
+    }
+
+    private static List<String> chips(RecordingCanvas canvas) {
+        return TITLES.stream().filter(canvas.texts()::contains).toList();
+    }
+
+    private static List<String> lit(Scene scene) {
+        RecordingCanvas canvas = RecordingCanvas.of(scene);
+        return chips(canvas).stream()
+                .filter(title -> canvas.plateOf(title).equals(Color.BRASS))
+                .toList();
+    }
+
+    private static List<String> declared(Supplier<Demo> maker) {
+        return maker.get().effects().all().stream().map(Effect::title).toList();
+    }
+
+    private static void click(Scene scene, String words) {
+        double[] at = RecordingCanvas.of(scene).middleOf(words);
+        scene.pointerPressed(PointerButton.LEFT, at[0], at[1]);
+        scene.pointerReleased(PointerButton.LEFT, at[0], at[1]);
+    }
+
+    @ParameterizedTest
+    @MethodSource("demos")
+    void litIsWhatTheDemoDeclares(Supplier<Demo> maker) {
+        assertThat(lit(open(maker))).hasSameElementsAs(declared(maker));
+    }
+
+    @ParameterizedTest
+    @MethodSource("demos")
+    void saysInItsOwnWordsWhyItCallsForEach(Supplier<Demo> maker) {
+        Demo demo = maker.get();
+        assertThat(demo.reasons())
+                .extracting(reason -> reason.effect().title())
+                .doesNotHaveDuplicates()
+                .containsAll(declared(maker));
+    }
+
+    /** Whatever is switched, the demo goes on, can be read, and R brings its own set back. */
+    @ParameterizedTest
+    @MethodSource("demos")
+    void everyEffectCanBeTriedAndRRestoresTheSet(Supplier<Demo> maker) {
+        Scene scene = open(maker);
+        for (String chip : chips(RecordingCanvas.of(scene))) {
+            click(scene, chip);
+            for (int i = 0; i < 30; i++) {
+                scene.step();
+            }
+            assertThat(Legibility.faults(scene)).as(chip).isEmpty();
+            scene.keyPressed(Key.R);
+            assertThat(lit(scene)).as(chip).hasSameElementsAs(declared(maker));
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("demos")
+    void aSwitchedEffectIsMarkedUntilItIsBack(Supplier<Demo> maker) {
+        Scene scene = open(maker);
+        click(scene, "gravity");
+        scene.pointerMoved(-1, -1);
+        assertThat(RecordingCanvas.of(scene).texts())
+                .anyMatch(words -> words.startsWith("an experiment"));
+        click(scene, "gravity");
+        scene.pointerMoved(-1, -1);
+        assertThat(RecordingCanvas.of(scene).texts())
+                .noneMatch(words -> words.startsWith("an experiment"));
+    }
+}
