@@ -20,7 +20,13 @@ final class Session {
     Session(Level level, Accuracy accuracy) {
         this.level = level;
         this.accuracy = accuracy;
-        game = new PuzzleGame(level, accuracy);
+        game = timed(new PuzzleGame(level, accuracy));
+    }
+
+    /** The effects bar tells how long a step takes. */
+    private static PuzzleGame timed(PuzzleGame made) {
+        made.pool().clock(System::nanoTime);
+        return made;
     }
 
     /** One frame of 1/60 s; whether it advanced the game. */
@@ -39,7 +45,7 @@ final class Session {
     }
 
     void restart() {
-        game = new PuzzleGame(level, accuracy);
+        game = timed(new PuzzleGame(level, accuracy));
         isPaused = false;
     }
 
@@ -58,7 +64,7 @@ final class Session {
         int step = played.deletions().get(played.deletions().size() - 1).step();
         Playback again = new Playback(level, played.withoutLast());
         again.stepTo(step);
-        game = again.game();
+        game = timed(again.game());
         return true;
     }
 

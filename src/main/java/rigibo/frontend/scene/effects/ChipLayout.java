@@ -23,7 +23,9 @@ final class ChipLayout {
     private static final double MARGIN = 10;
 
     /** The same where there is a crowd. */
-    private static final double CROWDED_MARGIN = 4;
+    private static final double CROWDED_MARGIN = 2;
+
+    private static final double CROWDED_GAP = 4;
 
     private final Canvas canvas;
     private final double width;
@@ -67,7 +69,7 @@ final class ChipLayout {
         for (int i = isCrowded ? 0 : row; i < ROWS; i++) {
             if (ends[i] + needed <= width) {
                 chips.add(new Chip(reason, ends[i], i * (Chip.HEIGHT + GAP), needed));
-                ends[i] += needed + GAP;
+                ends[i] += needed + (isCrowded ? CROWDED_GAP : GAP);
                 row = i;
                 return true;
             }

@@ -32,10 +32,9 @@ final class CostWords {
                         : "would save " + sure(cost));
     }
 
-    /** What a step takes. */
-    static String ofStep(Estimate step, boolean hasWoken) {
-        String takes = "a step takes " + (step.isKnown() ? time(step.mean()) : "…");
-        return hasWoken ? takes + " with all awake" : takes;
+    /** What a step takes, ns, 0 where it is unknown. */
+    static String ofStep(double nanos) {
+        return "a step takes " + (nanos > 0 ? time(nanos) : "…");
     }
 
     private static boolean isWithinNoise(Estimate cost) {

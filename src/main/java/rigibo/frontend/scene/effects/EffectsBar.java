@@ -74,8 +74,7 @@ public final class EffectsBar {
 
     private void draw(Canvas canvas, Chip chip) {
         Estimate cost = meter.cost(chip.effect());
-        double step = meter.step().mean();
-        double share = cost.isKnown() && step > 0 ? cost.mean() / step : 0;
+        double share = cost.isKnown() && meter.step() > 0 ? cost.mean() / meter.step() : 0;
         chip.draw(canvas, isLit(chip), isLit(chip) != isCalledFor(chip), share);
     }
 
@@ -123,7 +122,7 @@ public final class EffectsBar {
     }
 
     private String cost() {
-        String step = CostWords.ofStep(meter.step(), meter.hasWoken());
+        String step = CostWords.ofStep(meter.step());
         return hot().map(chip -> cost(chip) + "; " + step).orElse(step);
     }
 
@@ -133,7 +132,8 @@ public final class EffectsBar {
         if (switching.effects().isEmpty()) {
             return switching.refusal();
         }
-        return isLit(chip) ? CostWords.ofLit(cost) : CostWords.ofUnlit(cost);
+        String words = isLit(chip) ? CostWords.ofLit(cost) : CostWords.ofUnlit(cost);
+        return meter.hasWoken() ? words + ", all awake" : words;
     }
 
     private Optional<Chip> hot() {

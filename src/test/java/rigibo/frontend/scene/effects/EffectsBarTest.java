@@ -22,6 +22,7 @@ import rigibo.backend.effect.Sleep;
 import rigibo.backend.effect.SurfaceSpeed;
 import rigibo.backend.effect.Thrust;
 import rigibo.backend.effect.Wind;
+import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.RecordingCanvas;
 import rigibo.frontend.scene.Scene;
@@ -165,6 +166,26 @@ class EffectsBarTest {
     private static void point(EffectsBar bar, String words) {
         double[] middle = drawn(bar).middleOf(words);
         bar.pointerMoved(middle[0], middle[1]);
+    }
+
+    /** The longest that can be said of each, beside the mark of an experiment. */
+    @Test
+    void whatIsSaidFitsIntoTheBar() {
+        RecordingCanvas canvas = new RecordingCanvas();
+        Trough scene = new Trough(ALL);
+        double room = Scene.WIDTH - 2 * 22;
+        for (KnownEffect known : KnownEffect.values()) {
+            EffectReason reason = known.in(scene).orElseThrow();
+            String words = reason.effect().title() + ", if it were on: " + reason.words();
+            assertThat(canvas.textWidth(words, 16, Canvas.Font.WORDS)).isLessThan(room);
+        }
+        Estimate unsure = new Estimate();
+        unsure.add(-500_000);
+        unsure.add(500_000);
+        unsure.add(600_000);
+        String longest = CostWords.ofUnlit(unsure) + ", all awake; " + CostWords.ofStep(9.99e6);
+        double mark = canvas.textWidth("experiment", 16, Canvas.Font.WORDS);
+        assertThat(canvas.textWidth(longest, 16, Canvas.Font.WORDS) + mark).isLessThan(room);
     }
 
     @Test
