@@ -36,7 +36,11 @@ public final class CostMeter {
 
     private static final long LONG_REST = 8;
 
-    /** But never longer, ns, or a slow scene would be told nothing of. */
+    /**
+     * But no shorter, ns: trials of a few ms have time; and no longer, or slow scenes learn late.
+     */
+    private static final long SHORTEST_REST = 60_000_000;
+
     private static final long LONGEST_REST = 3_000_000_000L;
 
     /** Turns over which the game's own step is smoothed. */
@@ -133,7 +137,7 @@ public final class CostMeter {
             hasWoken = result.hasWoken();
         }
         long rest = (isWatched ? SHORT_REST : LONG_REST) * result.nanos();
-        trialDue = clock.getAsLong() + Math.min(LONGEST_REST, rest);
+        trialDue = clock.getAsLong() + Math.max(SHORTEST_REST, Math.min(LONGEST_REST, rest));
         trial = null;
     }
 

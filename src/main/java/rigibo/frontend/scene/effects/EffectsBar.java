@@ -2,6 +2,7 @@ package rigibo.frontend.scene.effects;
 
 import rigibo.backend.effect.Effect;
 import rigibo.backend.effect.Effects;
+import rigibo.backend.effect.Sleep;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Scene;
@@ -74,7 +75,9 @@ public final class EffectsBar {
 
     private void draw(Canvas canvas, Chip chip) {
         Estimate cost = meter.cost(chip.effect());
-        double share = cost.isKnown() && meter.step() > 0 ? cost.mean() / meter.step() : 0;
+        // What sleeps costs nothing, and its share when awake is of another step than the game's.
+        boolean isOfStep = cost.isKnown() && meter.step() > 0 && !meter.hasWoken();
+        double share = isOfStep ? cost.mean() / meter.step() : 0;
         chip.draw(canvas, isLit(chip), isLit(chip) != isCalledFor(chip), share);
     }
 
@@ -123,7 +126,8 @@ public final class EffectsBar {
 
     private String cost() {
         String step = CostWords.ofStep(meter.step());
-        return hot().map(chip -> cost(chip) + "; " + step).orElse(step);
+        return hot().map(chip -> cost(chip) + "; " + step)
+                .orElse(step + "; the line in a chip is its share of it");
     }
 
     private String cost(Chip chip) {
@@ -133,7 +137,8 @@ public final class EffectsBar {
             return switching.refusal();
         }
         String words = isLit(chip) ? CostWords.ofLit(cost) : CostWords.ofUnlit(cost);
-        return meter.hasWoken() ? words + ", all awake" : words;
+        boolean isOfWoken = meter.hasWoken() && !(chip.effect() instanceof Sleep);
+        return isOfWoken ? words + ", all awake" : words;
     }
 
     private Optional<Chip> hot() {
