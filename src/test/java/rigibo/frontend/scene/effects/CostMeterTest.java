@@ -129,6 +129,16 @@ class CostMeterTest {
         assertThat(pool.effects()).isEqualTo(Effects.of(gravity, field));
     }
 
+    /** Bodies that come between two snapshots are there in the later one. */
+    @Test
+    void looksAtTheSceneAgainAfterAWhile() {
+        measure(Estimate.FEWEST, List.of(field), Optional.empty());
+        double one = meter.cost(field).mean();
+        pool.add(BodyDefinition.dynamic(new Circle(0.5)).at(10, 100));
+        measure(Estimate.ROUNDS, List.of(field), Optional.empty());
+        assertThat(meter.cost(field).mean()).isEqualTo(2 * one);
+    }
+
     @Test
     void neverWaitsForATrial() {
         meter.turn(pool, List.of(field), Optional.empty());
