@@ -6,7 +6,9 @@ import rigibo.frontend.scene.Canvas;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Collectors;
 
 /**
  * Which chips there are and where: first what the scene calls for, then what it offers, in two rows
@@ -42,23 +44,26 @@ final class ChipLayout {
 
     /** The chips of a scene in rows of a width in px, the first of them at (0, 0). */
     static List<Chip> of(SceneEffects scene, Canvas canvas, double width) {
-        List<EffectReason> called = reasons(scene, true);
+        Map<Boolean, List<EffectReason>> shown = shown(scene.calledFor(), scene.reasons());
+        List<EffectReason> called = shown.get(true);
         ChipLayout layout = new ChipLayout(canvas, width, false);
         if (!called.stream().allMatch(layout::place)) {
             layout = new ChipLayout(canvas, width, true);
             called.forEach(layout::place);
         }
-        reasons(scene, false).forEach(layout::place);
+        shown.get(false).forEach(layout::place);
         return layout.chips;
     }
 
-    private static List<EffectReason> reasons(SceneEffects scene, boolean areCalledFor) {
-        Effects calledFor = scene.calledFor();
+    /** By whether the scene calls for them. */
+    private static Map<Boolean, List<EffectReason>> shown(
+            Effects calledFor, List<EffectReason> reasons) {
         return Arrays.stream(KnownEffect.values())
-                .map(known -> known.in(scene))
+                .map(known -> known.in(calledFor, reasons))
                 .flatMap(Optional::stream)
-                .filter(reason -> calledFor.declares(reason.effect().getClass()) == areCalledFor)
-                .toList();
+                .collect(
+                        Collectors.partitioningBy(
+                                reason -> calledFor.declares(reason.effect().getClass())));
     }
 
     /** Adds a chip behind the last, in a crowd wherever there is room; whether there was. */

@@ -64,7 +64,8 @@ public final class EffectsBar {
         if (isExperiment) {
             canvas.frame(LEFT, top, WIDTH, HEIGHT, 12, Color.BAD);
         }
-        chips.forEach(chip -> draw(canvas, chip));
+        Effects calledFor = scene.calledFor();
+        chips.forEach(chip -> draw(canvas, chip, calledFor));
         double words = top + PADDING + ROWS + 6 + LINE / 2;
         words(canvas, what(), words, refusal.isEmpty() ? Color.TEXT : Color.BAD);
         words(canvas, cost(), words + LINE, Color.BRASS);
@@ -73,12 +74,13 @@ public final class EffectsBar {
         }
     }
 
-    private void draw(Canvas canvas, Chip chip) {
+    private void draw(Canvas canvas, Chip chip, Effects calledFor) {
         Estimate cost = meter.cost(chip.effect());
         // What sleeps costs nothing, and its share when awake is of another step than the game's.
         boolean isOfStep = cost.isKnown() && meter.step() > 0 && !meter.hasWoken();
         double share = isOfStep ? cost.mean() / meter.step() : 0;
-        chip.draw(canvas, isLit(chip), isLit(chip) != isCalledFor(chip), share);
+        boolean isCalledFor = calledFor.declares(chip.effect().getClass());
+        chip.draw(canvas, isLit(chip), isLit(chip) != isCalledFor, share);
     }
 
     /** While a chip is explained, the experiment stays marked in a corner. */

@@ -7,6 +7,7 @@ import rigibo.backend.effect.Contacts;
 import rigibo.backend.effect.ContinuousImpacts;
 import rigibo.backend.effect.Drag;
 import rigibo.backend.effect.Effect;
+import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Field;
 import rigibo.backend.effect.Friction;
 import rigibo.backend.effect.Gravity;
@@ -18,6 +19,7 @@ import rigibo.backend.effect.SurfaceSpeed;
 import rigibo.backend.effect.Thrust;
 import rigibo.backend.effect.Wind;
 
+import java.util.List;
 import java.util.Optional;
 
 /**
@@ -62,13 +64,17 @@ enum KnownEffect {
         this.words = words;
     }
 
-    /** What a scene shows of this kind: declared, said or offered; nothing of other kinds. */
-    Optional<EffectReason> in(SceneEffects scene) {
+    /**
+     * What a scene shows of this kind: what it calls for, has words for, or everywhere is offered;
+     * otherwise nothing.
+     *
+     * @param calledFor what the scene calls for
+     * @param reasons the scene's own words
+     */
+    Optional<EffectReason> in(Effects calledFor, List<EffectReason> reasons) {
         Optional<EffectReason> own =
-                scene.reasons().stream()
-                        .filter(reason -> kind.isInstance(reason.effect()))
-                        .findFirst();
-        Optional<Effect> effect = scene.calledFor().find(kind).map(Effect.class::cast);
+                reasons.stream().filter(reason -> kind.isInstance(reason.effect())).findFirst();
+        Optional<Effect> effect = calledFor.find(kind).map(Effect.class::cast);
         return effect.or(() -> own.map(EffectReason::effect))
                 .or(() -> offer)
                 .map(shown -> new EffectReason(shown, own.map(EffectReason::words).orElse(words)));

@@ -172,10 +172,9 @@ class EffectsBarTest {
     @Test
     void whatIsSaidFitsIntoTheBar() {
         RecordingCanvas canvas = new RecordingCanvas();
-        Trough scene = new Trough(ALL);
         double room = Scene.WIDTH - 2 * 22;
         for (KnownEffect known : KnownEffect.values()) {
-            EffectReason reason = known.in(scene).orElseThrow();
+            EffectReason reason = known.in(ALL, List.of()).orElseThrow();
             String words = reason.effect().title() + ", if it were on: " + reason.words();
             assertThat(canvas.textWidth(words, 16, Canvas.Font.WORDS)).isLessThan(room);
         }
