@@ -16,7 +16,7 @@ final class CostWords {
             return "costs …";
         }
         return isWithinNoise(cost)
-                ? "costs less than " + time(bound(cost)) + ", the noise"
+                ? "costs less than the noise of " + time(bound(cost))
                 : (cost.mean() > 0 ? "costs " : "saves ") + sure(cost);
     }
 
@@ -26,7 +26,7 @@ final class CostWords {
             return "would cost … more";
         }
         return isWithinNoise(cost)
-                ? "would cost less than " + time(bound(cost)) + " more, the noise"
+                ? "would cost less than the noise of " + time(bound(cost))
                 : (cost.mean() > 0
                         ? "would cost " + sure(cost) + " more"
                         : "would save " + sure(cost));

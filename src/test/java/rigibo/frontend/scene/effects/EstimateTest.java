@@ -42,7 +42,7 @@ class EstimateTest {
         assertThat(CostWords.ofLit(of(-14000, -14000, -14000))).startsWith("saves 14.0 µs");
         assertThat(CostWords.ofLit(of(-900, 100, 1100)))
                 .as("100 ns within ± %s", CostWords.time(of(-900, 100, 1100).noise()))
-                .isEqualTo("costs less than 1.43 µs, the noise");
+                .isEqualTo("costs less than the noise of 1.43 µs");
         assertThat(CostWords.ofUnlit(of(2e6, 2e6, 2e6)))
                 .isEqualTo("would cost 2.00 ms ± 0.00 µs more");
     }
