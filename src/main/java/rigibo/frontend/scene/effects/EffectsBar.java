@@ -128,6 +128,9 @@ public final class EffectsBar {
 
     private String cost() {
         String step = CostWords.ofStep(meter.step());
+        if (!refusal.isEmpty()) {
+            return step;
+        }
         return hot().map(chip -> cost(chip) + "; " + step)
                 .orElse(step + "; the line in a chip is its share of it");
     }

@@ -123,7 +123,7 @@ class EffectsBarTest {
 
         assertThat(scene.pool().effects()).isEqualTo(scene.calledFor());
         String refusal = "Friction needs Contacts, which is not declared";
-        assertThat(drawn(bar).texts()).contains(refusal);
+        assertThat(drawn(bar).texts()).containsOnlyOnce(refusal).contains("a step takes …");
         leave(bar);
         assertThat(drawn(bar).texts()).doesNotContain(refusal);
     }
