@@ -109,7 +109,7 @@ public final class PileSolver {
         guard = new EnergyGuard(motions, rows);
         halfway = new Halfway(motions, rows);
         direct = new DirectSolver(motions, rows, overlap, accuracy.substeps());
-        split = new SplitSolver(motions, rows, overlap);
+        split = new SplitSolver(motions, rows, overlap, accuracy.substeps());
         results = new PileResults(data, motions, rows);
         boolean drags = effects.declares(Drag.class);
         kick = new Kick(bodies, motions, forces, drags ? new DragKick(bodies, motions) : null);

@@ -38,10 +38,13 @@ final class SplitSolver implements WholeSolver {
     private static final double OVERSHOOT = 1.6;
 
     /**
-     * Iterations that a substep is worth in all. What was poured and still settles would take ten
-     * times as many, in vain: it looks the same, and the next substep goes on.
+     * Iterations that a substep of the game is worth in all. What was poured and still settles
+     * would take ten times as many, in vain: it looks the same, and the next substep goes on. A
+     * step of fewer substeps is worth as many, and one of more as much more as it is finer.
      */
     private static final int MOST_ITERATIONS = 60;
+
+    private static final int SUBSTEPS_OF_GAME = 4;
 
     /**
      * Share of the fastest speed that is left unsolved at any accuracy: the last digits are dear.
@@ -69,8 +72,10 @@ final class SplitSolver implements WholeSolver {
 
     private int size;
 
-    /** Made in this substep. */
+    /** Made in this substep, and how many it is worth. */
     private int iterations;
+
+    private final int mostIterations;
 
     private int[] factored = new int[64];
     private int factoredSize;
@@ -94,7 +99,10 @@ final class SplitSolver implements WholeSolver {
     /** By body: three speeds, and at the end those of what does not move. */
     private double[] speed = new double[48];
 
-    SplitSolver(Motions motions, Rows rows, OverlapSolver overlap) {
+    /** A solver that tries the harder the more substeps an accuracy asks for. */
+    SplitSolver(Motions motions, Rows rows, OverlapSolver overlap, int substeps) {
+        int ratio = Math.max(SUBSTEPS_OF_GAME / substeps, substeps / SUBSTEPS_OF_GAME);
+        mostIterations = MOST_ITERATIONS * Math.max(1, ratio);
         this.motions = motions;
         this.rows = rows;
         this.overlap = overlap;
@@ -121,7 +129,7 @@ final class SplitSolver implements WholeSolver {
 
     @Override
     public boolean isSpent() {
-        return iterations >= MOST_ITERATIONS;
+        return iterations >= mostIterations;
     }
 
     @Override
@@ -269,7 +277,7 @@ final class SplitSolver implements WholeSolver {
             boolean parts = !isTangent(i) && began[i] == 0 && asked[i] > 0;
             beyond[i] = parts ? -asked[i] / softness[i] : 0;
         }
-        int last = Math.min(MOST_ITERATIONS, iterations + most);
+        int last = Math.min(mostIterations, iterations + most);
         do {
             solveEquations();
             iterations++;
