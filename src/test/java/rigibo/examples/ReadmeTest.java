@@ -4,6 +4,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
 
+import rigibo.backend.Pool;
+import rigibo.backend.effect.Effects;
+import rigibo.backend.effect.Gravity;
+import rigibo.backend.setup.Accuracy;
+
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.PrintStream;
@@ -30,6 +35,14 @@ class ReadmeTest {
                         .map(line -> line.substring(8))
                         .collect(Collectors.joining("\n"));
         assertThat(Files.readString(Path.of("README.md"))).contains(shown);
+    }
+
+    @Test
+    void showsThePlanOfTheUsualPool() throws IOException {
+        String plan = new Pool().plan().lines().collect(Collectors.joining("\n"));
+        assertThat(Files.readString(Path.of("README.md"))).contains("```\n" + plan + "\n```");
+        assertThat(new Pool(Effects.of(new Gravity(0, -9.81)), Accuracy.GAME).plan().lines())
+                .hasSize(7 + 1);
     }
 
     @Test

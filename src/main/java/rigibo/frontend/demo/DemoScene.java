@@ -89,7 +89,7 @@ final class DemoScene implements Scene {
         effects.draw(canvas, HEIGHT - 8 - EffectsBar.HEIGHT);
         profile.draw(canvas, RIGHT, TOP, isPaused);
         if (isHelping) {
-            drawHelp(canvas);
+            HelpSheet.draw(bench.pool().plan(), canvas);
         }
     }
 
@@ -103,29 +103,6 @@ final class DemoScene implements Scene {
     @Override
     public void closed() {
         meter.close();
-    }
-
-    private static void drawHelp(Canvas canvas) {
-        String[] rows = {
-            "drag a body, let go to fling it",
-            "Space  pause      .  one step",
-            "R  restart      D  debug drawing",
-            "wheel zoom, right drag pan, Home",
-            "1 to 4  accuracy   [ ]  other demos",
-            "Esc back to the menu"
-        };
-        // A veil over everything: words would shine through a panel.
-        canvas.panel(0, 0, WIDTH, HEIGHT, 0, Color.DUSK_TOP.alpha(0.96));
-        for (int i = 0; i < rows.length; i++) {
-            canvas.text(
-                    rows[i],
-                    WIDTH / 2.0,
-                    334 + 28 * i,
-                    18,
-                    Canvas.Font.WORDS,
-                    Canvas.Align.CENTRE,
-                    Color.TEXT);
-        }
     }
 
     @Override

@@ -1,0 +1,84 @@
+package rigibo.frontend.demo;
+
+import rigibo.frontend.scene.Canvas;
+import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Scene;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** The keys of a demo, and the stages that a step of its scene was compiled into. */
+final class HelpSheet {
+
+    private static final List<String> KEYS =
+            List.of(
+                    "drag a body, let go to fling it",
+                    "Space  pause      .  one step",
+                    "R  restart      D  debug drawing",
+                    "wheel zoom, right drag pan, Home",
+                    "1 to 4  accuracy   [ ]  other demos",
+                    "Esc back to the menu");
+
+    private static final double TOP = 70;
+    private static final double KEY_SIZE = 18;
+    private static final double KEY_HEIGHT = 28;
+    private static final double HEADING = 300;
+    private static final double PLAN_SIZE = 13;
+    private static final double PLAN_HEIGHT = 22;
+    private static final double LEFT = 40;
+
+    /** The column in which the words begin, after the stage they belong to. */
+    private static final String INDENT = " ".repeat(11);
+
+    private HelpSheet() {}
+
+    /** Draws the keys and a plan of lines. */
+    static void draw(String plan, Canvas canvas) {
+        // A veil over everything: words would shine through a panel.
+        canvas.panel(0, 0, Scene.WIDTH, Scene.HEIGHT, 0, Color.DUSK_TOP.alpha(0.96));
+        for (int i = 0; i < KEYS.size(); i++) {
+            centred(KEYS.get(i), TOP + KEY_HEIGHT * i, Color.TEXT, canvas);
+        }
+        centred("a step of this scene", HEADING, Color.BRASS, canvas);
+        double y = HEADING + 2 * PLAN_HEIGHT;
+        for (String line : wrapped(plan, canvas)) {
+            canvas.text(
+                    line, LEFT, y, PLAN_SIZE, Canvas.Font.NUMBERS, Canvas.Align.LEFT, Color.TEXT);
+            y += PLAN_HEIGHT;
+        }
+    }
+
+    private static void centred(String words, double y, Color color, Canvas canvas) {
+        canvas.text(
+                words,
+                Scene.WIDTH / 2.0,
+                y,
+                KEY_SIZE,
+                Canvas.Font.WORDS,
+                Canvas.Align.CENTRE,
+                color);
+    }
+
+    /** The lines of a plan, each broken between words where the window ends. */
+    private static List<String> wrapped(String plan, Canvas canvas) {
+        List<String> lines = new ArrayList<>();
+        for (String line : plan.lines().toList()) {
+            String rest = line;
+            while (!fits(rest, canvas)) {
+                int end = rest.lastIndexOf(' ');
+                while (!fits(rest.substring(0, end), canvas)) {
+                    end = rest.lastIndexOf(' ', end - 1);
+                }
+                lines.add(rest.substring(0, end));
+                rest = INDENT + rest.substring(end + 1);
+            }
+            lines.add(rest);
+        }
+        return lines;
+    }
+
+    private static boolean fits(String line, Canvas canvas) {
+        double width = canvas.textWidth(line, PLAN_SIZE, Canvas.Font.NUMBERS);
+        return width <= Scene.WIDTH - 2 * LEFT;
+    }
+}
