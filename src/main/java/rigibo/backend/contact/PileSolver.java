@@ -47,6 +47,9 @@ public final class PileSolver {
     /** Turn in a step, rad, by which loads may miss what they carried in the substep before. */
     private static final double MOST_TURN = 0.5;
 
+    /** Share of its bodies that have corners from which on a wide pile is built, not poured. */
+    private static final double LEAST_ANGULAR = 0.1;
+
     /** A round that changes more than this share of what the last one did goes half its way. */
     private static final double SHRINKS = 0.5;
 
@@ -166,17 +169,27 @@ public final class PileSolver {
 
     /**
      * An island whose bodies move less than a falling one gains in a step counts as calm. Without
-     * friction nothing is stacked wide: what is poured is left to passes, which are faster.
+     * friction, or of discs, nothing is stacked wide: what is poured is left to passes, which are
+     * faster.
      */
     private WholeSolver wholeSolver(double dt) {
         if (direct.prepare()) {
             return direct;
         }
-        if (declared.rowCount() == 0) {
+        if (declared.rowCount() == 0 || isRound()) {
             return null;
         }
         boolean isCalm = motions.fastest() <= CALM * dt * kick.strongest();
         return split.prepare(isCalm) ? split : null;
+    }
+
+    /** Whether hardly anything in the packed island has a face to stand on. */
+    private boolean isRound() {
+        int angular = 0;
+        for (int entry = 1; entry < motions.count; entry++) {
+            angular += bodies.sweepRadius[motions.slots[entry]] > 0 ? 1 : 0;
+        }
+        return angular < LEAST_ANGULAR * motions.count;
     }
 
     private void begin(double scale, int substep) {
