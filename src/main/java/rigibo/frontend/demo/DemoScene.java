@@ -2,7 +2,6 @@ package rigibo.frontend.demo;
 
 import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Canvas;
-import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Director;
 import rigibo.frontend.scene.Key;
 import rigibo.frontend.scene.PointerButton;
