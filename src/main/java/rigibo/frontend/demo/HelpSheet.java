@@ -19,12 +19,12 @@ final class HelpSheet {
                     "1 to 4  accuracy   [ ]  other demos",
                     "Esc back to the menu");
 
-    private static final double TOP = 70;
+    private static final double TOP = 60;
     private static final double KEY_SIZE = 18;
     private static final double KEY_HEIGHT = 28;
-    private static final double HEADING = 300;
-    private static final double PLAN_SIZE = 13;
-    private static final double PLAN_HEIGHT = 22;
+    private static final double HEADING = 262;
+    private static final double PLAN_SIZE = 16;
+    private static final double PLAN_HEIGHT = 23;
     private static final double LEFT = 40;
 
     /** The column in which the words begin, after the stage they belong to. */
