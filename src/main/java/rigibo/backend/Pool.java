@@ -326,9 +326,6 @@ public final class Pool {
         return totals.angularMomentum();
     }
 
-    /**
-     * What changes a body; refuses bodies of other pools, removed ones, and calls within a step.
-     */
     private PoolQueries queries() {
         if (queries == null) {
             queries = new PoolQueries(this, data, plan);
@@ -340,6 +337,9 @@ public final class Pool {
         queries().sizeFixture(slot, into);
     }
 
+    /**
+     * What changes a body; refuses bodies of other pools, removed ones, and calls within a step.
+     */
     BodyEditor editor(RigidBody body) {
         own(body);
         requireBetweenSteps("change a body");

@@ -1,5 +1,8 @@
 package rigibo.backend.storage;
 
+import static rigibo.backend.storage.Columns.declared;
+import static rigibo.backend.storage.Columns.grown;
+
 import rigibo.backend.effect.Contacts;
 import rigibo.backend.effect.Drag;
 import rigibo.backend.effect.Effects;
@@ -144,38 +147,39 @@ public final class Bodies {
      */
     public void declare(Effects effects) {
         boolean contacts = effects.declares(Contacts.class);
-        smallestWidth = declared(smallestWidth, contacts);
-        sweepRadius = declared(sweepRadius, contacts);
-        fixtureMinX = declared(fixtureMinX, contacts);
-        fixtureMinY = declared(fixtureMinY, contacts);
-        fixtureMaxX = declared(fixtureMaxX, contacts);
-        fixtureMaxY = declared(fixtureMaxY, contacts);
-        leaf = declared(leaf, contacts);
-        refitted = declared(refitted, contacts);
-        firstPair = declared(firstPair, contacts);
-        piled = declared(piled, contacts);
-        pileTime = declared(pileTime, contacts);
+        smallestWidth = declared(smallestWidth, contacts, type.length);
+        sweepRadius = declared(sweepRadius, contacts, type.length);
+        fixtureMinX = declared(fixtureMinX, contacts, type.length);
+        fixtureMinY = declared(fixtureMinY, contacts, type.length);
+        fixtureMaxX = declared(fixtureMaxX, contacts, type.length);
+        fixtureMaxY = declared(fixtureMaxY, contacts, type.length);
+        leaf = declared(leaf, contacts, type.length);
+        refitted = declared(refitted, contacts, type.length);
+        firstPair = declared(firstPair, contacts, type.length);
+        piled = declared(piled, contacts, type.length);
+        pileTime = declared(pileTime, contacts, type.length);
         boolean sleep = effects.declares(Sleep.class);
-        stillTime = declared(stillTime, sleep);
-        stillX = declared(stillX, sleep);
-        stillY = declared(stillY, sleep);
-        stillAngle = declared(stillAngle, sleep);
-        friction = declared(friction, effects.declares(Friction.class));
-        elasticity = declared(elasticity, effects.declares(Restitution.class));
+        stillTime = declared(stillTime, sleep, type.length);
+        stillX = declared(stillX, sleep, type.length);
+        stillY = declared(stillY, sleep, type.length);
+        stillAngle = declared(stillAngle, sleep, type.length);
+        friction = declared(friction, effects.declares(Friction.class), type.length);
+        elasticity = declared(elasticity, effects.declares(Restitution.class), type.length);
         boolean thrust = effects.declares(Thrust.class);
-        forceX = declared(forceX, thrust);
-        forceY = declared(forceY, thrust);
-        torque = declared(torque, thrust);
-        rollingResistance = declared(rollingResistance, effects.declares(RollingResistance.class));
-        surfaceSpeed = declared(surfaceSpeed, effects.declares(SurfaceSpeed.class));
-        drag = declared(drag, effects.declares(Drag.class));
+        forceX = declared(forceX, thrust, type.length);
+        forceY = declared(forceY, thrust, type.length);
+        torque = declared(torque, thrust, type.length);
+        rollingResistance =
+                declared(rollingResistance, effects.declares(RollingResistance.class), type.length);
+        surfaceSpeed = declared(surfaceSpeed, effects.declares(SurfaceSpeed.class), type.length);
+        drag = declared(drag, effects.declares(Drag.class), type.length);
     }
 
     /** Makes or drops the columns that integrated paths need. */
     public void integratePaths(boolean isNeeded) {
-        pullX = declared(pullX, isNeeded);
-        pullY = declared(pullY, isNeeded);
-        pullTurn = declared(pullTurn, isNeeded);
+        pullX = declared(pullX, isNeeded, type.length);
+        pullY = declared(pullY, isNeeded, type.length);
+        pullTurn = declared(pullTurn, isNeeded, type.length);
     }
 
     /** A free slot with room in every column. */
@@ -307,11 +311,11 @@ public final class Bodies {
 
     /** How many bits the columns hold for each body; what they refer to is not counted. */
     public int bitsPerBody() {
-        return Arrays.stream(columns()).mapToInt(Bodies::bits).sum();
+        return Columns.bits(columns());
     }
 
     /** Those there are and those that are null. */
-    Object[] columns() {
+    private Object[] columns() {
         return new Object[] {
             type,
             shape,
@@ -369,36 +373,6 @@ public final class Bodies {
         };
     }
 
-    private static int bits(Object column) {
-        if (column == null) {
-            return 0;
-        }
-        return column instanceof double[]
-                ? Double.SIZE
-                : column instanceof boolean[] ? Byte.SIZE : Integer.SIZE;
-    }
-
-    private int[] declared(int[] column, boolean isDeclared) {
-        if (!isDeclared) {
-            return null;
-        }
-        return column != null ? column : new int[type.length];
-    }
-
-    private boolean[] declared(boolean[] column, boolean isDeclared) {
-        if (!isDeclared) {
-            return null;
-        }
-        return column != null ? column : new boolean[type.length];
-    }
-
-    private double[] declared(double[] column, boolean isDeclared) {
-        if (!isDeclared) {
-            return null;
-        }
-        return column != null ? column : new double[type.length];
-    }
-
     private void grow(int capacity) {
         type = Arrays.copyOf(type, capacity);
         shape = Arrays.copyOf(shape, capacity);
@@ -448,9 +422,9 @@ public final class Bodies {
         fixtureMinY = grown(fixtureMinY, capacity);
         fixtureMaxX = grown(fixtureMaxX, capacity);
         fixtureMaxY = grown(fixtureMaxY, capacity);
-        leaf = leaf == null ? null : Arrays.copyOf(leaf, capacity);
+        leaf = grown(leaf, capacity);
         refitted = grown(refitted, capacity);
-        firstPair = firstPair == null ? null : Arrays.copyOf(firstPair, capacity);
+        firstPair = grown(firstPair, capacity);
         piled = grown(piled, capacity);
         pileTime = grown(pileTime, capacity);
         stillTime = grown(stillTime, capacity);
@@ -477,13 +451,5 @@ public final class Bodies {
         pullX = grown(pullX, capacity);
         pullY = grown(pullY, capacity);
         pullTurn = grown(pullTurn, capacity);
-    }
-
-    private static boolean[] grown(boolean[] column, int capacity) {
-        return column == null ? null : Arrays.copyOf(column, capacity);
-    }
-
-    static double[] grown(double[] column, int capacity) {
-        return column == null ? null : Arrays.copyOf(column, capacity);
     }
 }

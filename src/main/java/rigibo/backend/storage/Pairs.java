@@ -1,5 +1,8 @@
 package rigibo.backend.storage;
 
+import static rigibo.backend.storage.Columns.declared;
+import static rigibo.backend.storage.Columns.grown;
+
 import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Friction;
 import rigibo.backend.effect.Restitution;
@@ -106,17 +109,11 @@ public final class Pairs {
      */
     public void declare(Effects effects) {
         boolean rubs = effects.declares(Friction.class);
-        friction = declared(friction, rubs);
-        frictionForce = declared(frictionForce, rubs);
-        elasticity = declared(elasticity, effects.declares(Restitution.class));
-        rollingTorque = declared(rollingTorque, effects.declares(RollingResistance.class));
-    }
-
-    private double[] declared(double[] column, boolean isDeclared) {
-        if (!isDeclared) {
-            return null;
-        }
-        return column != null ? column : new double[bodyA.length];
+        friction = declared(friction, rubs, bodyA.length);
+        frictionForce = declared(frictionForce, rubs, bodyA.length);
+        elasticity = declared(elasticity, effects.declares(Restitution.class), bodyA.length);
+        rollingTorque =
+                declared(rollingTorque, effects.declares(RollingResistance.class), bodyA.length);
     }
 
     /** A new pair of bodies {@code a < b}, linked into both their lists, without contact. */
@@ -328,10 +325,10 @@ public final class Pairs {
         former = Arrays.copyOf(former, 2 * capacity);
         normalForce = Arrays.copyOf(normalForce, 2 * capacity);
         load = Arrays.copyOf(load, 2 * capacity);
-        friction = Bodies.grown(friction, capacity);
-        elasticity = Bodies.grown(elasticity, capacity);
-        frictionForce = Bodies.grown(frictionForce, capacity);
-        rollingTorque = Bodies.grown(rollingTorque, capacity);
+        friction = grown(friction, capacity);
+        elasticity = grown(elasticity, capacity);
+        frictionForce = grown(frictionForce, capacity);
+        rollingTorque = grown(rollingTorque, capacity);
         impulse = Arrays.copyOf(impulse, capacity);
         impacts = Arrays.copyOf(impacts, capacity);
         resting = Arrays.copyOf(resting, capacity);

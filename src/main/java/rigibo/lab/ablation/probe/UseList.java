@@ -156,15 +156,7 @@ final class UseList {
             String words,
             UnaryOperator<BodyDefinition> user,
             UnaryOperator<BodyDefinition> idler) {
-        return new Use(
-                ROW,
-                base,
-                share -> effect,
-                words,
-                alone(user),
-                alone(idler),
-                Use.NO_PUSH,
-                EVERY_SHARE);
+        return in(ROW, base, effect, words, user, idler);
     }
 
     /** In a scene of the table, whose other effects are declared beside it. */
@@ -174,11 +166,17 @@ final class UseList {
             String words,
             UnaryOperator<BodyDefinition> user,
             UnaryOperator<BodyDefinition> idler) {
-        Effects base =
-                Effects.of(
-                        scene.effects().all().stream()
-                                .filter(one -> one.getClass() != effect.getClass())
-                                .toArray(Effect[]::new));
+        Effects base = scene.effects().without(effect.getClass());
+        return in(scene, base, effect, words, user, idler);
+    }
+
+    private static Use in(
+            Workload scene,
+            Effects base,
+            Effect effect,
+            String words,
+            UnaryOperator<BodyDefinition> user,
+            UnaryOperator<BodyDefinition> idler) {
         return new Use(
                 scene,
                 base,
