@@ -1,0 +1,35 @@
+package rigibo.lab.engine;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.NoSuchElementException;
+import java.util.ServiceLoader;
+
+/** The engines at hand: ours, and those that the class path brings. */
+public final class Engines {
+
+    private Engines() {}
+
+    /** Ours first, the others by name. */
+    public static List<Engine> all() {
+        List<Engine> others = new ArrayList<>();
+        ServiceLoader.load(Engine.class).forEach(others::add);
+        others.sort((a, b) -> a.name().compareTo(b.name()));
+        List<Engine> all = new ArrayList<>();
+        all.add(new RigiBoEngine());
+        all.addAll(others);
+        return List.copyOf(all);
+    }
+
+    /**
+     * The engine of a name.
+     *
+     * @throws NoSuchElementException naming it where it is not at hand
+     */
+    public static Engine named(String name) {
+        return all().stream()
+                .filter(engine -> engine.name().equals(name))
+                .findFirst()
+                .orElseThrow(() -> new NoSuchElementException("no engine '" + name + "' at hand"));
+    }
+}

@@ -1,0 +1,38 @@
+package rigibo.lab.engine;
+
+import rigibo.backend.Pool;
+import rigibo.backend.effect.Effects;
+import rigibo.backend.setup.Accuracy;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+
+/** Ours, at its presets and with each knob turned alone from where the game has it. */
+public final class RigiBoEngine implements Engine {
+
+    /** As the reports call it. */
+    public static final String NAME = "RigiBo";
+
+    private final Map<Setting, Accuracy> choices = new LinkedHashMap<>();
+
+    /** Lays out every setting. */
+    public RigiBoEngine() {
+        new Sweeps(choices::put).all();
+    }
+
+    @Override
+    public String name() {
+        return NAME;
+    }
+
+    @Override
+    public List<Setting> settings() {
+        return List.copyOf(choices.keySet());
+    }
+
+    @Override
+    public World world(Effects effects, Setting setting) {
+        return new RigiBoWorld(new Pool(effects, choices.get(setting)));
+    }
+}

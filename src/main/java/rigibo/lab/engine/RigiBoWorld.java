@@ -1,0 +1,90 @@
+package rigibo.lab.engine;
+
+import rigibo.backend.ContactEvent;
+import rigibo.backend.Pool;
+import rigibo.backend.RigidBody;
+import rigibo.backend.StepReport;
+import rigibo.backend.setup.BodyDefinition;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** One of our pools. */
+final class RigiBoWorld implements World {
+
+    private final Pool pool;
+    private final List<RigidBody> bodies = new ArrayList<>();
+
+    RigiBoWorld(Pool pool) {
+        this.pool = pool;
+    }
+
+    @Override
+    public int add(BodyDefinition body) {
+        bodies.add(pool.add(body));
+        return bodies.size() - 1;
+    }
+
+    @Override
+    public void step(double seconds) {
+        pool.step(seconds);
+    }
+
+    @Override
+    public void push(int body, double forceX, double forceY) {
+        RigidBody pushed = bodies.get(body);
+        pushed.applyForce(forceX, forceY, pushed.x(), pushed.y());
+    }
+
+    @Override
+    public double x(int body) {
+        return bodies.get(body).x();
+    }
+
+    @Override
+    public double y(int body) {
+        return bodies.get(body).y();
+    }
+
+    @Override
+    public double angle(int body) {
+        return bodies.get(body).angle();
+    }
+
+    @Override
+    public double velocityX(int body) {
+        return bodies.get(body).velocityX();
+    }
+
+    @Override
+    public double velocityY(int body) {
+        return bodies.get(body).velocityY();
+    }
+
+    @Override
+    public double spin(int body) {
+        return bodies.get(body).angularVelocity();
+    }
+
+    @Override
+    public double normalImpulse(int a, int b) {
+        double sum = 0;
+        for (ContactEvent event : pool.contactEvents()) {
+            boolean isThis = event.a() == bodies.get(a) && event.b() == bodies.get(b);
+            boolean isReverse = event.a() == bodies.get(b) && event.b() == bodies.get(a);
+            sum += isThis || isReverse ? event.impulse() : 0;
+        }
+        return sum;
+    }
+
+    @Override
+    public Work lastStep() {
+        StepReport report = pool.report();
+        return new Work(report.pairs(), report.impacts(), report.evaluations(), report.rows());
+    }
+
+    @Override
+    public void close() {
+        // All of it is on the heap.
+    }
+}

@@ -1,0 +1,49 @@
+package rigibo.lab.engine;
+
+import rigibo.backend.setup.BodyDefinition;
+
+/** A scene in some engine. Bodies are numbered from 0 on, as they were added. */
+public interface World extends AutoCloseable {
+
+    /** Adds a body and returns its number. */
+    int add(BodyDefinition body);
+
+    /** Goes on by so many seconds. */
+    void step(double seconds);
+
+    /**
+     * Pushes a body's centre of mass with so many newtons, to the right and up, in the next step.
+     */
+    void push(int body, double forceX, double forceY);
+
+    /** World x of the centre of mass, m. */
+    double x(int body);
+
+    /** World y of the centre of mass, m. */
+    double y(int body);
+
+    /** rad, counter-clockwise. */
+    double angle(int body);
+
+    /** Of the centre of mass, m/s. */
+    double velocityX(int body);
+
+    /** Of the centre of mass, m/s, up. */
+    double velocityY(int body);
+
+    /** rad/s, counter-clockwise. */
+    double spin(int body);
+
+    /**
+     * What two bodies did to each other along their contact's normal in the last step, N·s; 0 where
+     * they did not touch.
+     */
+    double normalImpulse(int a, int b);
+
+    /** What the last step did, counted; nothing where the engine does not tell. */
+    Work lastStep();
+
+    /** Gives back what it holds outside the heap. */
+    @Override
+    void close();
+}

@@ -1,0 +1,38 @@
+package rigibo.lab.precision;
+
+import rigibo.lab.engine.Setting;
+import rigibo.lab.engine.Work;
+import rigibo.lab.problem.Errors;
+
+import java.util.Optional;
+
+/**
+ * One engine at one setting, put to one problem.
+ *
+ * @param problem id
+ * @param engine name
+ * @param setting how it was run
+ * @param errors how far from the truth it ended, or why it failed
+ * @param steps made, of all worlds together
+ * @param work what they did, counted
+ * @param timing what they took; empty where it was not measured
+ */
+record Point(
+        String problem,
+        String engine,
+        Setting setting,
+        Errors errors,
+        long steps,
+        Work work,
+        Optional<Timing> timing) {
+
+    /** Seconds that were simulated, of all worlds together. */
+    double simulated() {
+        return steps * setting.step();
+    }
+
+    /** s of processor time for a second of simulation; NaN where it was not measured. */
+    double cost() {
+        return timing.map(took -> took.cpu() * 1e-6 / setting.step()).orElse(Double.NaN);
+    }
+}

@@ -1,0 +1,80 @@
+package rigibo.lab.problem;
+
+import rigibo.backend.effect.Effects;
+import rigibo.lab.engine.Engine;
+import rigibo.lab.engine.Setting;
+import rigibo.lab.engine.Work;
+import rigibo.lab.engine.World;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * Where a problem is set: gives out worlds of one engine at one setting, and counts what they do.
+ */
+public final class Bench implements AutoCloseable {
+
+    private final Engine engine;
+    private final Setting setting;
+    private final boolean isCounting;
+    private final List<World> worlds = new ArrayList<>();
+    private Work work = Work.NONE;
+    private long steps;
+
+    private Bench(Engine engine, Setting setting, boolean isCounting) {
+        this.engine = engine;
+        this.setting = setting;
+        this.isCounting = isCounting;
+    }
+
+    /** A bench that counts the work of every step. */
+    public static Bench counting(Engine engine, Setting setting) {
+        return new Bench(engine, setting, true);
+    }
+
+    /** A bench whose steps are nothing but steps, so that they can be timed. */
+    public static Bench timed(Engine engine, Setting setting) {
+        return new Bench(engine, setting, false);
+    }
+
+    /** A world without bodies, closed with this bench. */
+    public World world(Effects effects) {
+        World world = engine.world(effects, setting);
+        worlds.add(world);
+        return world;
+    }
+
+    /** Length of a step, s. */
+    public double step() {
+        return setting.step();
+    }
+
+    /** Makes a step in a world. */
+    public void step(World world) {
+        world.step(setting.step());
+        if (isCounting) {
+            work = work.plus(world.lastStep());
+        }
+        steps++;
+    }
+
+    /** How many steps come nearest to so many seconds. */
+    public int stepsIn(double seconds) {
+        return (int) Math.round(seconds / setting.step());
+    }
+
+    /** Steps made so far, of all worlds together. */
+    public long steps() {
+        return steps;
+    }
+
+    /** What all steps did so far, where it is counted. */
+    public Work work() {
+        return work;
+    }
+
+    @Override
+    public void close() {
+        worlds.forEach(World::close);
+    }
+}

@@ -1,0 +1,38 @@
+package rigibo.lab.problem;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+
+/**
+ * How far from the truth a run ended.
+ *
+ * @param main what the problem is known by, averaged over its phases; NaN where the run failed
+ * @param others further errors, each named with its unit, in the order they are told
+ * @param failure what made it no run at all, as "ball 3 went through the floor"; empty if nothing
+ */
+public record Errors(double main, Map<String, Double> others, String failure) {
+
+    /** Errors of a run that came to its end; one that is not a finite number did not. */
+    public static Errors of(double main) {
+        boolean isFinite = Double.isFinite(main);
+        return new Errors(
+                isFinite ? main : Double.NaN, Map.of(), isFinite ? "" : "no longer finite");
+    }
+
+    /** A run that failed. */
+    public static Errors failed(String why) {
+        return new Errors(Double.NaN, Map.of(), why);
+    }
+
+    /** The same and one more error, named with its unit. */
+    public Errors with(String name, double error) {
+        Map<String, Double> more = new LinkedHashMap<>(others);
+        more.put(name, error);
+        return new Errors(main, more, failure);
+    }
+
+    /** Whether nothing came out. */
+    public boolean hasFailed() {
+        return !failure.isEmpty();
+    }
+}
