@@ -10,6 +10,7 @@ import rigibo.lab.ablation.probe.Share;
 import rigibo.lab.ablation.probe.Use;
 import rigibo.lab.ablation.probe.Workload;
 import rigibo.lab.ablation.probe.Workloads;
+import rigibo.lab.child.Progress;
 
 import java.util.ArrayList;
 import java.util.List;

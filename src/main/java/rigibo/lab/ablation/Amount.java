@@ -1,5 +1,7 @@
 package rigibo.lab.ablation;
 
+import rigibo.lab.child.Interval;
+
 import java.util.Locale;
 
 /** Numbers for people: three digits that count, and the unit they are read best in. */

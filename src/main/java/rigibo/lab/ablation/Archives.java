@@ -1,6 +1,9 @@
 package rigibo.lab.ablation;
 
+import rigibo.backend.Pool;
+import rigibo.lab.ablation.probe.Probe;
 import rigibo.lab.ablation.probe.Workloads;
+import rigibo.lab.child.ClassFiles;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -13,8 +16,8 @@ final class Archives {
 
     private final Path directory;
     private final Workloads workloads;
-    private final ClassFiles engine = ClassFiles.ofEngine();
-    private final ClassFiles probe = ClassFiles.ofProbe();
+    private final ClassFiles engine = ClassFiles.of(Pool.class);
+    private final ClassFiles probe = ClassFiles.of(Probe.class);
 
     /** Writes the whole engine and the probe into a directory, which is made. */
     Archives(Path directory, Workloads workloads) {

@@ -2,6 +2,7 @@ package rigibo.lab.ablation;
 
 import rigibo.lab.ablation.probe.Sample;
 import rigibo.lab.ablation.probe.Share;
+import rigibo.lab.child.Interval;
 
 import java.util.List;
 import java.util.stream.Stream;

@@ -3,6 +3,7 @@ package rigibo.lab.ablation;
 import rigibo.lab.ablation.Findings.Ablation;
 import rigibo.lab.ablation.Findings.Saving;
 import rigibo.lab.ablation.Findings.UseCost;
+import rigibo.lab.child.Interval;
 
 import java.util.ArrayList;
 import java.util.List;

@@ -5,6 +5,7 @@ import rigibo.lab.ablation.Findings.Saving;
 import rigibo.lab.ablation.Findings.UseCost;
 import rigibo.lab.ablation.probe.Counts;
 import rigibo.lab.ablation.probe.Share;
+import rigibo.lab.child.Interval;
 
 import java.util.ArrayList;
 import java.util.List;

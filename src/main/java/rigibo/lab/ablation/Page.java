@@ -4,6 +4,7 @@ import rigibo.backend.Pool;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.setup.Accuracy;
 import rigibo.lab.ablation.Findings.Ablation;
+import rigibo.lab.child.Interval;
 
 import java.util.ArrayList;
 import java.util.IntSummaryStatistics;

@@ -1,6 +1,7 @@
 package rigibo.lab.ablation;
 
 import rigibo.lab.ablation.probe.Sample;
+import rigibo.lab.child.Interval;
 
 import java.util.List;
 import java.util.function.DoubleBinaryOperator;

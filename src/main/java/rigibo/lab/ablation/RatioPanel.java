@@ -1,6 +1,7 @@
 package rigibo.lab.ablation;
 
 import rigibo.lab.ablation.Findings.Ablation;
+import rigibo.lab.child.Interval;
 
 import java.util.List;
 

@@ -3,6 +3,7 @@ package rigibo.lab.ablation;
 import rigibo.lab.ablation.Findings.Ablation;
 import rigibo.lab.ablation.Findings.Saving;
 import rigibo.lab.ablation.Svg.Anchor;
+import rigibo.lab.child.Interval;
 
 /** A bar for each effect of each scene: the share of a step that is saved without it. */
 final class SavingPanel {

@@ -2,6 +2,7 @@ package rigibo.lab.ablation;
 
 import rigibo.lab.ablation.Findings.UseCost;
 import rigibo.lab.ablation.Svg.Anchor;
+import rigibo.lab.child.Interval;
 
 import java.util.List;
 

@@ -32,4 +32,19 @@ public final class Engines {
                 .findFirst()
                 .orElseThrow(() -> new NoSuchElementException("no engine '" + name + "' at hand"));
     }
+
+    /**
+     * The setting of a name.
+     *
+     * @throws NoSuchElementException naming it where the engine has none such
+     */
+    public static Setting setting(Engine engine, String name) {
+        return engine.settings().stream()
+                .filter(setting -> setting.name().equals(name))
+                .findFirst()
+                .orElseThrow(
+                        () ->
+                                new NoSuchElementException(
+                                        engine.name() + " has no setting '" + name + "'"));
+    }
 }

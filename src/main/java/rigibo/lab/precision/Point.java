@@ -2,6 +2,7 @@ package rigibo.lab.precision;
 
 import rigibo.lab.engine.Setting;
 import rigibo.lab.engine.Work;
+import rigibo.lab.precision.probe.Timing;
 import rigibo.lab.problem.Errors;
 
 import java.util.Optional;

@@ -1,6 +1,7 @@
 package rigibo.lab.problem;
 
 import java.util.List;
+import java.util.NoSuchElementException;
 
 /** All of them, in the order of their numbers. */
 public final class Problems {
@@ -11,5 +12,17 @@ public final class Problems {
 
     public static List<Problem> all() {
         return ALL;
+    }
+
+    /**
+     * The problem of an id.
+     *
+     * @throws NoSuchElementException naming it where there is none
+     */
+    public static Problem numbered(String id) {
+        return ALL.stream()
+                .filter(problem -> problem.id().equals(id))
+                .findFirst()
+                .orElseThrow(() -> new NoSuchElementException("no problem '" + id + "'"));
     }
 }

@@ -7,11 +7,13 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
+import rigibo.backend.Pool;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Gravity;
 import rigibo.backend.effect.Thrust;
 import rigibo.lab.ablation.probe.Probe;
 import rigibo.lab.ablation.probe.Workloads;
+import rigibo.lab.child.ClassFiles;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -21,7 +23,7 @@ import java.util.List;
 /** The listed classes are those of this build, and none is loaded where nobody needs it. */
 class OwnClassesTest {
 
-    private static final ClassFiles ENGINE = ClassFiles.ofEngine();
+    private static final ClassFiles ENGINE = ClassFiles.of(Pool.class);
 
     @Test
     void everyListedClassIsBuilt() {

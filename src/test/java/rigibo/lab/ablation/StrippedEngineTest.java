@@ -7,10 +7,12 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
+import rigibo.backend.Pool;
 import rigibo.lab.ablation.Run.Budget;
 import rigibo.lab.ablation.Run.Engine;
 import rigibo.lab.ablation.probe.Sample;
 import rigibo.lab.ablation.probe.Workloads;
+import rigibo.lab.child.ClassFiles;
 
 import java.nio.file.Path;
 import java.util.List;
@@ -44,7 +46,7 @@ class StrippedEngineTest {
 
     @Test
     void runThatNeedsWhatWasTakenOutBreaksOffAndSaysWhy() {
-        ClassFiles.ofEngine()
+        ClassFiles.of(Pool.class)
                 .without(List.of("rigibo/backend/force/GravityKernel.class"))
                 .write(directory.resolve("engine-for-flyers.jar"));
         assertThatThrownBy(() -> java.run(flyers(Engine.STRIPPED)))

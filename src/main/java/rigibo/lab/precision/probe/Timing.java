@@ -1,4 +1,4 @@
-package rigibo.lab.precision;
+package rigibo.lab.precision.probe;
 
 /**
  * What a step took, set-up and reading left out.
@@ -10,4 +10,5 @@ package rigibo.lab.precision;
  * @param wall median, µs a step by the clock on the wall
  * @param bytes allocated a step, median
  */
-record Timing(int repeats, double cpu, double cpuLow, double cpuHigh, double wall, double bytes) {}
+public record Timing(
+        int repeats, double cpu, double cpuLow, double cpuHigh, double wall, double bytes) {}

@@ -1,4 +1,4 @@
-package rigibo.lab.ablation;
+package rigibo.lab.child;
 
 import java.util.Arrays;
 
@@ -15,12 +15,12 @@ import java.util.Arrays;
  * @param high upper end
  * @param coverage probability that the true median is within, at least
  */
-record Interval(double median, double low, double high, double coverage) {
+public record Interval(double median, double low, double high, double coverage) {
 
     private static final double WANTED = 0.95;
 
     /** Of one value or more. */
-    static Interval of(double... values) {
+    public static Interval of(double... values) {
         double[] sorted = values.clone();
         Arrays.sort(sorted);
         int n = sorted.length;
@@ -49,12 +49,12 @@ record Interval(double median, double low, double high, double coverage) {
     }
 
     /** Whether a number lies within. */
-    boolean contains(double value) {
+    public boolean contains(double value) {
         return low <= value && value <= high;
     }
 
     /** Whether all of it is within a distance of a value. */
-    boolean isWithin(double distance, double of) {
+    public boolean isWithin(double distance, double of) {
         return low >= of - distance && high <= of + distance;
     }
 }

@@ -1,4 +1,4 @@
-package rigibo.lab.ablation;
+package rigibo.lab.child;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;

@@ -1,9 +1,9 @@
-package rigibo.lab.ablation;
+package rigibo.lab.child;
 
 import java.util.function.Consumer;
 
 /** Says from time to time how much is done and how long the rest will take. */
-final class Progress {
+public final class Progress {
 
     private static final long NANOS_BETWEEN_WORDS = 15_000_000_000L;
     private static final double NANOS_PER_MINUTE = 60e9;
@@ -14,13 +14,13 @@ final class Progress {
     private long told = begun;
     private int done;
 
-    Progress(int count, Consumer<String> tell) {
+    public Progress(int count, Consumer<String> tell) {
         this.count = count;
         this.tell = tell;
         tell.accept(count + " runs to make");
     }
 
-    void done() {
+    public void done() {
         done++;
         long now = System.nanoTime();
         if (now - told > NANOS_BETWEEN_WORDS || done == count) {

@@ -1,13 +1,11 @@
-package rigibo.lab.ablation;
-
-import rigibo.backend.Pool;
-import rigibo.lab.ablation.probe.Probe;
+package rigibo.lab.child;
 
 import java.io.IOException;
 import java.io.OutputStream;
 import java.io.UncheckedIOException;
 import java.net.URI;
 import java.net.URISyntaxException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.FileSystem;
 import java.nio.file.FileSystems;
 import java.nio.file.Files;
@@ -24,7 +22,7 @@ import java.util.jar.JarOutputStream;
 import java.util.stream.Stream;
 
 /** Class files by their path, as they run here; writes archives of them. */
-final class ClassFiles {
+public final class ClassFiles {
 
     private final Map<String, byte[]> files;
 
@@ -32,18 +30,8 @@ final class ClassFiles {
         this.files = files;
     }
 
-    /** The engine. */
-    static ClassFiles ofEngine() {
-        return of(Pool.class);
-    }
-
-    /** What runs in a process of its own. */
-    static ClassFiles ofProbe() {
-        return of(Probe.class);
-    }
-
     /** All in the package of a class and below. */
-    private static ClassFiles of(Class<?> member) {
+    public static ClassFiles of(Class<?> member) {
         String room = member.getPackageName().replace('.', '/');
         try {
             URI place = member.getProtectionDomain().getCodeSource().getLocation().toURI();
@@ -71,19 +59,19 @@ final class ClassFiles {
     }
 
     /** The paths, sorted. */
-    Collection<String> names() {
+    public Collection<String> names() {
         return files.keySet();
     }
 
     /** The same without some of them. */
-    ClassFiles without(List<String> names) {
+    public ClassFiles without(List<String> names) {
         Map<String, byte[]> fewer = new TreeMap<>(files);
         fewer.keySet().removeAll(names);
         return new ClassFiles(fewer);
     }
 
     /** Writes an archive that a Java process can have on its class path. */
-    void write(Path archive) {
+    public void write(Path archive) {
         try (OutputStream out = Files.newOutputStream(archive);
                 JarOutputStream jar = new JarOutputStream(out)) {
             for (Map.Entry<String, byte[]> file : files.entrySet()) {
@@ -98,12 +86,12 @@ final class ClassFiles {
     }
 
     /** The same for equal classes, different for others. */
-    String hash() {
+    public String hash() {
         try {
             MessageDigest digest = MessageDigest.getInstance("SHA-256");
             files.forEach(
                     (name, bytes) -> {
-                        digest.update(name.getBytes(java.nio.charset.StandardCharsets.UTF_8));
+                        digest.update(name.getBytes(StandardCharsets.UTF_8));
                         digest.update(bytes);
                     });
             return HexFormat.of().formatHex(digest.digest(), 0, 6);

@@ -1,0 +1,95 @@
+package rigibo.lab.child;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.IntStream;
+
+/** Starts Java processes that measure, one at a time, each on one core where that can be. */
+public final class MeasuringJava {
+
+    /**
+     * A heap that never changes its size, collected without threads of its own. Compilation holds
+     * up the thread that asked for it: on one core it would otherwise take turns with what is
+     * measured, at another moment in every run.
+     */
+    private static final List<String> FLAGS =
+            List.of("-Xms256m", "-Xmx256m", "-XX:+UseSerialGC", "-Xbatch");
+
+    private final List<String> pin;
+
+    private MeasuringJava(int core) {
+        pin = pin(core);
+    }
+
+    /** Processes on the last core, which fewest interrupts go to. */
+    public static MeasuringJava onLastCore() {
+        return new MeasuringJava(Runtime.getRuntime().availableProcessors() - 1);
+    }
+
+    /** One for each core, so that as many processes may run side by side. */
+    public static List<MeasuringJava> onEveryCore() {
+        return IntStream.range(0, Runtime.getRuntime().availableProcessors())
+                .mapToObj(MeasuringJava::new)
+                .toList();
+    }
+
+    /** What pins a process to a core; empty if nothing. */
+    private static List<String> pin(int core) {
+        List<String> words = List.of("taskset", "-c", "" + core);
+        List<String> trial = new ArrayList<>(words);
+        trial.add("true");
+        try {
+            Process process = new ProcessBuilder(trial).redirectErrorStream(true).start();
+            process.getInputStream().readAllBytes();
+            return process.waitFor() == 0 ? words : List.of();
+        } catch (IOException missing) {
+            return List.of();
+        } catch (InterruptedException stop) {
+            Thread.currentThread().interrupt();
+            return List.of();
+        }
+    }
+
+    /** How processes are run, in words. */
+    public String words() {
+        String core = pin.isEmpty() ? "not pinned" : "pinned to one core";
+        return String.join(" ", FLAGS) + ", " + core;
+    }
+
+    /**
+     * Runs a class to its end.
+     *
+     * @param mark what the lines begin with that are answers
+     * @return what follows the mark in each of them
+     * @throws IllegalStateException when it breaks off, with what it said
+     */
+    public List<String> run(String classPath, Class<?> main, List<String> arguments, String mark) {
+        List<String> command = new ArrayList<>(pin);
+        command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
+        command.addAll(FLAGS);
+        command.addAll(List.of("-cp", classPath, main.getName()));
+        command.addAll(arguments);
+        try {
+            Process process = new ProcessBuilder(command).redirectErrorStream(true).start();
+            String said =
+                    new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+            List<String> answers =
+                    said.lines()
+                            .filter(line -> line.startsWith(mark))
+                            .map(line -> line.substring(mark.length()))
+                            .toList();
+            if (process.waitFor() != 0 || answers.isEmpty()) {
+                throw new IllegalStateException("broke off: " + said.strip());
+            }
+            return answers;
+        } catch (IOException cause) {
+            throw new IllegalStateException("Java cannot be started", cause);
+        } catch (InterruptedException stop) {
+            Thread.currentThread().interrupt();
+            throw new IllegalStateException("interrupted", stop);
+        }
+    }
+}

@@ -1,0 +1,85 @@
+package rigibo.lab.precision;
+
+import rigibo.lab.engine.Engine;
+import rigibo.lab.engine.Line;
+import rigibo.lab.engine.RigiBoEngine;
+import rigibo.lab.engine.Setting;
+import rigibo.lab.problem.Problem;
+import rigibo.lab.problem.Problems;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * What is asked of the laboratory.
+ *
+ * @param problems ids
+ * @param extent how much of each
+ * @param seed of the order in which processes are run, so that what the machine does meanwhile does
+ *     not fall on the same settings always
+ * @param out directory of everything written
+ */
+public record Inquiry(List<String> problems, Extent extent, long seed, Path out) {
+
+    /**
+     * Checks the names.
+     *
+     * @throws IllegalArgumentException naming what is wrong and what may be
+     */
+    public Inquiry {
+        List<String> known = problemIds();
+        for (String problem : problems) {
+            if (!known.contains(problem)) {
+                throw new IllegalArgumentException(
+                        "scenes: there is no problem '"
+                                + problem
+                                + "'; there are "
+                                + String.join(", ", known));
+            }
+        }
+    }
+
+    /** All that may be asked for. */
+    public static List<String> problemIds() {
+        return Problems.all().stream().map(Problem::id).toList();
+    }
+
+    /** Every process there is to run, by problem, engine and setting. */
+    List<Task> tasks(List<Engine> engines) {
+        List<Task> tasks = new ArrayList<>();
+        for (String id : problems) {
+            Problem problem = Problems.numbered(id);
+            for (Engine engine : engines) {
+                if (problem.isForAll() || engine.name().equals(RigiBoEngine.NAME)) {
+                    tasks.addAll(tasks(problem, engine));
+                }
+            }
+        }
+        return tasks;
+    }
+
+    private List<Task> tasks(Problem problem, Engine engine) {
+        List<Setting> settings =
+                engine.settings().stream()
+                        .filter(setting -> isAsked(problem, setting.line()))
+                        .toList();
+        if (extent == Extent.QUICK) {
+            return List.of(new Task(problem.id(), engine.name(), settings, extent.patience()));
+        }
+        return settings.stream()
+                .map(
+                        setting ->
+                                new Task(
+                                        problem.id(),
+                                        engine.name(),
+                                        List.of(setting),
+                                        extent.patience()))
+                .toList();
+    }
+
+    private boolean isAsked(Problem problem, Line line) {
+        boolean isAlways = line == Line.PRESETS || line == Line.PEERS;
+        return extent.asks(line) && (isAlways || problem.lines().contains(line));
+    }
+}

@@ -1,0 +1,29 @@
+package rigibo.lab.precision.probe;
+
+/**
+ * How long a process takes for each setting.
+ *
+ * @param warmMillis at least, before anything is timed
+ * @param timedMillis at least
+ * @param repeats at least, unless they would take longer than is to be borne
+ * @param mostMillis after which no repeat is begun
+ */
+public record Patience(double warmMillis, double timedMillis, int repeats, double mostMillis) {
+
+    /** Errors only. */
+    public static final Patience NONE = new Patience(0, 0, 0, 0);
+
+    /** As told on a command line. */
+    public String words() {
+        return warmMillis + "," + timedMillis + "," + repeats + "," + mostMillis;
+    }
+
+    static Patience parse(String words) {
+        String[] number = words.split(",");
+        return new Patience(
+                Double.parseDouble(number[0]),
+                Double.parseDouble(number[1]),
+                Integer.parseInt(number[2]),
+                Double.parseDouble(number[3]));
+    }
+}
