@@ -4,11 +4,10 @@ import rigibo.lab.ablation.Findings.Ablation;
 import rigibo.lab.ablation.Findings.Saving;
 import rigibo.lab.ablation.Findings.UseCost;
 import rigibo.lab.child.Interval;
+import rigibo.lab.report.Csv;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.stream.Collectors;
-import java.util.stream.Stream;
 
 /** The findings as CSV, a line for each comparison. */
 final class FindingsCsv {
@@ -66,20 +65,18 @@ final class FindingsCsv {
             Pairs pairs,
             String figure,
             Interval value) {
-        return Stream.of(
-                        table,
-                        scene,
-                        effect,
-                        users,
-                        pairs.firstNanos(),
-                        pairs.secondNanos(),
-                        figure,
-                        value.median(),
-                        value.low(),
-                        value.high(),
-                        value.coverage(),
-                        pairs.mostBytes())
-                .map(String::valueOf)
-                .collect(Collectors.joining(","));
+        return Csv.line(
+                table,
+                scene,
+                effect,
+                users,
+                pairs.firstNanos(),
+                pairs.secondNanos(),
+                figure,
+                value.median(),
+                value.low(),
+                value.high(),
+                value.coverage(),
+                pairs.mostBytes());
     }
 }

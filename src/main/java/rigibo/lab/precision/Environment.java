@@ -1,0 +1,39 @@
+package rigibo.lab.precision;
+
+import tools.jackson.databind.json.JsonMapper;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+
+/**
+ * Where the numbers of a report come from.
+ *
+ * @param machine its processors and system
+ * @param jvm name and version of the virtual machine
+ * @param flags it was started with
+ * @param commit of the engine that was measured
+ * @param date when
+ * @param command that makes the report again
+ */
+public record Environment(
+        String machine, String jvm, String flags, String commit, String date, String command) {
+
+    /** All of it, for programs. */
+    String json() {
+        Map<String, String> fields = new LinkedHashMap<>();
+        fields.put("processor", machine);
+        fields.put("jvm", jvm);
+        fields.put("flags", flags);
+        fields.put("commit", commit);
+        fields.put("date", date);
+        fields.put("command", command);
+        return JsonMapper.shared().writerWithDefaultPrettyPrinter().writeValueAsString(fields);
+    }
+
+    /** All of it, for people, in one sentence. */
+    String words() {
+        return String.format(
+                "Measured on %s, on %s, with %s (%s), at commit %s.",
+                date, machine, jvm, flags, commit);
+    }
+}

@@ -1,0 +1,109 @@
+package rigibo.lab.precision;
+
+import rigibo.lab.engine.Setting;
+import rigibo.lab.report.Csv;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+
+/** The points as two files of values that are joined by their first three columns. */
+final class PointsCsv {
+
+    private static final Object[] RESULTS = {
+        "problem",
+        "engine",
+        "setting",
+        "line",
+        "at",
+        "step_s",
+        "error",
+        "further_errors",
+        "failure",
+        "steps",
+        "simulated_s",
+        "pairs",
+        "impacts",
+        "evaluations",
+        "rows"
+    };
+
+    private static final Object[] TIMING = {
+        "problem",
+        "engine",
+        "setting",
+        "line",
+        "at",
+        "step_s",
+        "repeats",
+        "cpu_us_per_step",
+        "cpu_low_us",
+        "cpu_high_us",
+        "wall_us_per_step",
+        "bytes_per_step",
+        "cpu_s_per_simulated_s"
+    };
+
+    private PointsCsv() {}
+
+    /** What every run computed: the same on every machine. */
+    static List<String> results(List<Point> points) {
+        List<String> lines = new ArrayList<>(List.of(Csv.line(RESULTS)));
+        points.forEach(point -> lines.add(Csv.line(withKeys(point, result(point)))));
+        return lines;
+    }
+
+    /** What it took, of those that were timed. */
+    static List<String> timing(List<Point> points) {
+        List<String> lines = new ArrayList<>(List.of(Csv.line(TIMING)));
+        for (Point point : points) {
+            point.timing().ifPresent(took -> lines.add(Csv.line(withKeys(point, of(took, point)))));
+        }
+        return lines;
+    }
+
+    private static Object[] withKeys(Point point, Stream<Object> values) {
+        Setting setting = point.setting();
+        Stream<Object> keys =
+                Stream.of(
+                        point.problem(),
+                        point.engine(),
+                        setting.name(),
+                        setting.line(),
+                        setting.at(),
+                        setting.step());
+        return Stream.concat(keys, values).toArray();
+    }
+
+    private static Stream<Object> result(Point point) {
+        return Stream.of(
+                point.errors().hasFailed() ? "" : point.errors().main(),
+                further(point.errors().others()),
+                point.errors().failure(),
+                point.steps(),
+                point.simulated(),
+                point.work().pairs(),
+                point.work().impacts(),
+                point.work().evaluations(),
+                point.work().rows());
+    }
+
+    private static String further(Map<String, Double> errors) {
+        return errors.entrySet().stream()
+                .map(error -> error.getKey() + "=" + error.getValue())
+                .collect(Collectors.joining("; "));
+    }
+
+    private static Stream<Object> of(Timing took, Point point) {
+        return Stream.of(
+                took.repeats(),
+                took.cpu(),
+                took.cpuLow(),
+                took.cpuHigh(),
+                took.wall(),
+                took.bytes(),
+                point.cost());
+    }
+}

@@ -1,0 +1,20 @@
+package rigibo.lab.report;
+
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+
+/** Lines of comma-separated values (RFC 4180). */
+public final class Csv {
+
+    private Csv() {}
+
+    /** One line, without its end; what would be read as more than one cell is quoted. */
+    public static String line(Object... cells) {
+        return Stream.of(cells).map(cell -> quoted("" + cell)).collect(Collectors.joining(","));
+    }
+
+    private static String quoted(String cell) {
+        boolean isPlain = cell.chars().noneMatch(letter -> ",\"\r\n".indexOf(letter) >= 0);
+        return isPlain ? cell : '"' + cell.replace("\"", "\"\"") + '"';
+    }
+}
