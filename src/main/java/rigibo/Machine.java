@@ -1,8 +1,10 @@
 package rigibo;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
@@ -22,6 +24,37 @@ final class Machine {
                         Runtime.getRuntime().availableProcessors() + " × " + processor(),
                         System.getProperty("os.name") + " " + System.getProperty("os.arch"),
                         "Java " + Runtime.version().feature()));
+    }
+
+    /** Name and version of the virtual machine. */
+    static String jvm() {
+        return System.getProperty("java.vm.name") + " " + Runtime.version();
+    }
+
+    /**
+     * The commit that is run, with a word where files differ from it; "unknown" outside a
+     * repository.
+     */
+    static String commit() {
+        String commit = git("rev-parse", "--short=10", "HEAD");
+        boolean isChanged = !git("status", "--porcelain", "--untracked-files=no").isEmpty();
+        return commit.isEmpty() ? "unknown" : commit + (isChanged ? " with changes" : "");
+    }
+
+    private static String git(String... words) {
+        List<String> command =
+                new ArrayList<>(List.of("git", "-C", System.getProperty("rigibo.home", ".")));
+        command.addAll(List.of(words));
+        try {
+            Process git = new ProcessBuilder(command).start();
+            String said = new String(git.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+            return git.waitFor() == 0 ? said.strip() : "";
+        } catch (IOException missing) {
+            return "";
+        } catch (InterruptedException stop) {
+            Thread.currentThread().interrupt();
+            return "";
+        }
     }
 
     /** The processor's own name where the system tells it. */

@@ -59,8 +59,10 @@ class MainTest {
     @ParameterizedTest
     @CsvSource({
         "lab --figures waves, EFFECTS",
-        "lab --scenes moon, flyers",
-        "lab --runs 0, 1 to 1000",
+        "lab --scenes moon, R1",
+        "lab --figures effects --scenes moon, flyers",
+        "lab --quick --full, --full",
+        "lab --figures effects --runs 0, 1 to 1000",
         "lab --runs many, many",
         "lab --out README.md, not a directory",
         "lab --markdown no/such/place.md, no/such/place.md"

@@ -18,6 +18,11 @@ import java.util.Map;
 public record Environment(
         String machine, String jvm, String flags, String commit, String date, String command) {
 
+    /** The same, of processes that were started otherwise. */
+    Environment withFlags(String others) {
+        return new Environment(machine, jvm, others, commit, date, command);
+    }
+
     /** All of it, for programs. */
     String json() {
         Map<String, String> fields = new LinkedHashMap<>();

@@ -22,24 +22,6 @@ import java.util.List;
  */
 public record Inquiry(List<String> problems, Extent extent, long seed, Path out) {
 
-    /**
-     * Checks the names.
-     *
-     * @throws IllegalArgumentException naming what is wrong and what may be
-     */
-    public Inquiry {
-        List<String> known = problemIds();
-        for (String problem : problems) {
-            if (!known.contains(problem)) {
-                throw new IllegalArgumentException(
-                        "scenes: there is no problem '"
-                                + problem
-                                + "'; there are "
-                                + String.join(", ", known));
-            }
-        }
-    }
-
     /** All that may be asked for. */
     public static List<String> problemIds() {
         return Problems.all().stream().map(Problem::id).toList();

@@ -1,6 +1,7 @@
 package rigibo.lab.precision;
 
 import rigibo.lab.engine.Setting;
+import rigibo.lab.precision.probe.Timing;
 import rigibo.lab.report.Csv;
 
 import java.util.ArrayList;
