@@ -7,6 +7,7 @@ import picocli.CommandLine.Spec;
 import rigibo.frontend.catalog.Catalog;
 import rigibo.frontend.display.DrawingTiming;
 import rigibo.frontend.display.LoopTiming;
+import rigibo.lab.FloodFriction;
 import rigibo.lab.FloodTiming;
 
 import java.io.PrintWriter;
@@ -38,6 +39,15 @@ final class MeasureCommand implements Callable<Integer> {
                     flood.p99Millis(),
                     1000 * flood.deepestOverlap());
         }
+        FloodFriction friction = FloodFriction.measure();
+        out.printf(
+                "flood of 600 discs without friction: %.2f of a step with it (quartiles %.2f to"
+                        + " %.2f), %d rows instead of %d%n",
+                friction.ratio(),
+                friction.lower(),
+                friction.upper(),
+                friction.rowsWithout(),
+                friction.rows());
         for (int[] picture : PICTURES) {
             double[] millis = DrawingTiming.millis(picture[0], picture[1]);
             out.printf(

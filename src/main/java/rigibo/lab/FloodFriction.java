@@ -1,0 +1,62 @@
+package rigibo.lab;
+
+import rigibo.backend.Pool;
+import rigibo.backend.effect.Effects;
+import rigibo.backend.effect.Friction;
+import rigibo.backend.effect.Rotation;
+
+import java.lang.management.ManagementFactory;
+import java.lang.management.ThreadMXBean;
+import java.util.Arrays;
+
+/**
+ * What the flood saves when its friction is switched off, as its demo does it: friction goes, and
+ * with it rotation, which discs that do not rub have no use for. Two pools go on from the same
+ * state, which has settled, and are stepped in turn, so that whatever else the machine does hits
+ * both alike, and the clock is that of the thread's own processor time.
+ *
+ * @param rows that the contacts of a step get with friction
+ * @param rowsWithout and without, both at the end
+ * @param ratio time of a step without over the one beside it with friction, median
+ * @param lower quartile of that ratio
+ * @param upper quartile
+ */
+public record FloodFriction(int rows, int rowsWithout, double ratio, double lower, double upper) {
+
+    private static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();
+    private static final Flood DEMO = new Flood(19, 0.14);
+    private static final int BODIES = 600;
+    private static final double COEFFICIENT = 0.4;
+    private static final int SETTLING_STEPS = 900;
+    private static final int WARM_STEPS = 600;
+    private static final int TIMED_STEPS = 600;
+
+    /** Settles the flood and switches its friction off. */
+    public static FloodFriction measure() {
+        Effects rubbing = Flood.FRICTIONLESS.with(new Rotation()).with(new Friction());
+        Pool with = DEMO.pour(BODIES, rubbing, COEFFICIENT);
+        for (int i = 0; i < SETTLING_STEPS; i++) {
+            with.step(Flood.STEP);
+        }
+        Pool without = Pool.restore(with.snapshot());
+        without.effects(Flood.FRICTIONLESS);
+        double[] ratios = new double[TIMED_STEPS];
+        for (int i = -WARM_STEPS; i < TIMED_STEPS; i++) {
+            long begun = THREADS.getCurrentThreadCpuTime();
+            with.step(Flood.STEP);
+            long between = THREADS.getCurrentThreadCpuTime();
+            without.step(Flood.STEP);
+            long ended = THREADS.getCurrentThreadCpuTime();
+            if (i >= 0) {
+                ratios[i] = (double) (ended - between) / (between - begun);
+            }
+        }
+        Arrays.sort(ratios);
+        return new FloodFriction(
+                with.report().rows(),
+                without.report().rows(),
+                ratios[TIMED_STEPS / 2],
+                ratios[TIMED_STEPS / 4],
+                ratios[TIMED_STEPS * 3 / 4]);
+    }
+}
