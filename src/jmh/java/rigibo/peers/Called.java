@@ -1,0 +1,93 @@
+package rigibo.peers;
+
+import rigibo.backend.effect.Buoyancy;
+import rigibo.backend.effect.Contacts;
+import rigibo.backend.effect.ContinuousImpacts;
+import rigibo.backend.effect.Drag;
+import rigibo.backend.effect.Effect;
+import rigibo.backend.effect.Effects;
+import rigibo.backend.effect.Friction;
+import rigibo.backend.effect.Gravity;
+import rigibo.backend.effect.Restitution;
+import rigibo.backend.effect.RollingResistance;
+import rigibo.backend.effect.Rotation;
+import rigibo.backend.effect.Sleep;
+import rigibo.backend.effect.SurfaceSpeed;
+import rigibo.backend.effect.Wind;
+import rigibo.backend.setup.BodyDefinition;
+
+import java.util.List;
+
+/**
+ * What a scene calls for, in terms of engines that always have most of it: what was not declared
+ * they are given as a coefficient of 0.
+ */
+public final class Called {
+
+    private static final List<Class<? extends Effect>> MISSING =
+            List.of(Wind.class, Buoyancy.class, SurfaceSpeed.class, RollingResistance.class);
+
+    private final Effects effects;
+    private final Gravity gravity;
+
+    /**
+     * Looks through a scene's effects.
+     *
+     * @throws UnsupportedOperationException naming the one that the engine has not
+     */
+    public Called(String engine, Effects effects) {
+        for (Effect effect : effects.all()) {
+            if (MISSING.contains(effect.getClass())) {
+                throw new UnsupportedOperationException(
+                        engine + " has no " + effect.getClass().getSimpleName());
+            }
+        }
+        this.effects = effects;
+        gravity = effects.find(Gravity.class).orElse(new Gravity(0, 0));
+    }
+
+    /** m/s², to the right. */
+    public double gravityX() {
+        return gravity.x();
+    }
+
+    /** m/s², up. */
+    public double gravityY() {
+        return gravity.y();
+    }
+
+    /** Whether bodies meet at all; where they do not, they need no outline. */
+    public boolean hasContacts() {
+        return effects.declares(Contacts.class);
+    }
+
+    /** Whether bodies turn. */
+    public boolean hasRotation() {
+        return effects.declares(Rotation.class);
+    }
+
+    /** Whether impacts are looked for within the step. */
+    public boolean hasContinuousImpacts() {
+        return effects.declares(ContinuousImpacts.class);
+    }
+
+    /** Whether bodies fall asleep; when they do is the engine's own affair. */
+    public boolean hasSleep() {
+        return effects.declares(Sleep.class);
+    }
+
+    /** Coulomb's μ of a body. */
+    public double friction(BodyDefinition body) {
+        return effects.declares(Friction.class) ? body.material().friction() : 0;
+    }
+
+    /** Elasticity of a body. */
+    public double elasticity(BodyDefinition body) {
+        return effects.declares(Restitution.class) ? body.material().elasticity() : 0;
+    }
+
+    /** Linear damping of a body, 1/s. */
+    public double damping(BodyDefinition body) {
+        return effects.declares(Drag.class) ? body.material().drag() : 0;
+    }
+}

@@ -1,0 +1,172 @@
+package rigibo.peers.dyn4j;
+
+import org.dyn4j.dynamics.Body;
+import org.dyn4j.dynamics.BodyFixture;
+import org.dyn4j.dynamics.ContinuousDetectionMode;
+import org.dyn4j.dynamics.Settings;
+import org.dyn4j.geometry.Mass;
+import org.dyn4j.geometry.MassType;
+import org.dyn4j.geometry.Vector2;
+
+import rigibo.backend.effect.Effects;
+import rigibo.backend.effect.FieldPoint;
+import rigibo.backend.geometry.MassProperties;
+import rigibo.backend.setup.BodyDefinition;
+import rigibo.backend.setup.BodyType;
+import rigibo.lab.engine.Setting;
+import rigibo.lab.engine.Work;
+import rigibo.lab.engine.World;
+import rigibo.peers.Called;
+import rigibo.peers.ImpulseLog;
+import rigibo.peers.PeerSettings;
+import rigibo.peers.UserForces;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * A world of dyn4j. It mixes materials as we do, as it comes. Its angles are within ±π: turns are
+ * not counted.
+ */
+final class Dyn4jWorld implements World {
+
+    private final org.dyn4j.world.World<Body> world = new org.dyn4j.world.World<>();
+    private final Called called;
+    private final UserForces forces;
+    private final ImpulseLog log = new ImpulseLog();
+    private final List<Body> bodies = new ArrayList<>();
+
+    Dyn4jWorld(String engine, Effects effects, Setting setting) {
+        called = new Called(engine, effects);
+        forces = new UserForces(effects, this, this::writeState);
+        world.setGravity(called.gravityX(), called.gravityY());
+        world.addContactListener(new ImpulseListener(log));
+        set(world.getSettings(), setting);
+    }
+
+    private void set(Settings settings, Setting setting) {
+        settings.setVelocityConstraintSolverIterations(
+                PeerSettings.iterations(setting, settings.getVelocityConstraintSolverIterations()));
+        settings.setPositionConstraintSolverIterations(
+                PeerSettings.iterations(setting, settings.getPositionConstraintSolverIterations()));
+        settings.setAtRestDetectionEnabled(called.hasSleep());
+        settings.setContinuousDetectionMode(
+                called.hasContinuousImpacts()
+                        ? ContinuousDetectionMode.ALL
+                        : ContinuousDetectionMode.NONE);
+    }
+
+    @Override
+    public int add(BodyDefinition stated) {
+        int number = bodies.size();
+        Body body = new Body();
+        body.setUserData(number);
+        if (called.hasContacts()) {
+            body.addFixture(fixture(stated));
+        }
+        body.getTransform().setRotation(stated.angle());
+        body.translate(stated.x(), stated.y());
+        setMass(body, stated);
+        move(body, stated);
+        world.addBody(body);
+        bodies.add(body);
+        forces.add(number, stated);
+        return number;
+    }
+
+    private BodyFixture fixture(BodyDefinition stated) {
+        BodyFixture fixture = new BodyFixture(Outlines.of(stated.shape()));
+        fixture.setFriction(called.friction(stated));
+        fixture.setRestitution(called.elasticity(stated));
+        fixture.setFilter(new GroupFilter(stated.group()));
+        return fixture;
+    }
+
+    /** What is infinitely heavy and has a velocity is kinematic. */
+    private void setMass(Body body, BodyDefinition stated) {
+        if (stated.type() != BodyType.DYNAMIC) {
+            body.setMass(MassType.INFINITE);
+            return;
+        }
+        MassProperties mass = stated.massProperties();
+        body.setMass(new Mass(new Vector2(), mass.mass(), mass.inertia()));
+        body.setMassType(called.hasRotation() ? MassType.NORMAL : MassType.FIXED_ANGULAR_VELOCITY);
+    }
+
+    private void move(Body body, BodyDefinition stated) {
+        body.setLinearVelocity(stated.velocityX(), stated.velocityY());
+        body.setAngularVelocity(stated.spin());
+        body.setGravityScale(stated.gravityScale());
+        body.setLinearDamping(called.damping(stated));
+        // As it comes everything that turns is braked a little, which no scene declares.
+        body.setAngularDamping(0);
+        body.setBullet(called.hasContinuousImpacts());
+        body.setAtRestDetectionEnabled(called.hasSleep());
+        body.setAtRest(!stated.awake());
+    }
+
+    @Override
+    public void step(double seconds) {
+        forces.push(seconds);
+        log.clear();
+        world.step(1, seconds);
+    }
+
+    @Override
+    public void push(int body, double forceX, double forceY) {
+        // It keeps the vector until the step is made: each force needs one of its own.
+        bodies.get(body).applyForce(new Vector2(forceX, forceY));
+    }
+
+    private void writeState(int number, FieldPoint point) {
+        point.x = x(number);
+        point.y = y(number);
+        point.velocityX = velocityX(number);
+        point.velocityY = velocityY(number);
+    }
+
+    @Override
+    public double x(int body) {
+        return bodies.get(body).getTransform().getTranslationX();
+    }
+
+    @Override
+    public double y(int body) {
+        return bodies.get(body).getTransform().getTranslationY();
+    }
+
+    @Override
+    public double angle(int body) {
+        return bodies.get(body).getTransform().getRotationAngle();
+    }
+
+    @Override
+    public double velocityX(int body) {
+        return bodies.get(body).getLinearVelocity().x;
+    }
+
+    @Override
+    public double velocityY(int body) {
+        return bodies.get(body).getLinearVelocity().y;
+    }
+
+    @Override
+    public double spin(int body) {
+        return bodies.get(body).getAngularVelocity();
+    }
+
+    @Override
+    public double normalImpulse(int a, int b) {
+        return log.between(a, b);
+    }
+
+    @Override
+    public Work lastStep() {
+        return Work.NONE;
+    }
+
+    @Override
+    public void close() {
+        // All of it is on the heap.
+    }
+}

@@ -1,0 +1,2 @@
+/** JBox2D, a translation of Box2D 2.x into Java, in floats. */
+package rigibo.peers.jbox2d;

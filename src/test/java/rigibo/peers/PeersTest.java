@@ -1,0 +1,91 @@
+package rigibo.peers;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+import rigibo.backend.effect.Buoyancy;
+import rigibo.backend.effect.Contacts;
+import rigibo.backend.effect.Drag;
+import rigibo.backend.effect.Effect;
+import rigibo.backend.effect.Effects;
+import rigibo.backend.effect.Friction;
+import rigibo.backend.effect.Gravity;
+import rigibo.backend.effect.RollingResistance;
+import rigibo.backend.effect.Rotation;
+import rigibo.backend.effect.SurfaceSpeed;
+import rigibo.backend.effect.Wind;
+import rigibo.backend.geometry.Polygon;
+import rigibo.backend.setup.BodyDefinition;
+import rigibo.lab.engine.Engine;
+import rigibo.lab.engine.Engines;
+import rigibo.lab.engine.Line;
+import rigibo.lab.engine.World;
+
+import java.util.stream.Stream;
+
+/** Who the other engines are, and what they are not asked to do. */
+class PeersTest {
+
+    private static final Effects GROUND =
+            Effects.of(
+                    new Gravity(0, -9.81),
+                    new Contacts(),
+                    new Rotation(),
+                    new Friction(),
+                    new Drag());
+
+    private static Stream<Engine> engines() {
+        return Peer.engines();
+    }
+
+    @Test
+    void threeAreAtHandBesidesOurs() {
+        assertThat(Engines.all())
+                .extracting(Engine::name)
+                .containsExactly("RigiBo", "JBox2D 2.2.1.1", "dyn4j 6.0.0", "gdx-box2d 1.14.0");
+    }
+
+    @ParameterizedTest
+    @MethodSource("engines")
+    void runsAsItComesAndFiner(Engine engine) {
+        assertThat(engine.settings())
+                .hasSize(2)
+                .allMatch(setting -> setting.line() == Line.PEERS)
+                .extracting(setting -> setting.name())
+                .containsExactly("default", "finer");
+        assertThat(engine.settings().get(1).step()).isEqualTo(1.0 / 240);
+    }
+
+    @ParameterizedTest
+    @MethodSource("engines")
+    void refusesByNameWhatItHasNot(Engine engine) {
+        Effect[] missing = {
+            new Wind(1, 0), new Buoyancy(0, 1000, 1), new SurfaceSpeed(), new RollingResistance()
+        };
+        for (Effect effect : missing) {
+            assertThatThrownBy(() -> engine.world(GROUND.with(effect), engine.settings().get(0)))
+                    .isInstanceOf(UnsupportedOperationException.class)
+                    .hasMessage(engine.name() + " has no " + effect.getClass().getSimpleName());
+        }
+    }
+
+    /** Box2D stops at eight corners, dyn4j does not. */
+    @ParameterizedTest
+    @MethodSource("engines")
+    void nineCornersAreRefusedWithAReasonOrRestOnOne(Engine engine) {
+        try (World world = engine.world(GROUND, engine.settings().get(0))) {
+            BodyDefinition nine = BodyDefinition.dynamic(Polygon.regular(9, 1));
+            if (engine.name().startsWith("dyn4j")) {
+                assertThat(world.add(nine)).isZero();
+            } else {
+                assertThatThrownBy(() -> world.add(nine))
+                        .isInstanceOf(UnsupportedOperationException.class)
+                        .hasMessageContaining("more than 8 corners, was 9");
+            }
+        }
+    }
+}
