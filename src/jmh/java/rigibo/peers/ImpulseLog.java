@@ -15,6 +15,12 @@ public final class ImpulseLog {
     private int[] bodyB = new int[FIRST_ROOM];
     private double[] impulses = new double[FIRST_ROOM];
     private int count;
+    private boolean isOpen;
+
+    /** Begins: until now there was nothing to be told. */
+    public void open() {
+        isOpen = true;
+    }
 
     /** Forgets all: a step begins. */
     public void clear() {
@@ -34,8 +40,15 @@ public final class ImpulseLog {
         count++;
     }
 
-    /** Sum of those between two bodies, N·s. */
+    /**
+     * Sum of those between two bodies, N·s.
+     *
+     * @throws IllegalStateException where nobody watched
+     */
     public double between(int a, int b) {
+        if (!isOpen) {
+            throw new IllegalStateException("impulses are kept after watchImpulses() only");
+        }
         double sum = 0;
         for (int i = 0; i < count; i++) {
             boolean isThis = bodyA[i] == a && bodyB[i] == b;

@@ -73,6 +73,17 @@ class PeersTest {
         }
     }
 
+    @ParameterizedTest
+    @MethodSource("engines")
+    void impulsesThatNobodyWatchedAreNotTakenForNone(Engine engine) {
+        try (World world = engine.world(GROUND.without(Drag.class), engine.settings().get(0))) {
+            assertThatThrownBy(() -> world.normalImpulse(0, 1))
+                    .isInstanceOf(IllegalStateException.class);
+            world.watchImpulses();
+            assertThat(world.normalImpulse(0, 1)).isZero();
+        }
+    }
+
     /** Box2D stops at eight corners, dyn4j does not. */
     @ParameterizedTest
     @MethodSource("engines")

@@ -40,7 +40,6 @@ final class Dyn4jWorld implements World {
         called = new Called(engine, effects);
         forces = new UserForces(effects, this, this::writeState);
         world.setGravity(called.gravityX(), called.gravityY());
-        world.addContactListener(new ImpulseListener(log));
         set(world.getSettings(), setting);
     }
 
@@ -153,6 +152,14 @@ final class Dyn4jWorld implements World {
     @Override
     public double spin(int body) {
         return bodies.get(body).getAngularVelocity();
+    }
+
+    @Override
+    public void watchImpulses() {
+        log.open();
+        // Watched twice, each impulse would count twice.
+        world.removeAllContactListeners();
+        world.addContactListener(new ImpulseListener(log));
     }
 
     @Override

@@ -43,7 +43,6 @@ final class GdxBox2dWorld implements World {
         Vector2 gravity = new Vector2((float) called.gravityX(), (float) called.gravityY());
         world = new com.badlogic.gdx.physics.box2d.World(gravity, called.hasSleep());
         world.setContinuousPhysics(called.hasContinuousImpacts());
-        world.setContactListener(new ImpulseListener(log));
     }
 
     @Override
@@ -152,6 +151,12 @@ final class GdxBox2dWorld implements World {
     @Override
     public double spin(int body) {
         return bodies.get(body).getAngularVelocity();
+    }
+
+    @Override
+    public void watchImpulses() {
+        log.open();
+        world.setContactListener(new ImpulseListener(log));
     }
 
     @Override

@@ -43,7 +43,6 @@ final class Jbox2dWorld implements World {
         world = new org.jbox2d.dynamics.World(vector(called.gravityX(), called.gravityY()));
         world.setAllowSleep(called.hasSleep());
         world.setContinuousPhysics(called.hasContinuousImpacts());
-        world.setContactListener(new ImpulseListener(log));
     }
 
     @Override
@@ -155,6 +154,12 @@ final class Jbox2dWorld implements World {
     @Override
     public double spin(int body) {
         return bodies.get(body).getAngularVelocity();
+    }
+
+    @Override
+    public void watchImpulses() {
+        log.open();
+        world.setContactListener(new ImpulseListener(log));
     }
 
     @Override

@@ -35,8 +35,17 @@ public interface World extends AutoCloseable {
     double spin(int body);
 
     /**
+     * Has the normal impulses of every step from the next one on kept. Engines that tell them to
+     * listeners only are up to a quarter slower then, so that they are asked just before the steps
+     * that matter; those that keep them anyway do nothing.
+     */
+    default void watchImpulses() {}
+
+    /**
      * What two bodies did to each other along their contact's normal in the last step, N·s; 0 where
      * they did not touch.
+     *
+     * @throws IllegalStateException where it is not kept and nobody watched
      */
     double normalImpulse(int a, int b);
 
