@@ -24,10 +24,7 @@ public final class Box2dFamily {
     public static float[] corners(Polygon polygon) {
         if (polygon.corners() > MOST_CORNERS) {
             throw new UnsupportedOperationException(
-                    "Box2D has no polygons of more than "
-                            + MOST_CORNERS
-                            + " corners, was "
-                            + polygon.corners());
+                    "polygons of more than " + MOST_CORNERS + " corners");
         }
         float[] xy = new float[2 * polygon.corners()];
         for (int i = 0; i < polygon.corners(); i++) {
@@ -44,8 +41,7 @@ public final class Box2dFamily {
      */
     public static short group(BodyDefinition body) {
         if (body.group() < 0 || body.group() > Short.MAX_VALUE) {
-            throw new UnsupportedOperationException(
-                    "Box2D has groups 0 to " + Short.MAX_VALUE + " of ours, was " + body.group());
+            throw new UnsupportedOperationException("groups other than 0 to " + Short.MAX_VALUE);
         }
         return (short) -body.group();
     }

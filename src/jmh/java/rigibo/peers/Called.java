@@ -33,13 +33,12 @@ public final class Called {
     /**
      * Looks through a scene's effects.
      *
-     * @throws UnsupportedOperationException naming the one that the engine has not
+     * @throws UnsupportedOperationException naming the one that no peer has
      */
-    public Called(String engine, Effects effects) {
+    public Called(Effects effects) {
         for (Effect effect : effects.all()) {
             if (MISSING.contains(effect.getClass())) {
-                throw new UnsupportedOperationException(
-                        engine + " has no " + effect.getClass().getSimpleName());
+                throw new UnsupportedOperationException(effect.getClass().getSimpleName());
             }
         }
         this.effects = effects;

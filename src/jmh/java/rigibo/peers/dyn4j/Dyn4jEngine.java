@@ -25,6 +25,6 @@ public final class Dyn4jEngine implements Engine {
 
     @Override
     public World world(Effects effects, Setting setting) {
-        return new Dyn4jWorld(name(), effects, setting);
+        return new Dyn4jWorld(effects, setting);
     }
 }

@@ -36,8 +36,8 @@ final class Dyn4jWorld implements World {
     private final ImpulseLog log = new ImpulseLog();
     private final List<Body> bodies = new ArrayList<>();
 
-    Dyn4jWorld(String engine, Effects effects, Setting setting) {
-        called = new Called(engine, effects);
+    Dyn4jWorld(Effects effects, Setting setting) {
+        called = new Called(effects);
         forces = new UserForces(effects, this, this::writeState);
         world.setGravity(called.gravityX(), called.gravityY());
         set(world.getSettings(), setting);

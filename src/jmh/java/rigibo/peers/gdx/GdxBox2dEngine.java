@@ -30,6 +30,6 @@ public final class GdxBox2dEngine implements Engine {
     public World world(Effects effects, Setting setting) {
         GdxNativesLoader.load();
         Box2D.init();
-        return new GdxBox2dWorld(name(), effects, setting);
+        return new GdxBox2dWorld(effects, setting);
     }
 }

@@ -35,8 +35,8 @@ final class GdxBox2dWorld implements World {
     private final int positionIterations;
     private final List<Body> bodies = new ArrayList<>();
 
-    GdxBox2dWorld(String engine, Effects effects, Setting setting) {
-        called = new Called(engine, effects);
+    GdxBox2dWorld(Effects effects, Setting setting) {
+        called = new Called(effects);
         forces = new UserForces(effects, this, this::writeState);
         velocityIterations = PeerSettings.iterations(setting, Box2dFamily.VELOCITY_ITERATIONS);
         positionIterations = PeerSettings.iterations(setting, Box2dFamily.POSITION_ITERATIONS);

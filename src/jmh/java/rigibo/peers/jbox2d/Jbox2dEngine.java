@@ -24,6 +24,6 @@ public final class Jbox2dEngine implements Engine {
 
     @Override
     public World world(Effects effects, Setting setting) {
-        return new Jbox2dWorld(name(), effects, setting);
+        return new Jbox2dWorld(effects, setting);
     }
 }

@@ -35,8 +35,8 @@ final class Jbox2dWorld implements World {
     private final List<Body> bodies = new ArrayList<>();
     private final Vec2 force = new Vec2();
 
-    Jbox2dWorld(String engine, Effects effects, Setting setting) {
-        called = new Called(engine, effects);
+    Jbox2dWorld(Effects effects, Setting setting) {
+        called = new Called(effects);
         forces = new UserForces(effects, this, this::writeState);
         velocityIterations = PeerSettings.iterations(setting, Box2dFamily.VELOCITY_ITERATIONS);
         positionIterations = PeerSettings.iterations(setting, Box2dFamily.POSITION_ITERATIONS);
