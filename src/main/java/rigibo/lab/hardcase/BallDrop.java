@@ -3,6 +3,7 @@ package rigibo.lab.hardcase;
 import rigibo.backend.RigidBody;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.setup.BodyDefinition;
+import rigibo.lab.truth.Bounces;
 
 /**
  * Truth: {@link Bounces}, for ten apexes. The sweep over 25 phases of the first impact within a
@@ -57,7 +58,9 @@ final class BallDrop implements HardCase {
             pool.step();
             double t = pool.time();
             if (t < end - leeway) {
-                double error = truth.apexError(t, leeway, Bounces.apexOf(ball, RADIUS));
+                double error =
+                        truth.apexError(
+                                t, leeway, Bounces.apexOf(ball.y() - RADIUS, ball.velocityY()));
                 trial.measure("apex", error, "of H", 1e-6, 5e-3);
             }
         }
@@ -71,7 +74,7 @@ final class BallDrop implements HardCase {
             Trial trial, WatchedPool pool, RigidBody ball, Bounces truth) {
         pool.run(truth.restTime() + 2 * Trial.DT - pool.time());
         pool.run(0.5);
-        double off = Math.abs(Bounces.apexOf(ball, RADIUS));
+        double off = Math.abs(Bounces.apexOf(ball.y() - RADIUS, ball.velocityY()));
         trial.measure("height at rest", off, "m", 2 * Trial.TOLERATED_OVERLAP * 2 * RADIUS);
     }
 }

@@ -5,6 +5,7 @@ import rigibo.backend.RigidBody;
 import rigibo.backend.effect.Sleep;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
+import rigibo.lab.truth.Bounces;
 
 import java.util.ArrayList;
 import java.util.List;

@@ -3,6 +3,7 @@ package rigibo.lab.hardcase;
 import rigibo.backend.RigidBody;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
+import rigibo.lab.truth.Bounces;
 
 /**
  * Truth: a box that lands flat with e = 1 meets the floor at both corners at once; by symmetry it
@@ -52,7 +53,9 @@ final class FlatLanding implements HardCase {
         while (pool.time() < truth.impactTime(APEXES + 1) - 2 * leeway - Trial.DT) {
             pool.step();
             trial.measure("spin", Math.abs(box.angularVelocity()), "rad/s", 1e-9);
-            double error = truth.apexError(pool.time(), leeway, Bounces.apexOf(box, 0.5));
+            double error =
+                    truth.apexError(
+                            pool.time(), leeway, Bounces.apexOf(box.y() - 0.5, box.velocityY()));
             trial.measure("apex", error, "of H", 1e-6, 5e-3);
         }
     }

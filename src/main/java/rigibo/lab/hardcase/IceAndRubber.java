@@ -4,6 +4,7 @@ import rigibo.backend.RigidBody;
 import rigibo.backend.effect.Thrust;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
+import rigibo.lab.truth.Slope;
 
 /**
  * Truth on a slope of 20°: ice (μ = 0.03) slides with a = g(sin − μ·cos), rubber (μ = 0.9) holds.

@@ -32,7 +32,7 @@ final class LongBilliard implements HardCase {
                                         5e-11,
                                         1e-3));
         double time = Hour.STEPS * Trial.DT;
-        double bounces = Billiard.BOUNCES_PER_SECOND * time;
+        double bounces = Billiard.bouncesPerSecond() * time;
         double missing = Math.abs(trial.work().impacts() - bounces);
         trial.measure("bounces too many or too few", missing, "bounces", 2, 1e-3 * bounces);
         trial.report("place after an hour", Billiard.off(disc, time), "of L");

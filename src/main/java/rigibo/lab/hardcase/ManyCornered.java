@@ -5,6 +5,7 @@ import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.geometry.Shape;
 import rigibo.backend.setup.BodyDefinition;
+import rigibo.lab.truth.Slope;
 
 /**
  * Regular polygons and a disc of 1 m start rolling down 10° at 1 m/s. Truth: when the next corner

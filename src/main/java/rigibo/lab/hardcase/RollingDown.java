@@ -3,6 +3,7 @@ package rigibo.lab.hardcase;
 import rigibo.backend.RigidBody;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.setup.BodyDefinition;
+import rigibo.lab.truth.Slope;
 
 /**
  * Truth: a disc that does not slip rolls down with a = g·sin b/(1 + I/mr²) = ⅔·g·sin b, where μ ≥

@@ -3,6 +3,7 @@ package rigibo.lab.hardcase;
 import rigibo.backend.RigidBody;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
+import rigibo.lab.truth.Slope;
 
 /**
  * Truth: a box on a slope rests while tan(angle) ≤ μ and slides with a = g(sin − μ·cos) beyond,

@@ -1,15 +1,10 @@
 package rigibo.lab.hardcase;
 
-import rigibo.backend.effect.Contacts;
-import rigibo.backend.effect.ContinuousImpacts;
 import rigibo.backend.effect.Effects;
-import rigibo.backend.effect.Friction;
 import rigibo.backend.effect.Gravity;
-import rigibo.backend.effect.Restitution;
-import rigibo.backend.effect.Rotation;
-import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.Material;
+import rigibo.lab.truth.Earth;
 
 /**
  * The effects and the ground that most cases share. Sleep is never among them: a scene that only
@@ -21,25 +16,17 @@ final class Surroundings {
 
     /** Weight, contacts, rotation, friction, elasticity, impacts at their time. */
     static Effects earth() {
-        return space().with(new Gravity(0, -Trial.GRAVITY));
+        return Earth.effects();
     }
 
     /** The same without weight. */
     static Effects space() {
-        return Effects.of(
-                new Contacts(),
-                new Rotation(),
-                new Friction(),
-                new Restitution(),
-                new ContinuousImpacts());
+        return earth().without(Gravity.class);
     }
 
     /** A floor of 200 m whose surface is y = 0, of this friction and elasticity. */
     static BodyDefinition floor(double friction, double elasticity) {
-        return BodyDefinition.fixed(Polygon.box(200, 2))
-                .at(0, -1)
-                .material(matter(friction, elasticity))
-                .name("floor");
+        return Earth.floor(friction, elasticity);
     }
 
     /** Density 1. */

@@ -1,6 +1,7 @@
 package rigibo.lab.hardcase;
 
 import rigibo.backend.effect.Effects;
+import rigibo.lab.truth.Earth;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -11,7 +12,7 @@ import java.util.Map;
 public final class Trial {
 
     /** Acceleration of the Earth's gravity, m/s². */
-    static final double GRAVITY = 9.81;
+    static final double GRAVITY = Earth.GRAVITY;
 
     /** The game's step, s. */
     static final double DT = 1.0 / 60;

@@ -3,6 +3,7 @@ package rigibo.lab.hardcase;
 import rigibo.backend.RigidBody;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.setup.BodyDefinition;
+import rigibo.lab.truth.Bounces;
 
 /**
  * Truth: infinitely many bounces are over at T = t1(1 + e)/(1 − e), 5.747 s for H = 2 and e = 0.8.

@@ -13,6 +13,7 @@ import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.geometry.Shape;
 import rigibo.backend.setup.BodyDefinition;
+import rigibo.lab.truth.Bounces;
 
 /** What judges the engine is judged itself. */
 class InstrumentsTest {

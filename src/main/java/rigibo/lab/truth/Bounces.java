@@ -1,6 +1,4 @@
-package rigibo.lab.hardcase;
-
-import rigibo.backend.RigidBody;
+package rigibo.lab.truth;
 
 /**
  * A body that falls from the height H and rebounds by e. Truth: the n-th apex is e^(2n)·H; the n-th
@@ -10,25 +8,36 @@ import rigibo.backend.RigidBody;
  * <p>In flight y + v²/2g is the apex of the flight at every instant, so every step is a
  * measurement, and flights shorter than a step are measured too.
  */
-final class Bounces {
+public final class Bounces {
 
     private final double height;
     private final double elasticity;
     private final double firstImpact;
 
-    Bounces(double height, double elasticity) {
+    /**
+     * The bounces of one body.
+     *
+     * @param height of the fall, m, positive
+     * @param elasticity e, 0 to 1
+     */
+    public Bounces(double height, double elasticity) {
         this.height = height;
         this.elasticity = elasticity;
-        firstImpact = Math.sqrt(2 * height / Trial.GRAVITY);
+        firstImpact = Math.sqrt(2 * height / Earth.GRAVITY);
     }
 
     /** The height whose fall takes so long, m. */
-    static double heightOfFall(double seconds) {
-        return Trial.GRAVITY * seconds * seconds / 2;
+    public static double heightOfFall(double seconds) {
+        return Earth.GRAVITY * seconds * seconds / 2;
+    }
+
+    /** The apex after n impacts, m above the height at which the body touches. */
+    public double apex(int n) {
+        return Math.pow(elasticity, 2.0 * n) * height;
     }
 
     /** When the n-th impact comes, n from 1, s. */
-    double impactTime(int n) {
+    public double impactTime(int n) {
         double time = firstImpact;
         double flight = 2 * firstImpact;
         for (int i = 1; i < n; i++) {
@@ -39,11 +48,12 @@ final class Bounces {
     }
 
     /** When the last of infinitely many impacts is over, s; infinite for e = 1. */
-    double restTime() {
+    public double restTime() {
         return firstImpact * (1 + elasticity) / (1 - elasticity);
     }
 
-    double firstImpact() {
+    /** When the first impact comes, s. */
+    public double firstImpact() {
         return firstImpact;
     }
 
@@ -55,20 +65,23 @@ final class Bounces {
      *     the flight before it
      * @param apex that the body is flying to, m above the floor
      */
-    double apexError(double time, double leeway, double apex) {
+    public double apexError(double time, double leeway, double apex) {
         int most = impactsUntil(time + leeway);
         double least = Double.POSITIVE_INFINITY;
         for (int n = impactsUntil(time - leeway); n <= most; n++) {
-            double truth = Math.pow(elasticity, 2.0 * n) * height;
-            least = Math.min(least, Math.abs(apex - truth) / height);
+            least = Math.min(least, Math.abs(apex - apex(n)) / height);
         }
         return least;
     }
 
-    /** The apex that a body is flying to, m above the height at which it touches. */
-    static double apexOf(RigidBody body, double touching) {
-        double v = body.velocityY();
-        return body.y() - touching + v * v / (2 * Trial.GRAVITY);
+    /**
+     * The apex of a flight, m above the height at which the body touches.
+     *
+     * @param above that height, m
+     * @param velocityY up or down, m/s
+     */
+    public static double apexOf(double above, double velocityY) {
+        return above + velocityY * velocityY / (2 * Earth.GRAVITY);
     }
 
     private int impactsUntil(double time) {

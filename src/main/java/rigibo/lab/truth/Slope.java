@@ -1,4 +1,4 @@
-package rigibo.lab.hardcase;
+package rigibo.lab.truth;
 
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
@@ -9,12 +9,13 @@ import rigibo.backend.setup.Material;
  *
  * @param angle rad below the horizontal
  */
-record Slope(double angle) {
+public record Slope(double angle) {
 
     private static final double LENGTH = 400;
     private static final double THICKNESS = 2;
 
-    BodyDefinition plank(Material material) {
+    /** The plank, made of this. */
+    public BodyDefinition plank(Material material) {
         double x = -THICKNESS / 2 * Math.sin(angle);
         double y = -THICKNESS / 2 * Math.cos(angle);
         return BodyDefinition.fixed(Polygon.box(LENGTH, THICKNESS))
@@ -24,12 +25,12 @@ record Slope(double angle) {
     }
 
     /** A body lying at the origin, its centre so far from the face. */
-    BodyDefinition place(BodyDefinition body, double above) {
+    public BodyDefinition place(BodyDefinition body, double above) {
         return body.at(above * Math.sin(angle), above * Math.cos(angle)).angle(-angle);
     }
 
     /** The component of a vector down the slope. */
-    double down(double x, double y) {
+    public double down(double x, double y) {
         return x * Math.cos(angle) - y * Math.sin(angle);
     }
 }
