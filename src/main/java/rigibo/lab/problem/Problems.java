@@ -6,7 +6,20 @@ import java.util.NoSuchElementException;
 /** All of them, in the order of their numbers. */
 public final class Problems {
 
-    private static final List<Problem> ALL = List.of(new BallisticFlight());
+    private static final List<Problem> ALL =
+            List.of(
+                    new BallisticFlight(),
+                    new Drags(),
+                    new Spring(),
+                    new Orbit(),
+                    new ElasticBalls(),
+                    new Rebounds(),
+                    new PulledBox(),
+                    new SlideAndRoll(),
+                    new Stacks(),
+                    new Billiards(),
+                    new DiscHeap(),
+                    new HeavyOnLight());
 
     private Problems() {}
 

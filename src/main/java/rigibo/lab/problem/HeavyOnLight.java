@@ -1,0 +1,88 @@
+package rigibo.lab.problem;
+
+import rigibo.backend.geometry.Polygon;
+import rigibo.backend.setup.BodyDefinition;
+import rigibo.backend.setup.Material;
+import rigibo.lab.engine.Line;
+import rigibo.lab.engine.World;
+import rigibo.lab.truth.Earth;
+
+import java.util.List;
+
+/**
+ * A box of 1 m carries another of up to 10⁴ times its mass. Both are rigid and stand, so after 2 s
+ * neither overlaps the other or the floor; L = 1 mm is what is tolerated. The phases are the ratios
+ * of mass. A light box that is pushed out or gone through is a failure.
+ */
+final class HeavyOnLight implements Problem {
+
+    private static final double SECONDS = 2;
+    private static final double TOLERATED = 1e-3;
+    private static final double[] RATIOS = {1, 10, 100, 1000, 10_000};
+
+    private static final int LIGHT = 1;
+    private static final int HEAVY = 2;
+
+    @Override
+    public String id() {
+        return "R12";
+    }
+
+    @Override
+    public String title() {
+        return "a box under another of up to 10,000 times its mass";
+    }
+
+    @Override
+    public String error() {
+        return "overlap / L, L = 1 mm";
+    }
+
+    /** Row 55. */
+    @Override
+    public double equalBelow() {
+        return 2;
+    }
+
+    @Override
+    public List<Line> lines() {
+        return List.of(Line.STEP, Line.SUBSTEPS, Line.SOLVER);
+    }
+
+    @Override
+    public Trial set(Bench bench) {
+        World[] worlds = new World[RATIOS.length];
+        for (int i = 0; i < worlds.length; i++) {
+            worlds[i] = bench.world(Earth.effects());
+            worlds[i].add(Earth.floor(0.6, 0));
+            worlds[i].add(box(1).at(0, 0.5));
+            worlds[i].add(box(RATIOS[i]).at(0, 1.5));
+        }
+        return () -> stand(bench, worlds);
+    }
+
+    private static BodyDefinition box(double density) {
+        return BodyDefinition.dynamic(Polygon.box(1, 1)).material(new Material(density, 0.6, 0));
+    }
+
+    private static Errors stand(Bench bench, World[] worlds) {
+        double[] overlap = new double[worlds.length];
+        for (int i = 0; i < worlds.length; i++) {
+            for (int step = 0; step < bench.stepsIn(SECONDS); step++) {
+                bench.step(worlds[i]);
+            }
+            double light = worlds[i].y(LIGHT);
+            double heavy = worlds[i].y(HEAVY);
+            if (!(Math.abs(worlds[i].x(LIGHT)) < 0.5 && light > 0 && heavy > 1)) {
+                return Errors.failed("the light box of 1:" + (int) RATIOS[i] + " did not stand");
+            }
+            double deepest = Math.max(0.5 - light, light + 1 - heavy);
+            overlap[i] = Math.max(0, deepest) / TOLERATED;
+        }
+        Errors errors = Errors.of(Mean.of(overlap));
+        for (int i = 0; i < worlds.length; i++) {
+            errors = errors.with("1:" + (int) RATIOS[i] + ", overlap / L", overlap[i]);
+        }
+        return errors;
+    }
+}

@@ -1,0 +1,132 @@
+package rigibo.lab.problem;
+
+import rigibo.backend.effect.Friction;
+import rigibo.backend.effect.Rotation;
+import rigibo.backend.geometry.Circle;
+import rigibo.backend.setup.BodyDefinition;
+import rigibo.backend.setup.Material;
+import rigibo.lab.engine.Line;
+import rigibo.lab.engine.Setting;
+import rigibo.lab.engine.World;
+import rigibo.lab.truth.Bounces;
+import rigibo.lab.truth.Earth;
+
+import java.util.List;
+
+/**
+ * Balls with e = 0.8 fall by 2 m and bounce. Truth: {@link Bounces}, apexes of e²ⁿ·H.
+ *
+ * <p>Seen at steps alone an apex would be too low by up to g·dt²/8. It is taken from the first step
+ * that sinks again, y + v²/2g, where v is next to nothing: what an engine does at the impact cannot
+ * be mistaken for it. The impact before that apex came as long before it as a rise to it takes.
+ */
+final class Rebounds implements Problem {
+
+    private static final double ELASTICITY = 0.8;
+    private static final double HEIGHT = 2;
+    private static final double RADIUS = 0.25;
+    private static final int APEXES = 5;
+
+    /** Of the first impact within a step of the game. */
+    private static final int PHASES = 25;
+
+    @Override
+    public String id() {
+        return "R6";
+    }
+
+    @Override
+    public String title() {
+        return "five bounces of a ball with e = 0.8";
+    }
+
+    @Override
+    public String error() {
+        return "largest error of an apex / height of the drop";
+    }
+
+    /** Row 10. */
+    @Override
+    public double equalBelow() {
+        return 1e-6;
+    }
+
+    @Override
+    public List<Line> lines() {
+        return List.of(Line.STEP, Line.STEP_DISCRETE, Line.STEP_SPLIT, Line.TOLERANCE);
+    }
+
+    @Override
+    public Trial set(Bench bench) {
+        World world = bench.world(Earth.effects().without(Friction.class).without(Rotation.class));
+        Rebound[] balls = new Rebound[PHASES];
+        for (int i = 0; i < PHASES; i++) {
+            double fall = Math.sqrt(2 * HEIGHT / Earth.GRAVITY) + i * Setting.USUAL_STEP / PHASES;
+            double height = Bounces.heightOfFall(fall);
+            balls[i] = new Rebound(new Bounces(height, ELASTICITY));
+            world.add(
+                    BodyDefinition.dynamic(new Circle(RADIUS))
+                            .at(i - PHASES / 2, RADIUS + height)
+                            .material(new Material(1, 0, ELASTICITY)));
+        }
+        world.add(Earth.floor(0, ELASTICITY));
+        return () -> bounce(bench, world, balls);
+    }
+
+    private static Errors bounce(Bench bench, World world, Rebound[] balls) {
+        double fall = Math.sqrt(2 * HEIGHT / Earth.GRAVITY) + Setting.USUAL_STEP;
+        double end = new Bounces(Bounces.heightOfFall(fall), ELASTICITY).impactTime(APEXES + 1);
+        for (int step = 1; step <= bench.stepsIn(end); step++) {
+            bench.step(world);
+            for (int i = 0; i < PHASES; i++) {
+                balls[i].see(step * bench.step(), world.y(i) - RADIUS, world.velocityY(i));
+            }
+        }
+        double[] apex = new double[PHASES];
+        double[] landing = new double[PHASES];
+        for (int i = 0; i < PHASES; i++) {
+            if (world.y(i) < -RADIUS) {
+                return Errors.failed("ball " + i + " went through the floor");
+            }
+            if (balls[i].seen < APEXES) {
+                return Errors.failed("ball " + i + " bounced " + balls[i].seen + " times only");
+            }
+            apex[i] = balls[i].apex;
+            landing[i] = balls[i].landing;
+        }
+        return Errors.of(Mean.of(apex)).with("time of landing, s", Mean.of(landing));
+    }
+
+    /** What is seen of one ball. */
+    static final class Rebound {
+
+        private final Bounces truth;
+        private boolean isRising;
+
+        /** Apexes so far. */
+        int seen;
+
+        /** Largest error of one, of the height of the drop. */
+        double apex;
+
+        /** Largest error of the time of an impact, s. */
+        double landing;
+
+        Rebound(Bounces truth) {
+            this.truth = truth;
+        }
+
+        /** A step's end: m above the height at which the ball touches, m/s up. */
+        void see(double time, double above, double velocityY) {
+            if (isRising && velocityY <= 0 && seen < APEXES) {
+                seen++;
+                double reached = Bounces.apexOf(above, velocityY);
+                apex = Math.max(apex, Math.abs(reached - truth.apex(seen)) / truth.apex(0));
+                double rise = Math.sqrt(2 * Math.max(reached, 0) / Earth.GRAVITY);
+                double impact = time + velocityY / Earth.GRAVITY - rise;
+                landing = Math.max(landing, Math.abs(impact - truth.impactTime(seen)));
+            }
+            isRising = velocityY > 0;
+        }
+    }
+}

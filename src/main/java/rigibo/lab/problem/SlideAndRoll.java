@@ -1,0 +1,136 @@
+package rigibo.lab.problem;
+
+import rigibo.backend.geometry.Circle;
+import rigibo.backend.geometry.Polygon;
+import rigibo.backend.setup.BodyDefinition;
+import rigibo.backend.setup.Material;
+import rigibo.lab.engine.Line;
+import rigibo.lab.engine.World;
+import rigibo.lab.truth.Earth;
+import rigibo.lab.truth.Slope;
+
+import java.util.List;
+
+/**
+ * Three ways that friction decides.
+ *
+ * <p>A box slides down a slope that is 10° steeper than μ holds: d = a·t²/2, a = g·(sin b − μ·cos
+ * b).
+ *
+ * <p>A box slides to a stop on level ground: d = v²/2μg. Its stop falls within a step, so there are
+ * phases of it; likewise for the next.
+ *
+ * <p>A disc that is thrown without spin slips until it rolls. It loses μg·t of its velocity and
+ * gains μg·t·mr²/I = 2μg·t of its rim's, which are equal at T = v/3μg. It then rolls on with 2v/3:
+ * d = v·T − μg·T²/2 + (2v/3)·(t − T).
+ */
+final class SlideAndRoll implements Problem {
+
+    private static final double SECONDS = 2;
+    private static final double FRICTION = 0.5;
+    private static final double STEEPER = Math.toRadians(10);
+    private static final double THICKNESS = 0.25;
+    private static final double RADIUS = 0.25;
+
+    /** Between one body and the next, m: more than the fastest goes. */
+    private static final double DISTANCE = 20;
+
+    /** The phases, m/s; all slide and slip for less than the seconds. */
+    private static final double[] SPEEDS = {5.03, 5.71, 6.37, 6.89, 7.43, 8.11, 8.67, 9.29};
+
+    private static final Slope SLOPE = new Slope(Math.atan(FRICTION) + STEEPER);
+    private static final Material MATTER = new Material(1, FRICTION, 0);
+
+    @Override
+    public String id() {
+        return "R8";
+    }
+
+    @Override
+    public String title() {
+        return "down a slope, to a stop, from slipping to rolling";
+    }
+
+    @Override
+    public String error() {
+        return "error of the distance / distance";
+    }
+
+    /** Row 27, the way of a box to its stop. */
+    @Override
+    public double equalBelow() {
+        return 1e-5;
+    }
+
+    @Override
+    public List<Line> lines() {
+        return List.of(Line.STEP, Line.SUBSTEPS);
+    }
+
+    @Override
+    public Trial set(Bench bench) {
+        World slope = bench.world(Earth.effects());
+        BodyDefinition box = BodyDefinition.dynamic(Polygon.box(1, THICKNESS)).material(MATTER);
+        slope.add(SLOPE.place(box, THICKNESS / 2));
+        slope.add(SLOPE.plank(MATTER));
+        World sliding = level(bench, box, THICKNESS / 2);
+        BodyDefinition disc = BodyDefinition.dynamic(new Circle(RADIUS)).material(MATTER);
+        World rolling = level(bench, disc, RADIUS);
+        return () -> run(bench, slope, sliding, rolling);
+    }
+
+    private static World level(Bench bench, BodyDefinition body, double above) {
+        World world = bench.world(Earth.effects());
+        for (int i = 0; i < SPEEDS.length; i++) {
+            world.add(body.at(start(i), above).velocity(SPEEDS[i], 0));
+        }
+        world.add(Earth.floor(FRICTION, 0));
+        return world;
+    }
+
+    private static double start(int phase) {
+        return DISTANCE * (phase - SPEEDS.length / 2);
+    }
+
+    private static Errors run(Bench bench, World slope, World sliding, World rolling) {
+        double startX = slope.x(0);
+        double startY = slope.y(0);
+        int steps = bench.stepsIn(SECONDS);
+        for (int step = 0; step < steps; step++) {
+            bench.step(slope);
+            bench.step(sliding);
+            bench.step(rolling);
+        }
+        double time = steps * bench.step();
+        double way = SLOPE.down(slope.x(0) - startX, slope.y(0) - startY);
+        double down = Math.abs(way / downhill(time) - 1);
+        double[] stop = new double[SPEEDS.length];
+        double[] roll = new double[SPEEDS.length];
+        for (int i = 0; i < SPEEDS.length; i++) {
+            stop[i] = Math.abs((sliding.x(i) - start(i)) / stopping(SPEEDS[i]) - 1);
+            roll[i] = Math.abs((rolling.x(i) - start(i)) / rolling(SPEEDS[i], time) - 1);
+        }
+        return Errors.of(Mean.of(down, Mean.of(stop), Mean.of(roll)))
+                .with("slope, of the distance", down)
+                .with("slide to a stop, of the distance", Mean.of(stop))
+                .with("slip to roll, of the distance", Mean.of(roll));
+    }
+
+    /** m that a box slides down the slope. */
+    static double downhill(double time) {
+        double b = SLOPE.angle();
+        return Earth.GRAVITY * (Math.sin(b) - FRICTION * Math.cos(b)) * time * time / 2;
+    }
+
+    /** m that a box slides on level ground. */
+    static double stopping(double speed) {
+        return speed * speed / (2 * FRICTION * Earth.GRAVITY);
+    }
+
+    /** m that a disc goes, slipping and then rolling. */
+    static double rolling(double speed, double time) {
+        double braking = FRICTION * Earth.GRAVITY;
+        double slip = speed / (3 * braking);
+        return speed * slip - braking * slip * slip / 2 + 2 * speed / 3 * (time - slip);
+    }
+}

@@ -1,0 +1,97 @@
+package rigibo.lab.problem;
+
+import rigibo.backend.geometry.Polygon;
+import rigibo.backend.setup.BodyDefinition;
+import rigibo.lab.engine.Line;
+import rigibo.lab.engine.World;
+import rigibo.lab.truth.Earth;
+
+import java.util.List;
+
+/**
+ * Stacks of N = 10 and 20 boxes of 1 m and 1 kg stand, so nothing is accelerated, and what is below
+ * box k, the lowest being 0, carries the N − k boxes from there on: in a step of dt its impulse is
+ * λₖ = (N − k)·m·g·dt. It is weighed at every step of the last half second and the worst counts.
+ */
+final class Stacks implements Problem {
+
+    private static final int[] COUNTS = {10, 20};
+    private static final double SECONDS = 3;
+    private static final double WEIGHED = 0.5;
+    private static final double MASS = 1;
+
+    @Override
+    public String id() {
+        return "R9";
+    }
+
+    @Override
+    public String title() {
+        return "stacks of 10 and 20 boxes";
+    }
+
+    @Override
+    public String error() {
+        return "largest error of a contact's impulse / weight of the stack";
+    }
+
+    /** Row 19: the impulse below a box; row 20 holds stacks to it. */
+    @Override
+    public double equalBelow() {
+        return 1e-6;
+    }
+
+    @Override
+    public List<Line> lines() {
+        return List.of(Line.STEP, Line.SUBSTEPS, Line.SOLVER);
+    }
+
+    @Override
+    public Trial set(Bench bench) {
+        World[] worlds = new World[COUNTS.length];
+        for (int stack = 0; stack < COUNTS.length; stack++) {
+            worlds[stack] = bench.world(Earth.effects());
+            worlds[stack].add(Earth.floor(0.5, 0));
+            for (int i = 0; i < COUNTS[stack]; i++) {
+                worlds[stack].add(
+                        BodyDefinition.dynamic(Polygon.box(1, 1)).at(0, i + 0.5).mass(MASS));
+            }
+        }
+        return () -> stand(bench, worlds);
+    }
+
+    private static Errors stand(Bench bench, World[] worlds) {
+        double[] load = new double[COUNTS.length];
+        double overlap = 0;
+        double lean = 0;
+        for (int stack = 0; stack < COUNTS.length; stack++) {
+            World world = worlds[stack];
+            int steps = bench.stepsIn(SECONDS);
+            for (int step = 1; step <= steps; step++) {
+                bench.step(world);
+                if ((steps - step) * bench.step() < WEIGHED) {
+                    load[stack] = Math.max(load[stack], load(bench, world, COUNTS[stack]));
+                }
+            }
+            for (int i = 1; i <= COUNTS[stack]; i++) {
+                if (!(Math.abs(world.x(i)) < 0.5 && world.y(i) > i - 1)) {
+                    return Errors.failed("the stack of " + COUNTS[stack] + " fell");
+                }
+                double below = i == 1 ? -0.5 : world.y(i - 1);
+                overlap = Math.max(overlap, below + 1 - world.y(i));
+                lean = Math.max(lean, Math.abs(world.x(i)));
+            }
+        }
+        return Errors.of(Mean.of(load)).with("overlap, m", overlap).with("lean, m", lean);
+    }
+
+    private static double load(Bench bench, World world, int count) {
+        double unit = MASS * Earth.GRAVITY * bench.step();
+        double worst = 0;
+        for (int i = 0; i < count; i++) {
+            double impulse = world.normalImpulse(i, i + 1);
+            worst = Math.max(worst, Math.abs(impulse / unit - (count - i)) / count);
+        }
+        return worst;
+    }
+}
