@@ -68,8 +68,12 @@ final class Stacks implements Problem {
             World world = worlds[stack];
             int steps = bench.stepsIn(SECONDS);
             for (int step = 1; step <= steps; step++) {
+                boolean isWeighed = (steps - step) * bench.step() < WEIGHED;
+                if (isWeighed) {
+                    world.watchImpulses();
+                }
                 bench.step(world);
-                if ((steps - step) * bench.step() < WEIGHED) {
+                if (isWeighed) {
                     load[stack] = Math.max(load[stack], load(bench, world, COUNTS[stack]));
                 }
             }
