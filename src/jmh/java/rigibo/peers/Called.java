@@ -65,7 +65,11 @@ public final class Called {
         return effects.declares(Rotation.class);
     }
 
-    /** Whether impacts are looked for within the step. */
+    /**
+     * Whether impacts are looked for within the step. Peers then do it as they come, for what moves
+     * against what does not. Their manuals want the flag of a bullet, which adds what moves, for
+     * few bodies: with all of them flagged, Box2D's stack of ten boxes falls in 2 s.
+     */
     public boolean hasContinuousImpacts() {
         return effects.declares(ContinuousImpacts.class);
     }

@@ -99,7 +99,6 @@ final class Dyn4jWorld implements World {
         body.setLinearDamping(called.damping(stated));
         // As it comes everything that turns is braked a little, which no scene declares.
         body.setAngularDamping(0);
-        body.setBullet(called.hasContinuousImpacts());
         body.setAtRestDetectionEnabled(called.hasSleep());
         body.setAtRest(!stated.awake());
     }

@@ -76,7 +76,6 @@ final class GdxBox2dWorld implements World {
         definition.linearDamping = (float) called.damping(stated);
         definition.gravityScale = (float) stated.gravityScale();
         definition.fixedRotation = !called.hasRotation();
-        definition.bullet = called.hasContinuousImpacts();
         definition.allowSleep = called.hasSleep();
         definition.awake = stated.awake();
         return definition;
