@@ -33,6 +33,11 @@ public final class RigiBoEngine implements Engine {
 
     @Override
     public World world(Effects effects, Setting setting) {
-        return new RigiBoWorld(new Pool(effects, choices.get(setting)));
+        return world(effects, choices.get(setting));
+    }
+
+    /** A world at an accuracy that need not be a setting: for references. */
+    public static World world(Effects effects, Accuracy accuracy) {
+        return new RigiBoWorld(new Pool(effects, accuracy));
     }
 }

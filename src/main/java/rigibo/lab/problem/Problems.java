@@ -19,7 +19,8 @@ public final class Problems {
                     new Stacks(),
                     new Billiards(),
                     new DiscHeap(),
-                    new HeavyOnLight());
+                    new HeavyOnLight(),
+                    new Demos());
 
     private Problems() {}
 

@@ -1,0 +1,134 @@
+package rigibo.lab.problem;
+
+import rigibo.backend.setup.Accuracy;
+import rigibo.lab.engine.Line;
+import rigibo.lab.engine.RigiBoEngine;
+import rigibo.lab.engine.Setting;
+import rigibo.lab.engine.World;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * The game's demos in their first moments. Nobody knows their truth in closed form; the reference
+ * is our own EXACT at a sixteenth of the game's step. It stands for the truth as far as EXACT comes
+ * ever nearer to it with every halving of the step, and as long as chaos has not set in: a start
+ * that is 1e-9 m beside it stays within 1e-6 m of it. Both are tests. The error is the root of the
+ * mean square of all distances from the reference, thirty times a second, in the mean over the four
+ * scenes.
+ *
+ * <p>It is our own yardstick: another engine's contacts may be soft on purpose, and what it does at
+ * an impact with friction is another law, so that a distance from ours would not be an error.
+ */
+final class Demos implements Problem {
+
+    private static final double REFERENCE_STEP = Setting.USUAL_STEP / 16;
+
+    /** Whoever is farther away has passed through something, m. */
+    private static final double LOST = 1;
+
+    private static final List<DemoScene> SCENES = DemoScenes.all();
+
+    /** Computed when it is first asked for. */
+    private static final class Reference {
+
+        static final List<double[][]> PLACES = of();
+
+        private static List<double[][]> of() {
+            List<double[][]> places = new ArrayList<>();
+            for (DemoScene scene : SCENES) {
+                places.add(reference(scene));
+            }
+            return List.copyOf(places);
+        }
+    }
+
+    @Override
+    public String id() {
+        return "R13";
+    }
+
+    @Override
+    public String title() {
+        return "the four demos before chaos sets in";
+    }
+
+    @Override
+    public String error() {
+        return "distance from EXACT at 1/960 s, m";
+    }
+
+    /** Row 11: the place of an impact. */
+    @Override
+    public double equalBelow() {
+        return 1e-6;
+    }
+
+    @Override
+    public List<Line> lines() {
+        return List.of(Line.STEP, Line.STEP_DISCRETE, Line.STEP_SPLIT, Line.TOLERANCE);
+    }
+
+    @Override
+    public boolean isForAll() {
+        return false;
+    }
+
+    @Override
+    public Trial set(Bench bench) {
+        List<double[][]> truth = Reference.PLACES;
+        List<World> worlds = new ArrayList<>();
+        for (DemoScene scene : SCENES) {
+            worlds.add(scene.build(bench.world(scene.effects())));
+        }
+        return () -> run(bench, worlds, truth);
+    }
+
+    private static Errors run(Bench bench, List<World> worlds, List<double[][]> truth) {
+        double[] off = new double[worlds.size()];
+        for (int i = 0; i < off.length; i++) {
+            int steps = bench.stepsIn(DemoScene.LOOK);
+            double[][] seen = SCENES.get(i).places(worlds.get(i), steps, bench::step);
+            if (!(farthest(seen, truth.get(i)) < LOST)) {
+                return Errors.failed(SCENES.get(i).name() + ": a body is not where it could be");
+            }
+            off[i] = distance(seen, truth.get(i));
+        }
+        Errors errors = Errors.of(Mean.of(off));
+        for (int i = 0; i < off.length; i++) {
+            errors = errors.with(SCENES.get(i).name() + ", m", off[i]);
+        }
+        return errors;
+    }
+
+    /** Where the bodies of a scene are at EXACT and a sixteenth of a step. */
+    static double[][] reference(DemoScene scene) {
+        try (World world = RigiBoEngine.world(scene.effects(), Accuracy.EXACT)) {
+            int steps = (int) Math.round(DemoScene.LOOK / REFERENCE_STEP);
+            return scene.places(scene.build(world), steps, at -> at.step(REFERENCE_STEP));
+        }
+    }
+
+    /** Root of the mean square over looks and bodies, m. */
+    static double distance(double[][] some, double[][] others) {
+        double squares = 0;
+        for (int look = 0; look < some.length; look++) {
+            for (int i = 0; i < some[look].length; i++) {
+                double away = some[look][i] - others[look][i];
+                squares += away * away;
+            }
+        }
+        return Math.sqrt(squares / (some.length * some[0].length / 2.0));
+    }
+
+    /** The largest distance along x or y, m; NaN where there is one. */
+    static double farthest(double[][] some, double[][] others) {
+        double most = 0;
+        for (int look = 0; look < some.length; look++) {
+            for (int i = 0; i < some[look].length; i++) {
+                most = Math.max(most, Math.abs(some[look][i] - others[look][i]));
+            }
+        }
+        return most;
+    }
+}
