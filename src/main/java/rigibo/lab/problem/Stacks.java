@@ -66,16 +66,14 @@ final class Stacks implements Problem {
         double lean = 0;
         for (int stack = 0; stack < COUNTS.length; stack++) {
             World world = worlds[stack];
-            int steps = bench.stepsIn(SECONDS);
-            for (int step = 1; step <= steps; step++) {
-                boolean isWeighed = (steps - step) * bench.step() < WEIGHED;
-                if (isWeighed) {
-                    world.watchImpulses();
-                }
+            int weighed = bench.stepsIn(WEIGHED);
+            for (int step = bench.stepsIn(SECONDS); step > weighed; step--) {
                 bench.step(world);
-                if (isWeighed) {
-                    load[stack] = Math.max(load[stack], load(bench, world, COUNTS[stack]));
-                }
+            }
+            world.watchImpulses();
+            for (int step = 0; step < weighed; step++) {
+                bench.step(world);
+                load[stack] = Math.max(load[stack], load(bench, world, COUNTS[stack]));
             }
             for (int i = 1; i <= COUNTS[stack]; i++) {
                 if (!(Math.abs(world.x(i)) < 0.5 && world.y(i) > i - 1)) {

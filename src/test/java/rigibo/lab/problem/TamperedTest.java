@@ -85,6 +85,11 @@ class TamperedTest {
         }
 
         @Override
+        public void watchImpulses() {
+            world.watchImpulses();
+        }
+
+        @Override
         public double normalImpulse(int a, int b) {
             return factor * world.normalImpulse(a, b);
         }
