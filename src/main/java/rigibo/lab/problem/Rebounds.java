@@ -27,6 +27,9 @@ final class Rebounds implements Problem {
     private static final double RADIUS = 0.25;
     private static final int APEXES = 5;
 
+    /** s longer than five bounces take: one that comes late comes, nonetheless. */
+    private static final double PATIENCE = 1;
+
     /** Of the first impact within a step of the game. */
     private static final int PHASES = 25;
 
@@ -76,7 +79,7 @@ final class Rebounds implements Problem {
     private static Errors bounce(Bench bench, World world, Rebound[] balls) {
         double fall = Math.sqrt(2 * HEIGHT / Earth.GRAVITY) + Setting.USUAL_STEP;
         double end = new Bounces(Bounces.heightOfFall(fall), ELASTICITY).impactTime(APEXES + 1);
-        for (int step = 1; step <= bench.stepsIn(end); step++) {
+        for (int step = 1; step <= bench.stepsIn(end + PATIENCE); step++) {
             bench.step(world);
             for (int i = 0; i < PHASES; i++) {
                 balls[i].see(step * bench.step(), world.y(i) - RADIUS, world.velocityY(i));

@@ -20,6 +20,12 @@ final class Stacks implements Problem {
     private static final double WEIGHED = 0.5;
     private static final double MASS = 1;
 
+    /**
+     * Between one box and the next at the start, m: some engines give polygons a skin of 1 cm and
+     * would find boxes that touch overlapping.
+     */
+    private static final double GAP = 0.02;
+
     @Override
     public String id() {
         return "R9";
@@ -54,7 +60,9 @@ final class Stacks implements Problem {
             worlds[stack].add(Earth.floor(0.5, 0));
             for (int i = 0; i < COUNTS[stack]; i++) {
                 worlds[stack].add(
-                        BodyDefinition.dynamic(Polygon.box(1, 1)).at(0, i + 0.5).mass(MASS));
+                        BodyDefinition.dynamic(Polygon.box(1, 1))
+                                .at(0, i + 0.5 + GAP * (i + 1))
+                                .mass(MASS));
             }
         }
         return () -> stand(bench, worlds);
