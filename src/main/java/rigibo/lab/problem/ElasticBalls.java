@@ -16,10 +16,10 @@ import java.util.List;
 /**
  * 49 elastic balls are dropped by 5 m, side by side, and bounce for 20 s. Nothing takes their
  * energy Σm(v²/2 + g·(y − r)), and it stays E₀ = Σm·g·h; the error is √mean(E − E₀)²/E₀ over all
- * steps, as in RaiSim's benchmark of 49 elastic spheres (Hwangbo, Lee, Hutter: "Per-Contact
- * Iteration Method for Solving Contact Dynamics", 2018), whose other engines get it wrong by 6e-4
- * to 1e-2. The balls differ by up to 17 cm in height, so that their first impacts are spread over
- * one step of the game: an error depends on where in the step the impact falls.
+ * steps, as in the bouncing test of SimBenchmark (leggedrobotics.github.io/SimBenchmark, 2018),
+ * where engines of robotics err by 6e-6 to 1e-2 at steps of 1 ms. The balls differ by up to 17 cm
+ * in height, so that their first impacts are spread over one step of the game: an error depends on
+ * where in the step the impact falls.
  */
 final class ElasticBalls implements Problem {
 

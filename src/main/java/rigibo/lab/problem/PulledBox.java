@@ -14,8 +14,8 @@ import java.util.List;
 
 /**
  * A box of M = 10 kg is pulled with F = 150 N over rough ground and n = 25 discs of m = 1 kg roll
- * on it, as in RaiSim's rolling benchmark (Hwangbo, Lee, Hutter: "Per-Contact Iteration Method for
- * Solving Contact Dynamics", 2018), there with spheres.
+ * on it, as balls do in the rolling test of SimBenchmark (leggedrobotics.github.io/SimBenchmark,
+ * 2018).
  *
  * <p>The ground brakes the box by f₁ = μ₁·(M + nm)·g, each disc by the friction f₂ that pulls the
  * disc along. A disc's centre gains f₂/m, its lowest point, with I = mr²/2, f₂/m + f₂·r²/I = 3f₂/m;
