@@ -3,7 +3,6 @@ package rigibo.backend;
 import rigibo.backend.broadphase.Broadphase;
 import rigibo.backend.effect.Contacts;
 import rigibo.backend.effect.Effects;
-import rigibo.backend.effect.Rotation;
 import rigibo.backend.effect.Thrust;
 import rigibo.backend.geometry.MassProperties;
 import rigibo.backend.geometry.Shape;
@@ -48,10 +47,13 @@ final class BodyEditor {
         bodies.statedInertia[slot] = definition.statesInertia() ? plate.inertia() : 0;
         bodies.velocityX[slot] = definition.velocityX();
         bodies.velocityY[slot] = definition.velocityY();
-        bodies.spin[slot] = turns() ? definition.spin() : 0;
         bodies.awake[slot] = definition.awake() || definition.type() != BodyType.DYNAMIC;
         bodies.clearForces(slot);
         bodies.clearAccelerations(slot);
+        if (bodies.turns()) {
+            bodies.spin[slot] = definition.spin();
+            bodies.clearAngularAcceleration(slot);
+        }
         writeShape(slot, definition.shape());
         writeMaterial(slot, definition.material());
         weigh(slot);
@@ -113,7 +115,9 @@ final class BodyEditor {
         double most = BodyDefinition.MOST_SPIN;
         Require.within("RigidBody.spin", radiansPerSecond, -most, most, "rad/s");
         requireMovable(slot, "spin", radiansPerSecond != 0);
-        bodies.spin[slot] = turns() ? radiansPerSecond : 0;
+        if (bodies.turns()) {
+            bodies.spin[slot] = radiansPerSecond;
+        }
         data.roster.isStale = true;
         waking.wake(slot);
     }
@@ -127,15 +131,19 @@ final class BodyEditor {
         thrust(slot);
         bodies.forceX[slot] += fx;
         bodies.forceY[slot] += fy;
-        bodies.torque[slot] += (px - bodies.x[slot]) * fy - (py - bodies.y[slot]) * fx;
+        if (bodies.turns()) {
+            bodies.torque[slot] += (px - bodies.x[slot]) * fy - (py - bodies.y[slot]) * fx;
+        }
         waking.wake(slot);
     }
 
     void applyTorque(int slot, double torque) {
         requireThrust("applyTorque");
         Require.finite("RigidBody.applyTorque", torque, "N·m");
-        thrust(slot);
-        bodies.torque[slot] += torque;
+        if (bodies.turns()) {
+            thrust(slot);
+            bodies.torque[slot] += torque;
+        }
         waking.wake(slot);
     }
 
@@ -147,7 +155,7 @@ final class BodyEditor {
         double moment = (px - bodies.x[slot]) * jy - (py - bodies.y[slot]) * jx;
         double vx = bodies.velocityX[slot] + bodies.inverseMass[slot] * jx;
         double vy = bodies.velocityY[slot] + bodies.inverseMass[slot] * jy;
-        double w = bodies.spin[slot] + bodies.inverseInertia[slot] * moment;
+        double w = bodies.spinOf(slot) + bodies.inverseInertiaOf(slot) * moment;
         double most = BodyDefinition.MOST_SPEED;
         Require.within("RigidBody.applyImpulse resulting velocity x", vx, -most, most, "m/s");
         Require.within("RigidBody.applyImpulse resulting velocity y", vy, -most, most, "m/s");
@@ -155,7 +163,9 @@ final class BodyEditor {
         Require.within("RigidBody.applyImpulse resulting spin", w, -fastest, fastest, "rad/s");
         bodies.velocityX[slot] = vx;
         bodies.velocityY[slot] = vy;
-        bodies.spin[slot] = w;
+        if (bodies.turns()) {
+            bodies.spin[slot] = w;
+        }
         waking.wake(slot);
     }
 
@@ -163,9 +173,7 @@ final class BodyEditor {
         waking.wakeNeighbours(slot);
         bodies.type[slot] = type;
         if (type == BodyType.STATIC) {
-            bodies.velocityX[slot] = 0;
-            bodies.velocityY[slot] = 0;
-            bodies.spin[slot] = 0;
+            bodies.halt(slot);
         }
         weigh(slot);
         if (plan.broadphase() != null) {
@@ -177,7 +185,7 @@ final class BodyEditor {
     }
 
     void material(int slot, Material material) {
-        MassProperties plate = plate(slot, bodies.shape[slot], material);
+        MassProperties plate = Weight.of(bodies, slot, bodies.shape[slot], material);
         writeMaterial(slot, material);
         weigh(slot, plate);
         for (int p = bodies.firstPairOf(slot); p != Pairs.NONE; p = data.pairs.nextOf(p, slot)) {
@@ -188,7 +196,7 @@ final class BodyEditor {
     }
 
     void shape(int slot, Shape shape) {
-        MassProperties plate = plate(slot, shape, bodies.material[slot]);
+        MassProperties plate = Weight.of(bodies, slot, shape, bodies.material[slot]);
         waking.wakeNeighbours(slot);
         writeShape(slot, shape);
         weigh(slot, plate);
@@ -200,7 +208,11 @@ final class BodyEditor {
         waking.wake(slot);
     }
 
-    /** Declares other effects: columns come and go, everything wakes. */
+    /**
+     * Declares other effects: columns come and go, everything wakes. Where bodies begin to turn,
+     * they do so from rest, with the inertia stated or that of their shape; where they no longer
+     * do, they keep the angle they have.
+     */
     void effects(Effects effects) {
         boolean hadContacts = plan.broadphase() != null;
         if (hadContacts && !effects.declares(Contacts.class)) {
@@ -217,7 +229,6 @@ final class BodyEditor {
                 writeShape(slot, bodies.shape[slot]);
                 writeMaterial(slot, bodies.material[slot]);
                 weigh(slot);
-                bodies.spin[slot] = turns() ? bodies.spin[slot] : 0;
                 if (!hadContacts) {
                     join(slot);
                 }
@@ -241,10 +252,6 @@ final class BodyEditor {
                 plan.broadphase().forgetPairs(slot);
             }
         }
-    }
-
-    private boolean turns() {
-        return plan.effects().declares(Rotation.class);
     }
 
     /** Writes what follows from what a snapshot holds. */
@@ -277,9 +284,11 @@ final class BodyEditor {
     private void writeShape(int slot, Shape shape) {
         bodies.shape[slot] = shape;
         bodies.boundingRadius[slot] = shape.boundingRadius();
+        if (bodies.smallestWidth != null) {
+            bodies.smallestWidth[slot] = shape.smallestWidth();
+        }
         if (bodies.sweepRadius != null) {
             boolean isDisc = shape.kind() == ShapeKind.CIRCLE;
-            bodies.smallestWidth[slot] = shape.smallestWidth();
             bodies.sweepRadius[slot] = isDisc ? 0 : shape.boundingRadius();
         }
     }
@@ -304,26 +313,17 @@ final class BodyEditor {
     }
 
     private void weigh(int slot) {
-        weigh(slot, plate(slot, bodies.shape[slot], bodies.material[slot]));
+        weigh(slot, Weight.of(bodies, slot));
     }
 
     private void weigh(int slot, MassProperties plate) {
         boolean moves = bodies.type[slot] == BodyType.DYNAMIC;
         bodies.mass[slot] = plate.mass();
-        bodies.inertia[slot] = plate.inertia();
         bodies.inverseMass[slot] = moves ? 1 / plate.mass() : 0;
-        bodies.inverseInertia[slot] = moves && turns() ? 1 / plate.inertia() : 0;
-    }
-
-    private MassProperties plate(int slot, Shape shape, Material material) {
-        BodyDefinition definition = BodyDefinition.dynamic(shape).material(material);
-        if (bodies.statedMass[slot] > 0) {
-            definition = definition.mass(bodies.statedMass[slot]);
+        if (bodies.turns()) {
+            bodies.inertia[slot] = plate.inertia();
+            bodies.inverseInertia[slot] = moves ? 1 / plate.inertia() : 0;
         }
-        if (bodies.statedInertia[slot] > 0) {
-            definition = definition.inertia(bodies.statedInertia[slot]);
-        }
-        return definition.massProperties();
     }
 
     /** Lists a body that a force is asked for the first time since the last step. */

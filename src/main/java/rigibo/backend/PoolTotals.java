@@ -62,7 +62,7 @@ final class PoolTotals {
                 double orbital =
                         bodies.x[slot] * bodies.velocityY[slot]
                                 - bodies.y[slot] * bodies.velocityX[slot];
-                sum += bodies.mass[slot] * orbital + bodies.inertia[slot] * bodies.spin[slot];
+                sum += bodies.mass[slot] * orbital + bodies.angularMomentum(slot);
             }
         }
         return sum;

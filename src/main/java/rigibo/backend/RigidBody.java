@@ -51,9 +51,9 @@ public final class RigidBody {
         return columns().velocityY[slot];
     }
 
-    /** Angular velocity in rad/s, counter-clockwise. */
+    /** Angular velocity in rad/s, counter-clockwise; 0 where rotation is not declared. */
     public double angularVelocity() {
-        return columns().spin[slot];
+        return columns().spinOf(slot);
     }
 
     /** Mass in kg; infinite for static and kinematic bodies. */
@@ -63,17 +63,21 @@ public final class RigidBody {
                 : Double.POSITIVE_INFINITY;
     }
 
-    /** Inertia about the centre of mass in kg·m²; infinite for static and kinematic bodies. */
+    /**
+     * Inertia about the centre of mass in kg·m², stated or of the shape, whether rotation is
+     * declared or not; infinite for static and kinematic bodies.
+     */
     public double inertia() {
-        return columns().type[slot] == BodyType.DYNAMIC
-                ? columns().inertia[slot]
-                : Double.POSITIVE_INFINITY;
+        Bodies bodies = columns();
+        if (bodies.type[slot] != BodyType.DYNAMIC) {
+            return Double.POSITIVE_INFINITY;
+        }
+        return bodies.turns() ? bodies.inertia[slot] : Weight.of(bodies, slot).inertia();
     }
 
     /** Angular momentum about the centre of mass in kg·m²/s; 0 for static and kinematic bodies. */
     public double angularMomentum() {
-        Bodies bodies = columns();
-        return bodies.type[slot] == BodyType.DYNAMIC ? bodies.inertia[slot] * bodies.spin[slot] : 0;
+        return columns().angularMomentum(slot);
     }
 
     /** Energy of motion and rotation in J; 0 for static and kinematic bodies. */
@@ -141,7 +145,8 @@ public final class RigidBody {
     }
 
     /**
-     * Sets the angular velocity; a static body's cannot be set.
+     * Sets the angular velocity; a static body's cannot be set. Where rotation is not declared the
+     * body does not turn, and does not begin to when it is declared later.
      *
      * @param radiansPerSecond counter-clockwise
      * @throws IllegalArgumentException when it is not finite or the body is static

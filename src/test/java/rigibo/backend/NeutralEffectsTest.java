@@ -153,9 +153,18 @@ class NeutralEffectsTest {
 
     /** A double is 64 bits, a number of a leaf or a pair 32, a flag 8. */
     static Stream<Arguments> bitsOfEffects() {
-        Effects contacts = Effects.of(new Contacts(), new Rotation(), new Gravity(0, -9.81));
+        Effects straight = Effects.of(new Contacts(), new Gravity(0, -9.81));
+        Effects contacts = straight.with(new Rotation());
         return Stream.of(
-                Arguments.of(Effects.of(), new Contacts(), 7 * 64 + 2 * 32 + 2 * 8),
+                Arguments.of(Effects.of(), new Contacts(), 6 * 64 + 2 * 32 + 2 * 8),
+                Arguments.of(Effects.of(), new Rotation(), 5 * 64),
+                Arguments.of(straight, new Rotation(), (5 + 1) * 64),
+                Arguments.of(straight.with(new Sleep()), new Rotation(), (5 + 2) * 64),
+                Arguments.of(straight.with(new Thrust()), new Rotation(), (5 + 2) * 64),
+                Arguments.of(straight.with(new AirDrag(1, 1)), new Rotation(), (5 + 2) * 64),
+                Arguments.of(straight, new Sleep(), 3 * 64),
+                Arguments.of(straight, new Thrust(), 2 * 64),
+                Arguments.of(straight, new AirDrag(1, 1), 2 * 64),
                 Arguments.of(contacts, new Friction(), 64),
                 Arguments.of(contacts, new Restitution(), 64),
                 Arguments.of(contacts, new Sleep(), 4 * 64),
@@ -222,16 +231,6 @@ class NeutralEffectsTest {
             pool.step(Scenes.DT);
         }
         assertThat(box.y()).isCloseTo(0.5, offset(1e-3));
-    }
-
-    @Test
-    void nothingTurnsWhereRotationIsNotDeclared() {
-        Pool pool = new Pool(Effects.of(new Gravity(0, -9.81)), Accuracy.GAME);
-        RigidBody box = pool.add(Scenes.restingBox());
-        box.spin(3);
-        pool.step(Scenes.DT);
-        assertThat(box.angularVelocity()).isZero();
-        assertThat(box.angle()).isZero();
     }
 
     @Test

@@ -88,6 +88,16 @@ enum Scenes {
             return pool;
         }
     },
+    /** The same where nothing turns. */
+    STRAIGHT {
+        @Override
+        Pool build() {
+            Pool pool = new Pool(usualWithoutSleep().without(Rotation.class), Accuracy.GAME);
+            addTray(pool);
+            addMixture(pool, 60);
+            return pool;
+        }
+    },
     /** The mixture in gusts, over a pond, under a whirl, on a floor that runs. */
     WEATHER {
         @Override

@@ -20,7 +20,15 @@ class UndeclaredCodeTest {
 
     /** Where effects do what they do. Their records are known to whoever asks for them. */
     private static final List<String> KERNELS =
-            List.of("force", "flight", "impact", "contact", "rest", "broadphase", "collision");
+            List.of(
+                    "force",
+                    "flight",
+                    "impact",
+                    "contact",
+                    "rest",
+                    "broadphase",
+                    "collision",
+                    "step");
 
     /** What is run: a pool of gravity and of what is named. */
     public static void main(String[] arguments) {
@@ -44,6 +52,7 @@ class UndeclaredCodeTest {
     /** Of the effects that are forces, whatever else is declared. */
     private static final String[] FORCES = {
         "force.ThrustKernel",
+        "force.TorqueKernel",
         "force.WindKernel",
         "force.GustForce",
         "force.AirDragForce",
@@ -54,8 +63,18 @@ class UndeclaredCodeTest {
         "force.Instant",
         "flight.Course",
         "flight.Deviation",
+        "flight.TurningCourse",
         "contact.PileForces",
         "contact.DragKick"
+    };
+
+    /** Of rotation. */
+    private static final String[] TURNING = {
+        "contact.PackedTurns",
+        "contact.TurningRows",
+        "flight.OpenTurning",
+        "flight.TurningPaths",
+        "step.TurningLedger"
     };
 
     @Test
@@ -66,9 +85,12 @@ class UndeclaredCodeTest {
                 .contains(
                         "force.GravityKernel",
                         "contact.FrictionSolver",
+                        "contact.PackedTurns",
                         "contact.TurningRows",
                         "contact.PileBlows",
                         "flight.Flight",
+                        "flight.TurningPaths",
+                        "step.TurningLedger",
                         "rest.Sleeping")
                 .doesNotContain(FORCES)
                 .doesNotContain("contact.RollingSolver", "contact.RunningRows");
@@ -79,11 +101,11 @@ class UndeclaredCodeTest {
         assertThat(loaded("contacts"))
                 .contains("contact.PileSolver", "contact.NoRubbing", "flight.FreeFlight")
                 .doesNotContain(FORCES)
+                .doesNotContain(TURNING)
                 .doesNotContain(
                         "contact.FrictionSolver",
                         "contact.RollingSolver",
                         "contact.RunningRows",
-                        "contact.TurningRows",
                         "contact.PileBlows",
                         "contact.BounceRows",
                         "contact.JointBlows",
@@ -101,6 +123,7 @@ class UndeclaredCodeTest {
         assertThat(loaded())
                 .contains("flight.OpenFlight", "force.GravityKernel")
                 .doesNotContain(FORCES)
+                .doesNotContain(TURNING)
                 .noneMatch(name -> name.startsWith("contact.") || name.startsWith("impact."))
                 .noneMatch(name -> name.startsWith("broadphase."))
                 .doesNotContain(

@@ -48,7 +48,7 @@ public final class Broadphase {
 
     /** Lays the first fixture of a new body. */
     public void add(int slot) {
-        sweep(slot, 0);
+        sweep(slot, 0, 0);
         writeFixture(slot, 0);
         hang(slot);
         noteRefit(slot);
@@ -87,7 +87,7 @@ public final class Broadphase {
 
     /** Lays the fixture of a body that was placed or shaped anew. */
     public void refit(int slot) {
-        sweep(slot, 0);
+        sweep(slot, 0, 0);
         lay(slot, 0);
     }
 
@@ -107,9 +107,7 @@ public final class Broadphase {
 
     /** Stage 3: fixtures for a step of {@code dt} seconds, and the pairs they make. */
     public void update(double dt) {
-        for (int i = 0; i < roster.awakeCount; i++) {
-            cover(roster.awake[i], dt, true);
-        }
+        coverAwake(dt);
         moved.sort();
         for (int i = 0; i < moved.count; i++) {
             int slot = moved.numbers[i];
@@ -122,13 +120,25 @@ public final class Broadphase {
         moved.clear();
     }
 
+    private void coverAwake(double dt) {
+        if (bodies.turns()) {
+            for (int i = 0; i < roster.awakeCount; i++) {
+                cover(roster.awake[i], dt, turned(roster.awake[i], dt), true);
+            }
+        } else {
+            for (int i = 0; i < roster.awakeCount; i++) {
+                cover(roster.awake[i], dt, 0, true);
+            }
+        }
+    }
+
     /**
      * Within a step: a body's path changed, so its fixture has to cover what is left of the step in
      * s. Pairs it comes upon become active.
      */
     public void follow(int slot, double left) {
         int before = moved.count;
-        cover(slot, left, false);
+        cover(slot, left, bodies.turns() ? turned(slot, left) : 0, false);
         if (moved.count > before) {
             moved.count = before;
             meetNeighbours(slot);
@@ -176,8 +186,8 @@ public final class Broadphase {
         return found;
     }
 
-    private void cover(int slot, double dt, boolean isToFit) {
-        sweep(slot, dt);
+    private void cover(int slot, double dt, double turned, boolean isToFit) {
+        sweep(slot, dt, turned);
         if (!isCovered(slot) || isToFit && isLoose(slot, dt)) {
             lay(slot, dt);
         }
@@ -207,13 +217,17 @@ public final class Broadphase {
         return laid > LOOSE * needed;
     }
 
+    /** How far in m turning may move the outline in dt seconds. */
+    private double turned(int slot, double dt) {
+        return Math.abs(bodies.spin[slot]) * dt * bodies.sweepRadius[slot];
+    }
+
     /**
      * Bounds over the way of the next dt seconds; a body that turns may reach as far as its radius.
      */
-    private void sweep(int slot, double dt) {
+    private void sweep(int slot, double dt, double turned) {
         double x = bodies.x[slot];
         double y = bodies.y[slot];
-        double turned = Math.abs(bodies.spin[slot]) * dt * bodies.sweepRadius[slot];
         bodies.shape[slot].bounds(x, y, bodies.cos[slot], bodies.sin[slot], swept);
         double radius = bodies.boundingRadius[slot];
         swept.minX = Math.max(swept.minX - turned, x - radius);

@@ -51,7 +51,7 @@ public final class Motion {
     private double knownCos = 1;
     private double knownSin;
 
-    /** Takes the state of a body in flight at the step's start, without drag. */
+    /** Takes the state of a body in flight at the step's start, without drag; it does not turn. */
     public void take(Bodies bodies, int slot) {
         shape = bodies.shape[slot];
         startTime = 0;
@@ -60,11 +60,17 @@ public final class Motion {
         angle = bodies.angle[slot];
         velocityX = bodies.velocityX[slot];
         velocityY = bodies.velocityY[slot];
-        spin = bodies.spin[slot];
+        spin = 0;
         accelerationX = bodies.accelerationX[slot];
         accelerationY = bodies.accelerationY[slot];
-        angularAcceleration = bodies.angularAcceleration[slot];
+        angularAcceleration = 0;
         drag = 0;
+    }
+
+    /** Takes how it turns, where bodies turn. */
+    public void takeTurning(Bodies bodies, int slot) {
+        spin = bodies.spin[slot];
+        angularAcceleration = bodies.angularAcceleration[slot];
     }
 
     /** Writes where the body is at a time in s. */

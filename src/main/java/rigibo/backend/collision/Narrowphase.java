@@ -47,28 +47,41 @@ public final class Narrowphase {
             int slot = roster.awake[i];
             for (int p = bodies.firstPair[slot]; p != Pairs.NONE; p = pairs.nextOf(p, slot)) {
                 if (isListedBy(slot, pairs.other(p, slot))) {
-                    begin(p, dt);
+                    begin(p);
                 }
             }
         }
+        measureActive(dt);
         for (int i = 0; i < pairs.activeCount; i++) {
             finish(pairs.active[i]);
         }
     }
 
+    private void measureActive(double dt) {
+        if (bodies.turns()) {
+            for (int i = 0; i < pairs.activeCount; i++) {
+                measure(pairs.active[i], dt, turningReach(pairs.active[i], dt));
+            }
+        } else {
+            for (int i = 0; i < pairs.activeCount; i++) {
+                measure(pairs.active[i], dt, reach(pairs.active[i], dt, 0, 0));
+            }
+        }
+    }
+
     /** Fills one pair's manifold at the bodies' present poses and notes the pair as active. */
     public void collidePair(int pair, double dt) {
-        begin(pair, dt);
+        begin(pair);
+        measure(pair, dt, reach(pair, dt));
         finish(pair);
     }
 
-    private void begin(int pair, double dt) {
+    private void begin(int pair) {
         pairs.activate(pair);
         pairs.touchedBefore[pair] = pairs.touching[pair] || pairs.impacts[pair] > 0;
         pairs.impacts[pair] = 0;
         pairs.impulse[pair] = 0;
         pairs.crushed[pair] = false;
-        measure(pair, dt);
     }
 
     /** What lies in a seam is known once the neighbours have been measured, too. */
@@ -77,12 +90,11 @@ public final class Narrowphase {
         noteTouch(pair);
     }
 
-    private void measure(int pair, double dt) {
+    private void measure(int pair, double dt, double reach) {
         int a = pairs.bodyA[pair];
         int b = pairs.bodyB[pair];
         poseA.set(bodies.x[a], bodies.y[a], bodies.cos[a], bodies.sin[a]);
         poseB.set(bodies.x[b], bodies.y[b], bodies.cos[b], bodies.sin[b]);
-        double reach = reach(pair, dt);
         measure(pair, poseA, poseB, reach);
         if (pairs.points[pair] == 0) {
             double more = wayIfHeld(pair, dt);
@@ -115,13 +127,22 @@ public final class Narrowphase {
 
     /** The gap in m that a pair could close within some seconds, by a bound on its speeds. */
     public double reach(int pair, double dt) {
+        return bodies.turns() ? turningReach(pair, dt) : reach(pair, dt, 0, 0);
+    }
+
+    private double turningReach(int pair, double dt) {
+        return reach(pair, dt, turning(pairs.bodyA[pair], dt), turning(pairs.bodyB[pair], dt));
+    }
+
+    /** The same with the speeds in m/s that turning gives the outlines of A and B. */
+    private double reach(int pair, double dt, double turningA, double turningB) {
         int a = pairs.bodyA[pair];
         int b = pairs.bodyB[pair];
         double vx = bodies.velocityX[b] - bodies.velocityX[a];
         double vy = bodies.velocityY[b] - bodies.velocityY[a];
         double ax = bodies.accelerationX[b] - bodies.accelerationX[a];
         double ay = bodies.accelerationY[b] - bodies.accelerationY[a];
-        double speed = length(vx, vy) + turning(a, dt) + turning(b, dt);
+        double speed = length(vx, vy) + turningA + turningB;
         double touching = PairTolerances.TOUCHING_GAP * PairTolerances.width(bodies, a, b);
         return touching + (speed + length(ax, ay) * dt) * dt;
     }

@@ -37,7 +37,6 @@ final class DragKick {
                     m[at + Motions.VX] += h * ax;
                     m[at + Motions.VY] += h * ay;
                 }
-                m[at + Motions.SPIN] += h * bodies.angularAcceleration[slot];
             }
         }
     }

@@ -113,9 +113,11 @@ final class FreshRows {
         int b = rows.bodyB[row];
         double speed =
                 Math.abs(m[b + Motions.VX] - m[a + Motions.VX])
-                        + Math.abs(m[b + Motions.VY] - m[a + Motions.VY])
-                        + Math.abs(m[a + Motions.SPIN]) * bodies.sweepRadius[pairs.bodyA[pair]]
-                        + Math.abs(m[b + Motions.SPIN]) * bodies.sweepRadius[pairs.bodyB[pair]];
+                        + Math.abs(m[b + Motions.VY] - m[a + Motions.VY]);
+        if (bodies.turns()) {
+            speed += Math.abs(m[a + Motions.SPIN]) * bodies.sweepRadius[pairs.bodyA[pair]];
+            speed += Math.abs(m[b + Motions.SPIN]) * bodies.sweepRadius[pairs.bodyB[pair]];
+        }
         return 2 * speed * left + bodies.smallestWidth[pairs.bodyA[pair]];
     }
 }

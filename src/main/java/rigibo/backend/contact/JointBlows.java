@@ -158,6 +158,9 @@ final class JointBlows {
     /** Whether the blows of one instant had an answer; without one, rows have to hold them. */
     private boolean strike(double time) {
         moveVelocities(time - middle);
+        if (bodies.turns()) {
+            moveSpins(time - middle);
+        }
         together.clear();
         for (int row = 0; row < rows.count; row++) {
             if (rows.firstSubstep[row] <= substep) {
@@ -166,6 +169,9 @@ final class JointBlows {
         }
         boolean isAnswered = together.resolve();
         takeVelocities(time);
+        if (bodies.turns()) {
+            takeSpins(time);
+        }
         return isAnswered;
     }
 
@@ -176,7 +182,12 @@ final class JointBlows {
             int at = entry * Motions.STRIDE;
             bodies.velocityX[slot] = at(at, Motions.VX, later);
             bodies.velocityY[slot] = at(at, Motions.VY, later);
-            bodies.spin[slot] = at(at, Motions.SPIN, later);
+        }
+    }
+
+    private void moveSpins(double later) {
+        for (int entry = 1; entry < motions.count; entry++) {
+            bodies.spin[motions.slots[entry]] = at(entry * Motions.STRIDE, Motions.SPIN, later);
         }
     }
 
@@ -239,7 +250,13 @@ final class JointBlows {
             int at = entry * Motions.STRIDE;
             take(at, Motions.VX, Motions.DX, bodies.velocityX[slot], time);
             take(at, Motions.VY, Motions.DY, bodies.velocityY[slot], time);
-            take(at, Motions.SPIN, Motions.TURN, bodies.spin[slot], time);
+        }
+    }
+
+    private void takeSpins(double time) {
+        for (int entry = 1; entry < motions.count; entry++) {
+            double after = bodies.spin[motions.slots[entry]];
+            take(entry * Motions.STRIDE, Motions.SPIN, Motions.TURN, after, time);
         }
     }
 

@@ -20,8 +20,12 @@ final class Kick {
     /** Linear drag, or null where none is declared. */
     private final DragKick drag;
 
-    Kick(Bodies bodies, Motions motions, PileForces forces, DragKick drag) {
+    /** How bodies turn, or null where none does. */
+    private final PackedTurns turns;
+
+    Kick(Bodies bodies, Motions motions, PileForces forces, DragKick drag, PackedTurns turns) {
         this.drag = drag;
+        this.turns = turns;
         this.bodies = bodies;
         this.motions = motions;
         this.forces = forces;
@@ -77,12 +81,15 @@ final class Kick {
      */
     void accelerate(double from, double to) {
         if (forces != null) {
-            forces.refresh(motions, (from + to) / 2, to - from);
+            forces.refresh(motions, turns, (from + to) / 2, to - from);
         }
         if (drag != null) {
             drag.accelerate(from, to, gained);
         } else {
             accelerateFreely(from, to);
+        }
+        if (turns != null) {
+            turns.accelerate(from, to);
         }
     }
 
@@ -96,7 +103,6 @@ final class Kick {
                 gained[at + LENGTH] = length;
                 m[at + Motions.VX] += length * bodies.accelerationX[slot];
                 m[at + Motions.VY] += length * bodies.accelerationY[slot];
-                m[at + Motions.SPIN] += length * bodies.angularAcceleration[slot];
             }
         }
     }

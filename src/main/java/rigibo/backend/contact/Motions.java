@@ -56,6 +56,7 @@ final class Motions {
         return bodies.isMoved(slot) ? pack(bodies, slot) : 0;
     }
 
+    /** As one that does not turn: where bodies do, {@link PackedTurns} writes how. */
     private int pack(Bodies bodies, int slot) {
         if (count == slots.length) {
             slots = Arrays.copyOf(slots, 2 * count);
@@ -66,12 +67,12 @@ final class Motions {
         int at = count++ * STRIDE;
         data[at + VX] = bodies.velocityX[slot];
         data[at + VY] = bodies.velocityY[slot];
-        data[at + SPIN] = bodies.spin[slot];
+        data[at + SPIN] = 0;
         data[at + DX] = 0;
         data[at + DY] = 0;
         data[at + TURN] = 0;
         data[at + INVERSE_MASS] = bodies.inverseMass[slot];
-        data[at + INVERSE_INERTIA] = bodies.inverseInertia[slot];
+        data[at + INVERSE_INERTIA] = 0;
         return at;
     }
 

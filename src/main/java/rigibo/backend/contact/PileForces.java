@@ -26,17 +26,19 @@ public final class PileForces {
 
     /**
      * Puts the forces of now in place of those in the packed bodies' accelerations, for a kick
-     * around a time in s after the step's start and {@code length} s long.
+     * around a time in s after the step's start and {@code length} s long; {@code turns} is null
+     * where nothing turns.
      */
-    void refresh(Motions motions, double time, double length) {
+    void refresh(Motions motions, PackedTurns turns, double time, double length) {
         for (int entry = 1; entry < motions.count; entry++) {
             if (motions.data[entry * Motions.STRIDE + Motions.INVERSE_MASS] > 0) {
-                refresh(motions, entry, data.time + time, length);
+                refresh(motions, turns, entry, data.time + time, length);
             }
         }
     }
 
-    private void refresh(Motions motions, int entry, double time, double length) {
+    private void refresh(
+            Motions motions, PackedTurns turns, int entry, double time, double length) {
         int slot = motions.slots[entry];
         double[] m = motions.data;
         int at = entry * Motions.STRIDE;
@@ -54,7 +56,10 @@ public final class PileForces {
         double turn = instant.angularAcceleration;
         if (Math.abs(ax + ay + turn) < Double.POSITIVE_INFINITY) {
             double share = shareThatBrakes(ax, ay, turn, length);
-            replace(slot, share * ax, share * ay, share * turn);
+            replace(slot, share * ax, share * ay);
+            if (turns != null) {
+                turns.replacePull(slot, share * turn);
+            }
         }
     }
 
@@ -78,12 +83,10 @@ public final class PileForces {
         return squared > 0 ? -(x * changeX + y * changeY) / squared : 0;
     }
 
-    private void replace(int slot, double ax, double ay, double turn) {
+    private void replace(int slot, double ax, double ay) {
         bodies.accelerationX[slot] += ax - bodies.pullX[slot];
         bodies.accelerationY[slot] += ay - bodies.pullY[slot];
-        bodies.angularAcceleration[slot] += turn - bodies.pullTurn[slot];
         bodies.pullX[slot] = ax;
         bodies.pullY[slot] = ay;
-        bodies.pullTurn[slot] = turn;
     }
 }

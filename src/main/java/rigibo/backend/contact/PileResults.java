@@ -15,7 +15,11 @@ final class PileResults {
     private final Motions motions;
     private final Rows rows;
 
-    PileResults(DataStorage data, Motions motions, Rows rows) {
+    /** How bodies turn, or null where none does. */
+    private final PackedTurns turns;
+
+    PileResults(DataStorage data, Motions motions, Rows rows, PackedTurns turns) {
+        this.turns = turns;
         bodies = data.bodies;
         pairs = data.pairs;
         this.motions = motions;
@@ -30,6 +34,9 @@ final class PileResults {
                 storeBody(slot, entry * Motions.STRIDE);
             }
         }
+        if (turns != null) {
+            turns.store();
+        }
         for (int row = 0; row < rows.count; row++) {
             storePair(row, h, Math.min(1, length / LOAD_MEMORY));
         }
@@ -41,10 +48,6 @@ final class PileResults {
         bodies.y[slot] += m[at + Motions.DY];
         bodies.velocityX[slot] = m[at + Motions.VX];
         bodies.velocityY[slot] = m[at + Motions.VY];
-        bodies.spin[slot] = m[at + Motions.SPIN];
-        if (m[at + Motions.TURN] != 0) {
-            bodies.turn(slot, m[at + Motions.TURN]);
-        }
     }
 
     /** Keeps the forces that held, as impulses of the last half kick over its length. */

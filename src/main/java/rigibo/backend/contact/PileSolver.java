@@ -3,6 +3,7 @@ package rigibo.backend.contact;
 import rigibo.backend.collision.Narrowphase;
 import rigibo.backend.effect.Drag;
 import rigibo.backend.effect.Effects;
+import rigibo.backend.geometry.ShapeKind;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.ContactSolver;
 import rigibo.backend.setup.Correction;
@@ -103,7 +104,8 @@ public final class PileSolver {
         this.accuracy = accuracy;
         isCorrecting = accuracy.correction() == Correction.SOFT;
         isDirect = accuracy.contactSolver() == ContactSolver.DIRECT;
-        builder = new RowBuilder(data, motions, rows);
+        PackedTurns turns = bodies.turns() ? new PackedTurns(bodies, motions) : null;
+        builder = new RowBuilder(data, motions, rows, turns);
         warmStart = new WarmStart(motions, rows);
         normals =
                 new NormalSolver(
@@ -113,9 +115,10 @@ public final class PileSolver {
         halfway = new Halfway(motions, rows);
         direct = new DirectSolver(motions, rows, overlap, accuracy.substeps());
         split = new SplitSolver(motions, rows, overlap, accuracy.substeps());
-        results = new PileResults(data, motions, rows);
+        results = new PileResults(data, motions, rows, turns);
         boolean drags = effects.declares(Drag.class);
-        kick = new Kick(bodies, motions, forces, drags ? new DragKick(bodies, motions) : null);
+        DragKick drag = drags ? new DragKick(bodies, motions) : null;
+        kick = new Kick(bodies, motions, forces, drag, turns);
         FreshRows fresh = new FreshRows(data, narrowphase, motions, rows, builder);
         declared =
                 new DeclaredRows(
@@ -187,7 +190,8 @@ public final class PileSolver {
     private boolean isRound() {
         int angular = 0;
         for (int entry = 1; entry < motions.count; entry++) {
-            angular += bodies.sweepRadius[motions.slots[entry]] > 0 ? 1 : 0;
+            boolean isDisc = bodies.shape[motions.slots[entry]].kind() == ShapeKind.CIRCLE;
+            angular += isDisc ? 0 : 1;
         }
         return angular < LEAST_ANGULAR * motions.count;
     }

@@ -37,28 +37,30 @@ final class RowBuilder {
     private final Motions motions;
     private final Rows rows;
 
+    /** How bodies turn, or null where none does. */
+    private final PackedTurns turns;
+
     /** Of all that can be moved in the packed island, kg. */
     private double mass;
 
-    RowBuilder(DataStorage data, Motions motions, Rows rows) {
+    RowBuilder(DataStorage data, Motions motions, Rows rows, PackedTurns turns) {
         bodies = data.bodies;
         pairs = data.pairs;
         islands = data.islands;
         counters = data.counters;
         this.motions = motions;
         this.rows = rows;
+        this.turns = turns;
     }
 
     /**
      * Packs an island for substeps of h seconds whose kicks begin with {@code firstKick} seconds.
      */
     void build(int island, double firstKick) {
-        motions.clear(bodies);
-        rows.count = 0;
-        for (int i = islands.bodyStart[island]; i < islands.bodyStart[island + 1]; i++) {
-            motions.offset(bodies, islands.bodies[i]);
-        }
+        packBodies(island);
+        int driven = motions.count;
         mass = motions.mass();
+        rows.count = 0;
         for (int i = islands.pairStart[island]; i < islands.pairStart[island + 1]; i++) {
             if (!isAgainstGround(islands.pairs[i])) {
                 addRow(islands.pairs[i], firstKick);
@@ -69,6 +71,19 @@ final class RowBuilder {
             if (isAgainstGround(islands.pairs[i])) {
                 addRow(islands.pairs[i], firstKick);
             }
+        }
+        if (turns != null) {
+            turns.pack(driven);
+        }
+    }
+
+    private void packBodies(int island) {
+        motions.clear(bodies);
+        for (int i = islands.bodyStart[island]; i < islands.bodyStart[island + 1]; i++) {
+            motions.offset(bodies, islands.bodies[i]);
+        }
+        if (turns != null) {
+            turns.pack(1);
         }
     }
 

@@ -265,8 +265,8 @@ final class Blows {
         double elapsed = when - time;
         bodies.x[slot] += elapsed * bodies.velocityX[slot];
         bodies.y[slot] += elapsed * bodies.velocityY[slot];
-        if (bodies.spin[slot] != 0) {
-            bodies.turn(slot, elapsed * bodies.spin[slot]);
+        if (bodies.spinOf(slot) != 0) {
+            bodies.turn(slot, elapsed * bodies.spinOf(slot));
         }
         paths.land(slot, when);
     }

@@ -93,7 +93,7 @@ final class Bystanders {
         int b = pairs.bodyB[pair];
         double x = bodies.velocityX[b] - bodies.velocityX[a];
         double y = bodies.velocityY[b] - bodies.velocityY[a];
-        double turning = turning(a) + turning(b);
+        double turning = bodies.turns() ? turning(a) + turning(b) : 0;
         double closing = turning - (x * pairs.normalX[pair] + y * pairs.normalY[pair]);
         double unseen = surprise * PairTolerances.width(bodies, a, b);
         boolean isSurprise = closing * dt > Math.max(unseen, pairs.gap(pair));

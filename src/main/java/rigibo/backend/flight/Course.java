@@ -25,30 +25,35 @@ public final class Course {
 
     private double[] to = new double[16];
 
-    /** Per body: what the velocity lacks at the path's end, m/s and rad/s. */
+    /** Per body: what the velocity lacks at the path's end, m/s. */
     private double[] lackX = new double[16];
 
     private double[] lackY = new double[16];
-    private double[] lackSpin = new double[16];
+
+    /** The same of turning, or null where nothing turns. */
+    private final TurningCourse turning;
 
     /** Paths under these forces at an accuracy. */
     public Course(DataStorage data, ChangingForces forces, Accuracy accuracy) {
         this.data = data;
         bodies = data.bodies;
         substeps = accuracy.substeps();
-        deviation = new Deviation(forces, accuracy.integrator());
+        deviation = new Deviation(forces, accuracy.integrator(), bodies.turns());
+        turning = bodies.turns() ? new TurningCourse(bodies, deviation) : null;
     }
 
     /** Lays the path of every awake dynamic body through a step of {@code dt} seconds. */
     public void begin(double dt) {
         reserve(bodies.type.length);
         Roster roster = data.roster;
+        if (turning != null) {
+            turning.begin(roster);
+        }
         for (int i = 0; i < roster.awakeCount; i++) {
             int slot = roster.awake[i];
             if (bodies.isDynamic(slot)) {
                 bodies.pullX[slot] = 0;
                 bodies.pullY[slot] = 0;
-                bodies.pullTurn[slot] = 0;
                 lay(slot, 0, dt);
             }
         }
@@ -60,7 +65,6 @@ public final class Course {
             to = new double[capacity];
             lackX = new double[capacity];
             lackY = new double[capacity];
-            lackSpin = new double[capacity];
         }
     }
 
@@ -73,7 +77,9 @@ public final class Course {
         to[slot] = end;
         lackX[slot] = 0;
         lackY[slot] = 0;
-        lackSpin[slot] = 0;
+        if (turning != null) {
+            turning.forget(slot);
+        }
         double length = end - begin;
         if (length > 0) {
             deviation.of(bodies, slot, data.time + begin);
@@ -104,16 +110,15 @@ public final class Course {
         double e2 = deviation.accelerationShare(length);
         double ax = deviation.moved[0] / e2;
         double ay = deviation.moved[1] / e2;
-        double turn = deviation.moved[2] / (length * length / 2);
         bodies.accelerationX[slot] = deviation.keepingX() + ax;
         bodies.accelerationY[slot] = deviation.keepingY() + ay;
-        bodies.angularAcceleration[slot] = deviation.keepingTurn() + turn;
         bodies.pullX[slot] = deviation.keepingX() - deviation.steadyX() + ax;
         bodies.pullY[slot] = deviation.keepingY() - deviation.steadyY() + ay;
-        bodies.pullTurn[slot] = deviation.keepingTurn() - deviation.steadyTurn() + turn;
         lackX[slot] = deviation.gained[0] - ax * e1;
         lackY[slot] = deviation.gained[1] - ay * e1;
-        lackSpin[slot] = deviation.gained[2] - turn * length;
+        if (turning != null) {
+            turning.write(slot, length);
+        }
     }
 
     /**
@@ -122,16 +127,18 @@ public final class Course {
      * that has both ends in common with it.
      */
     void catchUp(int slot, double time) {
-        if (lackX[slot] == 0 && lackY[slot] == 0 && lackSpin[slot] == 0) {
+        boolean lacksSpin = turning != null && turning.lacksSpin(slot);
+        if (lackX[slot] == 0 && lackY[slot] == 0 && !lacksSpin) {
             return;
         }
         double gone = (time - from[slot]) / (to[slot] - from[slot]);
         double share = gone * (3 * gone - 2);
         bodies.velocityX[slot] += share * lackX[slot];
         bodies.velocityY[slot] += share * lackY[slot];
-        bodies.spin[slot] += share * lackSpin[slot];
         lackX[slot] = 0;
         lackY[slot] = 0;
-        lackSpin[slot] = 0;
+        if (turning != null) {
+            turning.catchUp(slot, share);
+        }
     }
 }

@@ -17,7 +17,7 @@ import java.util.Arrays;
  */
 final class Deviation {
 
-    /** x, y and angle; the first two belong together. */
+    /** x, y and, where bodies turn, the angle; the first two belong together. */
     static final int FREEDOMS = 3;
 
     private static final int LINEAR = 2;
@@ -43,6 +43,10 @@ final class Deviation {
     private final ChangingForces forces;
     private final Integrator method;
     private final boolean isBallistic;
+
+    /** How many of the freedoms there are: where nothing turns, an angle asks for no substep. */
+    private final int freedoms;
+
     private final Motion reference = new Motion();
     private final Pose pose = new Pose();
     private final Instant instant = new Instant();
@@ -63,8 +67,9 @@ final class Deviation {
     /** When the path starts, s since the pool was made. */
     private double start;
 
-    Deviation(ChangingForces forces, Integrator method) {
+    Deviation(ChangingForces forces, Integrator method, boolean turns) {
         this.forces = forces;
+        freedoms = turns ? FREEDOMS : LINEAR;
         this.method = method;
         isBallistic = method == Integrator.BALLISTIC;
     }
@@ -76,16 +81,22 @@ final class Deviation {
         drag = instant.drag;
         steadyX = bodies.accelerationX[slot] - bodies.pullX[slot];
         steadyY = bodies.accelerationY[slot] - bodies.pullY[slot];
-        steadyTurn = bodies.angularAcceleration[slot] - bodies.pullTurn[slot];
         reference.x = bodies.x[slot];
         reference.y = bodies.y[slot];
         reference.angle = bodies.angle[slot];
         reference.velocityX = bodies.velocityX[slot];
         reference.velocityY = bodies.velocityY[slot];
-        reference.spin = bodies.spin[slot];
         reference.drag = isBallistic ? drag : 0;
         reference.accelerationX = isBallistic ? steadyX : 0;
         reference.accelerationY = isBallistic ? steadyY : 0;
+        if (freedoms > LINEAR) {
+            takeTurning(bodies, slot);
+        }
+    }
+
+    private void takeTurning(Bodies bodies, int slot) {
+        steadyTurn = bodies.angularAcceleration[slot] - bodies.pullTurn[slot];
+        reference.spin = bodies.spin[slot];
         reference.angularAcceleration = isBallistic ? steadyTurn : 0;
     }
 
@@ -113,7 +124,7 @@ final class Deviation {
         Arrays.fill(gained, 0);
         look(0, 0, 0, 0);
         look(1, 0, SMALL_CHANGE * length, 0);
-        double squared = Math.max(squaredDrag(0, LINEAR), squaredDrag(LINEAR, FREEDOMS));
+        double squared = Math.max(squaredDrag(0, LINEAR), squaredDrag(LINEAR, freedoms));
         return (int) Math.min(MOST_SUBSTEPS, Math.ceil(Math.sqrt(squared) / SMALL_CHANGE));
     }
 
@@ -154,7 +165,7 @@ final class Deviation {
 
     private boolean stepByEuler(double time, double h) {
         look(0, time, 0, 0);
-        for (int i = 0; i < FREEDOMS; i++) {
+        for (int i = 0; i < freedoms; i++) {
             gained[i] += h * rate[0][i];
             moved[i] += h * gained[i];
         }
@@ -164,7 +175,7 @@ final class Deviation {
     private boolean stepByVerlet(double time, double h) {
         look(0, time, 0, 0);
         look(1, time + h, h, h * h / 2);
-        for (int i = 0; i < FREEDOMS; i++) {
+        for (int i = 0; i < freedoms; i++) {
             moved[i] += h * (gained[i] + h / 2 * rate[0][i]);
             gained[i] += h / 2 * (rate[0][i] + rate[1][i]);
         }
@@ -178,10 +189,10 @@ final class Deviation {
         look(1, time + half, half, 0);
         look(2, time + half, half, half * half);
         look(3, time + h, h, h * half);
-        if (!isShortEnough(0, LINEAR) || !isShortEnough(LINEAR, FREEDOMS)) {
+        if (!isShortEnough(0, LINEAR) || !isShortEnough(LINEAR, freedoms)) {
             return false;
         }
-        for (int i = 0; i < FREEDOMS; i++) {
+        for (int i = 0; i < freedoms; i++) {
             double middle = rate[1][i] + rate[2][i];
             moved[i] += h * (gained[i] + h / 6 * (rate[0][i] + middle));
             gained[i] += h / 6 * (rate[0][i] + 2 * middle + rate[3][i]);
@@ -215,8 +226,8 @@ final class Deviation {
         look(0, time, 0, 0);
         look(1, time + h, h, 0);
         double linear = shareThatBrakes(0, LINEAR);
-        double angular = shareThatBrakes(LINEAR, FREEDOMS);
-        for (int i = 0; i < FREEDOMS; i++) {
+        double angular = shareThatBrakes(LINEAR, freedoms);
+        for (int i = 0; i < freedoms; i++) {
             gained[i] += (i < LINEAR ? linear : angular) * h * rate[0][i];
             moved[i] += h * gained[i];
         }
@@ -241,7 +252,7 @@ final class Deviation {
     private void look(int number, double time, double ahead, double square) {
         double[] kicking = rate[Math.max(0, number - 1)];
         double[] pulling = rate[Math.max(0, number - 2)];
-        for (int i = 0; i < FREEDOMS; i++) {
+        for (int i = 0; i < freedoms; i++) {
             movedThere[i] =
                     ahead == 0 ? moved[i] : moved[i] + (ahead * gained[i] + square * pulling[i]);
             gainedThere[i] = ahead == 0 ? gained[i] : gained[i] + ahead * kicking[i];

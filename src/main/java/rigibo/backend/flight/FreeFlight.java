@@ -28,11 +28,7 @@ public final class FreeFlight {
 
     /** Moves every flyer from where it is to the end of a step. */
     void finish(double dt) {
-        for (int i = 0; i < roster.awakeCount; i++) {
-            if (paths.isFlyer(roster.awake[i])) {
-                paths.advance(roster.awake[i], dt);
-            }
-        }
+        paths.advanceAll(roster, dt);
         if (course != null) {
             catchUp(dt);
         }

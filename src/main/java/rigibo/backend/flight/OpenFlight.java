@@ -17,9 +17,13 @@ public final class OpenFlight {
     /** Paths under forces that change along the way, or null where there are none. */
     private final Course course;
 
+    /** How bodies turn on the way, or null where none does. */
+    private final OpenTurning turning;
+
     /** Open flight; {@code course} is null where no path has to be integrated. */
     public OpenFlight(DataStorage data, Course course) {
         bodies = data.bodies;
+        turning = bodies.turns() ? new OpenTurning(data) : null;
         roster = data.roster;
         this.course = course;
     }
@@ -30,6 +34,9 @@ public final class OpenFlight {
             flyFreely(dt);
         } else {
             flyThroughDrag(dt);
+        }
+        if (turning != null) {
+            turning.turn(dt);
         }
         if (course != null) {
             catchUp(dt);
@@ -48,7 +55,6 @@ public final class OpenFlight {
                 bodies.y[slot] += bodies.velocityY[slot] * dt + ay * half;
                 bodies.velocityX[slot] += ax * dt;
                 bodies.velocityY[slot] += ay * dt;
-                turn(slot, dt);
             }
         }
     }
@@ -64,17 +70,7 @@ public final class OpenFlight {
                 bodies.y[slot] = pose.y;
                 bodies.velocityX[slot] = motion.velocityXAt(dt);
                 bodies.velocityY[slot] = motion.velocityYAt(dt);
-                turn(slot, dt);
             }
-        }
-    }
-
-    private void turn(int slot, double dt) {
-        double spin = bodies.spin[slot];
-        double angular = bodies.angularAcceleration[slot];
-        if (spin != 0 || angular != 0) {
-            bodies.turn(slot, dt * (spin + dt * angular / 2));
-            bodies.spin[slot] = spin + dt * angular;
         }
     }
 

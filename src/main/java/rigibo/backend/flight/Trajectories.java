@@ -3,6 +3,7 @@ package rigibo.backend.flight;
 import rigibo.backend.collision.Motion;
 import rigibo.backend.collision.Pose;
 import rigibo.backend.storage.Bodies;
+import rigibo.backend.storage.Roster;
 
 import java.util.Arrays;
 
@@ -22,10 +23,14 @@ final class Trajectories {
     /** Whether a body joined a pile in this step, and its velocity from then on as expected. */
     private boolean[] hasLanded = new boolean[16];
 
-    private double[] expected = new double[3 * 16];
+    private double[] expected = new double[2 * 16];
+
+    /** How bodies turn on their paths, or null where none does. */
+    private final TurningPaths turning;
 
     Trajectories(Bodies bodies) {
         this.bodies = bodies;
+        turning = bodies.turns() ? new TurningPaths(bodies, this) : null;
     }
 
     /** Begins a step: all columns hold its start. */
@@ -33,7 +38,10 @@ final class Trajectories {
         if (since.length < bodies.type.length) {
             since = new double[bodies.type.length];
             hasLanded = new boolean[bodies.type.length];
-            expected = new double[3 * bodies.type.length];
+            expected = new double[2 * bodies.type.length];
+        }
+        if (turning != null) {
+            turning.reserve();
         }
         Arrays.fill(since, 0, bodies.slots.high, 0);
         Arrays.fill(hasLanded, 0, bodies.slots.high, false);
@@ -48,7 +56,7 @@ final class Trajectories {
         if (isFlyer(slot)) {
             bodies.piled[slot] = true;
             bodies.pileTime[slot] = time;
-            expect(slot, bodies.velocityX[slot], bodies.velocityY[slot], bodies.spin[slot]);
+            expect(slot, bodies.velocityX[slot], bodies.velocityY[slot], bodies.spinOf(slot));
         }
     }
 
@@ -58,7 +66,7 @@ final class Trajectories {
         if (hasLanded[slot] && left > 0) {
             bodies.x[slot] -= left * bodies.velocityX[slot];
             bodies.y[slot] -= left * bodies.velocityY[slot];
-            bodies.turn(slot, -left * bodies.spin[slot]);
+            bodies.turn(slot, -left * bodies.spinOf(slot));
             bodies.pileTime[slot] = time;
         }
     }
@@ -66,13 +74,33 @@ final class Trajectories {
     /** Notes how a body that has landed is expected to go on, for those that may meet it. */
     void expect(int slot, double velocityX, double velocityY, double spin) {
         hasLanded[slot] = true;
-        expected[3 * slot] = velocityX;
-        expected[3 * slot + 1] = velocityY;
-        expected[3 * slot + 2] = spin;
+        expected[2 * slot] = velocityX;
+        expected[2 * slot + 1] = velocityY;
+        if (turning != null) {
+            turning.expect(slot, spin);
+        }
+    }
+
+    /** Whether a body joined a pile in this step. */
+    boolean hasLanded(int slot) {
+        return hasLanded[slot];
+    }
+
+    /** The time in s after the step's start that a flyer's columns hold. */
+    double since(int slot) {
+        return since[slot];
     }
 
     /** Writes a body's path within the step. */
     void load(int slot, Motion out) {
+        loadWay(slot, out);
+        if (turning != null) {
+            turning.load(slot, out);
+        }
+    }
+
+    /** Writes the way of a body's centre of mass within the step. */
+    private void loadWay(int slot, Motion out) {
         out.take(bodies, slot);
         if (isFlyer(slot)) {
             out.startTime = since[slot];
@@ -87,15 +115,12 @@ final class Trajectories {
         out.startTime = bodies.isDynamic(slot) ? bodies.pileTime[slot] : since[slot];
         out.accelerationX = 0;
         out.accelerationY = 0;
-        out.angularAcceleration = 0;
         if (hasLanded[slot]) {
-            out.velocityX = expected[3 * slot];
-            out.velocityY = expected[3 * slot + 1];
-            out.spin = expected[3 * slot + 2];
+            out.velocityX = expected[2 * slot];
+            out.velocityY = expected[2 * slot + 1];
         } else if (!bodies.isMoved(slot)) {
             out.velocityX = 0;
             out.velocityY = 0;
-            out.spin = 0;
         }
     }
 
@@ -107,22 +132,34 @@ final class Trajectories {
 
     /** Brings a flyer's columns to a time in s after the step's start. */
     void advance(int slot, double time) {
-        double elapsed = time - since[slot];
-        if (elapsed == 0) {
+        if (turning != null) {
+            turning.advance(slot, time);
+        }
+        move(slot, time);
+    }
+
+    /** Brings all flyers' columns to a time in s after the step's start. */
+    void advanceAll(Roster roster, double time) {
+        if (turning != null) {
+            turning.advanceAll(roster, time);
+        }
+        for (int i = 0; i < roster.awakeCount; i++) {
+            if (isFlyer(roster.awake[i])) {
+                move(roster.awake[i], time);
+            }
+        }
+    }
+
+    private void move(int slot, double time) {
+        if (time == since[slot]) {
             return;
         }
-        load(slot, motion);
+        loadWay(slot, motion);
         motion.placeAt(time, pose);
         bodies.x[slot] = pose.x;
         bodies.y[slot] = pose.y;
         bodies.velocityX[slot] = motion.velocityXAt(time);
         bodies.velocityY[slot] = motion.velocityYAt(time);
-        double spin = bodies.spin[slot];
-        double angular = bodies.angularAcceleration[slot];
-        if (spin != 0 || angular != 0) {
-            bodies.turn(slot, elapsed * (spin + elapsed * angular / 2));
-            bodies.spin[slot] = spin + elapsed * angular;
-        }
         since[slot] = time;
     }
 }

@@ -47,7 +47,7 @@ public final class Instant {
     public void take(Bodies bodies, int slot) {
         shape = bodies.shape[slot];
         mass = bodies.mass[slot];
-        inverseInertia = bodies.inverseInertia[slot];
+        inverseInertia = bodies.inverseInertiaOf(slot);
         boundingRadius = bodies.boundingRadius[slot];
         drag = bodies.drag == null ? 0 : bodies.drag[slot];
     }

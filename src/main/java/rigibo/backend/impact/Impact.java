@@ -63,15 +63,15 @@ public final class Impact {
                 bodies.surfaceSpeed == null ? 0 : bodies.surfaceSpeed[a] + bodies.surfaceSpeed[b];
         points = 0;
         inverseMassA = bodies.inverseMass[a];
-        inverseInertiaA = bodies.inverseInertia[a];
+        inverseInertiaA = bodies.inverseInertiaOf(a);
         inverseMassB = bodies.inverseMass[b];
-        inverseInertiaB = bodies.inverseInertia[b];
+        inverseInertiaB = bodies.inverseInertiaOf(b);
         velocityAX = bodies.velocityX[a];
         velocityAY = bodies.velocityY[a];
-        spinA = bodies.spin[a];
+        spinA = bodies.spinOf(a);
         velocityBX = bodies.velocityX[b];
         velocityBY = bodies.velocityY[b];
-        spinB = bodies.spin[b];
+        spinB = bodies.spinOf(b);
     }
 
     /** Adds a point at (x, y) in m, of bodies whose centres of mass are where is said, m. */
@@ -89,10 +89,12 @@ public final class Impact {
         int b = pairs.bodyB[pair];
         bodies.velocityX[a] = velocityAX;
         bodies.velocityY[a] = velocityAY;
-        bodies.spin[a] = spinA;
         bodies.velocityX[b] = velocityBX;
         bodies.velocityY[b] = velocityBY;
-        bodies.spin[b] = spinB;
+        if (bodies.turns()) {
+            bodies.spin[a] = spinA;
+            bodies.spin[b] = spinB;
+        }
     }
 
     /** Speed in m/s at which the bodies part at a point; negative when they close. */

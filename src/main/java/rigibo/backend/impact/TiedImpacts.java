@@ -198,8 +198,8 @@ public final class TiedImpacts {
         int b = pairs.bodyB[pairOf[i]];
         return row[at + DX] * (bodies.velocityX[b] - bodies.velocityX[a])
                 + row[at + DY] * (bodies.velocityY[b] - bodies.velocityY[a])
-                + row[at + LEVER_B] * bodies.spin[b]
-                - row[at + LEVER_A] * bodies.spin[a];
+                + row[at + LEVER_B] * bodies.spinOf(b)
+                - row[at + LEVER_A] * bodies.spinOf(a);
     }
 
     private void push(int i, double impulse) {
@@ -213,6 +213,8 @@ public final class TiedImpacts {
     private void push(int slot, double x, double y, double turn) {
         bodies.velocityX[slot] += bodies.inverseMass[slot] * x;
         bodies.velocityY[slot] += bodies.inverseMass[slot] * y;
-        bodies.spin[slot] += bodies.inverseInertia[slot] * turn;
+        if (bodies.turns()) {
+            bodies.spin[slot] += bodies.inverseInertia[slot] * turn;
+        }
     }
 }

@@ -120,6 +120,9 @@ public final class PileClassifier {
 
     /** Speed in m/s at which the point that parts fastest moves apart; negative when all close. */
     private double parting(int pair) {
+        if (!bodies.turns()) {
+            return partingOfCentres(pair);
+        }
         double fastest = Double.NEGATIVE_INFINITY;
         for (int point = 2 * pair; point < 2 * pair + pairs.points[pair]; point++) {
             fastest = Math.max(fastest, partingAt(pair, point));
@@ -128,11 +131,23 @@ public final class PileClassifier {
     }
 
     private double slowestParting(int pair) {
+        if (!bodies.turns()) {
+            return partingOfCentres(pair);
+        }
         double slowest = Double.POSITIVE_INFINITY;
         for (int point = 2 * pair; point < 2 * pair + pairs.points[pair]; point++) {
             slowest = Math.min(slowest, partingAt(pair, point));
         }
         return slowest;
+    }
+
+    /** What does not turn parts at all points alike. */
+    private double partingOfCentres(int pair) {
+        int a = pairs.bodyA[pair];
+        int b = pairs.bodyB[pair];
+        double vx = bodies.velocityX[b] - bodies.velocityX[a];
+        double vy = bodies.velocityY[b] - bodies.velocityY[a];
+        return vx * pairs.normalX[pair] + vy * pairs.normalY[pair];
     }
 
     private double partingAt(int pair, int point) {

@@ -41,25 +41,43 @@ public final class Sleeping {
 
     /** How long in s the most restless body of the island has stayed in place. */
     private double stillTime(int island, double dt) {
+        int start = islands.bodyStart[island];
+        int end = islands.bodyStart[island + 1];
         double least = Double.POSITIVE_INFINITY;
-        for (int i = islands.bodyStart[island]; i < islands.bodyStart[island + 1]; i++) {
-            int slot = islands.bodies[i];
-            if (strayed(slot) > sleep.distance() * bodies.smallestWidth[slot]) {
-                bodies.restartStillness(slot);
-            } else {
-                bodies.stillTime[slot] += dt;
+        if (bodies.turns()) {
+            for (int i = start; i < end; i++) {
+                int slot = islands.bodies[i];
+                least = Math.min(least, stillTime(slot, turned(slot), dt));
             }
-            least = Math.min(least, bodies.stillTime[slot]);
+        } else {
+            for (int i = start; i < end; i++) {
+                least = Math.min(least, stillTime(islands.bodies[i], 0, dt));
+            }
         }
         return least;
     }
 
-    /** How far in m any point of the body is from where it was. */
-    private double strayed(int slot) {
+    /** How long in s a body has stayed in place whose outline has turned so far in m, at most. */
+    private double stillTime(int slot, double turned, double dt) {
+        if (moved(slot) + turned > sleep.distance() * bodies.smallestWidth[slot]) {
+            bodies.restartStillness(slot);
+        } else {
+            bodies.stillTime[slot] += dt;
+        }
+        return bodies.stillTime[slot];
+    }
+
+    /** How far in m the body is from where it was. */
+    private double moved(int slot) {
         double dx = bodies.x[slot] - bodies.stillX[slot];
         double dy = bodies.y[slot] - bodies.stillY[slot];
-        double turned = Math.abs(bodies.angle[slot] - bodies.stillAngle[slot]);
-        return Math.sqrt(dx * dx + dy * dy) + turned * bodies.boundingRadius[slot];
+        return Math.sqrt(dx * dx + dy * dy);
+    }
+
+    /** How far in m any point of the body has turned since. */
+    private double turned(int slot) {
+        double angle = Math.abs(bodies.angle[slot] - bodies.stillAngle[slot]);
+        return angle * bodies.boundingRadius[slot];
     }
 
     /** Whether something kinematic that moves touches the island: it will not stay still. */
@@ -77,9 +95,7 @@ public final class Sleeping {
         for (int i = islands.bodyStart[island]; i < islands.bodyStart[island + 1]; i++) {
             int slot = islands.bodies[i];
             bodies.awake[slot] = false;
-            bodies.velocityX[slot] = 0;
-            bodies.velocityY[slot] = 0;
-            bodies.spin[slot] = 0;
+            bodies.halt(slot);
         }
         roster.isStale = true;
     }

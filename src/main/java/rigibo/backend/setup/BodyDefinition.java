@@ -112,7 +112,10 @@ public final class BodyDefinition {
         return next;
     }
 
-    /** Angular velocity in rad/s, counter-clockwise; a static body's must be 0. */
+    /**
+     * Angular velocity in rad/s, counter-clockwise; a static body's must be 0. It is passed over
+     * where the effect {@code Rotation} is not declared.
+     */
     public BodyDefinition spin(double radiansPerSecond) {
         BodyDefinition next = new BodyDefinition(this);
         next.spin =

@@ -17,8 +17,12 @@ final class BodyLedger {
     private final Bodies bodies;
     private final Roster roster;
 
+    /** The same for what turns, or null where nothing does. */
+    private final TurningLedger turning;
+
     BodyLedger(DataStorage data) {
         this.data = data;
+        turning = data.bodies.turns() ? new TurningLedger(data) : null;
         bodies = data.bodies;
         roster = data.roster;
     }
@@ -28,6 +32,9 @@ final class BodyLedger {
         roster.refresh(bodies);
         for (int i = 0; i < roster.awakeCount; i++) {
             bodies.keepStart(roster.awake[i]);
+        }
+        if (turning != null) {
+            turning.keepStart();
         }
     }
 
@@ -43,6 +50,9 @@ final class BodyLedger {
         for (int i = 0; i < roster.awakeCount; i++) {
             bodies.clearAccelerations(roster.awake[i]);
         }
+        if (turning != null) {
+            turning.clearAccelerations();
+        }
     }
 
     /** Kinematic bodies go exactly as told, after the piles that were pushed by them. */
@@ -52,8 +62,10 @@ final class BodyLedger {
             if (bodies.isDriven(slot)) {
                 bodies.x[slot] += dt * bodies.velocityX[slot];
                 bodies.y[slot] += dt * bodies.velocityY[slot];
-                bodies.turn(slot, dt * bodies.spin[slot]);
             }
+        }
+        if (turning != null) {
+            turning.turnDriven(dt);
         }
     }
 
@@ -62,10 +74,28 @@ final class BodyLedger {
      * bounds. Asked before anything can touch them, and once more at the end.
      */
     void quarantine(double dt) {
+        if (turning == null) {
+            quarantineMoving(dt);
+        } else {
+            quarantineTurning(dt);
+        }
+    }
+
+    private void quarantineMoving(double dt) {
+        for (int i = 0; i < roster.awakeCount; i++) {
+            if (!isBounded(roster.awake[i], dt)) {
+                putToRest(roster.awake[i]);
+            }
+        }
+    }
+
+    /** Both at once, so that bodies are named in the order of their slots. */
+    private void quarantineTurning(double dt) {
         for (int i = 0; i < roster.awakeCount; i++) {
             int slot = roster.awake[i];
-            if (!isBounded(slot, dt)) {
+            if (!isBounded(slot, dt) || !turning.isBounded(slot, dt, FASTEST)) {
                 putToRest(slot);
+                turning.putBack(slot);
             }
         }
     }
@@ -73,20 +103,14 @@ final class BodyLedger {
     private boolean isBounded(int slot, double dt) {
         double vx = Math.abs(bodies.velocityX[slot]) + Math.abs(bodies.accelerationX[slot]) * dt;
         double vy = Math.abs(bodies.velocityY[slot]) + Math.abs(bodies.accelerationY[slot]) * dt;
-        double w = Math.abs(bodies.spin[slot]) + Math.abs(bodies.angularAcceleration[slot]) * dt;
-        double place =
-                Math.abs(bodies.x[slot]) + Math.abs(bodies.y[slot]) + Math.abs(bodies.angle[slot]);
-        return vx < FASTEST && vy < FASTEST && w < FASTEST && place < Double.POSITIVE_INFINITY;
+        double place = Math.abs(bodies.x[slot]) + Math.abs(bodies.y[slot]);
+        return vx < FASTEST && vy < FASTEST && place < Double.POSITIVE_INFINITY;
     }
 
     private void putToRest(int slot) {
         bodies.x[slot] = bodies.startX[slot];
         bodies.y[slot] = bodies.startY[slot];
-        bodies.angle[slot] = bodies.startAngle[slot];
-        bodies.turn(slot, 0);
-        bodies.velocityX[slot] = 0;
-        bodies.velocityY[slot] = 0;
-        bodies.spin[slot] = 0;
+        bodies.halt(slot);
         bodies.clearAccelerations(slot);
         // A driven body stands still now and is no longer of those that move.
         roster.isStale = true;

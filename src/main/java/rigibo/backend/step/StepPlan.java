@@ -25,6 +25,7 @@ import rigibo.backend.flight.OpenFlight;
 import rigibo.backend.force.ChangingForces;
 import rigibo.backend.force.GravityKernel;
 import rigibo.backend.force.ThrustKernel;
+import rigibo.backend.force.TorqueKernel;
 import rigibo.backend.force.WindKernel;
 import rigibo.backend.rest.IslandBuilder;
 import rigibo.backend.rest.PileClassifier;
@@ -103,7 +104,8 @@ public final class StepPlan {
                                         "gravity",
                                         new GravityKernel(data, gravity)::accelerate));
         if (effects.declares(Thrust.class)) {
-            add(StepStage.EFFECTS, "thrust", new ThrustKernel(data)::accelerate);
+            TorqueKernel torque = data.bodies.turns() ? new TorqueKernel(data) : null;
+            add(StepStage.EFFECTS, "thrust", new ThrustKernel(data, torque)::accelerate);
         }
         effects.find(Wind.class)
                 .filter(wind -> wind.isSteady() && effects.declares(Drag.class))

@@ -9,6 +9,7 @@ import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Friction;
 import rigibo.backend.effect.Restitution;
 import rigibo.backend.effect.RollingResistance;
+import rigibo.backend.effect.Rotation;
 import rigibo.backend.effect.Sleep;
 import rigibo.backend.effect.SurfaceSpeed;
 import rigibo.backend.effect.Thrust;
@@ -34,7 +35,10 @@ public final class Bodies {
     public int[] group = new int[FIRST_CAPACITY];
     public double[] gravityScale = new double[FIRST_CAPACITY];
 
-    /** kg and kg·m² stated in place of the material's density; 0 where none was. */
+    /**
+     * kg and kg·m² stated in place of the material's density; 0 where none was. They stay whatever
+     * is declared, as all that was stated does: who declares rotation later gets what was stated.
+     */
     public double[] statedMass = new double[FIRST_CAPACITY];
 
     public double[] statedInertia = new double[FIRST_CAPACITY];
@@ -47,24 +51,20 @@ public final class Bodies {
     public double[] cos = new double[FIRST_CAPACITY];
     public double[] sin = new double[FIRST_CAPACITY];
 
-    /** Motion: m/s and rad/s. */
+    /** Motion: m/s. */
     public double[] velocityX = new double[FIRST_CAPACITY];
 
     public double[] velocityY = new double[FIRST_CAPACITY];
-    public double[] spin = new double[FIRST_CAPACITY];
 
-    /** What the declared effects make of it: m/s² and rad/s², of this step. */
+    /** What the declared effects make of it: m/s², of this step. */
     public double[] accelerationX = new double[FIRST_CAPACITY];
 
     public double[] accelerationY = new double[FIRST_CAPACITY];
-    public double[] angularAcceleration = new double[FIRST_CAPACITY];
 
-    /** Mass in kg, inertia in kg·m², and their inverses, 0 for what cannot be moved or turned. */
+    /** Mass in kg and its inverse, 0 for what cannot be moved. */
     public double[] mass = new double[FIRST_CAPACITY];
 
-    public double[] inertia = new double[FIRST_CAPACITY];
     public double[] inverseMass = new double[FIRST_CAPACITY];
-    public double[] inverseInertia = new double[FIRST_CAPACITY];
 
     /** From the shape: farthest point, m. */
     public double[] boundingRadius = new double[FIRST_CAPACITY];
@@ -72,20 +72,28 @@ public final class Bodies {
     /** Whether the body is simulated. */
     public boolean[] awake = new boolean[FIRST_CAPACITY];
 
-    /**
-     * Where the step began, m and rad: what a body returns to when its state stops being finite.
-     */
+    /** Where the step began, m: what a body returns to when its state stops being finite. */
     public double[] startX = new double[FIRST_CAPACITY];
 
     public double[] startY = new double[FIRST_CAPACITY];
-    public double[] startAngle = new double[FIRST_CAPACITY];
 
     // From here on columns of declared effects only, else null.
+
+    /** Of rotation: rad/s, what the effects make of it in this step, rad/s², and the start, rad. */
+    public double[] spin;
+
+    public double[] angularAcceleration;
+    public double[] startAngle;
+
+    /** Inertia in kg·m² and its inverse, 0 for what cannot be turned. */
+    public double[] inertia;
+
+    public double[] inverseInertia;
 
     /** Of contacts, from the shape: smallest width, m. */
     public double[] smallestWidth;
 
-    /** How far turning moves the outline, m per rad: a disc's stays where it is. */
+    /** Of both: how far turning moves the outline, m per rad; a disc's stays where it is. */
     public double[] sweepRadius;
 
     /** The size fixture, m, and its leaf in the broadphase. */
@@ -112,6 +120,8 @@ public final class Bodies {
 
     public double[] stillX;
     public double[] stillY;
+
+    /** Of sleep and rotation. */
     public double[] stillAngle;
 
     /** From the material, so that a loop over contacts reads flat columns. */
@@ -119,18 +129,21 @@ public final class Bodies {
 
     public double[] elasticity;
 
-    /** N and N·m asked for, rolling lever in m, speed of the outline in m/s, drag in 1/s. */
+    /** N asked for, and N·m where bodies turn. */
     public double[] forceX;
 
     public double[] forceY;
     public double[] torque;
+
+    /** Rolling lever in m, speed of the outline in m/s, drag in 1/s. */
     public double[] rollingResistance;
+
     public double[] surfaceSpeed;
     public double[] drag;
 
     /**
-     * Of the accelerations, what forces add that change along the way, m/s² and rad/s²; null where
-     * no path is integrated.
+     * Of the accelerations, what forces add that change along the way, m/s², and rad/s² where
+     * bodies turn; null where no path is integrated.
      */
     public double[] pullX;
 
@@ -146,9 +159,15 @@ public final class Bodies {
      * Makes the columns of newly declared effects and drops those of effects no longer declared.
      */
     public void declare(Effects effects) {
+        boolean rotation = effects.declares(Rotation.class);
+        spin = declared(spin, rotation, type.length);
+        angularAcceleration = declared(angularAcceleration, rotation, type.length);
+        startAngle = declared(startAngle, rotation, type.length);
+        inertia = declared(inertia, rotation, type.length);
+        inverseInertia = declared(inverseInertia, rotation, type.length);
         boolean contacts = effects.declares(Contacts.class);
         smallestWidth = declared(smallestWidth, contacts, type.length);
-        sweepRadius = declared(sweepRadius, contacts, type.length);
+        sweepRadius = declared(sweepRadius, contacts && rotation, type.length);
         fixtureMinX = declared(fixtureMinX, contacts, type.length);
         fixtureMinY = declared(fixtureMinY, contacts, type.length);
         fixtureMaxX = declared(fixtureMaxX, contacts, type.length);
@@ -162,13 +181,13 @@ public final class Bodies {
         stillTime = declared(stillTime, sleep, type.length);
         stillX = declared(stillX, sleep, type.length);
         stillY = declared(stillY, sleep, type.length);
-        stillAngle = declared(stillAngle, sleep, type.length);
+        stillAngle = declared(stillAngle, sleep && rotation, type.length);
         friction = declared(friction, effects.declares(Friction.class), type.length);
         elasticity = declared(elasticity, effects.declares(Restitution.class), type.length);
         boolean thrust = effects.declares(Thrust.class);
         forceX = declared(forceX, thrust, type.length);
         forceY = declared(forceY, thrust, type.length);
-        torque = declared(torque, thrust, type.length);
+        torque = declared(torque, thrust && rotation, type.length);
         rollingResistance =
                 declared(rollingResistance, effects.declares(RollingResistance.class), type.length);
         surfaceSpeed = declared(surfaceSpeed, effects.declares(SurfaceSpeed.class), type.length);
@@ -179,7 +198,7 @@ public final class Bodies {
     public void integratePaths(boolean isNeeded) {
         pullX = declared(pullX, isNeeded, type.length);
         pullY = declared(pullY, isNeeded, type.length);
-        pullTurn = declared(pullTurn, isNeeded, type.length);
+        pullTurn = declared(pullTurn, isNeeded && turns(), type.length);
     }
 
     /** A free slot with room in every column. */
@@ -198,6 +217,21 @@ public final class Bodies {
         }
     }
 
+    /** Whether bodies turn: rotation is declared, and all columns of turning are there. */
+    public boolean turns() {
+        return spin != null;
+    }
+
+    /** rad/s; 0 where nothing turns. Whoever reads it for body after body asks {@link #turns}. */
+    public double spinOf(int slot) {
+        return spin == null ? 0 : spin[slot];
+    }
+
+    /** 1/(kg·m²), 0 for what cannot be turned; likewise. */
+    public double inverseInertiaOf(int slot) {
+        return inverseInertia == null ? 0 : inverseInertia[slot];
+    }
+
     /** Whether a body is dynamic. */
     public boolean isDynamic(int slot) {
         return type[slot] == BodyType.DYNAMIC;
@@ -206,7 +240,7 @@ public final class Bodies {
     /** Whether a body is kinematic and its velocity is not 0. */
     public boolean isDriven(int slot) {
         return type[slot] == BodyType.KINEMATIC
-                && (velocityX[slot] != 0 || velocityY[slot] != 0 || spin[slot] != 0);
+                && (velocityX[slot] != 0 || velocityY[slot] != 0 || spinOf(slot) != 0);
     }
 
     /** Whether a step moves the body: awake and dynamic, or driven. */
@@ -228,24 +262,42 @@ public final class Bodies {
         if (forceX != null) {
             forceX[slot] = 0;
             forceY[slot] = 0;
+        }
+        if (torque != null) {
             torque[slot] = 0;
         }
     }
 
     /** Whether a force or a torque was asked for. */
     public boolean isThrust(int slot) {
-        return forceX != null && (forceX[slot] != 0 || forceY[slot] != 0 || torque[slot] != 0);
+        return forceX != null
+                && (forceX[slot] != 0 || forceY[slot] != 0 || torque != null && torque[slot] != 0);
     }
 
-    /** Takes all accelerations from a body. */
+    /** Takes all accelerations of the centre of mass from a body. */
     public void clearAccelerations(int slot) {
         accelerationX[slot] = 0;
         accelerationY[slot] = 0;
-        angularAcceleration[slot] = 0;
         if (pullX != null) {
             pullX[slot] = 0;
             pullY[slot] = 0;
+        }
+    }
+
+    /** Takes the angular acceleration from a body, where bodies turn. */
+    public void clearAngularAcceleration(int slot) {
+        angularAcceleration[slot] = 0;
+        if (pullTurn != null) {
             pullTurn[slot] = 0;
+        }
+    }
+
+    /** Takes all velocity from a body. */
+    public void halt(int slot) {
+        velocityX[slot] = 0;
+        velocityY[slot] = 0;
+        if (turns()) {
+            spin[slot] = 0;
         }
     }
 
@@ -261,10 +313,14 @@ public final class Bodies {
         sin[slot] = Angle.sin(angle[slot]);
     }
 
-    /** Remembers the pose the step begins with. */
+    /** Remembers the place the step begins with. */
     public void keepStart(int slot) {
         startX[slot] = x[slot];
         startY[slot] = y[slot];
+    }
+
+    /** Remembers the angle the step begins with, where bodies turn. */
+    public void keepStartAngle(int slot) {
         startAngle[slot] = angle[slot];
     }
 
@@ -276,7 +332,9 @@ public final class Bodies {
         stillTime[slot] = 0;
         stillX[slot] = x[slot];
         stillY[slot] = y[slot];
-        stillAngle[slot] = angle[slot];
+        if (stillAngle != null) {
+            stillAngle[slot] = angle[slot];
+        }
     }
 
     /** J of motion and rotation; 0 for what is not dynamic. */
@@ -286,8 +344,13 @@ public final class Bodies {
         }
         double vx = velocityX[slot];
         double vy = velocityY[slot];
-        double w = spin[slot];
-        return (mass[slot] * (vx * vx + vy * vy) + inertia[slot] * w * w) / 2;
+        double twiceLinear = mass[slot] * (vx * vx + vy * vy);
+        return (turns() ? twiceLinear + inertia[slot] * spin[slot] * spin[slot] : twiceLinear) / 2;
+    }
+
+    /** kg·m²/s about the centre of mass; 0 for what is not dynamic, and where nothing turns. */
+    public double angularMomentum(int slot) {
+        return turns() && isDynamic(slot) ? inertia[slot] * spin[slot] : 0;
     }
 
     /** The first pair in the list of a body, or {@link Pairs#NONE}. */
@@ -298,6 +361,7 @@ public final class Bodies {
     /** Names of the columns there are. */
     public String declaredColumns() {
         return "pose, motion, mass"
+                + (turns() ? ", turning" : "")
                 + (firstPair == null ? "" : ", fixture, pile")
                 + (stillTime == null ? "" : ", stillness")
                 + (friction == null ? "" : ", friction")
@@ -331,19 +395,19 @@ public final class Bodies {
             sin,
             velocityX,
             velocityY,
-            spin,
             accelerationX,
             accelerationY,
-            angularAcceleration,
             mass,
-            inertia,
             inverseMass,
-            inverseInertia,
             boundingRadius,
             awake,
             startX,
             startY,
+            spin,
+            angularAcceleration,
             startAngle,
+            inertia,
+            inverseInertia,
             smallestWidth,
             sweepRadius,
             fixtureMinX,
@@ -381,7 +445,7 @@ public final class Bodies {
         awake = Arrays.copyOf(awake, capacity);
         growStated(capacity);
         growMotion(capacity);
-        growMass(capacity);
+        growTurning(capacity);
         growContacts(capacity);
         growStart(capacity);
         growDeclared(capacity);
@@ -392,6 +456,8 @@ public final class Bodies {
         statedMass = Arrays.copyOf(statedMass, capacity);
         statedInertia = Arrays.copyOf(statedInertia, capacity);
         boundingRadius = Arrays.copyOf(boundingRadius, capacity);
+        mass = Arrays.copyOf(mass, capacity);
+        inverseMass = Arrays.copyOf(inverseMass, capacity);
     }
 
     private void growMotion(int capacity) {
@@ -402,22 +468,24 @@ public final class Bodies {
         sin = Arrays.copyOf(sin, capacity);
         velocityX = Arrays.copyOf(velocityX, capacity);
         velocityY = Arrays.copyOf(velocityY, capacity);
-        spin = Arrays.copyOf(spin, capacity);
         accelerationX = Arrays.copyOf(accelerationX, capacity);
         accelerationY = Arrays.copyOf(accelerationY, capacity);
-        angularAcceleration = Arrays.copyOf(angularAcceleration, capacity);
     }
 
-    private void growMass(int capacity) {
-        mass = Arrays.copyOf(mass, capacity);
-        inertia = Arrays.copyOf(inertia, capacity);
-        inverseMass = Arrays.copyOf(inverseMass, capacity);
-        inverseInertia = Arrays.copyOf(inverseInertia, capacity);
+    private void growTurning(int capacity) {
+        spin = grown(spin, capacity);
+        angularAcceleration = grown(angularAcceleration, capacity);
+        startAngle = grown(startAngle, capacity);
+        inertia = grown(inertia, capacity);
+        inverseInertia = grown(inverseInertia, capacity);
+        sweepRadius = grown(sweepRadius, capacity);
+        stillAngle = grown(stillAngle, capacity);
+        torque = grown(torque, capacity);
+        pullTurn = grown(pullTurn, capacity);
     }
 
     private void growContacts(int capacity) {
         smallestWidth = grown(smallestWidth, capacity);
-        sweepRadius = grown(sweepRadius, capacity);
         fixtureMinX = grown(fixtureMinX, capacity);
         fixtureMinY = grown(fixtureMinY, capacity);
         fixtureMaxX = grown(fixtureMaxX, capacity);
@@ -430,7 +498,6 @@ public final class Bodies {
         stillTime = grown(stillTime, capacity);
         stillX = grown(stillX, capacity);
         stillY = grown(stillY, capacity);
-        stillAngle = grown(stillAngle, capacity);
         friction = grown(friction, capacity);
         elasticity = grown(elasticity, capacity);
     }
@@ -438,18 +505,15 @@ public final class Bodies {
     private void growStart(int capacity) {
         startX = Arrays.copyOf(startX, capacity);
         startY = Arrays.copyOf(startY, capacity);
-        startAngle = Arrays.copyOf(startAngle, capacity);
     }
 
     private void growDeclared(int capacity) {
         forceX = grown(forceX, capacity);
         forceY = grown(forceY, capacity);
-        torque = grown(torque, capacity);
         rollingResistance = grown(rollingResistance, capacity);
         surfaceSpeed = grown(surfaceSpeed, capacity);
         drag = grown(drag, capacity);
         pullX = grown(pullX, capacity);
         pullY = grown(pullY, capacity);
-        pullTurn = grown(pullTurn, capacity);
     }
 }

@@ -10,8 +10,11 @@ interface Codec {
     /** Names what comes next, in ASCII; who reads refuses anything else in its place. */
     void label(String name);
 
-    /** Whether to go through the column of a declared effect, of which these rows are in use. */
-    default boolean keeps(String name, double[] column, int[] rows) {
+    /**
+     * Whether to go through the column of a declared effect, of which these rows are in use. Where
+     * the effect does nothing it holds what {@code idle} does, or 0 where that is null.
+     */
+    default boolean keeps(String name, double[] column, double[] idle, int[] rows) {
         return true;
     }
 

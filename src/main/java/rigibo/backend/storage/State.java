@@ -54,7 +54,8 @@ final class State {
         declared("stillTime", b.stillTime);
         declared("stillX", b.stillX);
         declared("stillY", b.stillY);
-        declared("stillAngle", b.stillAngle);
+        // Where nothing turned since, the anchor is the angle, as where nothing turns at all.
+        declared("stillAngle", b.stillAngle, b.angle);
     }
 
     private void visitMotion(Bodies b) {
@@ -63,11 +64,11 @@ final class State {
         column("angle", b.angle);
         column("velocityX", b.velocityX);
         column("velocityY", b.velocityY);
-        column("spin", b.spin);
+        declared("spin", b.spin);
         // A sleeper's stay what they were when it fell asleep: they tell who leans on whom.
         column("accelerationX", b.accelerationX);
         column("accelerationY", b.accelerationY);
-        column("angularAcceleration", b.angularAcceleration);
+        declared("angularAcceleration", b.angularAcceleration);
         declared("forceX", b.forceX);
         declared("forceY", b.forceY);
         declared("torque", b.torque);
@@ -162,7 +163,11 @@ final class State {
 
     /** A column that only a declared effect needs. */
     private void declared(String name, double[] column) {
-        if (column != null && codec.keeps(name, column, rows)) {
+        declared(name, column, null);
+    }
+
+    private void declared(String name, double[] column, double[] idle) {
+        if (column != null && codec.keeps(name, column, idle, rows)) {
             column(name, column);
         }
     }

@@ -25,9 +25,9 @@ public final class StateHash implements Codec {
 
     /** What a declared effect keeps and does not use is as if it were not declared. */
     @Override
-    public boolean keeps(String name, double[] column, int[] rows) {
+    public boolean keeps(String name, double[] column, double[] idle, int[] rows) {
         for (int row : rows) {
-            if (column[row] != 0) {
+            if (column[row] != (idle == null ? 0 : idle[row])) {
                 text(name);
                 return true;
             }

@@ -49,6 +49,9 @@ public final class Waking {
             bodies.piled[woken] = true;
             bodies.pileTime[woken] = 0;
             bodies.keepStart(woken);
+            if (bodies.turns()) {
+                bodies.keepStartAngle(woken);
+            }
             for (int p = bodies.firstPair[woken]; p != Pairs.NONE; p = pairs.nextOf(p, woken)) {
                 pairs.activate(p);
             }

@@ -40,7 +40,7 @@ record OwnClasses(List<Class<? extends Effect>> owners, List<String> classes) {
     static final List<OwnClasses> ALL =
             List.of(
                     of(Gravity.class, "force.GravityKernel"),
-                    of(Thrust.class, "force.ThrustKernel"),
+                    of(Thrust.class, "force.ThrustKernel", "force.TorqueKernel"),
                     of(Wind.class, "force.WindKernel", "force.GustForce"),
                     of(AirDrag.class, "force.AirDragForce"),
                     of(Buoyancy.class, "force.BuoyantForce", "force.Submerged"),
@@ -56,6 +56,7 @@ record OwnClasses(List<Class<? extends Effect>> owners, List<String> classes) {
                             "force.Instant",
                             "flight.Course",
                             "flight.Deviation",
+                            "flight.TurningCourse",
                             "contact.PileForces"),
                     of(
                             Contacts.class,
@@ -74,13 +75,22 @@ record OwnClasses(List<Class<? extends Effect>> owners, List<String> classes) {
                             "collision.Seams",
                             "flight.FreeFlight",
                             "flight.Trajectories",
+                            "flight.TurningPaths",
                             "rest.IslandBuilder",
                             "rest.PileClassifier",
                             "storage.PairTolerances"),
                     of(Friction.class, "contact.FrictionSolver"),
                     of(RollingResistance.class, "contact.RollingSolver"),
                     of(SurfaceSpeed.class, "contact.RunningRows"),
-                    of(Rotation.class, "contact.TurningRows"),
+                    of(
+                            Rotation.class,
+                            "contact.PackedTurns",
+                            "contact.TurningRows",
+                            "flight.OpenTurning",
+                            "flight.TurningCourse",
+                            "flight.TurningPaths",
+                            "force.TorqueKernel",
+                            "step.TurningLedger"),
                     of(Drag.class, "contact.DragKick"),
                     of(
                             Restitution.class,

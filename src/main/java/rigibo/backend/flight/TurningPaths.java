@@ -1,0 +1,65 @@
+package rigibo.backend.flight;
+
+import rigibo.backend.collision.Motion;
+import rigibo.backend.storage.Bodies;
+import rigibo.backend.storage.Roster;
+
+/** How each body turns within the step, beside the way of its centre: {@link Trajectories}. */
+final class TurningPaths {
+
+    private final Bodies bodies;
+    private final Trajectories paths;
+
+    /** The spin in rad/s that a body which has landed is expected to go on with. */
+    private double[] expected = new double[16];
+
+    TurningPaths(Bodies bodies, Trajectories paths) {
+        this.bodies = bodies;
+        this.paths = paths;
+    }
+
+    /** Makes room for all bodies. */
+    void reserve() {
+        if (expected.length < bodies.type.length) {
+            expected = new double[bodies.type.length];
+        }
+    }
+
+    /** Notes the spin in rad/s with which a body that has landed is expected to go on. */
+    void expect(int slot, double spin) {
+        expected[slot] = spin;
+    }
+
+    /** Writes how a body turns on its path; what does not fly turns steadily, or not at all. */
+    void load(int slot, Motion out) {
+        out.takeTurning(bodies, slot);
+        if (!paths.isFlyer(slot)) {
+            out.angularAcceleration = 0;
+            if (paths.hasLanded(slot)) {
+                out.spin = expected[slot];
+            } else if (!bodies.isMoved(slot)) {
+                out.spin = 0;
+            }
+        }
+    }
+
+    /** Turns all flyers to a time in s after the step's start, before they move there. */
+    void advanceAll(Roster roster, double time) {
+        for (int i = 0; i < roster.awakeCount; i++) {
+            if (paths.isFlyer(roster.awake[i])) {
+                advance(roster.awake[i], time);
+            }
+        }
+    }
+
+    /** Turns a flyer to a time in s after the step's start, before it moves there. */
+    void advance(int slot, double time) {
+        double elapsed = time - paths.since(slot);
+        double spin = bodies.spin[slot];
+        double angular = bodies.angularAcceleration[slot];
+        if (elapsed != 0 && (spin != 0 || angular != 0)) {
+            bodies.turn(slot, elapsed * (spin + elapsed * angular / 2));
+            bodies.spin[slot] = spin + elapsed * angular;
+        }
+    }
+}

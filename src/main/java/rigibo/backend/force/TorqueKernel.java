@@ -1,0 +1,30 @@
+package rigibo.backend.force;
+
+import rigibo.backend.storage.Bodies;
+import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.Found;
+
+/** Turns the torques that were asked for into angular accelerations, α = τ/I, and forgets them. */
+public final class TorqueKernel {
+
+    private final DataStorage data;
+
+    /** A kernel for a pool that declares thrust and rotation. */
+    public TorqueKernel(DataStorage data) {
+        this.data = data;
+    }
+
+    /** Adds to the angular accelerations of the bodies that torques were asked for. */
+    void accelerate() {
+        Bodies bodies = data.bodies;
+        Found thrusting = data.thrusting;
+        for (int i = 0; i < thrusting.count; i++) {
+            int slot = thrusting.numbers[i];
+            if (bodies.isDynamic(slot)) {
+                bodies.angularAcceleration[slot] +=
+                        bodies.torque[slot] * bodies.inverseInertia[slot];
+            }
+            bodies.torque[slot] = 0;
+        }
+    }
+}

@@ -1,0 +1,55 @@
+package rigibo.backend.step;
+
+import rigibo.backend.storage.Bodies;
+import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.Roster;
+
+/** What a step does besides for every body that moves, where bodies turn. */
+final class TurningLedger {
+
+    private final Bodies bodies;
+    private final Roster roster;
+
+    TurningLedger(DataStorage data) {
+        bodies = data.bodies;
+        roster = data.roster;
+    }
+
+    /** Remembers at which angle each begins. */
+    void keepStart() {
+        for (int i = 0; i < roster.awakeCount; i++) {
+            bodies.keepStartAngle(roster.awake[i]);
+        }
+    }
+
+    void clearAccelerations() {
+        for (int i = 0; i < roster.awakeCount; i++) {
+            bodies.clearAngularAcceleration(roster.awake[i]);
+        }
+    }
+
+    /** Turns kinematic bodies as told. */
+    void turnDriven(double dt) {
+        for (int i = 0; i < roster.awakeCount; i++) {
+            int slot = roster.awake[i];
+            if (bodies.isDriven(slot)) {
+                bodies.turn(slot, dt * bodies.spin[slot]);
+            }
+        }
+    }
+
+    /**
+     * Whether a body turns, and will by the end of the step, no faster than {@code most}, rad/s.
+     */
+    boolean isBounded(int slot, double dt, double most) {
+        double w = Math.abs(bodies.spin[slot]) + Math.abs(bodies.angularAcceleration[slot]) * dt;
+        return w < most && Math.abs(bodies.angle[slot]) < Double.POSITIVE_INFINITY;
+    }
+
+    /** Turns a body back to where the step began. */
+    void putBack(int slot) {
+        bodies.angle[slot] = bodies.startAngle[slot];
+        bodies.aim(slot);
+        bodies.clearAngularAcceleration(slot);
+    }
+}
