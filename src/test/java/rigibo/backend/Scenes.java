@@ -88,13 +88,13 @@ enum Scenes {
             return pool;
         }
     },
-    /** The same where nothing turns. */
+    /** Half of it where nothing turns. */
     STRAIGHT {
         @Override
         Pool build() {
             Pool pool = new Pool(usualWithoutSleep().without(Rotation.class), Accuracy.GAME);
             addTray(pool);
-            addMixture(pool, 60);
+            addMixture(pool, 30);
             return pool;
         }
     },
