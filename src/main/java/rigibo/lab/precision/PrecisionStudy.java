@@ -13,6 +13,8 @@ import java.util.function.Consumer;
 /** Measures what accuracy costs in time and writes it: tables, figures, page. */
 public final class PrecisionStudy {
 
+    private static final String MEASURED = "## What was measured\n\n";
+
     private final Inquiry inquiry;
     private final Environment environment;
     private final Consumer<String> tell;
@@ -32,7 +34,7 @@ public final class PrecisionStudy {
     /**
      * Makes the runs that are missing and writes everything into the inquiry's directory.
      *
-     * @param page where the measured part of a page is written, if it is
+     * @param page whose measured part is written anew, if one is
      * @return the main sentences of what was found, a line each
      * @throws IllegalStateException when a run breaks off
      * @throws IOException when something cannot be written
@@ -45,8 +47,15 @@ public final class PrecisionStudy {
                 new PrecisionReport(lab.points(), problems, environment.withFlags(lab.method()));
         report.write(inquiry.out());
         if (page.isPresent()) {
-            Files.writeString(page.get(), report.markdown());
+            Files.writeString(page.get(), unmeasured(page.get()) + report.markdown());
         }
         return report.sentences();
+    }
+
+    /** What stands on the page already, up to where the measured part begins, that heading too. */
+    private static String unmeasured(Path page) throws IOException {
+        String text = Files.exists(page) ? Files.readString(page) : "";
+        int end = text.indexOf(MEASURED);
+        return (end < 0 ? text : text.substring(0, end)) + MEASURED;
     }
 }
