@@ -93,7 +93,7 @@ public final class Bodies {
     /** Of contacts, from the shape: smallest width, m. */
     public double[] smallestWidth;
 
-    /** Of both: how far turning moves the outline, m per rad; a disc's stays where it is. */
+    /** Of contacts and rotation: how far turning moves the outline, m per rad; 0 for a disc. */
     public double[] sweepRadius;
 
     /** The size fixture, m, and its leaf in the broadphase. */
