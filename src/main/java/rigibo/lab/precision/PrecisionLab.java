@@ -22,6 +22,8 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.function.Consumer;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /** Has every problem solved by every engine at every setting that is asked for. */
 final class PrecisionLab {
@@ -34,9 +36,10 @@ final class PrecisionLab {
     private final BlockingQueue<MeasuringJava> free;
 
     PrecisionLab(Inquiry inquiry) {
-        tasks = inquiry.tasks(Engines.all());
+        List<Engine> engines = Engines.all();
+        tasks = inquiry.tasks(engines);
         seed = inquiry.seed();
-        log = new PointLog(inquiry.out().resolve(LOG), key());
+        log = new PointLog(inquiry.out().resolve(LOG), key(engines));
         free =
                 new LinkedBlockingQueue<>(
                         inquiry.extent() == Extent.QUICK
@@ -45,14 +48,13 @@ final class PrecisionLab {
     }
 
     /** The same for equal engines, problems and Java. */
-    private static String key() {
-        return String.join(
-                "-",
-                ClassFiles.of(Pool.class).hash(),
-                ClassFiles.of(Engine.class).hash(),
-                ClassFiles.of(Problem.class).hash(),
-                ClassFiles.of(ProblemProbe.class).hash(),
-                Runtime.version().toString());
+    private static String key(List<Engine> engines) {
+        Stream<Class<?>> measured = Stream.of(Pool.class, Problem.class, ProblemProbe.class);
+        return Stream.concat(measured, engines.stream().map(Engine::getClass))
+                        .map(member -> ClassFiles.of(member).hash())
+                        .collect(Collectors.joining("-"))
+                + "-"
+                + Runtime.version();
     }
 
     /** How processes are run, in words. */
