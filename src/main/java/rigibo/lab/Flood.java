@@ -12,6 +12,8 @@ import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.Material;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.SplittableRandom;
 
 /**
@@ -20,12 +22,13 @@ import java.util.SplittableRandom;
  * @param width of the trough, m
  * @param radius of a disc, m
  */
-record Flood(double width, double radius) {
+public record Flood(double width, double radius) {
 
-    static final double STEP = 1.0 / 60;
+    /** s. */
+    public static final double STEP = 1.0 / 60;
 
     /** What the flood of the game declares while nothing rubs. */
-    static final Effects FRICTIONLESS =
+    public static final Effects FRICTIONLESS =
             Effects.of(
                     new Gravity(0, -9.81),
                     new Contacts(),
@@ -38,25 +41,32 @@ record Flood(double width, double radius) {
     private static final double ROW = 2.4;
     private static final double JITTER = 0.4;
 
-    /** So many discs that are about to fall, and what they fall on, of a friction. */
+    /** A pool in which so many discs are about to fall. */
     Pool pour(int bodies, Effects effects, double friction) {
         Pool pool = new Pool(effects, Accuracy.GAME);
+        bodies(bodies, friction).forEach(pool::add);
+        return pool;
+    }
+
+    /** The trough, three bodies, and so many discs above it, all of a friction. */
+    public List<BodyDefinition> bodies(int discs, double friction) {
+        List<BodyDefinition> bodies = new ArrayList<>();
         Material stone = new Material(1, friction, 0);
-        pool.add(BodyDefinition.fixed(Polygon.box(width + 2, 1)).at(0, -0.5).material(stone));
+        bodies.add(BodyDefinition.fixed(Polygon.box(width + 2, 1)).at(0, -0.5).material(stone));
         for (double x : new double[] {-width / 2 - 0.5, width / 2 + 0.5}) {
-            pool.add(BodyDefinition.fixed(Polygon.box(1, 400)).at(x, 199).material(stone));
+            bodies.add(BodyDefinition.fixed(Polygon.box(1, 400)).at(x, 199).material(stone));
         }
         SplittableRandom random = new SplittableRandom(1);
         Material drop = new Material(1, friction, 0.5);
         int columns = (int) ((width - 2 * radius) / (COLUMN * radius));
-        for (int i = 0; i < bodies; i++) {
+        for (int i = 0; i < discs; i++) {
             double x = 2 + (i % columns) * COLUMN + JITTER * random.nextDouble();
             double y = 4 + (i / columns) * ROW;
-            pool.add(
+            bodies.add(
                     BodyDefinition.dynamic(new Circle(radius))
                             .at(x * radius - width / 2, y * radius)
                             .material(drop));
         }
-        return pool;
+        return bodies;
     }
 }

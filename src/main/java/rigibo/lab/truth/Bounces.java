@@ -36,6 +36,11 @@ public final class Bounces {
         return Math.pow(elasticity, 2.0 * n) * height;
     }
 
+    /** The apex that the body is flying to at a time, s after the fall began. */
+    public double apexAt(double seconds) {
+        return apex(impactsUntil(seconds));
+    }
+
     /** When the n-th impact comes, n from 1, s. */
     public double impactTime(int n) {
         double time = firstImpact;

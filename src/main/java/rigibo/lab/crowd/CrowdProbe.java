@@ -1,0 +1,95 @@
+package rigibo.lab.crowd;
+
+import rigibo.backend.setup.BodyDefinition;
+import rigibo.lab.Flood;
+import rigibo.lab.engine.Engine;
+import rigibo.lab.engine.Engines;
+import rigibo.lab.engine.Line;
+import rigibo.lab.engine.Setting;
+import rigibo.lab.engine.World;
+
+import java.lang.management.ManagementFactory;
+import java.lang.management.ThreadMXBean;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
+import java.util.stream.IntStream;
+
+/** The process: pours one flood with one engine and prints how long its steps took. */
+public final class CrowdProbe {
+
+    static final String MARK = "crowd ";
+
+    private static final Flood TROUGH = new Flood(40, 0.25);
+    private static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();
+    private static final double NANOS_PER_MILLI = 1e6;
+
+    /** Bodies that are not discs: the floor and the walls, which are added first. */
+    private static final int WALLS = 3;
+
+    private CrowdProbe() {}
+
+    /**
+     * Pours it.
+     *
+     * @param arguments name of the engine, number of discs, steps before timing, steps timed
+     */
+    public static void main(String[] arguments) {
+        Engine engine = Engines.named(arguments[0]);
+        int discs = Integer.parseInt(arguments[1]);
+        int warm = Integer.parseInt(arguments[2]);
+        double[] millis = new double[Integer.parseInt(arguments[3])];
+        try (World world = engine.world(Flood.FRICTIONLESS, usual(engine))) {
+            for (BodyDefinition body : TROUGH.bodies(discs, 0)) {
+                world.add(body);
+            }
+            for (int i = -warm; i < millis.length; i++) {
+                long begun = THREADS.getCurrentThreadCpuTime();
+                world.step(Flood.STEP);
+                if (i >= 0) {
+                    millis[i] = (THREADS.getCurrentThreadCpuTime() - begun) / NANOS_PER_MILLI;
+                }
+            }
+            Arrays.sort(millis);
+            CrowdPoint point =
+                    new CrowdPoint(
+                            engine.name(),
+                            discs,
+                            millis[millis.length / 2],
+                            millis[millis.length * 99 / 100],
+                            deepest(world, discs) / TROUGH.radius());
+            System.out.println(MARK + point.line());
+        }
+    }
+
+    /** The preset of the game, or another engine as it comes. */
+    private static Setting usual(Engine engine) {
+        List<Setting> settings = engine.settings();
+        return settings.get(0).line() == Line.PEERS
+                ? settings.get(0)
+                : Engines.setting(engine, "GAME");
+    }
+
+    /** The deepest overlap of two discs, or of one and the floor, m, from where they are. */
+    private static double deepest(World world, int discs) {
+        Integer[] byX =
+                IntStream.range(WALLS, WALLS + discs)
+                        .boxed()
+                        .sorted(Comparator.comparingDouble(world::x))
+                        .toArray(Integer[]::new);
+        double width = 2 * TROUGH.radius();
+        double deepest = 0;
+        for (int i = 0; i < discs; i++) {
+            deepest = Math.max(deepest, TROUGH.radius() - world.y(byX[i]));
+            for (int j = i + 1; j < discs; j++) {
+                double across = world.x(byX[j]) - world.x(byX[i]);
+                if (across > width) {
+                    break;
+                }
+                double up = world.y(byX[j]) - world.y(byX[i]);
+                deepest = Math.max(deepest, width - Math.hypot(across, up));
+            }
+        }
+        return deepest;
+    }
+}

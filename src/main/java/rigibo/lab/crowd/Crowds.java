@@ -1,0 +1,58 @@
+package rigibo.lab.crowd;
+
+import rigibo.lab.child.MeasuringJava;
+import rigibo.lab.child.Progress;
+import rigibo.lab.engine.Engine;
+import rigibo.lab.engine.Engines;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Consumer;
+
+/** Pours floods of every size with every engine, each in a process of its own. */
+public final class Crowds {
+
+    private final List<Integer> sizes;
+    private final int warm;
+    private final int timed;
+
+    private Crowds(List<Integer> sizes, int warm, int timed) {
+        this.sizes = sizes;
+        this.warm = warm;
+        this.timed = timed;
+    }
+
+    /** A look: up to 1,000 discs. */
+    public static Crowds quick() {
+        return new Crowds(List.of(100, 300, 1000), 120, 60);
+    }
+
+    /** Up to 10,000 discs, until they lie. */
+    public static Crowds full() {
+        return new Crowds(List.of(100, 300, 1000, 3000, 10_000), 180, 240);
+    }
+
+    /**
+     * Runs all of them.
+     *
+     * @param tell is told how far it is
+     * @return by engine and size
+     * @throws IllegalStateException when a process breaks off, with what it said
+     */
+    public List<CrowdPoint> pour(Consumer<String> tell) {
+        MeasuringJava java = MeasuringJava.onLastCore();
+        List<Engine> engines = Engines.all();
+        Progress progress = new Progress(engines.size() * sizes.size(), tell);
+        List<CrowdPoint> points = new ArrayList<>();
+        for (Engine engine : engines) {
+            for (int size : sizes) {
+                List<String> arguments = List.of(engine.name(), "" + size, "" + warm, "" + timed);
+                String classPath = System.getProperty("java.class.path");
+                java.run(classPath, CrowdProbe.class, arguments, CrowdProbe.MARK)
+                        .forEach(line -> points.add(CrowdPoint.parse(line)));
+                progress.done();
+            }
+        }
+        return points;
+    }
+}
