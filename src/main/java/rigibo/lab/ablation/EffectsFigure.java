@@ -1,5 +1,9 @@
 package rigibo.lab.ablation;
 
+import rigibo.lab.plot.Anchor;
+import rigibo.lab.plot.Drawing;
+import rigibo.lab.plot.Palette;
+
 /** The findings as one picture of three panels, each to be read by itself. */
 final class EffectsFigure {
 
@@ -9,7 +13,7 @@ final class EffectsFigure {
     private static final int TITLE_SIZE = 18;
 
     private final Findings findings;
-    private final Svg svg = new Svg();
+    private final Drawing picture = new Drawing(WIDTH);
 
     EffectsFigure(Findings findings) {
         this.findings = findings;
@@ -18,18 +22,19 @@ final class EffectsFigure {
     /** The picture in SVG. */
     String text() {
         double y = title(MARGIN, "Undeclared effects: their classes there or taken out");
-        y = new RatioPanel(findings.ablations()).draw(svg, y) + BETWEEN;
+        y = new RatioPanel(findings.ablations()).draw(picture, y) + BETWEEN;
         if (!findings.uses().isEmpty()) {
             y = title(y, "Declared effects: cost per step by how many bodies use them");
-            y = new UsePanel(findings).draw(svg, y) + BETWEEN;
+            y = new UsePanel(findings).draw(picture, y) + BETWEEN;
         }
         y = title(y, "Left out: what a step of each scene saves");
-        y = new SavingPanel(findings).draw(svg, y);
-        return svg.text(WIDTH, y + MARGIN);
+        y = new SavingPanel(findings).draw(picture, y);
+        picture.endAt(y + MARGIN);
+        return picture.svg();
     }
 
     private double title(double y, String words) {
-        svg.text(MARGIN, y, Svg.Anchor.START, TITLE_SIZE, Svg.INK, words);
+        picture.text(MARGIN, y, Anchor.START, TITLE_SIZE, Palette.INK, words);
         return y + 24;
     }
 }

@@ -6,6 +6,7 @@ import rigibo.lab.ablation.Findings.UseCost;
 import rigibo.lab.ablation.probe.Counts;
 import rigibo.lab.ablation.probe.Share;
 import rigibo.lab.child.Interval;
+import rigibo.lab.report.Amount;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -161,7 +162,7 @@ final class MarkdownTables {
         return row(
                 String.join(", ", leftOut(saving)),
                 Amount.time(nanos.median()),
-                Amount.times(nanos),
+                Amount.times(nanos.low(), nanos.high()),
                 Amount.percent(percent.median()),
                 Amount.percent(percent.low()) + " to " + Amount.percent(percent.high()));
     }

@@ -5,6 +5,7 @@ import rigibo.backend.effect.Effects;
 import rigibo.backend.setup.Accuracy;
 import rigibo.lab.ablation.Findings.Ablation;
 import rigibo.lab.child.Interval;
+import rigibo.lab.report.Amount;
 
 import java.util.ArrayList;
 import java.util.IntSummaryStatistics;

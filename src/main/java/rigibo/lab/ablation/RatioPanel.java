@@ -2,6 +2,10 @@ package rigibo.lab.ablation;
 
 import rigibo.lab.ablation.Findings.Ablation;
 import rigibo.lab.child.Interval;
+import rigibo.lab.plot.Anchor;
+import rigibo.lab.plot.Palette;
+import rigibo.lab.plot.Picture;
+import rigibo.lab.report.Amount;
 
 import java.util.List;
 
@@ -36,23 +40,23 @@ final class RatioPanel {
     }
 
     /** Draws it below a height and returns where it ends. */
-    double draw(Svg svg, double top) {
+    double draw(Picture picture, double top) {
         double bottom = top + ROW * scenes.size();
         double band = 100 * Findings.TOLERANCE;
-        svg.box(axis.at(-band), axis.at(band), top, bottom - top, Svg.BAND);
-        axis.draw(svg, top, bottom, "time per step with the classes, % more than without them");
+        picture.box(axis.at(-band), axis.at(band), top, bottom - top, Palette.BAND);
+        axis.draw(picture, top, bottom, "time per step with the classes, % more than without them");
         for (int i = 0; i < scenes.size(); i++) {
-            draw(svg, scenes.get(i), top + (i + 0.5) * ROW);
+            draw(picture, scenes.get(i), top + (i + 0.5) * ROW);
         }
         return bottom + 40;
     }
 
-    private void draw(Svg svg, Ablation scene, double y) {
+    private void draw(Picture picture, Ablation scene, double y) {
         Interval ratio = scene.pairs().ratio();
-        svg.text(axis.left() - 12, y + 5, Svg.Anchor.END, 14, Svg.INK, scene.scene());
+        picture.text(axis.left() - 12, y + 5, Anchor.END, 14, Palette.INK, scene.scene());
         double low = axis.at(percent(ratio.low()));
-        svg.line(low, y, axis.at(percent(ratio.high())), y, 3, Svg.BLUE);
-        svg.dot(axis.at(percent(ratio.median())), y, 5, Svg.BLUE);
+        picture.line(low, y, axis.at(percent(ratio.high())), y, 3, Palette.BLUE);
+        picture.dot(axis.at(percent(ratio.median())), y, 5, Palette.BLUE);
         String words =
                 Amount.digits(percent(ratio.median()))
                         + " % ("
@@ -60,6 +64,6 @@ final class RatioPanel {
                         + " to "
                         + Amount.digits(percent(ratio.high()))
                         + ")";
-        svg.text(axis.right() + 20, y + 5, Svg.Anchor.START, 14, Svg.INK, words);
+        picture.text(axis.right() + 20, y + 5, Anchor.START, 14, Palette.INK, words);
     }
 }

@@ -2,8 +2,11 @@ package rigibo.lab.ablation;
 
 import rigibo.lab.ablation.Findings.Ablation;
 import rigibo.lab.ablation.Findings.Saving;
-import rigibo.lab.ablation.Svg.Anchor;
 import rigibo.lab.child.Interval;
+import rigibo.lab.plot.Anchor;
+import rigibo.lab.plot.Palette;
+import rigibo.lab.plot.Picture;
+import rigibo.lab.report.Amount;
 
 /** A bar for each effect of each scene: the share of a step that is saved without it. */
 final class SavingPanel {
@@ -29,31 +32,31 @@ final class SavingPanel {
     }
 
     /** Draws it below a height and returns where it ends. */
-    double draw(Svg svg, double top) {
+    double draw(Picture picture, double top) {
         double bottom = top + HEAD * findings.ablations().size() + ROW * findings.savings().size();
-        axis.draw(svg, top, bottom, "saved per step, % of the whole scene's step");
+        axis.draw(picture, top, bottom, "saved per step, % of the whole scene's step");
         double y = top;
         for (Ablation scene : findings.ablations()) {
-            svg.text(40, y + 18, Anchor.START, 15, Svg.INK, scene.scene());
+            picture.text(40, y + 18, Anchor.START, 15, Palette.INK, scene.scene());
             y += HEAD;
             for (Saving saving : findings.savingsOf(scene.scene()).toList()) {
-                draw(svg, saving, y + ROW / 2);
+                draw(picture, saving, y + ROW / 2);
                 y += ROW;
             }
         }
         return bottom + 40;
     }
 
-    private void draw(Svg svg, Saving saving, double y) {
+    private void draw(Picture picture, Saving saving, double y) {
         Interval percent = saving.percent();
-        svg.text(axis.left() - 12, y + 5, Anchor.END, 14, Svg.INK, words(saving));
-        svg.box(axis.at(0), axis.at(percent.median()), y - 7, 14, Svg.BLUE);
-        svg.line(axis.at(percent.low()), y, axis.at(percent.high()), y, 2, Svg.ORANGE);
+        picture.text(axis.left() - 12, y + 5, Anchor.END, 14, Palette.INK, words(saving));
+        picture.box(axis.at(0), axis.at(percent.median()), y - 7, 14, Palette.BLUE);
+        picture.line(axis.at(percent.low()), y, axis.at(percent.high()), y, 2, Palette.VERMILLION);
         String value =
                 Amount.percent(percent.median())
                         + " %, "
                         + Amount.time(saving.pairs().difference().median());
-        svg.text(axis.right() + 16, y + 5, Anchor.START, 14, Svg.INK, value);
+        picture.text(axis.right() + 16, y + 5, Anchor.START, 14, Palette.INK, value);
     }
 
     private static String words(Saving saving) {

@@ -3,6 +3,7 @@ package rigibo.lab.ablation;
 import rigibo.lab.ablation.Findings.Ablation;
 import rigibo.lab.ablation.Findings.Saving;
 import rigibo.lab.ablation.Findings.Verdict;
+import rigibo.lab.report.Amount;
 
 import java.util.ArrayList;
 import java.util.Comparator;

@@ -1,8 +1,11 @@
 package rigibo.lab.ablation;
 
 import rigibo.lab.ablation.Findings.UseCost;
-import rigibo.lab.ablation.Svg.Anchor;
 import rigibo.lab.child.Interval;
+import rigibo.lab.plot.Anchor;
+import rigibo.lab.plot.Palette;
+import rigibo.lab.plot.Picture;
+import rigibo.lab.report.Amount;
 
 import java.util.List;
 
@@ -27,33 +30,45 @@ final class UsePanel {
     }
 
     /** Draws it below a height and returns where it ends. */
-    double draw(Svg svg, double top) {
+    double draw(Picture picture, double top) {
         List<String> effects = findings.effects();
         for (int i = 0; i < effects.size(); i++) {
             double x = LEFT + WIDTH * (i % COLUMNS);
             double y = top + HEIGHT * (i / COLUMNS);
-            drawCell(svg, findings.usesOf(effects.get(i)), x, y);
+            drawCell(picture, findings.usesOf(effects.get(i)), x, y);
         }
         int rows = (effects.size() + COLUMNS - 1) / COLUMNS;
         double bottom = top + HEIGHT * rows;
         String words =
                 "bodies that use the effect; upwards: time per step more than undeclared."
                         + " Dashed: proportional to the users";
-        svg.text(EffectsFigure.WIDTH / 2, bottom, Anchor.MIDDLE, 14, Svg.INK, words);
+        picture.text(EffectsFigure.WIDTH / 2, bottom, Anchor.MIDDLE, 14, Palette.INK, words);
         return bottom;
     }
 
-    private void drawCell(Svg svg, List<UseCost> uses, double x, double y) {
+    private void drawCell(Picture picture, List<UseCost> uses, double x, double y) {
         UseCost none = uses.get(0);
         UseCost all = uses.get(uses.size() - 1);
-        svg.text(x, y + 12, Anchor.START, 14, Svg.INK, none.effect() + " (" + none.scene() + ")");
+        picture.text(
+                x,
+                y + 12,
+                Anchor.START,
+                14,
+                Palette.INK,
+                none.effect() + " (" + none.scene() + ")");
         String words = "none " + words(none) + ", all " + words(all);
-        svg.text(x, y + 30, Anchor.START, 13, Svg.BLUE, words);
-        Plot plot = new Plot(svg, x, y + PLOT_TOP, uses);
+        picture.text(x, y + 30, Anchor.START, 13, Palette.BLUE, words);
+        Plot plot = new Plot(picture, x, y + PLOT_TOP, uses);
         plot.draw(all.users());
         String[] ends = {"0", "" + all.users()};
-        svg.text(x, y + PLOT_TOP + PLOT_HEIGHT + 18, Anchor.START, 12, Svg.DIM, ends[0]);
-        svg.text(x + PLOT_WIDTH, y + PLOT_TOP + PLOT_HEIGHT + 18, Anchor.END, 12, Svg.DIM, ends[1]);
+        picture.text(x, y + PLOT_TOP + PLOT_HEIGHT + 18, Anchor.START, 12, Palette.DIM, ends[0]);
+        picture.text(
+                x + PLOT_WIDTH,
+                y + PLOT_TOP + PLOT_HEIGHT + 18,
+                Anchor.END,
+                12,
+                Palette.DIM,
+                ends[1]);
     }
 
     private static String words(UseCost use) {
@@ -63,15 +78,15 @@ final class UsePanel {
     /** The plot of one effect, which reaches from the least cost or 0 to the greatest or 0. */
     private static final class Plot {
 
-        private final Svg svg;
+        private final Picture picture;
         private final double x;
         private final double y;
         private final List<UseCost> uses;
         private double least;
         private double most;
 
-        Plot(Svg svg, double x, double y, List<UseCost> uses) {
-            this.svg = svg;
+        Plot(Picture picture, double x, double y, List<UseCost> uses) {
+            this.picture = picture;
             this.x = x;
             this.y = y;
             this.uses = uses;
@@ -90,17 +105,17 @@ final class UsePanel {
         }
 
         void draw(int all) {
-            svg.line(x, up(0), x + PLOT_WIDTH, up(0), 1, Svg.DIM);
+            picture.line(x, up(0), x + PLOT_WIDTH, up(0), 1, Palette.DIM);
             UseCost first = uses.get(0);
             UseCost last = uses.get(uses.size() - 1);
             double from = up(first.pairs().difference().median());
             double to = up(last.pairs().difference().median());
-            svg.dashed(across(first, all), from, across(last, all), to, Svg.ORANGE);
+            picture.dashed(across(first, all), from, across(last, all), to, Palette.VERMILLION);
             for (UseCost use : uses) {
                 Interval cost = use.pairs().difference();
                 double at = across(use, all);
-                svg.line(at, up(cost.low()), at, up(cost.high()), 2, Svg.BLUE);
-                svg.dot(at, up(cost.median()), 4, Svg.BLUE);
+                picture.line(at, up(cost.low()), at, up(cost.high()), 2, Palette.BLUE);
+                picture.dot(at, up(cost.median()), 4, Palette.BLUE);
             }
         }
     }

@@ -1,18 +1,16 @@
-package rigibo.lab.ablation;
-
-import rigibo.lab.child.Interval;
+package rigibo.lab.report;
 
 import java.util.Locale;
 
 /** Numbers for people: three digits that count, and the unit they are read best in. */
-final class Amount {
+public final class Amount {
 
     private static final String[] TIMES = {"ns", "µs", "ms", "s"};
 
     private Amount() {}
 
     /** A time in ns, perhaps negative, such as {@code 12.3 µs}. */
-    static String time(double nanos) {
+    public static String time(double nanos) {
         int unit = 0;
         double value = nanos;
         while (Math.abs(value) >= 999.5 && unit < TIMES.length - 1) {
@@ -23,29 +21,29 @@ final class Amount {
     }
 
     /** The same with a plus where it is positive. */
-    static String signedTime(double nanos) {
+    public static String signedTime(double nanos) {
         return (nanos > 0 ? "+" : "") + time(nanos);
     }
 
-    /** Both ends, such as {@code 1.23 µs to 1.31 µs}. */
-    static String times(Interval interval) {
-        return time(interval.low()) + " to " + time(interval.high());
+    /** From one time in ns to another, such as {@code 1.23 µs to 1.31 µs}. */
+    public static String times(double low, double high) {
+        return time(low) + " to " + time(high);
     }
 
     /** A number with three digits that count, below 1000. */
-    static String digits(double value) {
+    public static String digits(double value) {
         double size = Math.abs(value);
         int decimals = size >= 99.95 ? 0 : size >= 9.995 ? 1 : 2;
         return signed("%." + decimals + "f", value);
     }
 
     /** A ratio such as {@code 1.0012}. */
-    static String ratio(double value) {
+    public static String ratio(double value) {
         return signed("%.4f", value);
     }
 
     /** A number of % such as {@code 12.3}. */
-    static String percent(double value) {
+    public static String percent(double value) {
         return signed("%.1f", value);
     }
 
