@@ -1,5 +1,6 @@
 package rigibo.lab.crowd;
 
+import rigibo.lab.child.Kept;
 import rigibo.lab.child.MeasuringJava;
 import rigibo.lab.child.Progress;
 import rigibo.lab.engine.Engine;
@@ -24,7 +25,7 @@ public final class Crowds {
 
     /** A look: up to 1,000 discs. */
     public static Crowds quick() {
-        return new Crowds(List.of(100, 300, 1000), 120, 60);
+        return new Crowds(List.of(100, 1000), 90, 45);
     }
 
     /** Up to 10,000 discs, until they lie. */
@@ -33,13 +34,14 @@ public final class Crowds {
     }
 
     /**
-     * Runs all of them.
+     * Runs all of them that were not run yet.
      *
+     * @param kept what was found so far
      * @param tell is told how far it is
      * @return by engine and size
      * @throws IllegalStateException when a process breaks off, with what it said
      */
-    public List<CrowdPoint> pour(Consumer<String> tell) {
+    public List<CrowdPoint> pour(Kept kept, Consumer<String> tell) {
         MeasuringJava java = MeasuringJava.onLastCore();
         List<Engine> engines = Engines.all();
         Progress progress = new Progress(engines.size() * sizes.size(), tell);
@@ -47,9 +49,15 @@ public final class Crowds {
         for (Engine engine : engines) {
             for (int size : sizes) {
                 List<String> arguments = List.of(engine.name(), "" + size, "" + warm, "" + timed);
-                String classPath = System.getProperty("java.class.path");
-                java.run(classPath, CrowdProbe.class, arguments, CrowdProbe.MARK)
-                        .forEach(line -> points.add(CrowdPoint.parse(line)));
+                String name = String.join(" | ", arguments);
+                if (kept.of(name).isEmpty()) {
+                    String classPath = System.getProperty("java.class.path");
+                    kept.add(
+                            name,
+                            java.run(classPath, CrowdProbe.class, arguments, CrowdProbe.MARK)
+                                    .get(0));
+                }
+                points.add(CrowdPoint.parse(kept.of(name).orElseThrow()));
                 progress.done();
             }
         }

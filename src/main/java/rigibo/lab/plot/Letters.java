@@ -1,5 +1,8 @@
 package rigibo.lab.plot;
 
+import java.util.ArrayList;
+import java.util.List;
+
 /**
  * How wide a text is, at most. A browser chooses the letters itself, and where no font is installed
  * none can be asked: so the wider of two counts, DejaVu Sans, which is the widest that is common,
@@ -28,6 +31,22 @@ public final class Letters {
     /** px, for letters of a size. */
     public static double width(String words, int size) {
         return words.chars().map(Letters::width).sum() * size / 100.0;
+    }
+
+    /** The words of a text on as many lines as they need, each no wider than so many px. */
+    public static List<String> lines(String words, int size, double width) {
+        List<String> lines = new ArrayList<>();
+        String line = "";
+        for (String word : words.split(" ")) {
+            String longer = line.isEmpty() ? word : line + " " + word;
+            if (!line.isEmpty() && width(longer, size) > width) {
+                lines.add(line);
+                longer = word;
+            }
+            line = longer;
+        }
+        lines.add(line);
+        return lines;
     }
 
     private static int width(int letter) {

@@ -19,6 +19,9 @@ public record LogScale(double from, double to, double start, double end) impleme
     /** Of less than so many decades, powers of ten alone would leave a reader without a tick. */
     private static final double FEW_DECADES = 1.5;
 
+    /** Of an end that is computed as a power of ten, relative. */
+    private static final double ROUNDING = 1e-9;
+
     @Override
     public double at(double value) {
         double share = Math.log(value / from) / Math.log(to / from);
@@ -31,12 +34,12 @@ public record LogScale(double from, double to, double start, double end) impleme
         double[] multiples = decades < FEW_DECADES ? new double[] {1, 2, 5} : new double[] {1};
         int every = (int) Math.max(1, Math.ceil(decades * LEAST_GAP / Math.abs(end - start)));
         List<Double> ticks = new ArrayList<>();
-        int first = every * Math.floorDiv((int) Math.floor(Math.log10(from)), every);
-        for (int power = first; Math.pow(10, power) <= to; power += every) {
+        int first = (int) Math.floor(Math.log10(from) + ROUNDING);
+        for (int power = first; Math.pow(10, power) <= to * (1 + ROUNDING); power += every) {
             for (double multiple : multiples) {
                 // Parsed, so that it is the double nearest to the decimal number.
                 double tick = Double.parseDouble((int) multiple + "e" + power);
-                if (tick >= from && tick <= to) {
+                if (tick >= from * (1 - ROUNDING) && tick <= to * (1 + ROUNDING)) {
                     ticks.add(tick);
                 }
             }

@@ -9,10 +9,10 @@ public enum Extent {
      * Presets and other engines only, an engine's settings in one process, as many processes side
      * by side as there are cores: in a minute and a half one sees where things are.
      */
-    QUICK(new Patience(40, 40, 3, 300)),
+    QUICK(new Patience(0, 20, 2, 100)),
 
     /** Every setting in a process of its own, one after the other on the same core. */
-    FULL(new Patience(500, 700, 10, 4000));
+    FULL(new Patience(300, 300, 10, 1500));
 
     private final Patience patience;
 

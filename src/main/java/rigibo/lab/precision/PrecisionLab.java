@@ -2,6 +2,7 @@ package rigibo.lab.precision;
 
 import rigibo.backend.Pool;
 import rigibo.lab.child.ClassFiles;
+import rigibo.lab.child.Kept;
 import rigibo.lab.child.MeasuringJava;
 import rigibo.lab.child.Progress;
 import rigibo.lab.engine.Engine;
@@ -14,6 +15,7 @@ import rigibo.lab.problem.Problem;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.Optional;
 import java.util.Random;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.ExecutionException;
@@ -31,7 +33,7 @@ final class PrecisionLab {
     private static final String LOG = "points.log";
 
     private final List<Task> tasks;
-    private final PointLog log;
+    private final Kept kept;
     private final long seed;
     private final BlockingQueue<MeasuringJava> free;
 
@@ -39,7 +41,7 @@ final class PrecisionLab {
         List<Engine> engines = Engines.all();
         tasks = inquiry.tasks(engines);
         seed = inquiry.seed();
-        log = new PointLog(inquiry.out().resolve(LOG), key(engines));
+        kept = new Kept(inquiry.out().resolve(LOG), key(engines));
         free =
                 new LinkedBlockingQueue<>(
                         inquiry.extent() == Extent.QUICK
@@ -55,6 +57,11 @@ final class PrecisionLab {
                         .collect(Collectors.joining("-"))
                 + "-"
                 + Runtime.version();
+    }
+
+    /** Where what was found is kept. */
+    Kept kept() {
+        return kept;
     }
 
     /** How processes are run, in words. */
@@ -90,7 +97,7 @@ final class PrecisionLab {
     }
 
     private boolean isDone(Task task) {
-        return task.settings().stream().allMatch(setting -> log.of(task, setting).isPresent());
+        return task.settings().stream().allMatch(setting -> of(task, setting).isPresent());
     }
 
     private void run(Task task, Progress progress) {
@@ -114,7 +121,7 @@ final class PrecisionLab {
 
     private synchronized void keep(Task task, List<String> lines) {
         for (int i = 0; i < task.settings().size(); i++) {
-            log.add(task, task.settings().get(i), Finding.parse(lines.get(i)));
+            kept.add(name(task, task.settings().get(i)), lines.get(i));
         }
     }
 
@@ -123,10 +130,19 @@ final class PrecisionLab {
         List<Point> points = new ArrayList<>();
         for (Task task : tasks) {
             for (Setting setting : task.settings()) {
-                log.of(task, setting).ifPresent(found -> points.add(point(task, setting, found)));
+                of(task, setting).ifPresent(found -> points.add(point(task, setting, found)));
             }
         }
         return points;
+    }
+
+    private Optional<Finding> of(Task task, Setting setting) {
+        return kept.of(name(task, setting)).map(Finding::parse);
+    }
+
+    private static String name(Task task, Setting setting) {
+        return String.join(
+                " | ", task.problem(), task.engine(), setting.name(), task.patience().words());
     }
 
     private static Point point(Task task, Setting setting, Finding found) {

@@ -44,7 +44,11 @@ public final class PrecisionStudy {
         lab.run(tell);
         List<Problem> problems = inquiry.problems().stream().map(Problems::numbered).toList();
         PrecisionReport report =
-                new PrecisionReport(lab.points(), problems, environment.withFlags(lab.method()));
+                new PrecisionReport(
+                        lab.points(),
+                        problems,
+                        new MoreFigures(inquiry, lab.kept(), tell).sections(),
+                        environment.withFlags(lab.method()));
         report.write(inquiry.out());
         if (page.isPresent()) {
             Files.writeString(page.get(), unmeasured(page.get()) + report.markdown());

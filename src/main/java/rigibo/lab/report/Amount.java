@@ -7,6 +7,8 @@ public final class Amount {
 
     private static final String[] TIMES = {"ns", "µs", "ms", "s"};
 
+    private static final String RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹";
+
     private Amount() {}
 
     /** A time in ns, perhaps negative, such as {@code 12.3 µs}. */
@@ -45,6 +47,36 @@ public final class Amount {
     /** A number of % such as {@code 12.3}. */
     public static String percent(double value) {
         return signed("%.1f", value);
+    }
+
+    /** A positive number of any size with two digits that count, such as {@code 1.2 × 10⁻³}. */
+    public static String scientific(double value) {
+        if (value == 0) {
+            return "0";
+        }
+        String[] parts = String.format(Locale.ROOT, "%.1e", value).split("e");
+        int power = Integer.parseInt(parts[1]);
+        return power >= -1 && power <= 2
+                ? plain(Double.parseDouble(parts[0] + "e" + power), power)
+                : parts[0] + " × " + power(power);
+    }
+
+    private static String plain(double value, int power) {
+        return String.format(Locale.ROOT, "%." + Math.max(0, 1 - power) + "f", value);
+    }
+
+    /** Of ten, such as {@code 10⁻³}. */
+    public static String power(int power) {
+        StringBuilder raised = new StringBuilder("10");
+        for (char letter : Integer.toString(power).toCharArray()) {
+            raised.append(letter == '-' ? '⁻' : RAISED.charAt(letter - '0'));
+        }
+        return raised.toString();
+    }
+
+    /** A round number of s, such as {@code 10 µs}. */
+    public static String roundTime(double seconds) {
+        return time(seconds * 1e9).replaceFirst("\\.0+ ", " ");
     }
 
     /** With a minus that is one, and none before zero. */

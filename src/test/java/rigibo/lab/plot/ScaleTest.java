@@ -21,7 +21,7 @@ class ScaleTest {
     void ticksArePowersOfTenWhereThereIsRoom() {
         assertThat(new LogScale(2e-4, 0.5, 0, 400).ticks()).containsExactly(1e-3, 1e-2, 1e-1);
         assertThat(new LogScale(1e-9, 1, 300, 0).ticks())
-                .containsExactly(1e-8, 1e-6, 1e-4, 1e-2, 1.0);
+                .containsExactly(1e-9, 1e-7, 1e-5, 1e-3, 1e-1);
     }
 
     @Test

@@ -1,0 +1,73 @@
+package rigibo.lab.child;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Optional;
+
+/**
+ * What was found, in a file that grows by a line each, so that an interrupted report goes on where
+ * it was. What was found under another key, by other classes say, stays in it and does not count.
+ */
+public final class Kept {
+
+    private static final String BETWEEN_FIELDS = "\t";
+    private static final int FIELDS = 3;
+
+    private final Path file;
+    private final String key;
+    private final Map<String, String> found = new HashMap<>();
+
+    /**
+     * Reads what is there.
+     *
+     * @param file made where there is none, with its directories
+     * @param key of what counts
+     */
+    public Kept(Path file, String key) {
+        this.file = file;
+        this.key = key;
+        try {
+            Files.createDirectories(file.toAbsolutePath().getParent());
+            if (!Files.exists(file)) {
+                Files.createFile(file);
+            }
+            String text = Files.readString(file);
+            // A line that was being written when the machine stopped is made again.
+            String whole = text.substring(0, text.lastIndexOf('\n') + 1);
+            Files.writeString(file, whole);
+            whole.lines().forEach(this::take);
+        } catch (IOException cause) {
+            throw new UncheckedIOException("cannot read " + file, cause);
+        }
+    }
+
+    private void take(String line) {
+        String[] field = line.split(BETWEEN_FIELDS, FIELDS);
+        if (field.length == FIELDS && field[0].equals(key)) {
+            found.put(field[1], field[2]);
+        }
+    }
+
+    /** What was found under a name. */
+    public Optional<String> of(String name) {
+        return Optional.ofNullable(found.get(name));
+    }
+
+    /** Keeps what was found, one line, under a name without tabulators. */
+    public void add(String name, String line) {
+        found.put(name, line);
+        try {
+            Files.writeString(
+                    file,
+                    String.join(BETWEEN_FIELDS, key, name, line) + "\n",
+                    StandardOpenOption.APPEND);
+        } catch (IOException cause) {
+            throw new UncheckedIOException("cannot write " + file, cause);
+        }
+    }
+}

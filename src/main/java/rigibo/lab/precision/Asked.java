@@ -1,0 +1,87 @@
+package rigibo.lab.precision;
+
+import rigibo.lab.engine.Line;
+import rigibo.lab.engine.RigiBoEngine;
+import rigibo.lab.problem.Problem;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+
+/** A problem with all that was answered to it. */
+final class Asked {
+
+    private final Problem problem;
+    private final List<Point> points;
+    private final Front front;
+
+    Asked(Problem problem, List<Point> all) {
+        this.problem = problem;
+        points = all.stream().filter(point -> point.problem().equals(problem.id())).toList();
+        front = new Front(ours().toList(), problem.equalBelow());
+    }
+
+    /** Of each problem that has points. */
+    static List<Asked> of(List<Problem> problems, List<Point> points) {
+        return problems.stream()
+                .map(problem -> new Asked(problem, points))
+                .filter(asked -> !asked.points.isEmpty())
+                .toList();
+    }
+
+    Problem problem() {
+        return problem;
+    }
+
+    List<Point> points() {
+        return points;
+    }
+
+    private Stream<Point> ours() {
+        return points.stream().filter(point -> point.engine().equals(RigiBoEngine.NAME));
+    }
+
+    /** Of our own settings. */
+    Front front() {
+        return front;
+    }
+
+    /** Ours along a line, in the order they are told. */
+    List<Point> along(Line line) {
+        return ours().filter(point -> point.setting().line() == line).toList();
+    }
+
+    /** The lines of ours that have points, but for the presets. */
+    List<Line> lines() {
+        return Arrays.stream(Line.values())
+                .filter(line -> line != Line.PRESETS && !along(line).isEmpty())
+                .toList();
+    }
+
+    List<Point> presets() {
+        return along(Line.PRESETS);
+    }
+
+    Optional<Point> preset(String name) {
+        return presets().stream().filter(point -> point.setting().name().equals(name)).findFirst();
+    }
+
+    /** The names of the engines that are not ours. */
+    List<String> peers() {
+        return points.stream()
+                .map(Point::engine)
+                .filter(engine -> !engine.equals(RigiBoEngine.NAME))
+                .distinct()
+                .toList();
+    }
+
+    /** Of one engine: as it comes, then finer. */
+    List<Point> of(String engine) {
+        return points.stream().filter(point -> point.engine().equals(engine)).toList();
+    }
+
+    List<Point> failed() {
+        return points.stream().filter(point -> point.errors().hasFailed()).toList();
+    }
+}

@@ -1,0 +1,22 @@
+package rigibo.lab.precision;
+
+/**
+ * How large a figure is, px. A wide one that is shrunk to a phone cannot be read: so there is one
+ * that is narrow from the start.
+ *
+ * @param width of all
+ * @param left of the plot
+ * @param right from there to the right edge
+ * @param height of the plot
+ * @param words size of the letters
+ * @param reach how far a label of a line may be from it
+ */
+record FigureSize(double width, double left, double right, double height, int words, double reach) {
+
+    static final FigureSize WIDE = new FigureSize(900, 70, 24, 470, 14, 110);
+    static final FigureSize NARROW = new FigureSize(400, 66, 20, 360, 13, 40);
+
+    double plotRight() {
+        return width - right;
+    }
+}

@@ -1,0 +1,195 @@
+package rigibo.lab.precision;
+
+import rigibo.lab.report.Amount;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.stream.Collectors;
+
+/** What was found, in sentences whose numbers are those that were found. */
+final class PrecisionSentences {
+
+    /** Problems whose figures are compared with other engines' before all. */
+    private static final List<String> COMPARED = List.of("R1", "R2", "R5", "R6", "R8", "R10");
+
+    private static final double NANOS_PER_MICRO = 1e3;
+
+    private final List<Asked> all;
+
+    PrecisionSentences(List<Asked> all) {
+        this.all = all;
+    }
+
+    /** The main ones. */
+    List<String> main() {
+        List<String> sentences = new ArrayList<>();
+        sentences.add(
+                "Each setting's error against a derived truth, beside the processor time it takes,"
+                        + " for "
+                        + all.size()
+                        + " reference problems.");
+        front().ifPresent(sentences::add);
+        List<Comparison> comparisons = comparisons();
+        if (!comparisons.isEmpty()) {
+            sentences.add(mostAccurate(comparisons));
+            sentences.add(noSlower(comparisons));
+        }
+        return sentences;
+    }
+
+    private List<Comparison> comparisons() {
+        return all.stream().map(Comparison::of).flatMap(Optional::stream).toList();
+    }
+
+    private Optional<String> front() {
+        if (all.stream().allMatch(asked -> asked.lines().isEmpty())) {
+            return Optional.empty();
+        }
+        List<String> far = new ArrayList<>();
+        long near = 0;
+        for (Asked asked : all) {
+            for (Point preset : asked.presets()) {
+                if (asked.front().isNear(preset)) {
+                    near++;
+                } else {
+                    far.add(
+                            String.format(
+                                    Locale.ROOT,
+                                    "%s at %s (%.2f ×)",
+                                    preset.setting().name(),
+                                    asked.problem().id(),
+                                    asked.front().excess(preset)));
+                }
+            }
+        }
+        String rest =
+                far.isEmpty()
+                        ? "."
+                        : "; these cost more than the cheapest setting that is no less accurate: "
+                                + String.join(", ", far)
+                                + ".";
+        return Optional.of(
+                near + " presets lie on the front of our own knobs or within 10 % of it" + rest);
+    }
+
+    private static String mostAccurate(List<Comparison> comparisons) {
+        List<String> less =
+                comparisons.stream()
+                        .filter(one -> !one.isMostAccurate())
+                        .map(PrecisionSentences::notMostAccurate)
+                        .toList();
+        long most = comparisons.size() - less.size();
+        return "GAME is more accurate than every other engine, as it comes and finer, in "
+                + most
+                + " of "
+                + comparisons.size()
+                + " problems"
+                + (less.isEmpty() ? "." : "; not in " + String.join("; ", less) + ".");
+    }
+
+    private static String notMostAccurate(Comparison one) {
+        String others =
+                one.asAccurate().stream()
+                        .map(point -> point.engine() + " " + point.setting().name())
+                        .collect(Collectors.joining(", "));
+        String failure = one.game().errors().hasFailed() ? ", where GAME failed" : "";
+        return one.game().problem() + failure + " (" + others + ")";
+    }
+
+    private static String noSlower(List<Comparison> comparisons) {
+        List<String> slower =
+                comparisons.stream()
+                        .filter(one -> !one.isNoSlower())
+                        .map(PrecisionSentences::slower)
+                        .toList();
+        List<String> won =
+                comparisons.stream()
+                        .filter(one -> one.isMostAccurate() && one.isNoSlower())
+                        .map(one -> one.game().problem())
+                        .toList();
+        String first =
+                won.isEmpty()
+                        ? "In no problem is it both that and no slower per step than the fastest"
+                                + " engine written in Java"
+                        : "It is both that and no slower per step than the fastest engine written"
+                                + " in Java in "
+                                + String.join(", ", won);
+        return first
+                + " (of "
+                + String.join(", ", COMPARED)
+                + " that was the aim)"
+                + (slower.isEmpty() ? "." : "; slower in " + String.join(", ", slower) + ".");
+    }
+
+    private static String slower(Comparison one) {
+        return one.slowdown()
+                .map(
+                        times ->
+                                String.format(
+                                        Locale.ROOT,
+                                        "%s (%.1f × %s)",
+                                        one.game().problem(),
+                                        times,
+                                        one.fastestJava().orElseThrow().engine()))
+                .orElse(one.game().problem());
+    }
+
+    /** Of one problem. */
+    List<String> of(Asked asked) {
+        List<String> sentences = new ArrayList<>();
+        sentences.add(presets(asked));
+        Comparison.of(asked).ifPresent(one -> sentences.add(others(asked, one)));
+        asked.lines().stream()
+                .filter(ObservedOrder::isObservedOf)
+                .forEach(line -> sentences.add(OrderWords.of(asked, line)));
+        return sentences;
+    }
+
+    private static String presets(Asked asked) {
+        return asked.presets().stream()
+                        .map(PrecisionSentences::told)
+                        .collect(Collectors.joining(", "))
+                + ".";
+    }
+
+    private static String told(Point point) {
+        String error =
+                point.errors().hasFailed()
+                        ? "fails (" + point.errors().failure() + ")"
+                        : "errs by " + Amount.scientific(point.errors().main());
+        return point.setting().name() + " " + error + time(point);
+    }
+
+    private static String time(Point point) {
+        return point.timing()
+                .map(took -> " at " + Amount.time(took.cpu() * NANOS_PER_MICRO) + " a step")
+                .orElse("");
+    }
+
+    private static String others(Asked asked, Comparison one) {
+        return asked.peers().stream()
+                        .map(
+                                peer ->
+                                        peer
+                                                + ": "
+                                                + asked.of(peer).stream()
+                                                        .map(PrecisionSentences::told)
+                                                        .collect(Collectors.joining(", ")))
+                        .collect(Collectors.joining("; "))
+                + ". "
+                + (one.isMostAccurate()
+                        ? "GAME is more accurate than all of them"
+                        : "GAME is not more accurate than all of them")
+                + one.slowdown()
+                        .map(
+                                times ->
+                                        String.format(
+                                                Locale.ROOT,
+                                                ", and its step takes %.2f of the time of the"
+                                                        + " fastest in Java.",
+                                                times))
+                        .orElse(".");
+    }
+}

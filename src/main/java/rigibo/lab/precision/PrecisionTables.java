@@ -1,0 +1,80 @@
+package rigibo.lab.precision;
+
+import rigibo.lab.report.Amount;
+import rigibo.lab.report.Table;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Function;
+import java.util.stream.Stream;
+
+/** Errors and times, a row for each problem. */
+final class PrecisionTables {
+
+    private static final double NANOS_PER_MICRO = 1e3;
+
+    private final List<Asked> all;
+
+    PrecisionTables(List<Asked> all) {
+        this.all = all;
+    }
+
+    /** Of our presets. */
+    Table presets() {
+        List<String> head = new ArrayList<>(List.of("problem"));
+        List<Point> first = all.get(0).presets();
+        for (Point preset : first) {
+            head.add(preset.setting().name() + ", error");
+            head.add("a step");
+        }
+        return new Table(head, rows(Asked::presets));
+    }
+
+    /** Of {@code GAME} and of other engines. */
+    Table engines() {
+        List<String> head = new ArrayList<>(List.of("problem", "GAME, error", "a step"));
+        for (Point other : others(all.get(0)).toList()) {
+            head.add(other.engine() + " " + other.setting().name() + ", error");
+            head.add("a step");
+        }
+        return new Table(
+                head,
+                rows(
+                        asked ->
+                                Stream.concat(asked.preset("GAME").stream(), others(asked))
+                                        .toList()));
+    }
+
+    private static Stream<Point> others(Asked asked) {
+        return asked.peers().stream().flatMap(peer -> asked.of(peer).stream());
+    }
+
+    /** Whether there are any to be told. */
+    boolean hasEngines() {
+        return !all.isEmpty() && others(all.get(0)).findAny().isPresent();
+    }
+
+    private List<List<String>> rows(Function<Asked, List<Point>> points) {
+        int columns = points.apply(all.get(0)).size();
+        return all.stream()
+                .filter(asked -> points.apply(asked).size() == columns)
+                .map(asked -> row(asked, points.apply(asked)))
+                .toList();
+    }
+
+    private static List<String> row(Asked asked, List<Point> points) {
+        List<String> cells = new ArrayList<>();
+        cells.add(asked.problem().id() + " " + asked.problem().title());
+        for (Point point : points) {
+            cells.add(
+                    point.errors().hasFailed()
+                            ? "fails"
+                            : Amount.scientific(point.errors().main()));
+            cells.add(
+                    point.timing()
+                            .map(took -> Amount.time(took.cpu() * NANOS_PER_MICRO))
+                            .orElse("–"));
+        }
+        return cells;
+    }
+}
