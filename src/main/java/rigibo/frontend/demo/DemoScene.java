@@ -8,6 +8,7 @@ import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.effects.CostMeter;
 import rigibo.frontend.scene.effects.EffectsBar;
+import rigibo.frontend.scene.trial.Trials;
 import rigibo.frontend.scene.widget.Panel;
 
 import java.util.function.Supplier;
@@ -30,7 +31,8 @@ final class DemoScene implements Scene {
     private Panel panel;
     private StageProfile profile;
     private AccuracyDial dial;
-    private final CostMeter meter = CostMeter.inBackground();
+    private final Trials trials = Trials.inBackground();
+    private final CostMeter meter = new CostMeter(trials);
     private EffectsBar effects;
     private boolean isPaused;
     private boolean isDebugging;
@@ -101,7 +103,7 @@ final class DemoScene implements Scene {
 
     @Override
     public void closed() {
-        meter.close();
+        trials.close();
     }
 
     @Override

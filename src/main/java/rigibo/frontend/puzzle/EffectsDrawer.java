@@ -8,6 +8,7 @@ import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.effects.CostMeter;
 import rigibo.frontend.scene.effects.EffectsBar;
 import rigibo.frontend.scene.effects.SceneEffects;
+import rigibo.frontend.scene.trial.Trials;
 
 /**
  * The effects bar of a level, behind a tab. While it is open the world moves down and gets smaller,
@@ -26,7 +27,7 @@ final class EffectsDrawer {
     private static final double TAB_PADDING = 12;
 
     private final SceneEffects effects;
-    private final CostMeter meter = CostMeter.inBackground();
+    private final Trials trials = Trials.inBackground();
     private final EffectsBar bar;
     private final World world;
     private final Camera camera;
@@ -38,7 +39,7 @@ final class EffectsDrawer {
         this.effects = effects;
         this.world = world;
         this.camera = camera;
-        bar = new EffectsBar(effects, meter);
+        bar = new EffectsBar(effects, new CostMeter(trials));
     }
 
     boolean isOpen() {
@@ -87,7 +88,7 @@ final class EffectsDrawer {
     }
 
     void close() {
-        meter.close();
+        trials.close();
     }
 
     void pointerMoved(double x, double y) {

@@ -5,18 +5,15 @@ import rigibo.backend.StepReport;
 import rigibo.backend.effect.Effect;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Sleep;
-import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.StepStage;
+import rigibo.frontend.scene.trial.Subject;
+import rigibo.frontend.scene.trial.Trials;
 
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.Executor;
-import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
-import java.util.function.LongSupplier;
 
 /**
  * Measures what each effect of a running scene costs, one trial after the other on copies of its
@@ -25,12 +22,9 @@ import java.util.function.LongSupplier;
  */
 public final class CostMeter {
 
-    /** A snapshot is taken again after so long at the earliest, ns. */
-    private static final long SNAPSHOT_PERIOD = 1_000_000_000;
-
     /**
-     * And takes one part in so many of the game's time at most, while somebody looks and while
-     * nobody does: of 600 discs it takes 4 ms.
+     * Snapshots take one part in so many of the game's time at most, while somebody looks and while
+     * nobody does.
      */
     private static final long WATCHED_SHARE = 200;
 
@@ -51,18 +45,10 @@ public final class CostMeter {
     /** Turns over which the game's own step is smoothed. */
     private static final double SMOOTHING = 30;
 
-    /** What estimates are of; with any of these they change. */
-    private record Subject(Pool pool, Effects effects, Accuracy accuracy) {}
-
-    private final Executor runner;
-    private final LongSupplier clock;
-    private final Runnable end;
+    private final Trials trials;
     private final Map<Class<? extends Effect>, Estimate> costs = new HashMap<>();
     private double step;
     private Subject subject;
-    private byte[] snapshot;
-    private long snapshotTaken;
-    private long snapshotNanos;
     private long trialDue;
     private CompletableFuture<CostTrial.Result> trial;
     private Effect tried;
@@ -71,45 +57,21 @@ public final class CostMeter {
     private int turn;
     private int next;
 
-    private CostMeter(Executor runner, LongSupplier clock, Runnable end) {
-        this.runner = runner;
-        this.clock = clock;
-        this.end = end;
-    }
-
-    /** A meter whose trials are run by {@code runner} and timed by a clock in ns. */
-    static CostMeter on(Executor runner, LongSupplier clock) {
-        return new CostMeter(runner, clock, () -> {});
-    }
-
-    /** A meter with a thread of its own, which begins with the first trial. */
-    public static CostMeter inBackground() {
-        ExecutorService thread = Executors.newSingleThreadExecutor(CostMeter::thread);
-        return new CostMeter(thread, System::nanoTime, thread::shutdownNow);
-    }
-
-    private static Thread thread(Runnable trials) {
-        Thread thread = new Thread(trials, "effect costs");
-        thread.setDaemon(true);
-        thread.setPriority(Thread.MIN_PRIORITY);
-        return thread;
-    }
-
-    /** Ends the thread; call when the scene is over. */
-    public void close() {
-        end.run();
+    /** A meter whose trials run there. */
+    public CostMeter(Trials trials) {
+        this.trials = trials;
     }
 
     /** Call between steps: takes in what was measured and sees to it that more is. */
     void turn(Pool pool, List<Effect> shown, Optional<Effect> asked) {
-        Subject now = new Subject(pool, pool.effects(), pool.accuracy());
+        Subject now = Subject.of(pool);
         if (!now.equals(subject)) {
             forget(now);
         }
         isWatched = asked.isPresent();
         observe(pool.report());
         collect();
-        if (trial == null && clock.getAsLong() >= trialDue && !shown.isEmpty()) {
+        if (trial == null && now() >= trialDue && !shown.isEmpty()) {
             choose(shown, asked).ifPresent(this::start);
         }
     }
@@ -119,7 +81,6 @@ public final class CostMeter {
         costs.clear();
         step = 0;
         trial = null;
-        snapshot = null;
     }
 
     private void observe(StepReport report) {
@@ -135,7 +96,7 @@ public final class CostMeter {
             return;
         }
         CostTrial.Result result = trial.join();
-        boolean isLit = subject.effects.declares(tried.getClass());
+        boolean isLit = subject.effects().declares(tried.getClass());
         double cost = (isLit ? -1 : 1) * inTheGame(result);
         costs.computeIfAbsent(tried.getClass(), kind -> new Estimate()).add(cost);
         if (!(tried instanceof Sleep)) {
@@ -143,7 +104,7 @@ public final class CostMeter {
             hasWoken = result.hasWoken();
         }
         long rest = (isWatched ? SHORT_REST : LONG_REST) * result.nanos();
-        trialDue = clock.getAsLong() + Math.max(SHORTEST_REST, Math.min(LONGEST_REST, rest));
+        trialDue = now() + Math.max(SHORTEST_REST, Math.min(LONGEST_REST, rest));
         trial = null;
     }
 
@@ -177,26 +138,20 @@ public final class CostMeter {
     }
 
     private boolean canSwitch(Effect effect) {
-        return Switching.of(subject.effects, effect).effects().isPresent();
+        return Switching.of(subject.effects(), effect).effects().isPresent();
     }
 
     private void start(Effect effect) {
-        refresh();
         tried = effect;
-        Effects switched = Switching.of(subject.effects, effect).effects().orElseThrow();
-        CostTrial wanted = new CostTrial(snapshot, subject.effects, switched, clock);
-        trial = CompletableFuture.supplyAsync(wanted::run, runner);
+        long share = isWatched ? WATCHED_SHARE : UNWATCHED_SHARE;
+        byte[] snapshot = trials.snapshot(subject, share);
+        Effects switched = Switching.of(subject.effects(), effect).effects().orElseThrow();
+        CostTrial wanted = new CostTrial(snapshot, subject.effects(), switched, trials.clock());
+        trial = trials.start(wanted::run);
     }
 
-    private void refresh() {
-        long begin = clock.getAsLong();
-        long share = isWatched ? WATCHED_SHARE : UNWATCHED_SHARE;
-        long period = Math.max(SNAPSHOT_PERIOD, share * snapshotNanos);
-        if (snapshot == null || begin - snapshotTaken >= period) {
-            snapshot = subject.pool.snapshot();
-            snapshotTaken = clock.getAsLong();
-            snapshotNanos = snapshotTaken - begin;
-        }
+    private long now() {
+        return trials.clock().getAsLong();
     }
 
     /** What a step costs more for an effect that is simulated, or would for one that is not. */

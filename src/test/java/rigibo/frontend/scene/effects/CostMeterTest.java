@@ -18,6 +18,7 @@ import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.BodyDefinition;
+import rigibo.frontend.scene.trial.Trials;
 
 import java.util.ArrayDeque;
 import java.util.List;
@@ -43,7 +44,7 @@ class CostMeterTest {
     private final Gravity gravity = new Gravity(0, -9.81);
     private final Pool pool = new Pool(Effects.of(gravity, field), Accuracy.GAME);
     private final Queue<Runnable> trials = new ArrayDeque<>();
-    private final CostMeter meter = CostMeter.on(trials::add, () -> now);
+    private final CostMeter meter = new CostMeter(Trials.on(trials::add, () -> now));
 
     @BeforeEach
     void fill() {

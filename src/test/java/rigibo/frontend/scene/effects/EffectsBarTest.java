@@ -26,6 +26,7 @@ import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.RecordingCanvas;
 import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.trial.Trials;
 
 import java.util.List;
 
@@ -54,7 +55,7 @@ class EffectsBarTest {
 
     /** Costs are of no concern here: nothing is ever run. */
     private static EffectsBar bar(SceneEffects scene) {
-        return new EffectsBar(scene, CostMeter.on(trial -> {}, () -> 0));
+        return new EffectsBar(scene, new CostMeter(Trials.on(trial -> {}, () -> 0)));
     }
 
     private static RecordingCanvas drawn(EffectsBar bar) {
