@@ -6,6 +6,9 @@ import rigibo.frontend.scene.Director;
 import rigibo.frontend.scene.Key;
 import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.accuracy.AccuracyBar;
+import rigibo.frontend.scene.accuracy.AccuracyMeter;
+import rigibo.frontend.scene.accuracy.Preset;
 import rigibo.frontend.scene.effects.CostMeter;
 import rigibo.frontend.scene.effects.EffectsBar;
 import rigibo.frontend.scene.trial.Trials;
@@ -13,7 +16,7 @@ import rigibo.frontend.scene.widget.Panel;
 
 import java.util.function.Supplier;
 
-/** A demo on its workbench: the panel, the effects bar, the step's time, and the shared keys. */
+/** A demo on its workbench: panel, accuracy, effects, the step's time, and the shared keys. */
 final class DemoScene implements Scene {
 
     static final String TITLE = "RigiBo – ";
@@ -21,7 +24,8 @@ final class DemoScene implements Scene {
     private static final double STEP = 1.0 / 60;
     private static final double PANEL_WIDTH = 270;
     private static final double TOP = 8;
-    private static final double RIGHT = WIDTH - 8 - StageProfile.WIDTH;
+    private static final double BELOW_BAR = TOP + AccuracyBar.HEIGHT + 6;
+    private static final double RIGHT = WIDTH - 8 - SidePlate.WIDTH;
     private static final double ZOOM = 1.15;
 
     private final Director director;
@@ -29,10 +33,11 @@ final class DemoScene implements Scene {
     private Demo demo;
     private Workbench bench;
     private Panel panel;
-    private StageProfile profile;
-    private AccuracyDial dial;
+    private SidePlate side;
+    private AccuracyBar accuracy;
     private final Trials trials = Trials.inBackground();
-    private final CostMeter meter = new CostMeter(trials);
+    private final CostMeter costs = new CostMeter(trials);
+    private final AccuracyMeter errors = new AccuracyMeter(trials);
     private EffectsBar effects;
     private boolean isPaused;
     private boolean isDebugging;
@@ -52,10 +57,10 @@ final class DemoScene implements Scene {
         Camera camera = demo.camera();
         bench = new Workbench(demo.effects(), camera);
         demo.build(bench);
-        panel = new Panel(8, TOP, PANEL_WIDTH, demo.widgets());
-        profile = new StageProfile();
-        dial = new AccuracyDial(bench.pool(), RIGHT, TOP + StageProfile.HEIGHT + 8);
-        effects = new EffectsBar(new DemoEffects(demo, bench), meter);
+        panel = new Panel(8, BELOW_BAR, PANEL_WIDTH, demo.widgets());
+        side = side == null ? new SidePlate(bench.pool(), RIGHT, BELOW_BAR) : side.of(bench.pool());
+        accuracy = new AccuracyBar(bench.pool(), errors, TOP);
+        effects = new EffectsBar(new DemoEffects(demo, bench), costs);
     }
 
     @Override
@@ -73,9 +78,11 @@ final class DemoScene implements Scene {
     private void advance() {
         bench.pull();
         demo.beforeStep(bench);
+        side.beforeStep();
         bench.pool().step(STEP);
+        side.afterStep();
+        accuracy.stepped();
         demo.afterStep(bench);
-        profile.step(bench.pool().report());
     }
 
     @Override
@@ -86,9 +93,9 @@ final class DemoScene implements Scene {
         }
         demo.draw(bench, canvas);
         panel.draw(canvas);
-        dial.draw(canvas);
+        accuracy.draw(canvas, isPaused);
         effects.draw(canvas, HEIGHT - 8 - EffectsBar.HEIGHT);
-        profile.draw(canvas, RIGHT, TOP, isPaused);
+        side.draw(canvas);
         if (isHelping) {
             HelpSheet.draw(bench.pool().plan(), canvas);
         }
@@ -96,9 +103,15 @@ final class DemoScene implements Scene {
 
     @Override
     public void drawn(long nanos) {
-        profile.drawing(nanos);
+        side.drawn(nanos);
         demo.drawn(nanos);
         effects.turn();
+        accuracy.turn();
+    }
+
+    @Override
+    public void paced(double share) {
+        accuracy.paced(share);
     }
 
     @Override
@@ -109,6 +122,7 @@ final class DemoScene implements Scene {
     @Override
     public void pointerMoved(double x, double y) {
         panel.pointerMoved(x, y);
+        accuracy.pointerMoved(x, y);
         effects.pointerMoved(x, y);
         if (isPanning) {
             bench.camera().pan(x - lastX, y - lastY);
@@ -131,7 +145,8 @@ final class DemoScene implements Scene {
 
     private boolean pressesControl(double x, double y) {
         return panel.pointerPressed(x, y)
-                || dial.pointerPressed(x, y)
+                || accuracy.pointerPressed(x, y)
+                || side.pointerPressed(x, y)
                 || effects.pointerPressed(x, y);
     }
 
@@ -161,7 +176,8 @@ final class DemoScene implements Scene {
             case LEFT_BRACKET -> director.show(Demos.beside(title(), -1, director));
             case RIGHT_BRACKET -> director.show(Demos.beside(title(), 1, director));
             case DIGIT_1, DIGIT_2, DIGIT_3, DIGIT_4 ->
-                    dial.choose(key.ordinal() - Key.DIGIT_1.ordinal());
+                    accuracy.choose(Preset.values()[key.ordinal() - Key.DIGIT_1.ordinal()]);
+            case N -> side.turnOver();
             case F1, H -> isHelping = !isHelping;
             default -> demo.key(bench, key);
         }

@@ -16,13 +16,14 @@ final class HelpSheet {
                     "Space  pause      .  one step",
                     "R  restart      D  debug drawing",
                     "wheel zoom, right drag pan, Home",
-                    "1 to 4  accuracy   [ ]  other demos",
+                    "1 to 4  accuracy      N  energy",
+                    "[ ]  other demos",
                     "Esc back to the menu");
 
     private static final double TOP = 60;
     private static final double KEY_SIZE = 18;
     private static final double KEY_HEIGHT = 28;
-    private static final double HEADING = 262;
+    private static final double HEADING = 276;
     private static final double PLAN_SIZE = 16;
     private static final double PLAN_HEIGHT = 23;
     private static final double LEFT = 40;

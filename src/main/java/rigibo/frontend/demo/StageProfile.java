@@ -66,20 +66,19 @@ final class StageProfile {
         millis[i] += (nanos / 1e6 - millis[i]) / SMOOTHING;
     }
 
-    /** Draws the plate with its upper left corner at (x, y), px. */
-    void draw(Canvas canvas, double x, double y, boolean isPaused) {
+    /** Draws the plate with its upper left corner at (x, y), px; its head is left to the tabs. */
+    void draw(Canvas canvas, double x, double y) {
         canvas.panel(x, y, WIDTH, HEIGHT, 12, Color.PANEL);
         double total = 0;
         for (double part : millis) {
             total += part;
         }
-        words(canvas, isPaused ? "paused" : "a frame", x + 12, y + 18, Canvas.Align.LEFT);
         number(canvas, total, x + WIDTH - 12, y + 18);
         bar(canvas, x + 12, y + 34, total);
         for (Part part : Part.values()) {
             double middle = y + 68 + 22 * part.ordinal();
             canvas.disc(x + 20, middle, 6, part.color);
-            words(canvas, part.words, x + 34, middle, Canvas.Align.LEFT);
+            words(canvas, part.words, x + 34, middle);
             number(canvas, millis[part.ordinal()], x + WIDTH - 12, middle);
         }
     }
@@ -101,8 +100,8 @@ final class StageProfile {
         canvas.line(line, y - 4, line, y + 16, 2, Color.BRASS);
     }
 
-    private static void words(Canvas canvas, String words, double x, double y, Canvas.Align align) {
-        canvas.text(words, x, y, 16, Canvas.Font.WORDS, align, Color.TEXT);
+    private static void words(Canvas canvas, String words, double x, double y) {
+        canvas.text(words, x, y, 16, Canvas.Font.WORDS, Canvas.Align.LEFT, Color.TEXT);
     }
 
     private static void number(Canvas canvas, double millis, double x, double y) {

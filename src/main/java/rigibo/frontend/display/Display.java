@@ -141,6 +141,7 @@ public final class Display implements Director {
     private void updateDisplay() {
         window.swap();
         clock.awaitTurn();
+        scene.paced(clock.pace());
     }
 
     /** Destroys the present window and opens the next, where another scene is wanted. */

@@ -22,6 +22,9 @@ public interface Scene {
     /** A frame was drawn and took this long, ns, all that OpenGL had to do for it included. */
     default void drawn(long nanos) {}
 
+    /** Called after every turn: the share of real time that the loop runs at, 0 to 1. */
+    default void paced(double share) {}
+
     /** The window is gone for good: whatever the scene has started ends. */
     default void closed() {}
 

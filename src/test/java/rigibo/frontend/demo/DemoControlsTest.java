@@ -4,40 +4,67 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
-import rigibo.backend.Pool;
-import rigibo.backend.setup.Accuracy;
+import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Key;
+import rigibo.frontend.scene.Legibility;
+import rigibo.frontend.scene.PointerButton;
+import rigibo.frontend.scene.RecordingCanvas;
 import rigibo.frontend.scene.RecordingDirector;
 import rigibo.frontend.scene.Scene;
 
-import java.util.List;
+import java.util.regex.Pattern;
 
 /** The controls that all demos share. */
 class DemoControlsTest {
 
-    @ParameterizedTest
-    @EnumSource(AccuracyDial.Preset.class)
-    void dialChoosesThePresetUnderThePointer(AccuracyDial.Preset preset) {
-        Pool pool = new Pool();
-        AccuracyDial dial = new AccuracyDial(pool, 100, 10);
-        double segment = StageProfile.WIDTH / AccuracyDial.Preset.values().length;
+    private static final Pattern STEPS = Pattern.compile(".*/step · .*");
 
-        boolean isOn = dial.pointerPressed(100 + (preset.ordinal() + 0.5) * segment, 20);
-
-        assertThat(isOn).isTrue();
-        assertThat(pool.accuracy())
-                .isEqualTo(
-                        List.of(Accuracy.DRAFT, Accuracy.GAME, Accuracy.FINE, Accuracy.EXACT)
-                                .get(preset.ordinal()));
+    private static Scene open(int demo) {
+        return Demos.entries().get(demo).open().apply(new RecordingDirector());
     }
 
-    @Test
-    void besideTheDialNothingIsChosen() {
-        Pool pool = new Pool();
-        assertThat(new AccuracyDial(pool, 100, 10).pointerPressed(99, 20)).isFalse();
-        assertThat(pool.accuracy()).isEqualTo(Accuracy.GAME);
+    private static void click(Scene scene, String words) {
+        double[] at = RecordingCanvas.of(scene).middleOf(words);
+        scene.pointerPressed(PointerButton.LEFT, at[0], at[1]);
+        scene.pointerReleased(PointerButton.LEFT, at[0], at[1]);
+        scene.pointerMoved(-1, -1);
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {0, 1, 2, 3})
+    void dialIsTurnedByMouseAndKeysAndAlwaysThere(int demo) {
+        Scene scene = open(demo);
+        assertThat(RecordingCanvas.of(scene).plateOf("GAME")).isEqualTo(Color.BRASS);
+        click(scene, "EXACT");
+        scene.step();
+        assertThat(RecordingCanvas.of(scene).plateOf("EXACT")).isEqualTo(Color.BRASS);
+        scene.keyPressed(Key.DIGIT_1);
+        assertThat(RecordingCanvas.of(scene).plateOf("DRAFT")).isEqualTo(Color.BRASS);
+        assertThat(RecordingCanvas.of(scene).texts()).anyMatch(STEPS.asMatchPredicate());
+    }
+
+    /** The energy has a side of its own, which N and its tab turn up. */
+    @ParameterizedTest
+    @ValueSource(ints = {0, 1, 2, 3})
+    void energyUnfoldsByKeyAndTabAndCanBeRead(int demo) {
+        Scene scene = open(demo);
+        assertThat(RecordingCanvas.of(scene).texts()).doesNotContain("potential");
+        scene.keyPressed(Key.N);
+        for (int second = 0; second < 3; second++) {
+            assertThat(Legibility.faults(scene)).isEmpty();
+            for (int i = 0; i < 60; i++) {
+                scene.step();
+            }
+        }
+        assertThat(RecordingCanvas.of(scene).texts())
+                .contains("potential", "translational", "rotational");
+        click(scene, "frame");
+        assertThat(RecordingCanvas.of(scene).texts()).doesNotContain("potential");
+        click(scene, "energy");
+        scene.keyPressed(Key.R);
+        assertThat(RecordingCanvas.of(scene).texts()).contains("potential");
     }
 
     @Test

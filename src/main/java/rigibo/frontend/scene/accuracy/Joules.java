@@ -1,0 +1,31 @@
+package rigibo.frontend.scene.accuracy;
+
+import java.util.Locale;
+
+/** An energy in words that are short enough for a column. */
+final class Joules {
+
+    private static final double KILO = 1e3;
+    private static final double MEGA = 1e6;
+
+    /** Below this there are two places and no digit that counts. */
+    private static final double LEAST_PLAIN = 0.1;
+
+    private Joules() {}
+
+    static String words(double joules) {
+        double size = Math.abs(joules);
+        if (size == 0) {
+            return "0 J";
+        }
+        if (size < LEAST_PLAIN) {
+            return String.format(Locale.ROOT, "%.0e J", joules).replace("e-0", "e-");
+        }
+        if (size < KILO) {
+            return String.format(Locale.ROOT, size < 100 ? "%.2f J" : "%.1f J", joules);
+        }
+        return size < MEGA
+                ? String.format(Locale.ROOT, "%.1f kJ", joules / KILO)
+                : String.format(Locale.ROOT, "%.0f kJ", joules / KILO);
+    }
+}

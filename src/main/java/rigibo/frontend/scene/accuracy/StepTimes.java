@@ -1,0 +1,37 @@
+package rigibo.frontend.scene.accuracy;
+
+import rigibo.backend.StepReport;
+import rigibo.backend.setup.StepStage;
+
+import java.util.Arrays;
+
+/** What the steps of the last second took. */
+final class StepTimes {
+
+    private static final int WINDOW = 60;
+
+    private final long[] nanos = new long[WINDOW];
+    private int count;
+
+    /** Takes a step's, from the clock of the pool. */
+    void add(StepReport report) {
+        long sum = 0;
+        for (StepStage stage : StepStage.values()) {
+            sum += report.nanos(stage);
+        }
+        nanos[count % WINDOW] = sum;
+        count++;
+    }
+
+    void forget() {
+        count = 0;
+    }
+
+    /** ns; 0 while there is none. A median: what the machine does besides is no step's doing. */
+    double median() {
+        int size = Math.min(count, WINDOW);
+        long[] sorted = Arrays.copyOf(nanos, size);
+        Arrays.sort(sorted);
+        return size == 0 ? 0 : sorted[size / 2];
+    }
+}
