@@ -2,6 +2,7 @@ package rigibo.frontend.catalog;
 
 import rigibo.backend.effect.Effects;
 import rigibo.frontend.demo.Demos;
+import rigibo.frontend.laboratory.Laboratory;
 import rigibo.frontend.menu.MenuScene;
 import rigibo.frontend.puzzle.Levels;
 import rigibo.frontend.scene.Director;
@@ -23,6 +24,7 @@ public final class Catalog {
     public static List<SceneEntry> entries() {
         List<SceneEntry> entries = new ArrayList<>(Levels.entries());
         entries.addAll(Demos.entries());
+        entries.add(Laboratory.entry());
         return entries;
     }
 

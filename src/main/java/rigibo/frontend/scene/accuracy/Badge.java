@@ -3,7 +3,7 @@ package rigibo.frontend.scene.accuracy;
 import java.util.Locale;
 
 /** What accuracy costs and brings, in few words; what is not known yet is "…". */
-final class Badge {
+public final class Badge {
 
     private static final String UNKNOWN = "…";
 
@@ -49,7 +49,7 @@ final class Badge {
     }
 
     /** Share of real time, 1 or less. */
-    static String pace(double share) {
+    public static String pace(double share) {
         return digits(share) + " × real time";
     }
 

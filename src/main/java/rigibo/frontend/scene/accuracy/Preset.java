@@ -27,6 +27,11 @@ public enum Preset {
         return accuracy;
     }
 
+    /** The next one, round and round. */
+    public Preset next() {
+        return values()[(ordinal() + 1) % values().length];
+    }
+
     /** The position that stands for an accuracy; none for one that was set by hand. */
     public static Optional<Preset> of(Accuracy accuracy) {
         return Arrays.stream(values()).filter(one -> one.accuracy.equals(accuracy)).findFirst();

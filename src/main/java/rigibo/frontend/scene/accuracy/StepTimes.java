@@ -6,7 +6,7 @@ import rigibo.backend.setup.StepStage;
 import java.util.Arrays;
 
 /** What the steps of the last second took. */
-final class StepTimes {
+public final class StepTimes {
 
     private static final int WINDOW = 60;
 
@@ -14,7 +14,7 @@ final class StepTimes {
     private int count;
 
     /** Takes a step's, from the clock of the pool. */
-    void add(StepReport report) {
+    public void add(StepReport report) {
         long sum = 0;
         for (StepStage stage : StepStage.values()) {
             sum += report.nanos(stage);
@@ -23,12 +23,13 @@ final class StepTimes {
         count++;
     }
 
-    void forget() {
+    /** Begins anew. */
+    public void forget() {
         count = 0;
     }
 
     /** ns; 0 while there is none. A median: what the machine does besides is no step's doing. */
-    double median() {
+    public double median() {
         int size = Math.min(count, WINDOW);
         long[] sorted = Arrays.copyOf(nanos, size);
         Arrays.sort(sorted);

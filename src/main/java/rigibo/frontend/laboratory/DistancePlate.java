@@ -1,0 +1,56 @@
+package rigibo.frontend.laboratory;
+
+import rigibo.frontend.scene.Canvas;
+import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.ghost.DistanceCurve;
+import rigibo.frontend.scene.ghost.Divergence;
+import rigibo.frontend.scene.ghost.Metres;
+import rigibo.frontend.scene.ghost.Parting;
+
+/** The distance of the two halves, now and as a curve, and whether it has become chaos. */
+final class DistancePlate {
+
+    private static final double PADDING = 12;
+    private static final double LINE = 24;
+
+    private final DistanceCurve curve = new DistanceCurve();
+    private final double x;
+    private final double y;
+    private final double width;
+    private final double height;
+
+    /** A plate with its upper left corner at (x, y), px. */
+    DistancePlate(double x, double y, double width, double height) {
+        this.x = x;
+        this.y = y;
+        this.width = width;
+        this.height = height;
+    }
+
+    /** Draws it, with a question in place of the note while there is no chaos. */
+    void draw(Canvas canvas, Divergence divergence, String question) {
+        canvas.panel(x, y, width, height, 12, Color.PANEL);
+        double left = x + PADDING;
+        double right = x + width - PADDING;
+        double upper = y + 4 + LINE / 2;
+        words(canvas, "distance between the two, rms over the bodies", left, upper, Color.TEXT_DIM);
+        canvas.text(
+                Metres.words(divergence.distance()),
+                right,
+                upper,
+                16,
+                Canvas.Font.NUMBERS,
+                Canvas.Align.RIGHT,
+                Color.TEXT);
+        double top = y + 4 + LINE;
+        curve.draw(canvas, divergence, left, top, right - left, height - 2 * LINE - 10);
+        double lower = y + height - 3 - LINE / 2;
+        String note = divergence.parting().map(Parting::words).orElse(question);
+        Color color = divergence.parting().isPresent() ? Color.BRASS : Color.TEXT;
+        words(canvas, note, left, lower, color);
+    }
+
+    private static void words(Canvas canvas, String words, double x, double y, Color color) {
+        canvas.text(words, x, y, 16, Canvas.Font.WORDS, Canvas.Align.LEFT, color);
+    }
+}

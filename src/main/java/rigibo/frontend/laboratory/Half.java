@@ -1,0 +1,63 @@
+package rigibo.frontend.laboratory;
+
+import rigibo.backend.Pool;
+import rigibo.frontend.scene.accuracy.Preset;
+import rigibo.frontend.scene.accuracy.StepTimes;
+
+/** One of the two worlds: a pool, its accuracy, what its steps take and what it does to energy. */
+final class Half {
+
+    private static final double STEP = 1.0 / 60;
+    private static final double NANOS_PER_MILLI = 1e6;
+
+    private final StepTimes times = new StepTimes();
+    private Preset preset;
+    private Pool pool;
+    private double energyAtStart;
+
+    Half(Preset preset) {
+        this.preset = preset;
+    }
+
+    /** Goes on with a pool that begins now. */
+    void begin(Pool fresh) {
+        pool = fresh;
+        pool.accuracy(preset.accuracy());
+        pool.clock(System::nanoTime);
+        energyAtStart = energy();
+        times.forget();
+    }
+
+    /** Goes on at another accuracy from where it is. */
+    void choose(Preset chosen) {
+        preset = chosen;
+        pool.accuracy(preset.accuracy());
+        times.forget();
+    }
+
+    void step() {
+        times.add(pool.step(STEP));
+    }
+
+    Pool pool() {
+        return pool;
+    }
+
+    Preset preset() {
+        return preset;
+    }
+
+    /** Of a step, ms; 0 before the first. */
+    double medianMillis() {
+        return times.median() / NANOS_PER_MILLI;
+    }
+
+    /** Of motion and of height over the floor, as a share of that at the start. */
+    double energyShare() {
+        return energy() / energyAtStart;
+    }
+
+    private double energy() {
+        return pool.kineticEnergy() + pool.potentialEnergy();
+    }
+}

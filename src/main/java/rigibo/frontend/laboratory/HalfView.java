@@ -1,0 +1,123 @@
+package rigibo.frontend.laboratory;
+
+import rigibo.backend.RigidBody;
+import rigibo.frontend.scene.Camera;
+import rigibo.frontend.scene.Canvas;
+import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Skin;
+import rigibo.frontend.scene.accuracy.Preset;
+
+import java.util.List;
+import java.util.Locale;
+
+/** Draws a half: a plate with its switch and readings, and the room below. */
+final class HalfView {
+
+    /** Of plate and room, px. */
+    static final double WIDTH = 348;
+
+    static final double PLATE_HEIGHT = 68;
+
+    /** The room's upper edge below that of the plate, px. */
+    private static final double ROOM_TOP = PLATE_HEIGHT + 6;
+
+    /** Pixels per metre at which the room with its walls is as wide as the plate. */
+    private static final double SCALE = WIDTH / (2 * (Room.REACH + Room.WALL));
+
+    /** px. */
+    static final double HEIGHT = ROOM_TOP + SCALE * (Room.HEIGHT + 2 * Room.WALL);
+
+    private static final double SWITCH_WIDTH = 132;
+    private static final double SWITCH_HEIGHT = 30;
+    private static final double PADDING = 8;
+    private static final double SIZE = 16;
+
+    private final Half half;
+    private final double x;
+    private final double y;
+    private final Camera camera;
+    private boolean isHot;
+
+    /** A view with its upper left corner at (x, y), px. */
+    HalfView(Half half, double x, double y) {
+        this.half = half;
+        this.x = x;
+        this.y = y;
+        double middleX = x + WIDTH / 2;
+        double floorY = y + HEIGHT - SCALE * Room.WALL;
+        Camera plain = new Camera(0, 0, SCALE);
+        camera = new Camera(-plain.worldX(middleX), -plain.worldY(floorY), SCALE);
+    }
+
+    void draw(Canvas canvas, List<Skin> skins) {
+        drawRoom(canvas, skins);
+        canvas.panel(x, y, WIDTH, PLATE_HEIGHT, 12, Color.PANEL);
+        drawSwitch(canvas);
+        double upper = y + PADDING + SWITCH_HEIGHT / 2;
+        double lower = y + PLATE_HEIGHT - 15;
+        double right = x + WIDTH - PADDING - 4;
+        number(canvas, millis() + " a step", right, upper);
+        words(canvas, "energy", x + PADDING + 4, lower, Canvas.Align.LEFT, Color.TEXT_DIM);
+        number(canvas, energy(), right, lower);
+    }
+
+    private void drawRoom(Canvas canvas, List<Skin> skins) {
+        canvas.camera(camera);
+        int i = 0;
+        for (RigidBody body : half.pool().bodies()) {
+            Skin skin = skins.get(i++);
+            canvas.gaze(0, Room.HEIGHT);
+            canvas.body(body.shape(), body.x(), body.y(), body.angle(), skin, Canvas.Mood.PLAIN);
+        }
+    }
+
+    /** The accuracy's name over four dots, of which the one in its place is lit. */
+    private void drawSwitch(Canvas canvas) {
+        double left = x + PADDING;
+        double top = y + PADDING;
+        Color plate = isHot ? Color.BRASS.alpha(0.8) : Color.BRASS;
+        canvas.panel(left, top, SWITCH_WIDTH, SWITCH_HEIGHT, SWITCH_HEIGHT / 2, plate);
+        double middle = top + SWITCH_HEIGHT / 2;
+        words(canvas, half.preset().name(), left + 14, middle, Canvas.Align.LEFT, Color.DUSK_TOP);
+        for (Preset preset : Preset.values()) {
+            boolean isLit = preset == half.preset();
+            double dot = left + SWITCH_WIDTH - 56 + 14 * preset.ordinal();
+            Color color = isLit ? Color.DUSK_TOP : Color.DUSK_TOP.alpha(0.3);
+            canvas.disc(dot, middle, isLit ? 5 : 4, color);
+        }
+    }
+
+    private String millis() {
+        return String.format(Locale.ROOT, "%.3f ms", half.medianMillis());
+    }
+
+    private String energy() {
+        double percent = 100 * half.energyShare();
+        return String.format(Locale.ROOT, "%.7f %% of the start", percent);
+    }
+
+    private static void words(
+            Canvas canvas, String words, double x, double y, Canvas.Align align, Color color) {
+        canvas.text(words, x, y, SIZE, Canvas.Font.WORDS, align, color);
+    }
+
+    private static void number(Canvas canvas, String words, double x, double y) {
+        canvas.text(words, x, y, SIZE, Canvas.Font.NUMBERS, Canvas.Align.RIGHT, Color.TEXT);
+    }
+
+    void pointerMoved(double px, double py) {
+        isHot =
+                px >= x + PADDING
+                        && px <= x + PADDING + SWITCH_WIDTH
+                        && py >= y + PADDING
+                        && py <= y + PADDING + SWITCH_HEIGHT;
+    }
+
+    /** The pointer went down: on the switch it turns it. */
+    void pointerPressed(double px, double py) {
+        pointerMoved(px, py);
+        if (isHot) {
+            half.choose(half.preset().next());
+        }
+    }
+}

@@ -1,0 +1,19 @@
+package rigibo.frontend.laboratory;
+
+import rigibo.frontend.scene.SceneEntry;
+
+/** The door of the laboratory. */
+public final class Laboratory {
+
+    private Laboratory() {}
+
+    /** How the menu lists it. */
+    public static SceneEntry entry() {
+        return new SceneEntry(
+                "laboratory",
+                "Laboratory",
+                "Two accuracies side by side",
+                SceneEntry.Kind.DEMO,
+                director -> new LaboratoryScene());
+    }
+}

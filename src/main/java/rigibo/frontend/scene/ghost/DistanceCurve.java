@@ -1,0 +1,67 @@
+package rigibo.frontend.scene.ghost;
+
+import rigibo.frontend.scene.Canvas;
+import rigibo.frontend.scene.Color;
+
+/** The distance of two pools over the last ten seconds, on a logarithmic scale. */
+public final class DistanceCurve {
+
+    /** Powers of ten of a metre at the lower and the upper edge. */
+    private static final int LOWEST = -13;
+
+    private static final int HIGHEST = 1;
+
+    private static final double SIZE = 16;
+
+    /** For the words of the scale, px. */
+    private static final double MARGIN = 52;
+
+    private static final double LEAST_BETWEEN_LABELS = 20;
+
+    private final double[] heights = new double[Divergence.KEPT];
+
+    /** Draws the curve into a rectangle, px; it is filled from the left, then it moves. */
+    public void draw(
+            Canvas canvas, Divergence divergence, double x, double y, double width, double height) {
+        canvas.panel(x, y, width, height, 8, Color.DUSK_TOP.alpha(0.8));
+        double decade = height / (HIGHEST - LOWEST);
+        int apart = 3;
+        while (apart * decade < LEAST_BETWEEN_LABELS) {
+            apart += 3;
+        }
+        for (int power = 0; power > LOWEST; power -= apart) {
+            label(canvas, power, x, y + (HIGHEST - power) * decade, width);
+        }
+        for (int i = 0; i < divergence.count(); i++) {
+            heights[i] = heightOf(divergence.distance(i));
+        }
+        double span = (width - MARGIN - 6) * (divergence.count() - 1) / (Divergence.KEPT - 1);
+        canvas.graph(heights, divergence.count(), x + MARGIN, y, span, height, Color.BRASS);
+    }
+
+    private static void label(Canvas canvas, int power, double x, double y, double width) {
+        canvas.line(x + MARGIN, y, x + width - 6, y, 1, Color.PANEL_LIT);
+        String words =
+                switch (power) {
+                    case 0 -> "1 m";
+                    case -3 -> "1 mm";
+                    case -6 -> "1 µm";
+                    case -9 -> "1 nm";
+                    default -> "1 pm";
+                };
+        canvas.text(
+                words,
+                x + MARGIN - 6,
+                y,
+                SIZE,
+                Canvas.Font.NUMBERS,
+                Canvas.Align.RIGHT,
+                Color.TEXT_DIM);
+    }
+
+    private static double heightOf(double metres) {
+        double power = Math.log10(Math.max(metres, Double.MIN_NORMAL));
+        // A hair above the edge, or the line of two equal worlds could not be seen.
+        return Math.max(0.01, Math.min(0.99, (power - LOWEST) / (HIGHEST - LOWEST)));
+    }
+}
