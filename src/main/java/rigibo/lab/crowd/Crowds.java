@@ -30,7 +30,7 @@ public final class Crowds {
 
     /** Up to 10,000 discs, until they lie. */
     public static Crowds full() {
-        return new Crowds(List.of(100, 300, 1000, 3000, 10_000), 180, 240);
+        return new Crowds(List.of(100, 300, 1000, 3000, 10_000), 150, 90);
     }
 
     /**

@@ -12,7 +12,7 @@ public enum Extent {
     QUICK(new Patience(0, 20, 2, 100)),
 
     /** Every setting in a process of its own, one after the other on the same core. */
-    FULL(new Patience(300, 300, 10, 1500));
+    FULL(new Patience(250, 250, 10, 800));
 
     private final Patience patience;
 

@@ -8,6 +8,7 @@ import rigibo.lab.problem.Bench;
 import rigibo.lab.problem.Errors;
 import rigibo.lab.problem.Problem;
 import rigibo.lab.problem.Problems;
+import rigibo.lab.problem.Trial;
 
 import java.util.List;
 import java.util.Optional;
@@ -48,8 +49,10 @@ public final class ProblemProbe {
 
     private Finding find(Setting setting) {
         try (Bench bench = Bench.counting(engine, setting)) {
-            Errors errors = problem.set(bench).run();
-            return new Finding(errors, bench.steps(), bench.work(), time(setting));
+            Trial trial = problem.set(bench);
+            long begun = System.nanoTime();
+            Errors errors = trial.run();
+            return new Finding(errors, bench.steps(), bench.work(), time(setting, begun));
         } catch (UnsupportedOperationException missing) {
             return broken("has no " + missing.getMessage());
         } catch (RuntimeException | AssertionError broken) {
@@ -58,12 +61,13 @@ public final class ProblemProbe {
         }
     }
 
-    private Optional<Timing> time(Setting setting) {
+    private Optional<Timing> time(Setting setting, long warmSince) {
         if (patience.equals(Patience.NONE)) {
             return Optional.empty();
         }
         return Optional.of(
-                new Stopwatch(patience).time(problem, () -> Bench.timed(engine, setting)));
+                new Stopwatch(patience)
+                        .time(problem, warmSince, () -> Bench.timed(engine, setting)));
     }
 
     private static Finding broken(String why) {

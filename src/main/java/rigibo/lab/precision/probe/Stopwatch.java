@@ -29,14 +29,17 @@ final class Stopwatch {
         this.patience = patience;
     }
 
-    /** Times the problem on benches as they are given out, each closed after its run. */
-    Timing time(Problem problem, Supplier<Bench> benches) {
-        long begun = System.nanoTime();
-        while (millisSince(begun) < patience.warmMillis()) {
+    /**
+     * Times the problem on benches as they are given out, each closed after its run.
+     *
+     * @param warmSince when the problem began to be run, ns of the system's clock
+     */
+    Timing time(Problem problem, long warmSince, Supplier<Bench> benches) {
+        while (millisSince(warmSince) < patience.warmMillis()) {
             lap(problem, benches);
         }
         List<Lap> laps = new ArrayList<>();
-        begun = System.nanoTime();
+        long begun = System.nanoTime();
         do {
             laps.add(lap(problem, benches));
         } while (isWorthMore(laps.size(), millisSince(begun)));
