@@ -1,16 +1,16 @@
-package rigibo.frontend.scene.ghost;
+package rigibo.frontend.laboratory;
 
 import java.util.Locale;
 
 /** Lengths in words, from picometres to metres. */
-public final class Metres {
+final class Metres {
 
     private static final String[] UNITS = {"m", "mm", "µm", "nm", "pm"};
 
     private Metres() {}
 
     /** A length in m with three digits in the unit that suits it. */
-    public static String words(double metres) {
+    static String words(double metres) {
         double shown = metres;
         int unit = 0;
         while (shown < 0.9995 && unit < UNITS.length - 1) {

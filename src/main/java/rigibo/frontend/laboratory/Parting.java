@@ -1,6 +1,5 @@
-package rigibo.frontend.scene.ghost;
+package rigibo.frontend.laboratory;
 
-import java.util.List;
 import java.util.Locale;
 
 /**
@@ -9,23 +8,15 @@ import java.util.Locale;
  * @param seconds after which it was seen
  * @param isChaotic whether they grew apart exponentially, not by one error or by many that add up
  */
-public record Parting(double seconds, boolean isChaotic) {
+record Parting(double seconds, boolean isChaotic) {
 
     /** What it means, in a line. */
-    public String words() {
+    String words() {
         String words =
                 isChaotic
                         ? "chaotic: after %.1f s the two are different worlds,"
                                 + " compare distributions, not paths"
                         : "after %.1f s the two are different worlds, by errors and not by chaos";
         return String.format(Locale.ROOT, words, seconds);
-    }
-
-    /** The same in two short lines. */
-    List<String> lines() {
-        String words = isChaotic ? "chaotic: two worlds after %.1f s," : "two worlds after %.1f s,";
-        String advice =
-                isChaotic ? "compare distributions, not paths" : "by errors and not by chaos";
-        return List.of(String.format(Locale.ROOT, words, seconds), advice);
     }
 }

@@ -1,4 +1,4 @@
-package rigibo.frontend.scene.ghost;
+package rigibo.frontend.laboratory;
 
 import rigibo.backend.Pool;
 import rigibo.backend.RigidBody;

@@ -1,4 +1,4 @@
-package rigibo.frontend.scene.ghost;
+package rigibo.frontend.laboratory;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

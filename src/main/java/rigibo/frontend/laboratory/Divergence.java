@@ -1,11 +1,11 @@
-package rigibo.frontend.scene.ghost;
+package rigibo.frontend.laboratory;
 
 import rigibo.backend.Pool;
 
 import java.util.Optional;
 
 /** How the distance between two pools has grown since they were equal. */
-public final class Divergence {
+final class Divergence {
 
     /** Steps whose distances are kept: ten seconds. */
     static final int KEPT = 600;
@@ -18,7 +18,7 @@ public final class Divergence {
     private Optional<Parting> parting = Optional.empty();
 
     /** Both have made a step of 1/60 s. */
-    public void step(Pool one, Pool other) {
+    void step(Pool one, Pool other) {
         double distance = Distance.between(one, other);
         recent[steps % KEPT] = distance;
         steps++;
@@ -32,12 +32,12 @@ public final class Divergence {
     }
 
     /** The root mean square over the bodies now, m. */
-    public double distance() {
+    double distance() {
         return steps == 0 ? 0 : recent[(steps - 1) % KEPT];
     }
 
     /** When and how the two became different worlds, where they did. */
-    public Optional<Parting> parting() {
+    Optional<Parting> parting() {
         return parting;
     }
 
