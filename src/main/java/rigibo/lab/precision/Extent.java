@@ -9,7 +9,7 @@ public enum Extent {
      * Presets and other engines only, an engine's settings in one process, as many processes side
      * by side as there are cores: in a minute and a half one sees where things are.
      */
-    QUICK(new Patience(0, 20, 2, 100)),
+    QUICK(new Patience(60, 30, 3, 150)),
 
     /** Every setting in a process of its own, one after the other on the same core. */
     FULL(new Patience(250, 250, 10, 800));
