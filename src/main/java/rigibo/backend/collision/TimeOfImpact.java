@@ -29,14 +29,6 @@ public final class TimeOfImpact {
     /** Units in the last place of a coordinate that a gap must have to be told from none. */
     private static final double ROUNDING_UNITS = 4;
 
-    /**
-     * The gap that is left at an impact in those units' multiple: not so few as to be lost again.
-     */
-    private static final double POLISHED_ROUNDINGS = 8;
-
-    /** Newton's steps: each doubles the digits, and from a gap of 0.1 mm three come to the last. */
-    private static final int MOST_POLISHES = 4;
-
     /** Rounds before the safe time reached so far is taken; met only by long, close passes. */
     private static final int MOST_ROUNDS = 100;
 
@@ -71,11 +63,10 @@ public final class TimeOfImpact {
 
     /**
      * Finds the first time at which the gap of two shapes has closed to a small positive rest and
-     * still closes. The rest is at most ¼ of the tolerance, and where the gap closes smoothly no
-     * more than rounding makes of it. A pair that starts closer than that and parts is not
-     * reported; one that comes back is, at half the gap it started with at most. A pair that starts
-     * in overlap is reported at once if it closes, and else when it has closed by the tolerance
-     * again.
+     * still closes. The rest lies between ⅛ and ¼ of the tolerance. A pair that starts closer than
+     * that and parts is not reported; one that comes back is, at half the gap it started with. A
+     * pair that starts in overlap is reported at once if it closes, and else when it has closed by
+     * the tolerance again.
      *
      * @param first motion of A
      * @param second motion of B
@@ -143,36 +134,15 @@ public final class TimeOfImpact {
     }
 
     /**
-     * The root lies anywhere within the stopping gap. Newton's steps take it to the least gap that
-     * can be told from none: what is left of the way is known to nearly all digits, and a mirrored
-     * or exchanged pair meets at the same time. Of the times tried it is the last one that is not
-     * beyond.
+     * The root lies anywhere within the stopping gap; one step of Newton's puts it on its middle,
+     * so that a mirrored or exchanged pair meets at the same time, to nearly all digits.
      */
-    private double polished(double from, double found, double foundGap) {
-        double middle = (advance.least + advance.largest) / 2;
-        double aim = Math.min(POLISHED_ROUNDINGS * rounding, middle);
-        double safe = found;
-        double time = found;
-        double gap = foundGap;
-        for (int i = 0; i < MOST_POLISHES && Math.abs(gap - aim) > rounding; i++) {
-            double speed = approach.partingSpeed(distance, poseA, poseB, time, tolerance);
-            double better = time + (gap - aim) / -speed;
-            boolean isNear = speed < 0 && Math.abs(better - found) <= MOST_POLISH * (end - from);
-            if (!isNear || better < from || better > end) {
-                break;
-            }
-            time = better;
-            gap = gapAt(time);
-            safe = gap >= aim - rounding ? time : safe;
-        }
-        return safe;
-    }
-
-    private double gapAt(double time) {
-        evaluations++;
-        a.poseAt(time, poseA);
-        b.poseAt(time, poseB);
-        return distance.measure(a.shape, poseA, b.shape, poseB);
+    private double polished(double from, double time, double gap) {
+        double aim = (advance.least + advance.largest) / 2;
+        double speed = approach.partingSpeed(distance, poseA, poseB, time, tolerance);
+        double better = time + (gap - aim) / -speed;
+        boolean isNear = speed < 0 && Math.abs(better - time) <= MOST_POLISH * (end - from);
+        return isNear && better >= from && better <= end ? better : time;
     }
 
     /** Lets a pair that is close, but parts, come back to half its gap, or to deeper overlap. */
@@ -189,7 +159,10 @@ public final class TimeOfImpact {
      * an axis that stays, for most pairs that stay clear need no other.
      */
     private double measure(double time, int round) {
-        double gap = gapAt(time);
+        evaluations++;
+        a.poseAt(time, poseA);
+        b.poseAt(time, poseB);
+        double gap = distance.measure(a.shape, poseA, b.shape, poseB);
         double x = distance.axisX;
         double y = distance.axisY;
         NormalSource source = distance.manifold.source;

@@ -78,14 +78,20 @@ class TimeOfImpactSearchTest {
         double time = impact.find(a, b, 0, end, tolerance, ImpactSearch.ITP);
         double width = Math.min(a.shape.smallestWidth(), b.shape.smallestWidth());
         double scaled = tolerance * Math.min(1, width);
+        // Round-off of coordinates of up to some ten metres.
+        double rounding = 1e-14;
         assertThat(impact.isConservative).as(where).isFalse();
         double until = Math.min(time, end);
         for (int sample = 0; sample < SAMPLES; sample++) {
             double instant = until * sample / SAMPLES;
-            assertThat(gap(a, b, instant)).as("%s at %s s", where, instant).isPositive();
+            assertThat(gap(a, b, instant))
+                    .as("%s at %s s", where, instant)
+                    .isGreaterThan(scaled / 8 - rounding);
         }
         if (time <= end) {
-            assertThat(gap(a, b, time)).as(where).isBetween(Double.MIN_VALUE, scaled / 4);
+            assertThat(gap(a, b, time))
+                    .as(where)
+                    .isBetween(scaled / 8 - rounding, scaled / 4 + rounding);
         }
     }
 
@@ -149,7 +155,7 @@ class TimeOfImpactSearchTest {
                 assertThat(Double.isInfinite(exchanged)).as(where).isEqualTo(time > 1);
                 if (time < 1) {
                     // Both stop in the same window of gaps, and speed turns that into time.
-                    assertThat(gap(a, b, exchanged)).as(where).isBetween(Double.MIN_VALUE, 2.6e-7);
+                    assertThat(gap(a, b, exchanged)).as(where).isBetween(1e-9, 2.6e-7);
                 }
             }
         }
@@ -202,6 +208,6 @@ class TimeOfImpactSearchTest {
             }
         }
         assertThat(hits).as("seed %s", seed).isGreaterThan(100);
-        assertThat(looks / hits).as("seed %s", seed).isLessThanOrEqualTo(16);
+        assertThat(looks / hits).as("seed %s", seed).isLessThanOrEqualTo(14);
     }
 }

@@ -36,10 +36,9 @@ class TimeOfImpactTest {
 
         double time = find(a, b, STEP, FINEST);
 
-        // What is left is 32 units in the last place of 1 m, 7e-15 m, which 400 m/s cross in 2e-17
-        // s.
-        assertThat(time).isEqualTo(1.8 / 400, within(1e-16));
-        assertThat(gap(a, b, time)).isBetween(1e-15, 2e-14);
+        // A disc of 0.2 m stops within 0.25 of 0.2 nanometres; 400 m/s cross that in 1.25e-13 s.
+        assertThat(time).isEqualTo(1.8 / 400, within(1.3e-13));
+        assertThat(gap(a, b, time)).isBetween(FINEST * 0.2 / 8, FINEST * 0.2 / 4);
     }
 
     /** Passing at an offset of one radius: the centres are 0.2 m apart when √3/2 · 0.2 ahead. */
@@ -63,10 +62,9 @@ class TimeOfImpactTest {
 
         double time = impact.find(floor, disc, 0, STEP, FINEST, search);
 
-        // What is left is 32 units in the last place of 20 m, 1.1e-13 m, crossed at 0.14 m/s in
-        // 8e-13 s.
-        assertThat(time).isEqualTo(Math.sqrt(2 * 0.001 / 9.81), within(1e-12));
-        assertThat(gap(floor, disc, time)).isBetween(1e-14, 2e-13);
+        // At 0.14 m/s the quarter nanometre left is crossed in 1.8e-9 s.
+        assertThat(time).isEqualTo(Math.sqrt(2 * 0.001 / 9.81), within(2e-9));
+        assertThat(gap(floor, disc, time)).isBetween(FINEST / 8, FINEST / 4);
     }
 
     /** With drag k the way is v(1 − e^(−kt))/k, so that 0.5 m take −ln(1 − 0.5k/v)/k. */
