@@ -370,16 +370,16 @@ public final class PileSolver {
      * at its time. Its contacts have carried nothing yet.
      */
     private void delayLateJoiners(double start, double h) {
-        double[] m = motions.data;
         for (int entry = 1; entry < motions.count; entry++) {
-            double joined = bodies.pileTime[motions.slots[entry]];
-            if (joined > 0) {
-                int at = entry * Motions.STRIDE;
-                double late = joined - start;
-                // Drift moves it from the step's start on, so it is set back by all of that way.
-                m[at + Motions.DX] = -late * m[at + Motions.VX];
-                m[at + Motions.DY] = -late * m[at + Motions.VY];
-                m[at + Motions.TURN] = -late * m[at + Motions.SPIN];
+            int at = entry * Motions.STRIDE;
+            int slot = motions.slots[entry];
+            if (bodies.isDriven(slot)) {
+                // Its place is that of the step's start; the island begins later.
+                motions.drift(at, start);
+            } else if (bodies.pileTime[slot] > 0) {
+                double late = bodies.pileTime[slot] - start;
+                // Drift moves it from the island's start on, so it is set back by all of that way.
+                motions.drift(at, -late);
                 delayRowsOf(at, (int) (late / h));
             }
         }

@@ -6,6 +6,7 @@ import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.Islands;
 import rigibo.backend.storage.PairTolerances;
 import rigibo.backend.storage.Pairs;
+import rigibo.backend.storage.PointSpeeds;
 
 /** Turns the pairs of an island into packed contacts. */
 final class RowBuilder {
@@ -15,6 +16,12 @@ final class RowBuilder {
 
     /** Overlap with what is driven from which on a body is crushed, as a share of its width. */
     private static final double CRUSHED = 0.05;
+
+    /** The same in a crowd, which is pressed that deep by any hard blow and then gives way. */
+    private static final double CRUSHED_IN_A_CROWD = 0.25;
+
+    /** Share of the pressing speed by which what is crushed does not go along. */
+    private static final double STAYS_BEHIND = 0.5;
 
     /** Where the motions keep what stands still. */
     private static final int GROUND = 0;
@@ -43,6 +50,9 @@ final class RowBuilder {
     /** Of all that can be moved in the packed island, kg. */
     private double mass;
 
+    /** The share of its width from which on a body of the packed island is crushed. */
+    private double crushed;
+
     RowBuilder(DataStorage data, Motions motions, Rows rows, PackedTurns turns) {
         bodies = data.bodies;
         pairs = data.pairs;
@@ -60,6 +70,9 @@ final class RowBuilder {
         packBodies(island);
         int driven = motions.count;
         mass = motions.mass();
+        int pairCount = islands.pairStart[island + 1] - islands.pairStart[island];
+        boolean isCrowd = pairCount * SingleRows.ROWS_PER_CONTACT > DirectSolver.MOST_ROWS;
+        crushed = isCrowd ? CRUSHED_IN_A_CROWD : CRUSHED;
         rows.count = 0;
         for (int i = islands.pairStart[island]; i < islands.pairStart[island + 1]; i++) {
             if (!isAgainstGround(islands.pairs[i])) {
@@ -233,12 +246,29 @@ final class RowBuilder {
         return bodies.isDriven(pairs.bodyA[pair]) || bodies.isDriven(pairs.bodyB[pair]);
     }
 
-    /** What is pressed in this deep is not pressed on: the driven body counts as standing still. */
+    /**
+     * What is pressed in this deep and does not go along is not pressed on: the driven body counts
+     * as standing still. What goes along has been hit hard, and has somewhere to go.
+     */
     private boolean isCrushed(int pair) {
         int a = pairs.bodyA[pair];
         int b = pairs.bodyB[pair];
         boolean isDriven = bodies.isDriven(a) || bodies.isDriven(b);
-        return isDriven && -pairs.gap(pair) > CRUSHED * PairTolerances.width(bodies, a, b);
+        return isDriven
+                && -pairs.gap(pair) > crushed * PairTolerances.width(bodies, a, b)
+                && (staysBehind(pair, 2 * pair)
+                        || staysBehind(pair, 2 * pair + pairs.points[pair] - 1));
+    }
+
+    /** Whether a point closes at more than half of the speed at which what is driven presses. */
+    private boolean staysBehind(int pair, int point) {
+        int a = pairs.bodyA[pair];
+        double pressing =
+                bodies.isDriven(a)
+                        ? PointSpeeds.along(bodies, pairs, pair, point, a)
+                        : -PointSpeeds.along(bodies, pairs, pair, point, pairs.bodyB[pair]);
+        double parting = PointSpeeds.parting(bodies, pairs, pair, point);
+        return pressing > 0 && -parting > STAYS_BEHIND * pressing;
     }
 
     /** One point, or two that are as good as one: the deeper is kept as the first. */

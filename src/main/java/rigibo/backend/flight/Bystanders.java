@@ -9,6 +9,7 @@ import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.PairTolerances;
 import rigibo.backend.storage.Pairs;
+import rigibo.backend.storage.PointSpeeds;
 
 /**
  * Flyers beside a body of a pile that is struck, or that is about to bounce: where it goes in what
@@ -91,11 +92,12 @@ final class Bystanders {
     double reachOfBouncers(int pair, double dt) {
         int a = pairs.bodyA[pair];
         int b = pairs.bodyB[pair];
-        double x = bodies.velocityX[b] - bodies.velocityX[a];
-        double y = bodies.velocityY[b] - bodies.velocityY[a];
-        double turning = bodies.turns() ? turning(a) + turning(b) : 0;
+        double x = meetsX(b, pair) - meetsX(a, pair);
+        double y = meetsY(b, pair) - meetsY(a, pair);
+        double width = PairTolerances.width(bodies, a, b);
+        double turning = bodies.turns() ? turning(a, width) + turning(b, width) : 0;
         double closing = turning - (x * pairs.normalX[pair] + y * pairs.normalY[pair]);
-        double unseen = surprise * PairTolerances.width(bodies, a, b);
+        double unseen = surprise * width;
         boolean isSurprise = closing * dt > Math.max(unseen, pairs.gap(pair));
         return isSurprise ? WEDGED * (length(x, y) + turning) * dt : 0;
     }
@@ -106,9 +108,23 @@ final class Bystanders {
         return bodies.isDynamic(slot) && bodies.awake[slot] && isSurprise(slot, speed * left);
     }
 
-    /** Speed in m/s that turning gives the outline of a body. */
-    private double turning(int slot) {
-        return Math.abs(bodies.spin[slot]) * bodies.sweepRadius[slot];
+    /** A long wall that turns moves at a contact as it does there, not as its far end does. */
+    private double meetsX(int slot, int pair) {
+        return bodies.isDynamic(slot)
+                ? bodies.velocityX[slot]
+                : PointSpeeds.velocityX(bodies, pairs, 2 * pair, slot);
+    }
+
+    private double meetsY(int slot, int pair) {
+        return bodies.isDynamic(slot)
+                ? bodies.velocityY[slot]
+                : PointSpeeds.velocityY(bodies, pairs, 2 * pair, slot);
+    }
+
+    /** Speed in m/s that turning gives the outline of a body, all round or across a contact. */
+    private double turning(int slot, double width) {
+        double reach = bodies.isDynamic(slot) ? bodies.sweepRadius[slot] : width;
+        return Math.abs(bodies.spin[slot]) * reach;
     }
 
     /** Finds all that lies within a reach of a body at a time, as pairs. */

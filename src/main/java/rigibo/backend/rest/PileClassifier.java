@@ -6,6 +6,7 @@ import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.PairTolerances;
 import rigibo.backend.storage.Pairs;
+import rigibo.backend.storage.PointSpeeds;
 import rigibo.backend.storage.Waking;
 
 /**
@@ -125,7 +126,7 @@ public final class PileClassifier {
         }
         double fastest = Double.NEGATIVE_INFINITY;
         for (int point = 2 * pair; point < 2 * pair + pairs.points[pair]; point++) {
-            fastest = Math.max(fastest, partingAt(pair, point));
+            fastest = Math.max(fastest, PointSpeeds.parting(bodies, pairs, pair, point));
         }
         return fastest;
     }
@@ -136,7 +137,7 @@ public final class PileClassifier {
         }
         double slowest = Double.POSITIVE_INFINITY;
         for (int point = 2 * pair; point < 2 * pair + pairs.points[pair]; point++) {
-            slowest = Math.min(slowest, partingAt(pair, point));
+            slowest = Math.min(slowest, PointSpeeds.parting(bodies, pairs, pair, point));
         }
         return slowest;
     }
@@ -147,26 +148,6 @@ public final class PileClassifier {
         int b = pairs.bodyB[pair];
         double vx = bodies.velocityX[b] - bodies.velocityX[a];
         double vy = bodies.velocityY[b] - bodies.velocityY[a];
-        return vx * pairs.normalX[pair] + vy * pairs.normalY[pair];
-    }
-
-    private double partingAt(int pair, int point) {
-        int a = pairs.bodyA[pair];
-        int b = pairs.bodyB[pair];
-        double rax = pairs.pointX[point] - bodies.x[a];
-        double ray = pairs.pointY[point] - bodies.y[a];
-        double rbx = pairs.pointX[point] - bodies.x[b];
-        double rby = pairs.pointY[point] - bodies.y[b];
-        double vx =
-                bodies.velocityX[b]
-                        - bodies.spin[b] * rby
-                        - bodies.velocityX[a]
-                        + bodies.spin[a] * ray;
-        double vy =
-                bodies.velocityY[b]
-                        + bodies.spin[b] * rbx
-                        - bodies.velocityY[a]
-                        - bodies.spin[a] * rax;
         return vx * pairs.normalX[pair] + vy * pairs.normalY[pair];
     }
 }
