@@ -4,6 +4,7 @@ import rigibo.backend.geometry.Shape;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.Counters;
 import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.PairOrder;
 import rigibo.backend.storage.PairTolerances;
 import rigibo.backend.storage.Pairs;
 import rigibo.backend.storage.Roster;
@@ -23,6 +24,7 @@ public final class Narrowphase {
 
     private final Bodies bodies;
     private final Pairs pairs;
+    private final PairOrder order;
     private final Roster roster;
     private final Counters counters;
     private final Collider collider = new Collider();
@@ -35,6 +37,7 @@ public final class Narrowphase {
     public Narrowphase(DataStorage data) {
         bodies = data.bodies;
         pairs = data.pairs;
+        order = new PairOrder(data);
         roster = data.roster;
         counters = data.counters;
         seams = new Seams(data);
@@ -47,9 +50,13 @@ public final class Narrowphase {
             int slot = roster.awake[i];
             for (int p = bodies.firstPair[slot]; p != Pairs.NONE; p = pairs.nextOf(p, slot)) {
                 if (isListedBy(slot, pairs.other(p, slot))) {
-                    begin(p);
+                    pairs.activate(p);
                 }
             }
+        }
+        order.restore();
+        for (int i = 0; i < pairs.activeCount; i++) {
+            begin(pairs.active[i]);
         }
         measureActive(dt);
         for (int i = 0; i < pairs.activeCount; i++) {
@@ -71,13 +78,13 @@ public final class Narrowphase {
 
     /** Fills one pair's manifold at the bodies' present poses and notes the pair as active. */
     public void collidePair(int pair, double dt) {
+        pairs.activate(pair);
         begin(pair);
         measure(pair, dt, reach(pair, dt));
         finish(pair);
     }
 
     private void begin(int pair) {
-        pairs.activate(pair);
         pairs.touchedBefore[pair] = pairs.touching[pair] || pairs.impacts[pair] > 0;
         pairs.impacts[pair] = 0;
         pairs.impulse[pair] = 0;

@@ -21,6 +21,9 @@ final class BounceRows {
     /** Rows with elasticity. */
     int[] elastic = new int[16];
 
+    /** The approach of each of them from which on it bounces, m/s. */
+    double[] bounceSpeeds = new double[16];
+
     int count;
 
     BounceRows(DataStorage data, Rows rows) {
@@ -33,13 +36,15 @@ final class BounceRows {
     void begin(double h) {
         if (elastic.length < rows.count) {
             elastic = new int[rows.pair.length];
+            bounceSpeeds = new double[rows.pair.length];
         }
         count = 0;
         for (int row = 0; row < rows.count; row++) {
             double elasticity = pairs.elasticity[rows.pair[row]];
             if (elasticity > 0) {
                 rows.data[row * Rows.STRIDE + Rows.ELASTICITY] = elasticity;
-                rows.data[row * Rows.STRIDE + Rows.BOUNCE_SPEED] = bounceSpeed(row, h);
+                bounceSpeeds[count] = bounceSpeed(row, h);
+                rows.data[row * Rows.STRIDE + Rows.BOUNCE_SPEED] = bounceSpeeds[count];
                 elastic[count++] = row;
             }
         }

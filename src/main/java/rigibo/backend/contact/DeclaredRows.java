@@ -114,6 +114,11 @@ final class DeclaredRows {
         return rubbing.solve(substep);
     }
 
+    /** One pass back over contacts of all kinds, in a pile that is not solved whole. */
+    void relax(NormalSolver normals, double h, int substep, boolean isLast) {
+        normals.relax(h, substep, rubbing, isLast);
+    }
+
     /** Keeps what held in the last substep of h seconds. */
     void store(double h) {
         rubbing.store(h);

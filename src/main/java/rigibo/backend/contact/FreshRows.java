@@ -47,7 +47,7 @@ final class FreshRows {
      */
     boolean measureJoining(int substep, double time, double left) {
         boolean isAny = false;
-        for (int row = 0; row < rows.count; row++) {
+        for (int row = 0; substep <= rows.lastJoining && row < rows.count; row++) {
             if (rows.firstSubstep[row] == substep) {
                 measureAhead(row, left, Math.max(0, joinsAt(row) - time));
                 isAny = true;

@@ -11,6 +11,8 @@ import rigibo.backend.storage.Pairs;
 /** The friction rows |jₜ| ≤ μ·Σjₙ. A contact without friction is not on the list. */
 final class FrictionSolver implements Rubbing {
 
+    private static final double STIFFNESS = 1 / (1 + Rows.COMPLIANCE);
+
     private final Motions motions;
     private final Rows rows;
     private final Pairs pairs;
@@ -86,6 +88,16 @@ final class FrictionSolver implements Rubbing {
     }
 
     @Override
+    public void rub(int row) {
+        int at = row * Rows.STRIDE;
+        if (rows.data[at + Rows.FRICTION] > 0) {
+            double impulse = impulseWithinLoad(row);
+            apply(row, impulse - rows.data[at + Rows.IMPULSE_T]);
+            rows.data[at + Rows.IMPULSE_T] = impulse;
+        }
+    }
+
+    @Override
     public void store(double h) {
         for (int i = 0; i < count; i++) {
             double impulse = rows.data[rubbing[i] * Rows.STRIDE + Rows.IMPULSE_T];
@@ -95,11 +107,15 @@ final class FrictionSolver implements Rubbing {
 
     /** Lets a contact slide no more than its load allows. */
     void slide(int row) {
+        keepTangent(row, impulseWithinLoad(row));
+    }
+
+    private double impulseWithinLoad(int row) {
         double[] d = rows.data;
         int at = row * Rows.STRIDE;
         double most = d[at + Rows.FRICTION] * (d[at + Rows.IMPULSE0] + d[at + Rows.IMPULSE1]);
         double wanted = d[at + Rows.IMPULSE_T] - d[at + Rows.MASS_T] * slidingSpeed(row);
-        keepTangent(row, clamp(wanted / (1 + Rows.COMPLIANCE), most));
+        return clamp(wanted * STIFFNESS, most);
     }
 
     /** Speed in m/s at which B slides along the tangent on A, against surfaces that run. */
@@ -150,6 +166,7 @@ final class FrictionSolver implements Rubbing {
 
     /** The impulse nearest to one that is wanted, of those up to a bound either way. */
     static double clamp(double value, double most) {
-        return Math.max(-most, Math.min(most, value));
+        // Math.max and Math.min take care of signed zeros, which takes them thrice as long.
+        return value > most ? most : value < -most ? -most : value;
     }
 }

@@ -20,5 +20,8 @@ final class NoRubbing implements Rubbing {
     }
 
     @Override
+    public void rub(int row) {}
+
+    @Override
     public void store(double h) {}
 }

@@ -70,7 +70,7 @@ final class PileImpacts {
         }
         for (int i = 0; i < bounces.count; i++) {
             int row = bounces.elastic[i];
-            if (rows.firstSubstep[row] <= substep && strikes(row, h)) {
+            if (rows.firstSubstep[row] <= substep && strikes(row, h, -bounces.bounceSpeeds[i])) {
                 int order = ~Float.floatToIntBits((float) -slowest(row));
                 closing[closingCount++] = (long) order << 32 | row;
             }
@@ -78,8 +78,7 @@ final class PileImpacts {
         Arrays.sort(closing, 0, closingCount);
     }
 
-    private boolean strikes(int row, double h) {
-        double limit = -rows.data[row * Rows.STRIDE + Rows.BOUNCE_SPEED];
+    private boolean strikes(int row, double h, double limit) {
         return strikes(row, 0, h, limit) || rows.points[row] == 2 && strikes(row, 1, h, limit);
     }
 
@@ -97,7 +96,7 @@ final class PileImpacts {
     }
 
     private void strike(int row, double h) {
-        if (!strikes(row, h)) {
+        if (!strikes(row, h, -rows.data[row * Rows.STRIDE + Rows.BOUNCE_SPEED])) {
             return; // An earlier blow of this sweep turned it.
         }
         double time = load(row, h);

@@ -13,6 +13,8 @@ import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.Islands;
 import rigibo.backend.storage.PairTolerances;
 
+import java.util.Arrays;
+
 /** Advances all piles by one step, island by island. */
 public final class PileSolver {
 
@@ -79,11 +81,17 @@ public final class PileSolver {
     /** Which of the two solves the packed island whole, null where it is too large for both. */
     private WholeSolver whole;
 
+    /** Whether hardly anything in the packed island has a face to stand on. */
+    private boolean isRound;
+
     /** The highest speed before contacts answer, m/s. */
     private double fastest;
 
     /** The highest speed at which rows that were not solved may leave a body in this step, m/s. */
     private double limit;
+
+    /** By entry of the motions the substep in which it joins. */
+    private int[] joinsIn = new int[16];
 
     /** Substeps that the packed island is given. */
     private int substeps;
@@ -149,6 +157,7 @@ public final class PileSolver {
         builder.build(island, h / 2);
         declared.begin(h);
         warmStart.prepare();
+        isRound = isRound();
         whole = isDirect ? wholeSolver(dt) : null;
         delayLateJoiners(start, h);
         counters.rows += declared.rowCount() + rows.count;
@@ -179,14 +188,13 @@ public final class PileSolver {
         if (direct.prepare()) {
             return direct;
         }
-        if (declared.rowCount() == 0 || isRound()) {
+        if (declared.rowCount() == 0 || isRound) {
             return null;
         }
         boolean isCalm = motions.fastest() <= CALM * dt * kick.strongest();
         return split.prepare(isCalm) ? split : null;
     }
 
-    /** Whether hardly anything in the packed island has a face to stand on. */
     private boolean isRound() {
         int angular = 0;
         for (int entry = 1; entry < motions.count; entry++) {
@@ -231,8 +239,8 @@ public final class PileSolver {
         if (whole != null) {
             whole.begin();
             declared.strikeJointly(h, substep);
-            hold(h, substep);
-            addUpImpulses();
+            settle(h, substep);
+            rows.addUpImpulses();
             motions.drift(h);
             takeOverlapBack(h, substep);
         } else {
@@ -240,7 +248,6 @@ public final class PileSolver {
             pushApart(h, substep);
             motions.drift(h);
             hold(h, substep);
-            addUpImpulses();
         }
     }
 
@@ -264,15 +271,16 @@ public final class PileSolver {
         guard.limitSpeed(limit);
     }
 
-    /** Keeps contacts from closing and from sliding. */
+    /**
+     * Keeps the contacts of a pile that is not solved whole from closing and sliding. What is stacked is passed over both ways: loads
+     * that reach the ground in one substep come back up in it, and a high stack does not breathe.
+     */
     private void hold(double h, int substep) {
-        if (whole != null) {
-            settle(h, substep);
-            return;
-        }
-        for (int i = 0; i < accuracy.velocityIterations(); i++) {
-            declared.rub(substep);
-            normals.back(h, substep);
+        for (int left = accuracy.velocityIterations(); left > 0; left--) {
+            if (!isRound) {
+                normals.forth(h, substep);
+            }
+            declared.relax(normals, h, substep, left == 1);
         }
         guard.limitSpeed(limit);
     }
@@ -332,11 +340,11 @@ public final class PileSolver {
         begin(last == 1 ? 1 : 0.5, last);
         if (whole != null) {
             declared.strikeAtOnce(h * NO_TIME, last);
-            hold(h * NO_TIME, last);
+            settle(h * NO_TIME, last);
+            rows.addUpImpulses();
         } else {
             hold(h, last);
         }
-        addUpImpulses();
     }
 
     /**
@@ -357,19 +365,17 @@ public final class PileSolver {
         }
     }
 
-    private void addUpImpulses() {
-        double[] d = rows.data;
-        for (int at = 0; at < rows.count * Rows.STRIDE; at += Rows.STRIDE) {
-            d[at + Rows.TOTAL] += d[at + Rows.IMPULSE0] + d[at + Rows.IMPULSE1];
-        }
-    }
-
     /**
      * A body that joined at time t takes part from the substep that holds t. It is set back along
      * its straight line to where it would have been when that substep began, so that the blow comes
      * at its time. Its contacts have carried nothing yet.
      */
     private void delayLateJoiners(double start, double h) {
+        boolean isAny = false;
+        if (joinsIn.length < motions.count) {
+            joinsIn = new int[motions.slots.length];
+        }
+        Arrays.fill(joinsIn, 0, motions.count, Rows.ALWAYS);
         for (int entry = 1; entry < motions.count; entry++) {
             int at = entry * Motions.STRIDE;
             int slot = motions.slots[entry];
@@ -380,16 +386,22 @@ public final class PileSolver {
                 double late = bodies.pileTime[slot] - start;
                 // Drift moves it from the island's start on, so it is set back by all of that way.
                 motions.drift(at, -late);
-                delayRowsOf(at, (int) (late / h));
+                joinsIn[entry] = (int) (late / h);
+                isAny = true;
             }
+        }
+        if (isAny) {
+            delayRows();
         }
     }
 
-    private void delayRowsOf(int body, int substep) {
+    private void delayRows() {
         for (int row = 0; row < rows.count; row++) {
-            if (rows.bodyA[row] == body || rows.bodyB[row] == body) {
-                rows.firstSubstep[row] = Math.max(rows.firstSubstep[row], substep);
-                rows.unload(row);
+            int joinsA = joinsIn[rows.bodyA[row] / Motions.STRIDE];
+            int joinsB = joinsIn[rows.bodyB[row] / Motions.STRIDE];
+            int joins = Math.max(joinsA, joinsB);
+            if (joins != Rows.ALWAYS) {
+                rows.joinsIn(row, joins);
             }
         }
     }

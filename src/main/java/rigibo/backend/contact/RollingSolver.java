@@ -96,6 +96,15 @@ final class RollingSolver implements Rubbing {
     }
 
     @Override
+    public void rub(int row) {
+        if (rows.data[row * Rows.STRIDE + Rows.ROLLING] > 0) {
+            rollWithoutSliding(row);
+        } else if (friction != null) {
+            friction.rub(row);
+        }
+    }
+
+    @Override
     public void store(double h) {
         for (int i = 0; i < count; i++) {
             double impulse = rows.data[rolling[i] * Rows.STRIDE + Rows.IMPULSE_R];

@@ -73,7 +73,7 @@ final class RowBuilder {
         int pairCount = islands.pairStart[island + 1] - islands.pairStart[island];
         boolean isCrowd = pairCount * SingleRows.ROWS_PER_CONTACT > DirectSolver.MOST_ROWS;
         crushed = isCrowd ? CRUSHED_IN_A_CROWD : CRUSHED;
-        rows.count = 0;
+        rows.clear();
         for (int i = islands.pairStart[island]; i < islands.pairStart[island + 1]; i++) {
             if (!isAgainstGround(islands.pairs[i])) {
                 addRow(islands.pairs[i], firstKick);
@@ -210,6 +210,18 @@ final class RowBuilder {
                         d[at + Rows.LEVER_B0],
                         d[at + Rows.LEVER_A0],
                         d[at + Rows.LEVER_B0]);
+        double give = Rows.COMPLIANCE * k00 + (isDriven(row) ? GIVE_OF_DRIVEN / mass : 0);
+        d[at + Rows.GIVE] = give;
+        d[at + Rows.K00] = k00 + give;
+        if (rows.points[row] == 1) {
+            d[at + Rows.M00] = 1 / d[at + Rows.K00];
+        } else {
+            writePairMasses(row, at);
+        }
+    }
+
+    private void writePairMasses(int row, int at) {
+        double[] d = rows.data;
         double k01 =
                 response(
                         row,
@@ -224,15 +236,12 @@ final class RowBuilder {
                         d[at + Rows.LEVER_B1],
                         d[at + Rows.LEVER_A1],
                         d[at + Rows.LEVER_B1]);
-        double give = Rows.COMPLIANCE * k00 + (isDriven(row) ? GIVE_OF_DRIVEN / mass : 0);
-        k00 += give;
-        k11 += give;
-        d[at + Rows.GIVE] = give;
-        d[at + Rows.K00] = k00;
+        double k00 = d[at + Rows.K00];
+        k11 += d[at + Rows.GIVE];
         d[at + Rows.K01] = k01;
         d[at + Rows.K11] = k11;
         double determinant = k00 * k11 - k01 * k01;
-        if (rows.points[row] == 2 && determinant > DEPENDENT * k00 * k11) {
+        if (determinant > DEPENDENT * k00 * k11) {
             d[at + Rows.M00] = k11 / determinant;
             d[at + Rows.M01] = -k01 / determinant;
             d[at + Rows.M11] = k00 / determinant;
@@ -248,13 +257,15 @@ final class RowBuilder {
 
     /**
      * What is pressed in this deep and does not go along is not pressed on: the driven body counts
-     * as standing still. What goes along has been hit hard, and has somewhere to go.
+     * as standing still. What goes along has been hit hard, and has somewhere to go; and so may what
+     * has not been pushed yet.
      */
     private boolean isCrushed(int pair) {
         int a = pairs.bodyA[pair];
         int b = pairs.bodyB[pair];
         boolean isDriven = bodies.isDriven(a) || bodies.isDriven(b);
         return isDriven
+                && pairs.touchedBefore[pair]
                 && -pairs.gap(pair) > crushed * PairTolerances.width(bodies, a, b)
                 && (staysBehind(pair, 2 * pair)
                         || staysBehind(pair, 2 * pair + pairs.points[pair] - 1));
@@ -271,17 +282,15 @@ final class RowBuilder {
         return pressing > 0 && -parting > STAYS_BEHIND * pressing;
     }
 
-    /** One point, or two that are as good as one: the deeper is kept as the first. */
+    /** Two points that are as good as one: the deeper is kept as the first. */
     private void keepDeeper(int row, int at) {
         double[] d = rows.data;
-        if (rows.points[row] == 2) {
-            rows.points[row] = 1;
-            if (d[at + Rows.GAP1] < d[at + Rows.GAP0]) {
-                d[at + Rows.GAP0] = d[at + Rows.GAP1];
-                d[at + Rows.LEVER_A0] = d[at + Rows.LEVER_A1];
-                d[at + Rows.LEVER_B0] = d[at + Rows.LEVER_B1];
-                d[at + Rows.K00] = d[at + Rows.K11];
-            }
+        rows.points[row] = 1;
+        if (d[at + Rows.GAP1] < d[at + Rows.GAP0]) {
+            d[at + Rows.GAP0] = d[at + Rows.GAP1];
+            d[at + Rows.LEVER_A0] = d[at + Rows.LEVER_A1];
+            d[at + Rows.LEVER_B0] = d[at + Rows.LEVER_B1];
+            d[at + Rows.K00] = d[at + Rows.K11];
         }
         d[at + Rows.M00] = 1 / d[at + Rows.K00];
     }

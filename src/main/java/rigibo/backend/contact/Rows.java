@@ -12,6 +12,10 @@ import java.util.Arrays;
  */
 final class Rows {
 
+    /*
+     * What every pass reads stands first, and what only some do behind it: a cache line holds eight.
+     */
+
     static final int NX = 0;
     static final int NY = 1;
 
@@ -22,24 +26,30 @@ final class Rows {
     static final int LEVER_A1 = 4;
     static final int LEVER_B1 = 5;
 
-    /** What a unit impulse at point i gives point j, 1/kg, and the inverse of that matrix, kg. */
-    static final int K00 = 6;
+    /** Impulses so far in this kick, N·s. */
+    static final int IMPULSE0 = 6;
 
-    static final int K01 = 7;
-    static final int K11 = 8;
-    static final int M00 = 9;
-    static final int M01 = 10;
-    static final int M11 = 11;
+    static final int IMPULSE1 = 7;
 
     /** Gap of the points when the bodies entered the pile, m. */
-    static final int GAP0 = 12;
+    static final int GAP0 = 8;
 
-    static final int GAP1 = 13;
+    static final int GAP1 = 9;
 
-    /** Impulses so far in this kick, N·s. */
-    static final int IMPULSE0 = 14;
+    /** The inverse of {@link #K00}, {@link #K01}, {@link #K11}, kg. */
+    static final int M00 = 10;
 
-    static final int IMPULSE1 = 15;
+    static final int M01 = 11;
+    static final int M11 = 12;
+
+    /** Speed at which the contact gives way to a unit impulse, 1/kg. */
+    static final int GIVE = 13;
+
+    /** Speed at which the surfaces come together by turning, whatever the points do, m/s. */
+    static final int NEARING = 14;
+
+    /** Width of the narrower body that moves, m: what tolerances are a share of. */
+    static final int WIDTH = 15;
 
     /** Friction: levers r × t, effective mass in kg, μ, impulse in N·s. */
     static final int LEVER_TA = 16;
@@ -49,41 +59,38 @@ final class Rows {
     static final int FRICTION = 19;
     static final int IMPULSE_T = 20;
 
-    /** Rolling: effective inertia in kg·m², lever in m, angular impulse in N·m·s. */
-    static final int INERTIA_R = 21;
-
-    static final int ROLLING = 22;
-    static final int IMPULSE_R = 23;
-
-    /** Elasticity, and the approach in m/s from which a contact bounces. */
-    static final int ELASTICITY = 24;
-
-    static final int BOUNCE_SPEED = 25;
-
     /** Normal impulse of the whole step, N·s. */
-    static final int TOTAL = 26;
-
-    /** Width of the narrower body that moves, m: what tolerances are a share of. */
-    static final int WIDTH = 27;
+    static final int TOTAL = 21;
 
     /** Force that the points carried of late, N. */
-    static final int LOAD0 = 28;
+    static final int LOAD0 = 22;
 
-    static final int LOAD1 = 29;
+    static final int LOAD1 = 23;
+
+    /** What a unit impulse at point i gives point j, 1/kg. */
+    static final int K00 = 24;
+
+    static final int K01 = 25;
+    static final int K11 = 26;
+
+    /** Rolling: effective inertia in kg·m², lever in m, angular impulse in N·m·s. */
+    static final int INERTIA_R = 27;
+
+    static final int ROLLING = 28;
+    static final int IMPULSE_R = 29;
+
+    /** Elasticity, and the approach in m/s from which a contact bounces. */
+    static final int ELASTICITY = 30;
+
+    static final int BOUNCE_SPEED = 31;
 
     /** Share of an overlap taken back per second, 1/s. */
-    static final int RECOVERY = 30;
-
-    /** Speed at which the contact gives way to a unit impulse, 1/kg. */
-    static final int GIVE = 31;
+    static final int RECOVERY = 32;
 
     /** Normal impulses of the kick before, N·s. */
-    static final int BEFORE0 = 32;
+    static final int BEFORE0 = 33;
 
-    static final int BEFORE1 = 33;
-
-    /** Speed at which the surfaces come together by turning, whatever the points do, m/s. */
-    static final int NEARING = 34;
+    static final int BEFORE1 = 34;
 
     static final int STRIDE = 35;
 
@@ -95,7 +102,7 @@ final class Rows {
     static final double COMPLIANCE = 1e-10;
 
     /** The first substep of a contact that there was when the step began. */
-    private static final int ALWAYS = -1;
+    static final int ALWAYS = -1;
 
     double[] data = new double[16 * STRIDE];
 
@@ -113,6 +120,9 @@ final class Rows {
 
     /** The part of it by which driven surfaces carry, m/s. */
     double[] running = new double[16];
+
+    /** The last substep in which a contact joins, {@link #ALWAYS} where none does. */
+    int lastJoining;
 
     /**
      * Contacts from here on are against what cannot give way. Every pass takes them last: what it
@@ -147,11 +157,37 @@ final class Rows {
         data[at + IMPULSE_R] = 0;
     }
 
-    /** Takes all contacts for such. */
+    /** Takes a contact for one that joins in a substep. */
+    void joinsIn(int row, int substep) {
+        unload(row);
+        firstSubstep[row] = substep;
+        lastJoining = Math.max(lastJoining, substep);
+    }
+
+    /** Empties the pack. */
+    void clear() {
+        count = 0;
+        lastJoining = ALWAYS;
+    }
+
+    /** Takes all contacts for ones that have carried nothing yet. */
     void unload() {
         for (int row = 0; row < count; row++) {
             unload(row);
         }
+    }
+
+    /** Adds the impulses of this kick to those of the step. */
+    void addUpImpulses() {
+        for (int row = 0; row < count; row++) {
+            addUpImpulses(row);
+        }
+    }
+
+    /** The same of one contact. */
+    void addUpImpulses(int row) {
+        int at = row * STRIDE;
+        data[at + TOTAL] += data[at + IMPULSE0] + data[at + IMPULSE1];
     }
 
     /** Makes room for one more contact and returns its index; its numbers are all 0. */

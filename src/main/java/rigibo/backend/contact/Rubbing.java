@@ -15,6 +15,9 @@ interface Rubbing {
     /** One pass over all rows; returns the largest change of speed in it, m/s. */
     double solve(int substep);
 
+    /** Solves what one contact has of them. */
+    void rub(int row);
+
     /** Keeps what held in the last substep of h seconds. */
     void store(double h);
 }

@@ -53,7 +53,8 @@ final class SoftPush {
      */
     double bias(double gap, double width, double perSubstep) {
         double most = OverlapSolver.MOST_PUSH * width;
-        return gap > 0 ? gap * perSubstep : Math.max(gap * rate, -most);
+        double push = gap * (gap > 0 ? perSubstep : rate);
+        return push < -most ? -most : push;
     }
 
     /** The impulse in N·s drawn towards the load in N. */

@@ -43,6 +43,9 @@ final class TurningRows {
     private final Rows rows;
     private final FreshRows fresh;
 
+    /** Whether a contact of the packed island may have been bent in the substep before. */
+    private boolean isAnyBent;
+
     /** Sagitta of a whole step that may be passed over, as a share of the body's width. */
     private final double straight;
 
@@ -96,6 +99,11 @@ final class TurningRows {
      */
     boolean refresh(int substep, double h, double left) {
         boolean turns = isAnyTurning(left);
+        boolean wasBent = substep > 0 && isAnyBent;
+        isAnyBent = turns;
+        if (!turns && !wasBent) {
+            return false;
+        }
         boolean isAny = false;
         for (int row = 0; row < rows.count; row++) {
             if (turns && (isTurning(rows.bodyA[row], left) || isTurning(rows.bodyB[row], left))) {

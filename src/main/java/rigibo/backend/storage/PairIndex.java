@@ -61,6 +61,15 @@ public final class PairIndex {
         size--;
     }
 
+    /** Gives each pair another number, told by its old one. */
+    void renumber(int[] numbers) {
+        for (int at = 0; at < keys.length; at++) {
+            if (keys[at] != EMPTY) {
+                pairs[at] = numbers[pairs[at]];
+            }
+        }
+    }
+
     private void place(long key, int pair) {
         int at = home(key);
         while (keys[at] != EMPTY) {

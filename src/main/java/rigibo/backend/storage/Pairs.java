@@ -95,7 +95,7 @@ public final class Pairs {
     public int activeCount;
 
     /** The step in which a pair was last listed as active, and the number of this step. */
-    private int[] activeStep = new int[FIRST_CAPACITY];
+    int[] activeStep = new int[FIRST_CAPACITY];
 
     private int step;
 
@@ -166,6 +166,11 @@ public final class Pairs {
             active = Arrays.copyOf(active, 2 * activeCount);
         }
         active[activeCount++] = pair;
+    }
+
+    /** Whether this step has to look at a pair. */
+    boolean isActive(int pair) {
+        return activeStep[pair] == step;
     }
 
     /** Takes a pair out of both lists. */

@@ -33,6 +33,12 @@ public final class Slots {
         free[freeCount++] = slot;
     }
 
+    /** What is in use has been moved to the lowest slots: none is free among them. */
+    void closeRanks() {
+        high = inUse();
+        freeCount = 0;
+    }
+
     /** Makes room for as many free slots as there can be. */
     void reserveFree() {
         if (free.length < high) {
