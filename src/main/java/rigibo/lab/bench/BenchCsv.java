@@ -1,0 +1,27 @@
+package rigibo.lab.bench;
+
+import rigibo.lab.bench.probe.Sample;
+import rigibo.lab.report.Csv;
+
+import java.util.List;
+import java.util.stream.Stream;
+
+/** Every run as a line of values. */
+final class BenchCsv {
+
+    private static final List<String> KEYS = List.of("scene", "engine", "round");
+
+    private BenchCsv() {}
+
+    /** A head and a line for each scene, engine and round. */
+    static List<String> lines(List<Run> runs) {
+        Stream<String> head =
+                Stream.of(Csv.line(Stream.concat(KEYS.stream(), Sample.FIELDS.stream()).toArray()));
+        return Stream.concat(head, runs.stream().map(BenchCsv::line)).toList();
+    }
+
+    private static String line(Run run) {
+        Stream<Object> keys = Stream.of(run.scene(), run.engine(), run.round());
+        return Csv.line(Stream.concat(keys, run.sample().fields().stream()).toArray());
+    }
+}

@@ -1,0 +1,34 @@
+package rigibo.lab.bench.scene;
+
+import rigibo.backend.effect.Effects;
+import rigibo.backend.setup.BodyDefinition;
+import rigibo.backend.setup.BodyType;
+
+import java.util.List;
+
+/**
+ * What every engine is given to step.
+ *
+ * @param effects what it calls for
+ * @param bodies in the order they are added
+ * @param drum whose walls are among the bodies; {@link Drum#NONE} where there is none
+ */
+public record Scene(Effects effects, List<BodyDefinition> bodies, Drum drum) {
+
+    /** s, of every scene and engine. */
+    public static final double STEP = 1.0 / 60;
+
+    public Scene {
+        bodies = List.copyOf(bodies);
+    }
+
+    /** A scene in which nothing is driven. */
+    public Scene(Effects effects, List<BodyDefinition> bodies) {
+        this(effects, bodies, Drum.NONE);
+    }
+
+    /** How many of its bodies are moved by forces and contacts: those that it is named for. */
+    public int dynamic() {
+        return (int) bodies.stream().filter(body -> body.type() == BodyType.DYNAMIC).count();
+    }
+}
