@@ -28,8 +28,8 @@ class MainTest {
 
     @Test
     void unknownCommandIsRefusedWithUsage() {
-        assertThat(run("dance")).isEqualTo(2);
-        assertThat(err.toString()).contains("'dance'", "Usage: rigibo");
+        assertThat(run("juggle")).isEqualTo(2);
+        assertThat(err.toString()).contains("'juggle'", "Usage: rigibo");
     }
 
     @ParameterizedTest

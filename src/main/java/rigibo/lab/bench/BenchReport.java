@@ -60,10 +60,13 @@ final class BenchReport {
     }
 
     private String method() {
-        return String.format(
-                "The median of %d rounds each, in which the engines took turns; in brackets between"
-                        + " which ratios of one round it lies.",
-                rounds);
+        return rounds == 1
+                ? "One round."
+                : String.format(
+                        "Medians of %d rounds in which the engines took turns; in brackets between"
+                            + " which ratios of single rounds they lie. The sweep over sizes was"
+                            + " gone through once.",
+                        rounds);
     }
 
     private static void tell(StringBuilder page, Table table, List<String> sentences) {

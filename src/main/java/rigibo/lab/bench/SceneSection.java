@@ -82,11 +82,12 @@ final class SceneSection {
     }
 
     private static String spread(Interval ratio) {
-        return String.format(
-                "%s (%s to %s)",
-                Amount.digits(ratio.median()),
-                Amount.digits(ratio.low()),
-                Amount.digits(ratio.high()));
+        String median = Amount.digits(ratio.median());
+        return ratio.low() == ratio.high()
+                ? median
+                : String.format(
+                        "%s (%s to %s)",
+                        median, Amount.digits(ratio.low()), Amount.digits(ratio.high()));
     }
 
     private String aim(String engine) {

@@ -67,11 +67,11 @@ public final class BenchProbe {
 
     private Sample time() {
         try (Stage stage = new Stage(engine, setting, scene)) {
+            Look before = Look.at(scene, stage.world());
             for (int i = 0; i < pace.settling(); i++) {
                 stage.drive();
                 stage.step();
             }
-            Look before = Look.at(scene, stage.world());
             // What rehearsal and settling left is collected now, not in the midst of a step.
             System.gc();
             StepTimes nanos = new StepTimes(pace.timed());

@@ -15,8 +15,8 @@ import java.util.stream.Stream;
  * @param bytes allocated in a step, median
  * @param overlap the deepest at the end, m
  * @param height mean height of the bodies over their grounds at the end, as a share of what it was
- *     when timing began
- * @param energy of motion and height at the end, as a share of what it was when timing began
+ *     as the scene began: a pile that is crushed keeps less
+ * @param energy of motion and height at the end, as a share of what it was as the scene began
  * @param work of all timed steps; nothing where the engine does not tell
  */
 public record Sample(
