@@ -41,7 +41,7 @@ public final class BenchScenes {
                 new BenchScene(
                         "tumbler",
                         "2,025 boxes of 0.25 m in a drum that turns by 25°/s",
-                        new Pace(0, 150, 210),
+                        new Pace(0, 150, 150),
                         () -> Tumbler.of(45)),
                 new BenchScene(
                         "flood",
