@@ -17,7 +17,6 @@ import rigibo.lab.precision.Environment;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.UncheckedIOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.LocalDate;
 import java.util.ArrayList;
@@ -105,11 +104,9 @@ final class BenchCommand implements Callable<Integer> {
         if (steps != null) {
             requireWithin("--steps", steps, MOST_STEPS);
         }
-        requireDirectoryOf("--csv", csv);
-        requireDirectoryOf("--markdown", page);
-        if (Files.exists(out) && !Files.isDirectory(out)) {
-            throw refused("--out", out + " is not a directory");
-        }
+        Destination.requireFile(spec, "--csv", csv);
+        Destination.requireFile(spec, "--markdown", page);
+        Destination.requireDirectory(spec, "--out", out);
         Inquiry inquiry = new Inquiry(chosenScenes(), chosenEngines(), rounds, out);
         PrintWriter written = spec.commandLine().getOut();
         try {
@@ -162,17 +159,6 @@ final class BenchCommand implements Callable<Integer> {
     private void requireWithin(String option, int value, int most) {
         if (value < 1 || value > most) {
             throw refused(option, "must be 1 to " + most + ", was " + value);
-        }
-    }
-
-    /** It is told at once, not after minutes of work, that a table has nowhere to go. */
-    private void requireDirectoryOf(String option, Path file) {
-        if (file == null) {
-            return;
-        }
-        Path directory = file.toAbsolutePath().getParent();
-        if (directory == null || !Files.isDirectory(directory) || Files.isDirectory(file)) {
-            throw refused(option, "cannot write a file at " + file);
         }
     }
 
