@@ -1,6 +1,7 @@
 package rigibo.lab.bench;
 
 import rigibo.lab.bench.probe.Sample;
+import rigibo.lab.engine.RigiBoEngine;
 import rigibo.lab.report.Csv;
 
 import java.util.List;
@@ -22,6 +23,17 @@ final class BenchCsv {
 
     private static String line(Run run) {
         Stream<Object> keys = Stream.of(run.scene(), run.engine(), run.round());
-        return Csv.line(Stream.concat(keys, run.sample().fields().stream()).toArray());
+        return Csv.line(Stream.concat(keys, values(run)).toArray());
+    }
+
+    /** No work is told by other engines: that is no 0. */
+    private static Stream<Object> values(Run run) {
+        List<Object> fields = run.sample().fields();
+        if (run.engine().equals(RigiBoEngine.NAME)) {
+            return fields.stream();
+        }
+        int told = fields.size() - Sample.WORK_FIELDS;
+        Stream<Object> untold = Stream.generate(() -> "");
+        return Stream.concat(fields.subList(0, told).stream(), untold.limit(Sample.WORK_FIELDS));
     }
 }

@@ -3,13 +3,13 @@ package rigibo.lab.bench;
 import rigibo.backend.Pool;
 import rigibo.lab.bench.probe.BenchProbe;
 import rigibo.lab.bench.probe.Sample;
-import rigibo.lab.bench.scene.Scene;
 import rigibo.lab.child.ClassFiles;
 import rigibo.lab.child.Kept;
 import rigibo.lab.child.MeasuringJava;
 import rigibo.lab.child.Progress;
 import rigibo.lab.engine.Engine;
 import rigibo.lab.engine.World;
+import rigibo.lab.truth.Outline;
 
 import java.util.List;
 import java.util.function.Consumer;
@@ -40,10 +40,10 @@ final class BenchLab {
         kept = new Kept(inquiry.out().resolve(LOG), key(inquiry.engines()));
     }
 
-    /** The same for equal engines, scenes, ways to time them and Java. */
+    /** The same for equal engines, ways to time them and Java. */
     private static String key(List<Engine> engines) {
         Stream<Class<?>> measured =
-                Stream.of(Pool.class, World.class, Scene.class, BenchProbe.class);
+                Stream.of(Pool.class, World.class, Outline.class, BenchProbe.class);
         return Stream.concat(measured, engines.stream().map(Engine::getClass))
                         .map(member -> ClassFiles.of(member).hash())
                         .collect(Collectors.joining("-"))

@@ -64,8 +64,7 @@ final class BenchReport {
                 ? "One round."
                 : String.format(
                         "Medians of %d rounds in which the engines took turns; in brackets between"
-                            + " which ratios of single rounds they lie. The sweep over sizes was"
-                            + " gone through once.",
+                                + " which ratios of single rounds they lie.",
                         rounds);
     }
 

@@ -7,8 +7,10 @@ import rigibo.lab.engine.RigiBoEngine;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 
 /**
  * What is asked of the bench.
@@ -27,11 +29,14 @@ public record Inquiry(List<BenchScene> scenes, List<Engine> engines, int rounds,
      */
     List<Task> tasks() {
         List<Task> tasks = new ArrayList<>();
+        Map<BenchScene, Integer> fingerprints = new HashMap<>();
+        scenes.forEach(scene -> fingerprints.put(scene, scene.scene().get().fingerprint()));
         for (int round = 1; round <= rounds; round++) {
             for (BenchScene scene : scenes) {
                 for (Engine engine : engines) {
                     if (isAsked(scene, engine, round)) {
-                        tasks.add(new Task(scene, engine.name(), round));
+                        int bodies = fingerprints.get(scene);
+                        tasks.add(new Task(scene, bodies, engine.name(), round));
                     }
                 }
             }

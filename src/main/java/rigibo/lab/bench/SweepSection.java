@@ -74,9 +74,9 @@ final class SweepSection {
 
     List<String> sentences() {
         String what =
-                "Floods as deep as each other, ever wider, from the first step until they lie; the"
-                        + " exponent is that of the time of a step by the number of discs, from"
-                        + " 1,000 on.";
+                "Floods as deep as each other, ever wider, from the first step until they lie, in"
+                        + " one round; the exponent is that of the time of a step by the number of"
+                        + " discs, from 1,000 on.";
         if (!engines.contains(RigiBoEngine.NAME)) {
             return List.of(what);
         }

@@ -8,10 +8,11 @@ import java.util.List;
  * One process to run.
  *
  * @param scene that is timed
+ * @param fingerprint of its bodies and effects
  * @param engine name
  * @param round from 1 on
  */
-record Task(BenchScene scene, String engine, int round) {
+record Task(BenchScene scene, int fingerprint, String engine, int round) {
 
     /** What the process is told. */
     List<String> arguments() {
@@ -20,6 +21,7 @@ record Task(BenchScene scene, String engine, int round) {
 
     /** Under which what it finds is kept. */
     String name() {
-        return String.join(" | ", arguments()) + " | " + round;
+        String bodies = Integer.toHexString(fingerprint);
+        return String.join(" | ", arguments()) + " | " + bodies + " | " + round;
     }
 }

@@ -45,6 +45,9 @@ public record Sample(
                     "evaluations",
                     "rows");
 
+    /** How many of the last fields count work. */
+    public static final int WORK_FIELDS = 5;
+
     private static final String BETWEEN = ",";
 
     /** All of it, for tables. */
@@ -79,7 +82,11 @@ public record Sample(
         if (field.length != FIELDS.size()) {
             throw new IllegalArgumentException("not a sample: '" + line + "'");
         }
-        long[] work = Stream.of(field).skip(7).mapToLong(Long::parseLong).toArray();
+        long[] work =
+                Stream.of(field)
+                        .skip(field.length - WORK_FIELDS)
+                        .mapToLong(Long::parseLong)
+                        .toArray();
         return new Sample(
                 Integer.parseInt(field[0]),
                 Double.parseDouble(field[1]),

@@ -10,6 +10,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 
 import rigibo.backend.effect.Contacts;
+import rigibo.backend.effect.Friction;
 import rigibo.backend.effect.Sleep;
 import rigibo.lab.engine.Engine;
 import rigibo.lab.engine.Engines;
@@ -67,6 +68,15 @@ class BenchScenesTest {
                             .orElseThrow();
             assertThat(highest).as(scene.name()).isCloseTo((4 + 24 * 2.4) * 0.25, within(0.7));
         }
+    }
+
+    @Test
+    void fingerprintTellsScenesApart() {
+        assertThat(Pyramids.one(3).fingerprint()).isEqualTo(Pyramids.one(3).fingerprint());
+        assertThat(Pyramids.one(3).fingerprint()).isNotEqualTo(Pyramids.one(4).fingerprint());
+        Scene scene = Pyramids.one(3);
+        Scene frictionless = new Scene(scene.effects().without(Friction.class), scene.bodies());
+        assertThat(frictionless.fingerprint()).isNotEqualTo(scene.fingerprint());
     }
 
     @Test
