@@ -60,8 +60,8 @@ final class CasesCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        requireDirectoryOf("--csv", csv);
-        requireDirectoryOf("--markdown", page);
+        Destination.requireFile(spec, "--csv", csv);
+        Destination.requireFile(spec, "--markdown", page);
         Cases cases = choose();
         List<HardCase.Result> results = cases.run(result -> tell(result, cases.count()));
         boolean isWritten = write(results);
@@ -79,19 +79,6 @@ final class CasesCommand implements Callable<Integer> {
         } catch (IllegalArgumentException unknown) {
             throw new ParameterException(
                     spec.commandLine(), "Invalid value for '--only': " + unknown.getMessage());
-        }
-    }
-
-    /** It is told at once, not after minutes of work, that a table has nowhere to go. */
-    private void requireDirectoryOf(String option, Path file) {
-        if (file == null) {
-            return;
-        }
-        Path directory = file.toAbsolutePath().getParent();
-        if (directory == null || !Files.isDirectory(directory) || Files.isDirectory(file)) {
-            throw new ParameterException(
-                    spec.commandLine(),
-                    "Invalid value for '" + option + "': cannot write a file at " + file);
         }
     }
 

@@ -197,18 +197,10 @@ final class LabCommand implements Callable<Integer> {
 
     /** It is told at once, not after half an hour of work, that something has nowhere to go. */
     private void requireFiles() {
-        if (Files.exists(out) && !Files.isDirectory(out)) {
-            throw refused("--out", out + " is not a directory");
-        }
-        if (page == null) {
-            return;
-        }
-        if (figures.size() > 1) {
+        Destination.requireDirectory(spec, "--out", out);
+        Destination.requireFile(spec, "--markdown", page);
+        if (page != null && figures.size() > 1) {
             throw refused("--markdown", "one page holds one kind of figures");
-        }
-        Path directory = page.toAbsolutePath().getParent();
-        if (directory == null || !Files.isDirectory(directory) || Files.isDirectory(page)) {
-            throw refused("--markdown", "cannot write a file at " + page);
         }
     }
 

@@ -20,6 +20,7 @@ import java.io.PrintWriter;
             LevelsCommand.class,
             CasesCommand.class,
             LabCommand.class,
+            BenchCommand.class,
             HelpCommand.class
         })
 public final class Main implements Runnable {

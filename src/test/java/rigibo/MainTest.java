@@ -22,13 +22,14 @@ class MainTest {
     void helpNamesEveryCommand() {
         assertThat(run("help")).isZero();
         assertThat(out.toString())
-                .contains("Usage: rigibo", "play", "tour", "levels", "cases", "lab", "help");
+                .contains(
+                        "Usage: rigibo", "play", "tour", "levels", "cases", "lab", "bench", "help");
     }
 
     @Test
     void unknownCommandIsRefusedWithUsage() {
-        assertThat(run("dance")).isEqualTo(2);
-        assertThat(err.toString()).contains("'dance'", "Usage: rigibo");
+        assertThat(run("x")).isEqualTo(2);
+        assertThat(err.toString()).contains("'x'", "Usage: rigibo");
     }
 
     @ParameterizedTest
@@ -68,6 +69,22 @@ class MainTest {
         "lab --markdown no/such/place.md, no/such/place.md"
     })
     void wrongChoiceOfTheLabIsRefusedWithTheRightOnes(String typed, String named) {
+        assertThat(run(typed.split(" "))).isEqualTo(2);
+        assertThat(err.toString()).contains(typed.split(" ")[1], named);
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "bench --scenes moon, large-pyramid",
+        "bench --engines bullet, rigibo",
+        "bench --rounds 0, 1 to 100",
+        "bench --steps 0, 1 to 100000",
+        "bench --steps some, some",
+        "bench --csv no/such/place.csv, no/such/place.csv",
+        "bench --markdown no/such/place.md, no/such/place.md",
+        "bench --out README.md, not a directory"
+    })
+    void wrongChoiceOfTheBenchIsRefusedWithTheRightOnes(String typed, String named) {
         assertThat(run(typed.split(" "))).isEqualTo(2);
         assertThat(err.toString()).contains(typed.split(" ")[1], named);
     }

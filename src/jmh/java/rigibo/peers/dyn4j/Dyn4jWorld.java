@@ -124,6 +124,13 @@ final class Dyn4jWorld implements World {
     }
 
     @Override
+    public void drive(int body, double velocityX, double velocityY, double spin) {
+        Body driven = bodies.get(body);
+        driven.setLinearVelocity(velocityX, velocityY);
+        driven.setAngularVelocity(spin);
+    }
+
+    @Override
     public double x(int body) {
         return bodies.get(body).getTransform().getTranslationX();
     }

@@ -123,6 +123,13 @@ final class GdxBox2dWorld implements World {
     }
 
     @Override
+    public void drive(int body, double velocityX, double velocityY, double spin) {
+        Body driven = bodies.get(body);
+        driven.setLinearVelocity((float) velocityX, (float) velocityY);
+        driven.setAngularVelocity((float) spin);
+    }
+
+    @Override
     public double x(int body) {
         return bodies.get(body).getWorldCenter().x;
     }

@@ -126,6 +126,13 @@ final class Jbox2dWorld implements World {
     }
 
     @Override
+    public void drive(int body, double velocityX, double velocityY, double spin) {
+        Body driven = bodies.get(body);
+        driven.setLinearVelocity(vector(velocityX, velocityY));
+        driven.setAngularVelocity((float) spin);
+    }
+
+    @Override
     public double x(int body) {
         return bodies.get(body).getWorldCenter().x;
     }

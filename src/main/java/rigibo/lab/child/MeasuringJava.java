@@ -11,28 +11,39 @@ import java.util.stream.IntStream;
 public final class MeasuringJava {
 
     /**
-     * A heap that never changes its size, collected without threads of its own. Compilation holds
-     * up the thread that asked for it: on one core it would otherwise take turns with what is
+     * Beside a heap that never changes its size, collected without threads of its own: compilation
+     * holds up the thread that asked for it. On one core it would otherwise take turns with what is
      * measured, at another moment in every run.
      */
-    private static final List<String> FLAGS =
-            List.of("-Xms256m", "-Xmx256m", "-XX:+UseSerialGC", "-Xbatch");
+    private static final List<String> FLAGS = List.of("-XX:+UseSerialGC", "-Xbatch");
+
+    /** Of one scene's bodies and of what most engines make garbage of. */
+    private static final int USUAL_HEAP_MEGABYTES = 256;
 
     private final List<String> pin;
+    private final List<String> flags;
 
-    private MeasuringJava(int core) {
+    private MeasuringJava(int core, int heapMegabytes) {
         pin = pin(core);
+        flags = new ArrayList<>();
+        flags.addAll(List.of("-Xms" + heapMegabytes + "m", "-Xmx" + heapMegabytes + "m"));
+        flags.addAll(FLAGS);
     }
 
     /** Processes on the last core, which fewest interrupts go to. */
     public static MeasuringJava onLastCore() {
-        return new MeasuringJava(Runtime.getRuntime().availableProcessors() - 1);
+        return onLastCore(USUAL_HEAP_MEGABYTES);
+    }
+
+    /** The same with a heap of so many megabytes, for scenes of very many bodies. */
+    public static MeasuringJava onLastCore(int heapMegabytes) {
+        return new MeasuringJava(Runtime.getRuntime().availableProcessors() - 1, heapMegabytes);
     }
 
     /** One for each core, so that as many processes may run side by side. */
     public static List<MeasuringJava> onEveryCore() {
         return IntStream.range(0, Runtime.getRuntime().availableProcessors())
-                .mapToObj(MeasuringJava::new)
+                .mapToObj(core -> new MeasuringJava(core, USUAL_HEAP_MEGABYTES))
                 .toList();
     }
 
@@ -56,7 +67,7 @@ public final class MeasuringJava {
     /** How processes are run, in words. */
     public String words() {
         String core = pin.isEmpty() ? "not pinned" : "pinned to one core";
-        return String.join(" ", FLAGS) + ", " + core;
+        return String.join(" ", flags) + ", " + core;
     }
 
     /**
@@ -69,7 +80,7 @@ public final class MeasuringJava {
     public List<String> run(String classPath, Class<?> main, List<String> arguments, String mark) {
         List<String> command = new ArrayList<>(pin);
         command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
-        command.addAll(FLAGS);
+        command.addAll(flags);
         command.addAll(List.of("-cp", classPath, main.getName()));
         command.addAll(arguments);
         try {

@@ -37,6 +37,13 @@ final class RigiBoWorld implements World {
     }
 
     @Override
+    public void drive(int body, double velocityX, double velocityY, double spin) {
+        RigidBody driven = bodies.get(body);
+        driven.velocity(velocityX, velocityY);
+        driven.spin(spin);
+    }
+
+    @Override
     public double x(int body) {
         return bodies.get(body).x();
     }
@@ -80,7 +87,12 @@ final class RigiBoWorld implements World {
     @Override
     public Work lastStep() {
         StepReport report = pool.report();
-        return new Work(report.pairs(), report.impacts(), report.evaluations(), report.rows());
+        return new Work(
+                report.pairs(),
+                report.contacts(),
+                report.impacts(),
+                report.evaluations(),
+                report.rows());
     }
 
     @Override

@@ -16,6 +16,12 @@ public interface World extends AutoCloseable {
      */
     void push(int body, double forceX, double forceY);
 
+    /**
+     * Has a kinematic body move with a velocity of its centre of mass, m/s to the right and up, and
+     * an angular velocity, rad/s counter-clockwise, from the next step on.
+     */
+    void drive(int body, double velocityX, double velocityY, double spin);
+
     /** World x of the centre of mass, m. */
     double x(int body);
 

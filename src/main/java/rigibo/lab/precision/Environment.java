@@ -19,7 +19,7 @@ public record Environment(
         String machine, String jvm, String flags, String commit, String date, String command) {
 
     /** The same, of processes that were started otherwise. */
-    Environment withFlags(String others) {
+    public Environment withFlags(String others) {
         return new Environment(machine, jvm, others, commit, date, command);
     }
 
@@ -36,7 +36,7 @@ public record Environment(
     }
 
     /** All of it, for people, in one sentence. */
-    String words() {
+    public String words() {
         return String.format(
                 "Measured on %s, on %s, with %s (%s), at commit %s.",
                 date, machine, jvm, flags, commit);

@@ -26,6 +26,7 @@ final class PointsCsv {
         "steps",
         "simulated_s",
         "pairs",
+        "contacts",
         "impacts",
         "evaluations",
         "rows"
@@ -86,6 +87,7 @@ final class PointsCsv {
                 point.steps(),
                 point.simulated(),
                 point.work().pairs(),
+                point.work().contacts(),
                 point.work().impacts(),
                 point.work().evaluations(),
                 point.work().rows());

@@ -2,9 +2,9 @@ package rigibo.lab.precision;
 
 import rigibo.lab.problem.Problem;
 import rigibo.lab.problem.Problems;
+import rigibo.lab.report.MeasuredPart;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -12,8 +12,6 @@ import java.util.function.Consumer;
 
 /** Measures what accuracy costs in time and writes it: tables, figures, page. */
 public final class PrecisionStudy {
-
-    private static final String MEASURED = "## What was measured\n\n";
 
     private final Inquiry inquiry;
     private final Environment environment;
@@ -51,15 +49,8 @@ public final class PrecisionStudy {
                         environment.withFlags(lab.method()));
         report.write(inquiry.out());
         if (page.isPresent()) {
-            Files.writeString(page.get(), unmeasured(page.get()) + report.markdown());
+            MeasuredPart.write(page.get(), report.markdown());
         }
         return report.sentences();
-    }
-
-    /** What stands on the page already, up to where the measured part begins, that heading too. */
-    private static String unmeasured(Path page) throws IOException {
-        String text = Files.exists(page) ? Files.readString(page) : "";
-        int end = text.indexOf(MEASURED);
-        return (end < 0 ? text : text.substring(0, end)) + MEASURED;
     }
 }

@@ -2,6 +2,7 @@ package rigibo.lab.report;
 
 import java.util.List;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /**
  * Rows under a head, for two kinds of page.
@@ -20,6 +21,31 @@ public record Table(List<String> head, List<List<String>> rows) {
 
     private static String line(List<String> cells) {
         return "| " + String.join(" | ", cells) + " |";
+    }
+
+    /** As lines for a terminal, columns padded with blanks; numbers to the right. */
+    public List<String> text() {
+        int[] widths = new int[head.size()];
+        for (int i = 0; i < widths.length; i++) {
+            int column = i;
+            widths[i] =
+                    Stream.concat(Stream.of(head), rows.stream())
+                            .mapToInt(row -> row.get(column).length())
+                            .max()
+                            .orElse(0);
+        }
+        return Stream.concat(Stream.of(head), rows.stream())
+                .map(row -> padded(row, widths).stripTrailing())
+                .toList();
+    }
+
+    private static String padded(List<String> cells, int[] widths) {
+        StringBuilder line = new StringBuilder();
+        for (int i = 0; i < widths.length; i++) {
+            String blanks = " ".repeat(widths[i] - cells.get(i).length());
+            line.append(i == 0 ? cells.get(i) + blanks : "  " + blanks + cells.get(i));
+        }
+        return line.toString();
     }
 
     /** As HTML. */

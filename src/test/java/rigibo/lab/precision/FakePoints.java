@@ -68,7 +68,7 @@ final class FakePoints {
                 setting,
                 errors.with("height (m)", 0.25),
                 300,
-                new Work(10, 5, 40, 20),
+                new Work(10, 6, 5, 40, 20),
                 cost > 0 ? Optional.of(timing(cost * setting.step() * 1e6)) : Optional.empty());
     }
 

@@ -55,6 +55,11 @@ class TamperedTest {
         }
 
         @Override
+        public void drive(int body, double velocityX, double velocityY, double spin) {
+            world.drive(body, factor * velocityX, factor * velocityY, spin);
+        }
+
+        @Override
         public double x(int body) {
             return factor * world.x(body);
         }

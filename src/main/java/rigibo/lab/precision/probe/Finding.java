@@ -22,7 +22,7 @@ public record Finding(Errors errors, long steps, Work work, Optional<Timing> tim
     private static final String BETWEEN_FIELDS = "\t";
     private static final String BETWEEN_ERRORS = ";";
     private static final String AFTER_NAME = "=";
-    private static final int FIELDS_WITHOUT_TIMING = 8;
+    private static final int FIELDS_WITHOUT_TIMING = 9;
     private static final int FIELDS = FIELDS_WITHOUT_TIMING + 6;
 
     /** All of it in one line, for a process to print and for a log. */
@@ -34,6 +34,7 @@ public record Finding(Errors errors, long steps, Work work, Optional<Timing> tim
                         errors.failure().replaceAll("\\s+", " "),
                         steps,
                         work.pairs(),
+                        work.contacts(),
                         work.impacts(),
                         work.evaluations(),
                         work.rows());
@@ -74,7 +75,8 @@ public record Finding(Errors errors, long steps, Work work, Optional<Timing> tim
                         Long.parseLong(field[4]),
                         Long.parseLong(field[5]),
                         Long.parseLong(field[6]),
-                        Long.parseLong(field[7]));
+                        Long.parseLong(field[7]),
+                        Long.parseLong(field[8]));
         return new Finding(errors, Long.parseLong(field[3]), work, parseTiming(field));
     }
 

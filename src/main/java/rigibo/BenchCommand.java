@@ -1,0 +1,191 @@
+package rigibo;
+
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+
+import rigibo.lab.bench.BenchStudy;
+import rigibo.lab.bench.Inquiry;
+import rigibo.lab.bench.scene.BenchScene;
+import rigibo.lab.bench.scene.BenchScenes;
+import rigibo.lab.engine.Engine;
+import rigibo.lab.engine.Engines;
+import rigibo.lab.precision.Environment;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.UncheckedIOException;
+import java.nio.file.Path;
+import java.time.LocalDate;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+
+/** Times steps of large scenes, beside other engines. */
+@Command(
+        name = "bench",
+        description =
+                "Times the steps of large scenes by every engine at hand, each in a process of its"
+                        + " own, and tells what became of the scenes. Interrupted, it goes on where"
+                        + " it was when it is started again. All of it takes about 12 minutes.")
+final class BenchCommand implements Callable<Integer> {
+
+    private static final String SWEEP = "sweep";
+    private static final int MOST_ROUNDS = 100;
+    private static final int MOST_STEPS = 100_000;
+
+    @Option(
+            names = "--scenes",
+            paramLabel = "SCENE",
+            split = ",",
+            description =
+                    "pyramid, large-pyramid, tumbler, flood, many-pyramids, free, level, sweep; all"
+                            + " of them unless said otherwise.")
+    private List<String> scenes = List.of();
+
+    @Option(
+            names = "--sweep",
+            description =
+                    "Floods of 100 to 50,000 discs, and how their time grows: the same as"
+                            + " --scenes sweep.")
+    private boolean isSweep;
+
+    @Option(
+            names = "--engines",
+            paramLabel = "ENGINE",
+            split = ",",
+            description =
+                    "rigibo, dyn4j, gdx-box2d, jbox2d; all that are at hand unless said otherwise.")
+    private List<String> engines = List.of();
+
+    @Option(
+            names = "--rounds",
+            paramLabel = "N",
+            defaultValue = "3",
+            description =
+                    "How often every engine is given each scene in turn, 3 unless said otherwise.")
+    private int rounds;
+
+    @Option(
+            names = "--steps",
+            paramLabel = "N",
+            description =
+                    "Steps timed of each scene, after no more than as many; a number of its own for"
+                            + " each unless said otherwise.")
+    private Integer steps;
+
+    @Option(
+            names = "--csv",
+            paramLabel = "FILE",
+            description = "Writes every run as CSV, a line for each scene, engine and round.")
+    private Path csv;
+
+    @Option(
+            names = "--markdown",
+            paramLabel = "FILE",
+            description = "Writes the measured part of a page such as docs/performance.md.")
+    private Path page;
+
+    @Option(
+            names = "--out",
+            paramLabel = "DIR",
+            defaultValue = "build/bench",
+            description = "Where runs are kept, build/bench unless said otherwise.")
+    private Path out;
+
+    @Spec private CommandSpec spec;
+
+    @Override
+    public Integer call() {
+        requireWithin("--rounds", rounds, MOST_ROUNDS);
+        if (steps != null) {
+            requireWithin("--steps", steps, MOST_STEPS);
+        }
+        Destination.requireFile(spec, "--csv", csv);
+        Destination.requireFile(spec, "--markdown", page);
+        Destination.requireDirectory(spec, "--out", out);
+        Inquiry inquiry = new Inquiry(chosenScenes(), chosenEngines(), rounds, out);
+        PrintWriter written = spec.commandLine().getOut();
+        try {
+            new BenchStudy(inquiry, BenchProcess.class, environment())
+                    .make(Optional.ofNullable(csv), Optional.ofNullable(page), this::tell)
+                    .forEach(written::println);
+            written.flush();
+            return 0;
+        } catch (IllegalStateException | IOException | UncheckedIOException cause) {
+            tell("FAILED: " + cause.getMessage());
+            return 1;
+        }
+    }
+
+    private List<BenchScene> chosenScenes() {
+        List<BenchScene> known = new ArrayList<>(BenchScenes.all());
+        known.add(BenchProcess.level());
+        List<String> names = new ArrayList<>(known.stream().map(BenchScene::name).toList());
+        names.add(SWEEP);
+        requireKnown("--scenes", scenes, names);
+        boolean isAll = scenes.isEmpty() && !isSweep;
+        List<BenchScene> chosen =
+                new ArrayList<>(
+                        known.stream()
+                                .filter(scene -> isAll || scenes.contains(scene.name()))
+                                .toList());
+        if (isAll || isSweep || scenes.contains(SWEEP)) {
+            chosen.addAll(BenchScenes.sweep());
+        }
+        return steps == null ? chosen : chosen.stream().map(scene -> scene.timing(steps)).toList();
+    }
+
+    private List<Engine> chosenEngines() {
+        List<Engine> known = Engines.all();
+        requireKnown("--engines", engines, known.stream().map(Inquiry::shortName).toList());
+        return known.stream()
+                .filter(engine -> engines.isEmpty() || engines.contains(Inquiry.shortName(engine)))
+                .toList();
+    }
+
+    private void requireKnown(String option, List<String> asked, List<String> known) {
+        for (String name : asked) {
+            if (!known.contains(name)) {
+                String there = String.join(", ", known);
+                throw refused(option, "there is no '" + name + "'; there are " + there);
+            }
+        }
+    }
+
+    private void requireWithin(String option, int value, int most) {
+        if (value < 1 || value > most) {
+            throw refused(option, "must be 1 to " + most + ", was " + value);
+        }
+    }
+
+    private ParameterException refused(String option, String why) {
+        return new ParameterException(
+                spec.commandLine(), "Invalid value for '" + option + "': " + why);
+    }
+
+    private Environment environment() {
+        String today = LocalDate.now().toString();
+        return new Environment(
+                Machine.words(), Machine.jvm(), "", Machine.commit(), today, command());
+    }
+
+    /** What was asked, as it was typed, where to write it left out. */
+    private String command() {
+        return "./rigibo bench"
+                + (scenes.isEmpty() ? "" : " --scenes " + String.join(",", scenes))
+                + (isSweep ? " --sweep" : "")
+                + (engines.isEmpty() ? "" : " --engines " + String.join(",", engines))
+                + (" --rounds " + rounds)
+                + (steps == null ? "" : " --steps " + steps);
+    }
+
+    private void tell(String words) {
+        PrintWriter err = spec.commandLine().getErr();
+        err.println(words);
+        err.flush();
+    }
+}

@@ -1,0 +1,61 @@
+package rigibo.lab.bench;
+
+import rigibo.lab.bench.scene.BenchScene;
+import rigibo.lab.bench.scene.BenchScenes;
+import rigibo.lab.engine.Engine;
+import rigibo.lab.engine.RigiBoEngine;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+
+/**
+ * What is asked of the bench.
+ *
+ * @param scenes in the order of the report
+ * @param engines likewise
+ * @param rounds in which every engine has each scene once
+ * @param out directory in which what was found is kept
+ */
+public record Inquiry(List<BenchScene> scenes, List<Engine> engines, int rounds, Path out) {
+
+    /**
+     * Every run, in the order in which it is made: engines take turns, so that what the machine
+     * does meanwhile falls on all of them. The sweep is gone through once: its exponents rest on
+     * many sizes.
+     */
+    List<Task> tasks() {
+        List<Task> tasks = new ArrayList<>();
+        Map<BenchScene, Integer> fingerprints = new HashMap<>();
+        scenes.forEach(scene -> fingerprints.put(scene, scene.scene().get().fingerprint()));
+        for (int round = 1; round <= rounds; round++) {
+            for (BenchScene scene : scenes) {
+                for (Engine engine : engines) {
+                    if (isAsked(scene, engine, round)) {
+                        int bodies = fingerprints.get(scene);
+                        tasks.add(new Task(scene, bodies, engine.name(), round));
+                    }
+                }
+            }
+        }
+        return tasks;
+    }
+
+    private static boolean isAsked(BenchScene scene, Engine engine, int round) {
+        boolean isOurs = engine.name().equals(RigiBoEngine.NAME);
+        boolean isInRound = round == 1 || !BenchScenes.isSwept(scene.name());
+        return isInRound && (isOurs || BenchScenes.isForAll(scene.name()));
+    }
+
+    /** The short name by which an engine is asked for: without its version. */
+    public static String shortName(Engine engine) {
+        return shortName(engine.name());
+    }
+
+    static String shortName(String engine) {
+        return engine.split(" ")[0].toLowerCase(Locale.ROOT);
+    }
+}

@@ -1,0 +1,107 @@
+package rigibo.lab.bench.probe;
+
+import com.sun.management.ThreadMXBean;
+
+import rigibo.lab.bench.scene.Pace;
+import rigibo.lab.bench.scene.Scene;
+import rigibo.lab.engine.Engine;
+import rigibo.lab.engine.Engines;
+import rigibo.lab.engine.Line;
+import rigibo.lab.engine.Setting;
+import rigibo.lab.engine.Work;
+
+import java.lang.management.ManagementFactory;
+
+/** Times the steps of one scene by one engine, and looks at what became of it. */
+public final class BenchProbe {
+
+    /** What the line begins with that holds a sample. */
+    public static final String MARK = "sample ";
+
+    private static final ThreadMXBean THREADS = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+    private static final double NANOS_PER_SECOND = 1e9;
+
+    /** A rehearsal ends after so many runs: of a short scene all is compiled by then. */
+    private static final int MOST_REHEARSALS = 20;
+
+    private final Engine engine;
+    private final Setting setting;
+    private final Scene scene;
+    private final Pace pace;
+
+    private BenchProbe(Engine engine, Scene scene, Pace pace) {
+        this.engine = engine;
+        this.setting = usual(engine);
+        this.scene = scene;
+        this.pace = pace;
+    }
+
+    /** Rehearses, settles and times a scene. */
+    public static Sample measure(Engine engine, Scene scene, Pace pace) {
+        BenchProbe probe = new BenchProbe(engine, scene, pace);
+        probe.rehearse();
+        return probe.time();
+    }
+
+    /** The preset of the game, or another engine as it comes. */
+    private static Setting usual(Engine engine) {
+        Setting first = engine.settings().get(0);
+        return first.line() == Line.PEERS ? first : Engines.setting(engine, "GAME");
+    }
+
+    private void rehearse() {
+        long begun = System.nanoTime();
+        for (int run = 0; run < MOST_REHEARSALS && isRehearsing(begun); run++) {
+            try (Stage stage = new Stage(engine, setting, scene)) {
+                for (int i = 0; i < pace.settling() + pace.timed() && isRehearsing(begun); i++) {
+                    stage.drive();
+                    stage.step();
+                }
+            }
+        }
+    }
+
+    private boolean isRehearsing(long begun) {
+        return System.nanoTime() - begun < pace.rehearsal() * NANOS_PER_SECOND;
+    }
+
+    private Sample time() {
+        try (Stage stage = new Stage(engine, setting, scene)) {
+            Look before = Look.at(scene, stage.world());
+            for (int i = 0; i < pace.settling(); i++) {
+                stage.drive();
+                stage.step();
+            }
+            // What rehearsal and settling left is collected now, not in the midst of a step.
+            System.gc();
+            StepTimes nanos = new StepTimes(pace.timed());
+            StepTimes bytes = new StepTimes(pace.timed());
+            Work work = Work.NONE;
+            for (int i = 0; i < pace.timed(); i++) {
+                stage.drive();
+                time(stage, nanos, bytes);
+                work = work.plus(stage.lastStep());
+            }
+            Look after = Look.at(scene, stage.world());
+            return new Sample(
+                    pace.timed(),
+                    nanos.percentile(50),
+                    nanos.percentile(99),
+                    bytes.percentile(50),
+                    DeepestOverlap.in(scene, stage.world()),
+                    after.height() / before.height(),
+                    after.energy() / before.energy(),
+                    work);
+        }
+    }
+
+    /** The processor's clock may allocate, so bytes are counted within it. */
+    private static void time(Stage stage, StepTimes nanos, StepTimes bytes) {
+        long begun = THREADS.getCurrentThreadCpuTime();
+        long allocated = THREADS.getCurrentThreadAllocatedBytes();
+        stage.step();
+        allocated = THREADS.getCurrentThreadAllocatedBytes() - allocated;
+        nanos.add(THREADS.getCurrentThreadCpuTime() - begun);
+        bytes.add(allocated);
+    }
+}

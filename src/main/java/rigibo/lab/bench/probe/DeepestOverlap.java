@@ -1,0 +1,76 @@
+package rigibo.lab.bench.probe;
+
+import rigibo.backend.geometry.Aabb;
+import rigibo.backend.setup.BodyDefinition;
+import rigibo.backend.setup.BodyType;
+import rigibo.lab.bench.scene.Scene;
+import rigibo.lab.engine.World;
+import rigibo.lab.truth.Outline;
+
+import java.util.Comparator;
+import java.util.List;
+import java.util.stream.IntStream;
+
+/** The deepest overlap of two bodies of a scene, from where they are, whatever the engine says. */
+final class DeepestOverlap {
+
+    private final List<BodyDefinition> bodies;
+    private final Outline[] outlines;
+    private final Aabb[] bounds;
+
+    private DeepestOverlap(Scene scene, World world) {
+        bodies = scene.bodies();
+        outlines = new Outline[bodies.size()];
+        bounds = new Aabb[outlines.length];
+        for (int i = 0; i < outlines.length; i++) {
+            place(i, world.x(i), world.y(i), world.angle(i));
+        }
+    }
+
+    private void place(int i, double x, double y, double angle) {
+        outlines[i] = new Outline(bodies.get(i).shape());
+        outlines[i].place(x, y, angle);
+        bounds[i] = new Aabb();
+        outlines[i].shape().bounds(x, y, Math.cos(angle), Math.sin(angle), bounds[i]);
+    }
+
+    /** m; 0 where none overlap. */
+    static double in(Scene scene, World world) {
+        return new DeepestOverlap(scene, world).sweep();
+    }
+
+    /** From left to right: only what begins before a body ends can overlap it. */
+    private double sweep() {
+        int[] byLeft =
+                IntStream.range(0, outlines.length)
+                        .boxed()
+                        .sorted(Comparator.comparingDouble(i -> bounds[i].minX))
+                        .mapToInt(Integer::intValue)
+                        .toArray();
+        double deepest = 0;
+        for (int i = 0; i < byLeft.length; i++) {
+            int a = byLeft[i];
+            for (int j = i + 1; j < byLeft.length; j++) {
+                int b = byLeft[j];
+                if (bounds[b].minX > bounds[a].maxX) {
+                    break;
+                }
+                deepest = Math.max(deepest, depth(a, b));
+            }
+        }
+        return deepest;
+    }
+
+    /** Of two, 0 or less where they are apart or neither can give way. */
+    private double depth(int a, int b) {
+        boolean isBeside =
+                bounds[a].minY > bounds[b].maxY
+                        || bounds[b].minY > bounds[a].maxY
+                        || !(isDynamic(a) || isDynamic(b));
+        return isBeside ? 0 : -outlines[a].separation(outlines[b]);
+    }
+
+    private boolean isDynamic(int body) {
+        return bodies.get(body).type() == BodyType.DYNAMIC;
+    }
+}

@@ -1,0 +1,52 @@
+package rigibo.lab.bench.probe;
+
+import rigibo.backend.setup.BodyDefinition;
+import rigibo.lab.bench.scene.Scene;
+import rigibo.lab.engine.Engine;
+import rigibo.lab.engine.Setting;
+import rigibo.lab.engine.Work;
+import rigibo.lab.engine.World;
+
+/** A scene in a world of some engine. */
+final class Stage implements AutoCloseable {
+
+    private final Scene scene;
+    private final World world;
+    private int made;
+
+    Stage(Engine engine, Setting setting, Scene scene) {
+        this.scene = scene;
+        world = engine.world(scene.effects(), setting);
+        for (BodyDefinition body : scene.bodies()) {
+            world.add(body);
+        }
+    }
+
+    Scene scene() {
+        return scene;
+    }
+
+    World world() {
+        return world;
+    }
+
+    /** Turns what is driven: not part of what is timed, for it is ours and not the engine's. */
+    void drive() {
+        scene.drum().drive(world, made);
+    }
+
+    /** The step alone, after {@link #drive}. */
+    void step() {
+        world.step(Scene.STEP);
+        made++;
+    }
+
+    Work lastStep() {
+        return world.lastStep();
+    }
+
+    @Override
+    public void close() {
+        world.close();
+    }
+}

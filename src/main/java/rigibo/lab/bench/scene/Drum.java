@@ -1,0 +1,78 @@
+package rigibo.lab.bench.scene;
+
+import rigibo.backend.geometry.Polygon;
+import rigibo.backend.setup.BodyDefinition;
+import rigibo.backend.setup.Material;
+import rigibo.lab.engine.World;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * A square drum that turns about its middle: four kinematic walls, each a body of its own, for a
+ * body of ours has one shape. Engines move what is driven along straight lines, so that before each
+ * step every wall is given the velocity that leads from where it is to where it must be at the
+ * step's end: nothing adds up, and the corners stay closed.
+ *
+ * @param walls how many there are, the first bodies of the scene: four or none
+ * @param y of its middle, m; its x is 0
+ * @param side from wall to wall inside, m
+ * @param spin rad/s, counter-clockwise
+ */
+public record Drum(int walls, double y, double side, double spin) {
+
+    /** No drum. */
+    public static final Drum NONE = new Drum(0, 0, 0, 0);
+
+    private static final int WALLS = 4;
+
+    /** Of a wall, m: many times what the fastest body goes in a step. */
+    private static final double THICKNESS = 1;
+
+    /** A drum of four walls. */
+    public static Drum turning(double y, double side, double spin) {
+        return new Drum(WALLS, y, side, spin);
+    }
+
+    /** Its walls at time 0. */
+    List<BodyDefinition> bodies(Material material) {
+        List<BodyDefinition> bodies = new ArrayList<>();
+        Polygon wall = Polygon.box(side + 2 * THICKNESS, THICKNESS);
+        for (int i = 0; i < walls; i++) {
+            double angle = angle(i, 0);
+            bodies.add(
+                    BodyDefinition.kinematic(wall)
+                            .at(x(angle), y(angle))
+                            .angle(angle)
+                            .material(material));
+        }
+        return bodies;
+    }
+
+    /**
+     * Has its walls, which are the world's first bodies, turn on in the next step.
+     *
+     * @param made steps made so far
+     */
+    public void drive(World world, int made) {
+        for (int i = 0; i < walls; i++) {
+            double next = angle(i, (made + 1) * Scene.STEP);
+            double velocityX = (x(next) - world.x(i)) / Scene.STEP;
+            double velocityY = (y(next) - world.y(i)) / Scene.STEP;
+            world.drive(i, velocityX, velocityY, spin);
+        }
+    }
+
+    private double angle(int wall, double time) {
+        return wall * Math.PI / 2 + spin * time;
+    }
+
+    /** Of a wall's middle: that of the first is below the drum's. */
+    private double x(double angle) {
+        return (side + THICKNESS) / 2 * Math.sin(angle);
+    }
+
+    private double y(double angle) {
+        return y - (side + THICKNESS) / 2 * Math.cos(angle);
+    }
+}

@@ -1,0 +1,71 @@
+package rigibo.lab.bench.scene;
+
+import rigibo.backend.effect.Contacts;
+import rigibo.backend.effect.Effects;
+import rigibo.backend.effect.Friction;
+import rigibo.backend.effect.Gravity;
+import rigibo.backend.effect.Rotation;
+import rigibo.backend.geometry.Polygon;
+import rigibo.backend.setup.BodyDefinition;
+import rigibo.backend.setup.Material;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * Pyramids of boxes of 1 m that touch each other and a floor, above and beside each other. Box2D
+ * 2.x and its translations keep polygons a centimetre or two apart and push what touches apart
+ * first; no distance suits all engines, and in their own samples boxes begin like this.
+ *
+ * <p>They call for gravity, contacts, the rotation and the friction without which a pyramid slides
+ * apart. Nothing falls or bounces in them: neither restitution nor continuous impacts.
+ */
+final class Pyramids {
+
+    private static final Effects EFFECTS =
+            Effects.of(new Gravity(0, -9.81), new Contacts(), new Rotation(), new Friction());
+
+    private static final Material STONE = new Material(1, 0.6, 0);
+    private static final Polygon BOX = Polygon.box(1, 1);
+
+    /** Floor beside each pyramid, m. */
+    private static final double MARGIN = 5;
+
+    /** Between two pyramids of a field, m: more than what is pushed apart needs. */
+    private static final double GAP = 1;
+
+    /** From the tip of a pyramid of a field to the floor above it, m. */
+    private static final double HEADROOM = 3;
+
+    private Pyramids() {}
+
+    /** One, of so many boxes at its base. */
+    static Scene one(int base) {
+        return field(1, 1, base);
+    }
+
+    /** Storeys of a field one above the other, each a floor with pyramids side by side. */
+    static Scene field(int storeys, int beside, int base) {
+        List<BodyDefinition> bodies = new ArrayList<>();
+        double width = beside * (base + GAP);
+        Polygon floor = Polygon.box(width + 2 * MARGIN, 1);
+        for (int storey = 0; storey < storeys; storey++) {
+            double ground = storey * (base + HEADROOM);
+            bodies.add(BodyDefinition.fixed(floor).at(0, ground - 0.5).material(STONE));
+            for (int i = 0; i < beside; i++) {
+                double x = (base + GAP) * (i - (beside - 1) / 2.0);
+                add(bodies, base, x, ground);
+            }
+        }
+        return new Scene(EFFECTS, bodies);
+    }
+
+    private static void add(List<BodyDefinition> bodies, int base, double middle, double ground) {
+        for (int row = 0; row < base; row++) {
+            for (int i = 0; i < base - row; i++) {
+                double x = middle + i - (base - row - 1) / 2.0;
+                bodies.add(BodyDefinition.dynamic(BOX).at(x, ground + row + 0.5).material(STONE));
+            }
+        }
+    }
+}

@@ -1,0 +1,80 @@
+package rigibo;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+import rigibo.backend.setup.Accuracy;
+import rigibo.lab.bench.scene.Scene;
+import rigibo.lab.engine.RigiBoEngine;
+import rigibo.lab.engine.Work;
+import rigibo.lab.engine.World;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+
+class BenchCommandTest {
+
+    @TempDir Path directory;
+
+    private final StringWriter out = new StringWriter();
+    private final StringWriter err = new StringWriter();
+
+    private int run(String... more) {
+        String[] arguments = {
+            "bench",
+            "--scenes",
+            "level",
+            "--engines",
+            "rigibo",
+            "--rounds",
+            "1",
+            "--steps",
+            "3",
+            "--out",
+            directory.toString(),
+            more[0],
+            more[1]
+        };
+        return Main.run(new PrintWriter(out), new PrintWriter(err), arguments);
+    }
+
+    @Test
+    void measuresASceneInAProcessOfItsOwnAndKeepsWhatItFound() throws IOException {
+        Path csv = directory.resolve("bench.csv");
+        assertThat(run("--csv", csv.toString())).as(err.toString()).isZero();
+        assertThat(out.toString()).contains("level: the first level", "RigiBo");
+        assertThat(Files.readAllLines(csv)).hasSize(2);
+        Path page = directory.resolve("page.md");
+        Files.writeString(page, "# By hand\n\n## What was measured\n\nbefore\n");
+        assertThat(run("--markdown", page.toString())).isZero();
+        assertThat(err.toString()).contains("1 runs to make", "0 runs to make");
+        assertThat(Files.readString(page))
+                .startsWith("# By hand\n\n## What was measured\n\nMeasured on ")
+                .contains("### level", "By `./rigibo bench --scenes level")
+                .doesNotContain("before");
+    }
+
+    /**
+     * Each storey stands with two legs and carries a beam on them, two contacts each, and the ball
+     * lies on the upper beam: 9 that carry, which nothing else comes near.
+     */
+    @Test
+    void levelHasTheContactsThatCarryIt() {
+        Scene scene = BenchProcess.level().scene().get();
+        assertThat(scene.dynamic()).isEqualTo(7);
+        try (World world = RigiBoEngine.world(scene.effects(), Accuracy.GAME)) {
+            scene.bodies().forEach(world::add);
+            for (int i = 0; i < 60; i++) {
+                world.step(Scene.STEP);
+            }
+            Work work = world.lastStep();
+            assertThat(work.contacts()).isEqualTo(9);
+            assertThat(work.impacts()).isZero();
+        }
+    }
+}
