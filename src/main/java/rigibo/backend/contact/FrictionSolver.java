@@ -115,7 +115,7 @@ final class FrictionSolver implements Rubbing {
         int at = row * Rows.STRIDE;
         double most = d[at + Rows.FRICTION] * (d[at + Rows.IMPULSE0] + d[at + Rows.IMPULSE1]);
         double wanted = d[at + Rows.IMPULSE_T] - d[at + Rows.MASS_T] * slidingSpeed(row);
-        return clamp(wanted * STIFFNESS, most);
+        return clamp(wanted / (1 + Rows.COMPLIANCE), most);
     }
 
     /** Speed in m/s at which B slides along the tangent on A, against surfaces that run. */
