@@ -1,6 +1,7 @@
 package rigibo.backend;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -60,6 +61,26 @@ class DrivenInPileTest {
             assertThat(deepest).as("overlap at phase %d", phase).isLessThan(2 * tolerance);
             double above = box.y() - 0.5 - 3 * pool.time();
             assertThat(Math.abs(above)).as("gap at phase %d", phase).isLessThan(2 * tolerance);
+        }
+    }
+
+    /**
+     * A plate that comes fast and is not foreseen has come in by a whole step's way when it is
+     * first seen, a fifth of the box and more. The box has somewhere to go, so it goes along.
+     */
+    @ParameterizedTest
+    @EnumSource(Presets.class)
+    void plateThatIsSeenLateTakesTheBoxAlong(Presets preset) {
+        for (int speed = 1; speed <= 8; speed *= 2) {
+            Effects unforeseen = Effects.of(new Contacts(), new Rotation(), new Friction());
+            Pool pool = new Pool(unforeseen, preset.accuracy);
+            BodyDefinition plate = BodyDefinition.kinematic(Polygon.box(22, 1)).at(0, -1);
+            pool.add(plate.velocity(0, speed));
+            RigidBody box = pool.add(BodyDefinition.dynamic(Polygon.box(BOX, BOX)).at(3, 0));
+            Scenes.run(pool, 60);
+            double above = box.y() - BOX / 2 - (speed * pool.time() - 0.5);
+            // Of the overlap there was, e^(−25) is left a second later, and what is kept of it.
+            assertThat(above).as("at %d m/s", speed).isEqualTo(0, within(2e-5));
         }
     }
 

@@ -28,8 +28,8 @@ public final class Broadphase {
 
     /**
      * The same for a body that has no neighbours, up to as many radii: it seldom meets any, and if
-     * it does its fixture is laid anew. Some look farther ahead than others: bodies that were thrown
-     * alike would else all leave their fixtures in one step.
+     * it does its fixture is laid anew. Some look farther ahead than others: bodies that were
+     * thrown alike would else all leave their fixtures in one step.
      */
     private static final int LEAST_AHEAD_ALONE = 8;
 

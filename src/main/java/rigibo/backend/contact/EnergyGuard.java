@@ -2,6 +2,8 @@ package rigibo.backend.contact;
 
 import static rigibo.backend.contact.SingleRows.ROWS_PER_CONTACT;
 
+import rigibo.backend.storage.Counters;
+
 /**
  * Keeps contacts from adding energy. What impulses j do to bodies beside the work of what is driven
  * is Σ j·(w₀ + w₁)/2, with w₀ and w₁ the speeds along the rows before and after; contacts only push
@@ -16,15 +18,41 @@ final class EnergyGuard {
 
     private final Motions motions;
     private final Rows rows;
+    private final Counters counters;
     private final SingleRows single;
+
+    /** Whether surfaces may run: what they do to bodies is no energy that contacts add. */
+    private final boolean mayRun;
+
+    /** The energy of motion before the contacts, J, and the blows that had been struck by then. */
+    private double energyBefore;
+
+    private int impactsBefore;
 
     /** Velocities before the contacts, laid out as the motions. */
     private double[] before = new double[16 * Motions.STRIDE];
 
-    EnergyGuard(Motions motions, Rows rows) {
+    EnergyGuard(Motions motions, Rows rows, Counters counters, boolean mayRun) {
         this.motions = motions;
         this.rows = rows;
+        this.counters = counters;
+        this.mayRun = mayRun;
         single = new SingleRows(motions, rows);
+    }
+
+    /** Notes the energy that there is before the contacts answer. */
+    void begin() {
+        energyBefore = motions.energy(motions.data);
+        impactsBefore = counters.impacts;
+    }
+
+    /**
+     * Whether the energy alone tells that impulses added no more than a multiple of it: it does
+     * where nothing else, which is driven or strikes, had a part in what it is now.
+     */
+    private boolean isWithin(double multiple) {
+        boolean isOfContacts = !motions.isAnyDriven && !mayRun && counters.impacts == impactsBefore;
+        return isOfContacts && motions.energy(motions.data) <= (1 + multiple) * energyBefore;
     }
 
     /** Scales all impulses back to what adds no energy, if they do. */
@@ -37,6 +65,9 @@ final class EnergyGuard {
      * was, if they do.
      */
     void limitWork(double multiple) {
+        if (isWithin(multiple)) {
+            return;
+        }
         takeBack();
         double first = work(before);
         // The work of impulses scaled by s is s·Σ j·w₀ + s²·Σ j·(w₁ − w₀)/2.

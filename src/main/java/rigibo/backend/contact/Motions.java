@@ -34,6 +34,9 @@ final class Motions {
 
     int count;
 
+    /** Whether any of them moves as it is told. */
+    boolean isAnyDriven;
+
     /** For each slot its entry, valid only where that entry names the slot. */
     private int[] entries = new int[16];
 
@@ -43,6 +46,7 @@ final class Motions {
             entries = new int[bodies.type.length];
         }
         count = 1;
+        isAnyDriven = false;
         slots[0] = NOBODY;
         Arrays.fill(data, 0, STRIDE, 0);
     }
@@ -62,6 +66,7 @@ final class Motions {
             slots = Arrays.copyOf(slots, 2 * count);
             data = Arrays.copyOf(data, 2 * count * STRIDE);
         }
+        isAnyDriven |= bodies.isDriven(slot);
         slots[count] = slot;
         entries[slot] = count;
         int at = count++ * STRIDE;

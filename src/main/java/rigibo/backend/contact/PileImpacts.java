@@ -41,6 +41,11 @@ final class PileImpacts {
 
     private int closingCount;
 
+    /** By entry of the motions the sweep in which it was struck last, in this substep. */
+    private int[] struckIn = new int[16];
+
+    private static final int NEVER = -1;
+
     PileImpacts(DataStorage data, Motions motions, Rows rows, BounceRows bounces) {
         this.motions = motions;
         this.rows = rows;
@@ -51,31 +56,47 @@ final class PileImpacts {
 
     /** Resolves all blows that fall into a substep of h seconds. */
     void resolve(double h, int substep) {
+        if (struckIn.length < motions.count) {
+            struckIn = new int[motions.slots.length];
+        }
         for (int sweep = 0; sweep < MOST_SWEEPS; sweep++) {
-            findClosing(h, substep);
+            findClosing(h, substep, sweep);
             if (closingCount == 0) {
                 return;
             }
+            if (sweep == 0) {
+                Arrays.fill(struckIn, 0, motions.count, NEVER);
+            }
             for (int i = 0; i < closingCount; i++) {
-                strike((int) closing[i] & Integer.MAX_VALUE, h);
+                strike((int) closing[i] & Integer.MAX_VALUE, h, sweep);
             }
         }
     }
 
-    /** Sorted by closing speed, as the bits of a float order; ties by row. */
-    private void findClosing(double h, int substep) {
+    /**
+     * Sorted by closing speed, as the bits of a float order; ties by row. After the first sweep
+     * only what the one before has struck can close anew.
+     */
+    private void findClosing(double h, int substep, int sweep) {
         closingCount = 0;
         if (closing.length < bounces.count) {
             closing = new long[bounces.elastic.length];
         }
         for (int i = 0; i < bounces.count; i++) {
             int row = bounces.elastic[i];
-            if (rows.firstSubstep[row] <= substep && strikes(row, h, -bounces.bounceSpeeds[i])) {
+            if (rows.firstSubstep[row] <= substep
+                    && (sweep == 0 || wasStruck(row, sweep - 1))
+                    && strikes(row, h, -bounces.bounceSpeeds[i])) {
                 int order = ~Float.floatToIntBits((float) -slowest(row));
                 closing[closingCount++] = (long) order << 32 | row;
             }
         }
         Arrays.sort(closing, 0, closingCount);
+    }
+
+    private boolean wasStruck(int row, int sweep) {
+        return struckIn[rows.bodyA[row] / Motions.STRIDE] == sweep
+                || struckIn[rows.bodyB[row] / Motions.STRIDE] == sweep;
     }
 
     private boolean strikes(int row, double h, double limit) {
@@ -95,7 +116,7 @@ final class PileImpacts {
         return rows.points[row] == 1 ? v0 : Math.min(v0, motions.parting(rows, row, 1));
     }
 
-    private void strike(int row, double h) {
+    private void strike(int row, double h, int sweep) {
         if (!strikes(row, h, -rows.data[row * Rows.STRIDE + Rows.BOUNCE_SPEED])) {
             return; // An earlier blow of this sweep turned it.
         }
@@ -124,6 +145,9 @@ final class PileImpacts {
                 oldBX - impact.velocityBX,
                 oldBY - impact.velocityBY,
                 oldSpinB - impact.spinB);
+        struckIn[a / Motions.STRIDE] = sweep;
+        struckIn[b / Motions.STRIDE] = sweep;
+        struckIn[0] = NEVER; // The ground goes on as before.
         rows.data[row * Rows.STRIDE + Rows.TOTAL] += impact.totalNormalImpulse();
         pairs.impacts[rows.pair[row]]++;
         counters.impacts++;

@@ -3,6 +3,7 @@ package rigibo.backend.contact;
 import rigibo.backend.collision.Narrowphase;
 import rigibo.backend.effect.Drag;
 import rigibo.backend.effect.Effects;
+import rigibo.backend.effect.SurfaceSpeed;
 import rigibo.backend.geometry.ShapeKind;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.ContactSolver;
@@ -119,7 +120,7 @@ public final class PileSolver {
                 new NormalSolver(
                         motions, rows, accuracy.contactSolver() != ContactSolver.SEQUENTIAL);
         overlap = new OverlapSolver(motions, rows);
-        guard = new EnergyGuard(motions, rows);
+        guard = new EnergyGuard(motions, rows, counters, effects.declares(SurfaceSpeed.class));
         halfway = new Halfway(motions, rows);
         direct = new DirectSolver(motions, rows, overlap, accuracy.substeps());
         split = new SplitSolver(motions, rows, overlap, accuracy.substeps());
@@ -205,6 +206,9 @@ public final class PileSolver {
     }
 
     private void begin(double scale, int substep) {
+        if (whole != null) {
+            guard.begin();
+        }
         if (whole != null && rows.strongestAnswer() > MOST_STRESS * fastest) {
             rows.unload();
         }
@@ -272,8 +276,9 @@ public final class PileSolver {
     }
 
     /**
-     * Keeps the contacts of a pile that is not solved whole from closing and sliding. What is stacked is passed over both ways: loads
-     * that reach the ground in one substep come back up in it, and a high stack does not breathe.
+     * Keeps the contacts of a pile that is not solved whole from closing and sliding. What is
+     * stacked is passed over both ways: loads that reach the ground in one substep come back up in
+     * it, and a high stack does not breathe.
      */
     private void hold(double h, int substep) {
         for (int left = accuracy.velocityIterations(); left > 0; left--) {

@@ -257,8 +257,8 @@ final class RowBuilder {
 
     /**
      * What is pressed in this deep and does not go along is not pressed on: the driven body counts
-     * as standing still. What goes along has been hit hard, and has somewhere to go; and so may what
-     * has not been pushed yet.
+     * as standing still. What goes along has been hit hard, and has somewhere to go; and so may
+     * what has not been pushed yet.
      */
     private boolean isCrushed(int pair) {
         int a = pairs.bodyA[pair];

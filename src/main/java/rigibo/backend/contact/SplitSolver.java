@@ -161,6 +161,9 @@ final class SplitSolver implements WholeSolver {
     /** What overlaps parts as far as wanted, and no gap closes. */
     @Override
     public void correct(double h, int substep, double fastest) {
+        if (!isAnyToCorrect(h, substep)) {
+            return;
+        }
         factorize(substep, h * CLOSING * fastest);
         double widest = 0;
         for (int i = 0; i < size; i++) {
@@ -172,12 +175,24 @@ final class SplitSolver implements WholeSolver {
                 widest = Math.max(widest, wanted);
             }
         }
-        if (widest > 0) {
-            search(CORRECTED * widest, MOST_CORRECTIONS);
-            for (int i = 0; i < size; i++) {
-                single.push(set[i], within[i], Motions.DX, Motions.DY, Motions.TURN);
+        search(CORRECTED * widest, MOST_CORRECTIONS);
+        for (int i = 0; i < size; i++) {
+            single.push(set[i], within[i], Motions.DX, Motions.DY, Motions.TURN);
+        }
+    }
+
+    /** Whether any overlap is to be taken back: in a pile at rest none is. */
+    private boolean isAnyToCorrect(double h, int substep) {
+        for (int row = 0; row < rows.count; row++) {
+            if (rows.firstSubstep[row] <= substep) {
+                for (int point = 0; point < rows.points[row]; point++) {
+                    if (overlap.wanted(row, point, h) > 0) {
+                        return true;
+                    }
+                }
             }
         }
+        return false;
     }
 
     /** Whether no row of the same contact stands before it. */

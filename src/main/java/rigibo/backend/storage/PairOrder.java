@@ -3,8 +3,8 @@ package rigibo.backend.storage;
 /**
  * Keeps the pairs in memory in the order in which a step meets them. Pairs come and go, and their
  * slots with them, until each of their columns is read at random: then the cache waits for memory
- * once per column and pair. When to sort them again follows from their order alone, and nothing that
- * is simulated depends on their numbers.
+ * once per column and pair. When to sort them again follows from their order alone, and nothing
+ * that is simulated depends on their numbers.
  */
 public final class PairOrder {
 
