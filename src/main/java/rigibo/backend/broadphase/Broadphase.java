@@ -33,7 +33,14 @@ public final class Broadphase {
      */
     private static final int LEAST_AHEAD_ALONE = 8;
 
-    private static final int MORE_AHEAD_ALONE = 16;
+    private static final int BITS_AHEAD_ALONE = 4;
+
+    /** The golden ratio's multiples spread what lies close together, as in a hash table. */
+    private static final long SPREAD = 0x9E3779B97F4A7C15L;
+
+    /** The bits of a double that are neither its sign nor its power of two. */
+    private static final long DIGITS = (1L << 52) - 1;
+
     private static final double RADII_AHEAD_ALONE = 4;
 
     /** A fixture that is larger than it would be laid now by this factor is laid anew. */
@@ -310,7 +317,7 @@ public final class Broadphase {
         double radius = bodies.boundingRadius[slot];
         double margin = bodies.type[slot] == BodyType.STATIC ? 0 : MARGIN * radius;
         boolean isAlone = bodies.firstPair[slot] == Pairs.NONE;
-        double steps = isAlone ? LEAST_AHEAD_ALONE + slot % MORE_AHEAD_ALONE : STEPS_AHEAD;
+        double steps = isAlone ? stepsAheadAlone(slot) : STEPS_AHEAD;
         double most = isAlone ? RADII_AHEAD_ALONE * radius : radius;
         double aheadX = ahead(bodies.velocityX[slot], steps * dt, most);
         double aheadY = ahead(bodies.velocityY[slot], steps * dt, most);
@@ -318,6 +325,20 @@ public final class Broadphase {
         bodies.fixtureMinY[slot] = swept.minY - margin + Math.min(0, aheadY);
         bodies.fixtureMaxX[slot] = swept.maxX + margin + Math.max(0, aheadX);
         bodies.fixtureMaxY[slot] = swept.maxY + margin + Math.max(0, aheadY);
+    }
+
+    /**
+     * At random, as it were, by the digits of where the body is: no other body has a part in it,
+     * and neither has the scale or the side of a mirror, which are not in the digits.
+     */
+    private int stepsAheadAlone(int slot) {
+        long bits = SPREAD * digits(bodies.x[slot]);
+        bits = SPREAD * (bits + digits(bodies.y[slot]));
+        return LEAST_AHEAD_ALONE + (int) (bits >>> Long.SIZE - BITS_AHEAD_ALONE);
+    }
+
+    private static long digits(double number) {
+        return Double.doubleToRawLongBits(number) & DIGITS;
     }
 
     /** The way in some seconds, up to a most either way, m. */
