@@ -220,14 +220,18 @@ final class CrateDemo implements Demo {
 
     /** Drives everything near a point away from it, m. */
     private void blast(double x, double y) {
-        for (RigidBody body : bench.pool().bodies()) {
-            double dx = body.x() - x;
-            double dy = body.y() - y;
-            double distance = Math.max(0.1, Math.sqrt(dx * dx + dy * dy));
-            if (body.type() == BodyType.DYNAMIC && distance < BLAST_RADIUS) {
-                double speed = BLAST_SPEED * (1 - distance / BLAST_RADIUS) / distance;
-                body.velocity(body.velocityX() + speed * dx, body.velocityY() + speed * dy + 1);
-            }
+        for (RigidBody any : bench.pool().bodies()) {
+            bench.act(any, body -> blast(body, x, y));
+        }
+    }
+
+    private static void blast(RigidBody body, double x, double y) {
+        double dx = body.x() - x;
+        double dy = body.y() - y;
+        double distance = Math.max(0.1, Math.sqrt(dx * dx + dy * dy));
+        if (body.type() == BodyType.DYNAMIC && distance < BLAST_RADIUS) {
+            double speed = BLAST_SPEED * (1 - distance / BLAST_RADIUS) / distance;
+            body.velocity(body.velocityX() + speed * dx, body.velocityY() + speed * dy + 1);
         }
     }
 

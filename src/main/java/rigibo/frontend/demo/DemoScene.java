@@ -58,7 +58,7 @@ final class DemoScene implements Scene {
         bench = new Workbench(demo.effects(), camera);
         demo.build(bench);
         panel = new Panel(8, BELOW_BAR, PANEL_WIDTH, demo.widgets());
-        side = side == null ? new SidePlate(bench.pool(), RIGHT, BELOW_BAR) : side.of(bench.pool());
+        side = side == null ? new SidePlate(bench, RIGHT, BELOW_BAR) : side.of(bench);
         accuracy = new AccuracyBar(bench.pool(), errors, TOP);
         effects = new EffectsBar(new DemoEffects(demo, bench), costs);
     }
@@ -76,10 +76,11 @@ final class DemoScene implements Scene {
     }
 
     private void advance() {
+        side.keepGhost();
         bench.pull();
         demo.beforeStep(bench);
         side.beforeStep();
-        bench.pool().step(STEP);
+        bench.step(STEP);
         side.afterStep();
         accuracy.stepped();
         demo.afterStep(bench);
@@ -178,6 +179,7 @@ final class DemoScene implements Scene {
             case DIGIT_1, DIGIT_2, DIGIT_3, DIGIT_4 ->
                     accuracy.choose(Preset.values()[key.ordinal() - Key.DIGIT_1.ordinal()]);
             case N -> side.turnOver();
+            case G -> side.turnToGhost();
             case F1, H -> isHelping = !isHelping;
             default -> demo.key(bench, key);
         }

@@ -16,7 +16,7 @@ final class HelpSheet {
                     "Space  pause      .  one step",
                     "R  restart      D  debug drawing",
                     "wheel zoom, right drag pan, Home",
-                    "1 to 4  accuracy      N  energy",
+                    "1 to 4  accuracy      N  energy      G  ghost",
                     "[ ]  other demos",
                     "Esc back to the menu");
 

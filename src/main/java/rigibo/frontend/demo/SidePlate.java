@@ -1,52 +1,58 @@
 package rigibo.frontend.demo;
 
-import rigibo.backend.Pool;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.accuracy.EnergyPlate;
+import rigibo.frontend.scene.ghost.GhostPlate;
 
-/** The plate at the right with two sides: where the time of a frame goes, and the energy. */
+/**
+ * The plate at the right: where the time of a frame goes, the energy, or the ghost, which there is
+ * while its side is up.
+ */
 final class SidePlate {
 
     static final double WIDTH = StageProfile.WIDTH;
 
     private static final double TAB_HEIGHT = 24;
 
-    /** The sides by the words on their tabs, and where these begin and how wide they are, px. */
+    /** From tab to tab, and from the tabs to the side they turn up, px. */
+    private static final double GAP = 4;
+
+    private static final double TAB_WIDTH = (WIDTH - 2 * GAP) / 3;
+
+    /** The sides by the words on their tabs. */
     private enum Side {
-        FRAME("frame", 8, 58),
-        ENERGY("energy", 68, 68);
+        FRAME("frame"),
+        ENERGY("energy"),
+        GHOST("ghost");
 
         private final String words;
-        private final double left;
-        private final double width;
 
-        Side(String words, double left, double width) {
+        Side(String words) {
             this.words = words;
-            this.left = left;
-            this.width = width;
         }
     }
 
-    private final Pool pool;
+    private final Workbench bench;
     private final double x;
     private final double y;
     private final StageProfile profile = new StageProfile();
     private final EnergyPlate energy;
+    private final GhostPlate ghost = new GhostPlate();
     private Side shown = Side.FRAME;
 
     /** A plate with its upper left corner at (x, y), px, its first side up. */
-    SidePlate(Pool pool, double x, double y) {
-        this.pool = pool;
+    SidePlate(Workbench bench, double x, double y) {
+        this.bench = bench;
         this.x = x;
         this.y = y;
-        energy = new EnergyPlate(pool);
+        energy = new EnergyPlate(bench.pool());
     }
 
-    /** The same for another pool: a scene that restarts shows the side that it has shown. */
-    SidePlate of(Pool other) {
+    /** The same for another bench: a scene that restarts shows the side that it has shown. */
+    SidePlate of(Workbench other) {
         SidePlate next = new SidePlate(other, x, y);
-        next.shown = shown;
+        next.show(shown);
         return next;
     }
 
@@ -56,7 +62,7 @@ final class SidePlate {
 
     void afterStep() {
         energy.afterStep();
-        profile.step(pool.report());
+        profile.step(bench.pool().report());
     }
 
     /** Takes the time that drawing took, ns. */
@@ -65,9 +71,11 @@ final class SidePlate {
     }
 
     void draw(Canvas canvas) {
+        double below = y + TAB_HEIGHT + GAP;
         switch (shown) {
-            case FRAME -> profile.draw(canvas, x, y);
-            case ENERGY -> energy.draw(canvas, x, y, WIDTH);
+            case FRAME -> profile.draw(canvas, x, below);
+            case ENERGY -> energy.draw(canvas, x, below, WIDTH);
+            case GHOST -> ghost.draw(canvas, bench.ghost(), x, below, WIDTH);
         }
         for (Side side : Side.values()) {
             draw(canvas, side);
@@ -76,29 +84,50 @@ final class SidePlate {
 
     private void draw(Canvas canvas, Side side) {
         boolean isLit = side == shown;
-        Color plate = isLit ? Color.BRASS : Color.PANEL_LIT;
-        canvas.panel(x + side.left, y + 6, side.width, TAB_HEIGHT, 8, plate);
+        Color plate = isLit ? Color.BRASS : Color.PANEL;
+        canvas.panel(left(side), y, TAB_WIDTH, TAB_HEIGHT, 8, plate);
         canvas.text(
                 side.words,
-                x + side.left + side.width / 2,
-                y + 6 + TAB_HEIGHT / 2,
+                left(side) + TAB_WIDTH / 2,
+                y + TAB_HEIGHT / 2,
                 16,
                 Canvas.Font.WORDS,
                 Canvas.Align.CENTRE,
                 isLit ? Color.DUSK_TOP : Color.TEXT_DIM);
     }
 
-    /** Shows the other side. */
+    private double left(Side side) {
+        return x + side.ordinal() * (TAB_WIDTH + GAP);
+    }
+
+    /** Shows the next side. */
     void turnOver() {
-        shown = shown == Side.FRAME ? Side.ENERGY : Side.FRAME;
+        show(Side.values()[(shown.ordinal() + 1) % Side.values().length]);
+    }
+
+    /** Shows the ghost's side, or the first where that is up. */
+    void turnToGhost() {
+        show(shown == Side.GHOST ? Side.FRAME : Side.GHOST);
+    }
+
+    private void show(Side side) {
+        shown = side;
+        keepGhost();
+    }
+
+    /**
+     * Sees to it that there is a ghost while its side is up, and that it is not the scene's like.
+     */
+    void keepGhost() {
+        bench.haunt(shown == Side.GHOST);
     }
 
     /** The pointer went down; returns whether on a tab. */
     boolean pointerPressed(double px, double py) {
         for (Side side : Side.values()) {
-            boolean isBeside = px < x + side.left || px > x + side.left + side.width;
-            if (!isBeside && py >= y + 6 && py <= y + 6 + TAB_HEIGHT) {
-                shown = side;
+            boolean isBeside = px < left(side) || px > left(side) + TAB_WIDTH;
+            if (!isBeside && py >= y && py <= y + TAB_HEIGHT) {
+                show(side);
                 return true;
             }
         }

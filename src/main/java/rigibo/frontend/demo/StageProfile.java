@@ -66,13 +66,14 @@ final class StageProfile {
         millis[i] += (nanos / 1e6 - millis[i]) / SMOOTHING;
     }
 
-    /** Draws the plate with its upper left corner at (x, y), px; its head is left to the tabs. */
+    /** Draws the plate with its upper left corner at (x, y), px. */
     void draw(Canvas canvas, double x, double y) {
         canvas.panel(x, y, WIDTH, HEIGHT, 12, Color.PANEL);
         double total = 0;
         for (double part : millis) {
             total += part;
         }
+        words(canvas, "in all", x + 12, y + 18);
         number(canvas, total, x + WIDTH - 12, y + 18);
         bar(canvas, x + 12, y + 34, total);
         for (Part part : Part.values()) {

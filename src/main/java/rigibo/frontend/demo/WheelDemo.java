@@ -266,10 +266,10 @@ final class WheelDemo implements Demo {
     }
 
     private void drive(double angle) {
-        wheel.applyTorque(-torque - brake);
         double fx = thrust * Math.cos(angle);
         double fy = thrust * Math.sin(angle);
-        wheel.applyForce(fx, fy, wheel.x(), wheel.y());
+        bench.act(wheel, any -> any.applyTorque(-torque - brake));
+        bench.act(wheel, any -> any.applyForce(fx, fy, any.x(), any.y()));
     }
 
     @Override

@@ -13,9 +13,11 @@ import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Skin;
+import rigibo.frontend.scene.ghost.Ghost;
 
 import java.util.IdentityHashMap;
 import java.util.Map;
+import java.util.function.Consumer;
 
 /** A pool that is looked at: bodies with skins, a camera, a hand that drags and flings. */
 final class Workbench {
@@ -37,6 +39,11 @@ final class Workbench {
     private final Camera camera;
     private final Map<RigidBody, Skin> skins = new IdentityHashMap<>();
     private RigidBody held;
+
+    /** The same scene at another accuracy, or null, and the accuracy of the scene when it began. */
+    private Ghost ghost;
+
+    private Accuracy hauntedAt;
     private final Aabb fixture = new Aabb();
     private double pointerX;
     private double pointerY;
@@ -58,12 +65,26 @@ final class Workbench {
     RigidBody add(BodyDefinition definition, Skin skin) {
         RigidBody body = pool.add(definition);
         skins.put(body, skin);
+        if (ghost != null) {
+            ghost.added(body, definition);
+        }
         return body;
+    }
+
+    /** Does something to a body, and to its ghost, if there is one. */
+    void act(RigidBody body, Consumer<RigidBody> verb) {
+        verb.accept(body);
+        if (ghost != null) {
+            ghost.act(body, verb);
+        }
     }
 
     void remove(RigidBody body) {
         skins.remove(body);
         pool.remove(body);
+        if (ghost != null) {
+            ghost.removed(body);
+        }
         if (held == body) {
             held = null;
         }
@@ -106,11 +127,48 @@ final class Workbench {
     /** Pulls what is held towards the pointer: it keeps its speed when it is let go. */
     void pull() {
         if (held != null && held.isAlive()) {
-            double vx = GRIP * (pointerX - held.x());
-            double vy = GRIP * (pointerY - held.y());
-            double speed = Math.max(1, Math.sqrt(vx * vx + vy * vy) / MOST_FLING);
-            held.velocity(vx / speed, vy / speed);
+            act(held, this::pull);
         }
+    }
+
+    private void pull(RigidBody body) {
+        double vx = GRIP * (pointerX - body.x());
+        double vy = GRIP * (pointerY - body.y());
+        double speed = Math.max(1, Math.sqrt(vx * vx + vy * vy) / MOST_FLING);
+        body.velocity(vx / speed, vy / speed);
+    }
+
+    /** Advances the scene, and its ghost, by a step of {@code dt} seconds. */
+    void step(double dt) {
+        pool.step(dt);
+        if (ghost != null) {
+            ghost.step(dt);
+        }
+    }
+
+    /**
+     * Has a ghost from where the scene is now, or none. At another accuracy of the scene another
+     * one is asked for, from where the scene is by then.
+     */
+    void haunt(boolean isHaunted) {
+        boolean isStale = ghost != null && !pool.accuracy().equals(hauntedAt);
+        if (!isHaunted || isStale) {
+            ghost = null;
+        }
+        if (isHaunted && ghost == null) {
+            haunt(Ghost.of(pool));
+        }
+    }
+
+    /** Has a certain ghost of the scene as it is now. */
+    void haunt(Ghost certain) {
+        ghost = certain;
+        hauntedAt = pool.accuracy();
+    }
+
+    /** Null where there is none. */
+    Ghost ghost() {
+        return ghost;
     }
 
     void draw(Canvas canvas) {
@@ -125,6 +183,9 @@ final class Workbench {
                                 : isAsleep ? Canvas.Mood.ASLEEP : Canvas.Mood.PLAIN;
                 canvas.body(body.shape(), body.x(), body.y(), body.angle(), skins.get(body), mood);
             }
+        }
+        if (ghost != null) {
+            ghost.draw(canvas);
         }
     }
 

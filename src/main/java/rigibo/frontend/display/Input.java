@@ -95,6 +95,7 @@ final class Input {
         keys.put(GLFW_KEY_B, Key.B);
         keys.put(GLFW_KEY_D, Key.D);
         keys.put(GLFW_KEY_E, Key.E);
+        keys.put(GLFW_KEY_G, Key.G);
         keys.put(GLFW_KEY_H, Key.H);
         keys.put(GLFW_KEY_L, Key.L);
         keys.put(GLFW_KEY_M, Key.M);

@@ -2,6 +2,10 @@ package rigibo.frontend.laboratory;
 
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.ghost.DistanceCurve;
+import rigibo.frontend.scene.ghost.Divergence;
+import rigibo.frontend.scene.ghost.Metres;
+import rigibo.frontend.scene.ghost.Parting;
 
 /** The distance of the two halves, now and as a curve, and whether it has become chaos. */
 final class DistancePlate {

@@ -7,6 +7,7 @@ import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.accuracy.Badge;
 import rigibo.frontend.scene.accuracy.Preset;
+import rigibo.frontend.scene.ghost.Divergence;
 
 import java.util.List;
 import java.util.Locale;

@@ -18,6 +18,7 @@ public enum Key {
     B,
     D,
     E,
+    G,
     H,
     L,
     M,

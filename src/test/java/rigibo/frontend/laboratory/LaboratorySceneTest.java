@@ -13,6 +13,7 @@ import rigibo.frontend.scene.Legibility;
 import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.RecordingCanvas;
 import rigibo.frontend.scene.accuracy.Preset;
+import rigibo.frontend.scene.ghost.Parting;
 
 /** Two accuracies side by side are the same scene, and tell the truth about each other. */
 class LaboratorySceneTest {

@@ -45,13 +45,14 @@ public final class EnergyPlate {
         return pool.kineticEnergy() + pool.potentialEnergy();
     }
 
-    /** Draws it with its upper left corner at (x, y), px; the left of its head is left free. */
+    /** Draws it with its upper left corner at (x, y), px. */
     public void draw(Canvas canvas, double x, double y, double width) {
         EnergyKind kind = EnergyKind.of(pool);
         Energy energy = Energy.of(pool);
         double left = x + MARGIN;
         double right = x + width - MARGIN;
         canvas.panel(x, y, width, HEIGHT, 12, Color.PANEL);
+        words(canvas, "in all", left, y + 18, Color.TEXT);
         number(canvas, energy.total(), right, y + 18, Color.TEXT);
         bar(canvas, energy, book.lost(kind), left, y + 40, right - left);
         row(canvas, "potential", energy.potential(), Color.ICE, left, right, y + FIRST_ROW);

@@ -1,10 +1,10 @@
-package rigibo.frontend.laboratory;
+package rigibo.frontend.scene.ghost;
 
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 
 /** The distance of two pools over the last ten seconds, on a logarithmic scale. */
-final class DistanceCurve {
+public final class DistanceCurve {
 
     /** Powers of ten of a metre at the lower and the upper edge. */
     private static final int LOWEST = -13;
@@ -21,7 +21,7 @@ final class DistanceCurve {
     private final double[] heights = new double[Divergence.KEPT];
 
     /** Draws the curve into a rectangle, px; it is filled from the left, then it moves. */
-    void draw(
+    public void draw(
             Canvas canvas, Divergence divergence, double x, double y, double width, double height) {
         canvas.panel(x, y, width, height, 8, Color.DUSK_TOP.alpha(0.8));
         double decade = height / (HIGHEST - LOWEST);

@@ -1,16 +1,16 @@
-package rigibo.frontend.laboratory;
+package rigibo.frontend.scene.ghost;
 
 import java.util.Locale;
 
 /** Lengths in words, from picometres to metres. */
-final class Metres {
+public final class Metres {
 
     private static final String[] UNITS = {"m", "mm", "µm", "nm", "pm"};
 
     private Metres() {}
 
     /** A length in m with three digits in the unit that suits it. */
-    static String words(double metres) {
+    public static String words(double metres) {
         double shown = metres;
         int unit = 0;
         while (shown < 0.9995 && unit < UNITS.length - 1) {

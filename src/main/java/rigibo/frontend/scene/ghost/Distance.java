@@ -1,4 +1,4 @@
-package rigibo.frontend.laboratory;
+package rigibo.frontend.scene.ghost;
 
 import rigibo.backend.Pool;
 import rigibo.backend.RigidBody;

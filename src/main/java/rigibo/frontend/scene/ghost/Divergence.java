@@ -1,11 +1,11 @@
-package rigibo.frontend.laboratory;
+package rigibo.frontend.scene.ghost;
 
 import rigibo.backend.Pool;
 
 import java.util.Optional;
 
 /** How the distance between two pools has grown since they were equal. */
-final class Divergence {
+public final class Divergence {
 
     /** Steps whose distances are kept: ten seconds. */
     static final int KEPT = 600;
@@ -18,7 +18,7 @@ final class Divergence {
     private Optional<Parting> parting = Optional.empty();
 
     /** Both have made a step of 1/60 s. */
-    void step(Pool one, Pool other) {
+    public void step(Pool one, Pool other) {
         double distance = Distance.between(one, other);
         recent[steps % KEPT] = distance;
         steps++;
@@ -32,12 +32,12 @@ final class Divergence {
     }
 
     /** The root mean square over the bodies now, m. */
-    double distance() {
+    public double distance() {
         return steps == 0 ? 0 : recent[(steps - 1) % KEPT];
     }
 
     /** When and how the two became different worlds, where they did. */
-    Optional<Parting> parting() {
+    public Optional<Parting> parting() {
         return parting;
     }
 

@@ -1,4 +1,4 @@
-package rigibo.frontend.laboratory;
+package rigibo.frontend.scene.ghost;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

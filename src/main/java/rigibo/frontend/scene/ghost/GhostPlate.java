@@ -1,0 +1,70 @@
+package rigibo.frontend.scene.ghost;
+
+import rigibo.frontend.scene.Canvas;
+import rigibo.frontend.scene.Color;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** How far a ghost has come from its scene: a number, a curve, and what it means. */
+public final class GhostPlate {
+
+    /** px. */
+    public static final double HEIGHT = 248;
+
+    private static final double MARGIN = 12;
+    private static final double SIZE = 16;
+    private static final double LINE = 22;
+    private static final double HEAD = 18;
+    private static final double CURVE_TOP = 52;
+    private static final double CURVE_HEIGHT = 126;
+    private static final String OPEN = "the outlines: the same scene at that accuracy";
+
+    private final DistanceCurve curve = new DistanceCurve();
+
+    /** Draws it with its upper left corner at (x, y), px. */
+    public void draw(Canvas canvas, Ghost ghost, double x, double y, double width) {
+        Divergence divergence = ghost.divergence();
+        double left = x + MARGIN;
+        double right = x + width - MARGIN;
+        canvas.panel(x, y, width, HEIGHT, 12, Color.PANEL);
+        words(canvas, "from " + ghost.preset(), left, y + HEAD, Color.TEXT);
+        words(canvas, "rms over the bodies", left, y + HEAD + LINE, Color.TEXT_DIM);
+        canvas.text(
+                Metres.words(divergence.distance()),
+                right,
+                y + HEAD,
+                SIZE,
+                Canvas.Font.NUMBERS,
+                Canvas.Align.RIGHT,
+                Color.TEXT);
+        curve.draw(canvas, divergence, left, y + CURVE_TOP, right - left, CURVE_HEIGHT);
+        boolean isParted = divergence.parting().isPresent();
+        String note = divergence.parting().map(Parting::brief).orElse(OPEN);
+        double line = y + CURVE_TOP + CURVE_HEIGHT + 8 + LINE / 2;
+        for (String part : wrapped(canvas, note, right - left)) {
+            words(canvas, part, left, line, isParted ? Color.BRASS : Color.TEXT);
+            line += LINE;
+        }
+    }
+
+    /** Broken between words where the plate ends. */
+    private static List<String> wrapped(Canvas canvas, String note, double width) {
+        List<String> lines = new ArrayList<>();
+        String line = "";
+        for (String word : note.split(" ")) {
+            String longer = line.isEmpty() ? word : line + " " + word;
+            if (canvas.textWidth(longer, SIZE, Canvas.Font.WORDS) > width) {
+                lines.add(line);
+                longer = word;
+            }
+            line = longer;
+        }
+        lines.add(line);
+        return lines;
+    }
+
+    private static void words(Canvas canvas, String words, double x, double y, Color color) {
+        canvas.text(words, x, y, SIZE, Canvas.Font.WORDS, Canvas.Align.LEFT, color);
+    }
+}
