@@ -31,24 +31,33 @@ final class FailureBand {
 
     private final List<Row> rows = new ArrayList<>();
 
-    FailureBand(List<Point> failed, double width) {
+    FailureBand(Asked asked, double width) {
         Map<String, List<Point>> groups = new LinkedHashMap<>();
-        for (Point point : failed) {
+        for (Point point : asked.failed()) {
             groups.computeIfAbsent(group(point), name -> new ArrayList<>()).add(point);
         }
         groups.forEach(
                 (name, points) ->
                         rows.add(
                                 new Row(
-                                        Look.of(points.get(0).setting().line()).color(),
+                                        look(asked, points.get(0)).color(),
                                         Letters.lines(words(name, points), SIZE, width),
                                         points)));
     }
 
+    private static Look look(Asked asked, Point point) {
+        return isPeer(point)
+                ? Look.peer(asked.peers().indexOf(point.engine()))
+                : Look.of(point.setting().line());
+    }
+
+    private static boolean isPeer(Point point) {
+        return !point.engine().equals(RigiBoEngine.NAME);
+    }
+
     private static String group(Point point) {
         Line line = point.setting().line();
-        boolean isPeer = !point.engine().equals(RigiBoEngine.NAME);
-        return isPeer ? point.engine() : line == Line.PRESETS ? "" : line.words();
+        return isPeer(point) ? point.engine() : line == Line.PRESETS ? "" : line.words();
     }
 
     private static String words(String group, List<Point> points) {

@@ -42,7 +42,7 @@ final class WorkPrecisionFigure {
     /** All of it. */
     Drawing drawing() {
         double y = head();
-        FailureBand failures = new FailureBand(asked.failed(), size.plotRight() - size.left());
+        FailureBand failures = new FailureBand(asked, size.plotRight() - size.left());
         double top = y + failures.height();
         double bottom = top + size.height();
         LogScale across = range.across(size.left(), size.plotRight());

@@ -96,10 +96,21 @@ final class WorkPrecisionMarks {
     }
 
     private void nameLine(Line line) {
-        ObservedOrder order = ObservedOrder.of(asked.along(line));
-        boolean isStep = ObservedOrder.isObservedOf(line) && order.isKnown();
-        String more = isStep ? String.format(Locale.ROOT, ": order %.1f", order.median()) : "";
+        String more = ObservedOrder.isObservedOf(line) ? orderAlong(line) : "";
         name(Look.of(line), line.words() + more, spots(asked.along(line)), size.reach());
+    }
+
+    /** A number only where there is one: what rises and falls by turns has none. */
+    private String orderAlong(Line line) {
+        List<Point> points = asked.along(line);
+        ObservedOrder order = ObservedOrder.of(points);
+        return switch (order.verdict(line, points)) {
+            case AS_EXPECTED, HIGHER, LOWER, SOME ->
+                    String.format(Locale.ROOT, ": order %.1f", order.median());
+            case FLAT -> ": flat";
+            case RISING -> ": rising";
+            case IRREGULAR, EXACT, NOT_KNOWN -> "";
+        };
     }
 
     private void nameChoices(Line line) {
