@@ -28,7 +28,7 @@ public record FloodFriction(int rows, int rowsWithout, double ratio, double lowe
     private static final int BODIES = 600;
     private static final double COEFFICIENT = 0.4;
     private static final int SETTLING_STEPS = 900;
-    private static final int WARM_STEPS = 600;
+    private static final int WARM_STEPS = 1800;
     private static final int TIMED_STEPS = 600;
 
     /** Settles the flood and switches its friction off. */

@@ -37,8 +37,15 @@ final class Motions {
     /** Whether any of them moves as it is told. */
     boolean isAnyDriven;
 
+    /** Whether bodies turn: where none does, every spin and turn is 0 and is not looked at. */
+    final boolean turns;
+
     /** For each slot its entry, valid only where that entry names the slot. */
     private int[] entries = new int[16];
+
+    Motions(boolean turns) {
+        this.turns = turns;
+    }
 
     /** Empties the pack but for the ground. */
     void clear(Bodies bodies) {
@@ -92,7 +99,9 @@ final class Motions {
     void drift(int at, double h) {
         data[at + DX] += h * data[at + VX];
         data[at + DY] += h * data[at + VY];
-        data[at + TURN] += h * data[at + SPIN];
+        if (turns) {
+            data[at + TURN] += h * data[at + SPIN];
+        }
     }
 
     /** The gap of a contact's point now, m, negative in overlap. */
@@ -101,11 +110,15 @@ final class Motions {
         int at = row * Rows.STRIDE;
         int a = rows.bodyA[row];
         int b = rows.bodyB[row];
-        return d[at + Rows.GAP0 + point]
-                + d[at + Rows.NX] * (data[b + DX] - data[a + DX])
-                + d[at + Rows.NY] * (data[b + DY] - data[a + DY])
-                + d[at + 2 * point + Rows.LEVER_B0] * data[b + TURN]
-                - d[at + 2 * point + Rows.LEVER_A0] * data[a + TURN];
+        double gap =
+                d[at + Rows.GAP0 + point]
+                        + d[at + Rows.NX] * (data[b + DX] - data[a + DX])
+                        + d[at + Rows.NY] * (data[b + DY] - data[a + DY]);
+        return turns
+                ? gap
+                        + d[at + 2 * point + Rows.LEVER_B0] * data[b + TURN]
+                        - d[at + 2 * point + Rows.LEVER_A0] * data[a + TURN]
+                : gap;
     }
 
     /** Speed in m/s at which a contact's point parts; negative when it closes. */
@@ -114,10 +127,14 @@ final class Motions {
         int at = row * Rows.STRIDE;
         int a = rows.bodyA[row];
         int b = rows.bodyB[row];
-        return d[at + Rows.NX] * (data[b + VX] - data[a + VX])
-                + d[at + Rows.NY] * (data[b + VY] - data[a + VY])
-                + d[at + 2 * point + Rows.LEVER_B0] * data[b + SPIN]
-                - d[at + 2 * point + Rows.LEVER_A0] * data[a + SPIN];
+        double speed =
+                d[at + Rows.NX] * (data[b + VX] - data[a + VX])
+                        + d[at + Rows.NY] * (data[b + VY] - data[a + VY]);
+        return turns
+                ? speed
+                        + d[at + 2 * point + Rows.LEVER_B0] * data[b + SPIN]
+                        - d[at + 2 * point + Rows.LEVER_A0] * data[a + SPIN]
+                : speed;
     }
 
     /** The highest speed along an axis, m/s, of what can be moved and what is driven. */

@@ -95,6 +95,41 @@ final class NormalSolver {
     }
 
     private void solve(int row, double perSubstep, SoftPush soft) {
+        if (motions.turns) {
+            solveTurning(row, perSubstep, soft);
+        } else {
+            solveStraight(row, perSubstep, soft);
+        }
+    }
+
+    /** Where nothing turns, two points of a contact are as good as one. */
+    private void solveStraight(int row, double perSubstep, SoftPush soft) {
+        double[] d = rows.data;
+        double[] m = motions.data;
+        int at = row * Rows.STRIDE;
+        int a = rows.bodyA[row];
+        int b = rows.bodyB[row];
+        double nx = d[at + Rows.NX];
+        double ny = d[at + Rows.NY];
+        double v = nx * (m[b + VX] - m[a + VX]) + ny * (m[b + VY] - m[a + VY]);
+        double gap =
+                d[at + Rows.GAP0] + (nx * (m[b + DX] - m[a + DX]) + ny * (m[b + DY] - m[a + DY]));
+        double old = d[at + Rows.IMPULSE0];
+        double bias = soft.bias(gap, d[at + Rows.WIDTH], perSubstep);
+        double w = v + bias + d[at + Rows.GIVE] * old;
+        double rigid = push(old - w * d[at + Rows.M00]);
+        double impulse = gap > 0 ? rigid : soft.soften(rigid, d[at + Rows.LOAD0]);
+        d[at + Rows.IMPULSE0] = impulse;
+        noteChange(impulse - old, d[at + Rows.K00]);
+        double ma = m[a + INVERSE_MASS] * (impulse - old);
+        double mb = m[b + INVERSE_MASS] * (impulse - old);
+        m[a + VX] -= ma * nx;
+        m[a + VY] -= ma * ny;
+        m[b + VX] += mb * nx;
+        m[b + VY] += mb * ny;
+    }
+
+    private void solveTurning(int row, double perSubstep, SoftPush soft) {
         double[] d = rows.data;
         double[] m = motions.data;
         int at = row * Rows.STRIDE;

@@ -62,7 +62,7 @@ public final class PileSolver {
     private final Counters counters;
     private final Accuracy accuracy;
     private final boolean isCorrecting;
-    private final Motions motions = new Motions();
+    private final Motions motions;
     private final Rows rows = new Rows();
     private final RowBuilder builder;
     private final Kick kick;
@@ -108,6 +108,7 @@ public final class PileSolver {
             Accuracy accuracy,
             PileForces forces) {
         bodies = data.bodies;
+        motions = new Motions(bodies.turns());
         islands = data.islands;
         counters = data.counters;
         this.accuracy = accuracy;
@@ -214,6 +215,9 @@ public final class PileSolver {
         }
         if (whole != null && substep > 0) {
             warmStart.leaveOutBlows();
+        }
+        if (whole != null) {
+            warmStart.scaleBefore(scale, substep);
         }
         warmStart.apply(scale, substep);
         // What contacts carried throws bodies about if what they carried it against is gone.

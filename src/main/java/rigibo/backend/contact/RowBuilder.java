@@ -116,8 +116,7 @@ final class RowBuilder {
         pairs.crushed[pair] = crushes;
         counters.crushed += crushes ? 1 : 0;
         int at = row * Rows.STRIDE;
-        writeLevers(row, at, pair);
-        writeNormalMasses(row, at);
+        writeManifold(row, at, pair);
         rows.data[at + Rows.RECOVERY] = OverlapSolver.RATE;
         rows.data[at + Rows.WIDTH] = PairTolerances.width(bodies, a, b);
         writeImpulses(row, at, pair, firstKick);
@@ -146,13 +145,32 @@ final class RowBuilder {
         int at = row * Rows.STRIDE;
         double[] d = rows.data;
         rows.points[row] = Math.max(1, pairs.points[pair]);
-        writeLevers(row, at, pair);
-        writeNormalMasses(row, at);
+        writeManifold(row, at, pair);
         d[at + Rows.GAP0] = 2 * d[at + Rows.GAP0] - motions.gap(rows, row, 0);
         d[at + Rows.GAP1] = 2 * d[at + Rows.GAP1] - motions.gap(rows, row, 1);
         if (pairs.points[pair] == 0) {
             d[at + Rows.GAP0] = OUT_OF_REACH;
         }
+    }
+
+    private void writeManifold(int row, int at, int pair) {
+        if (turns != null) {
+            writeLevers(row, at, pair);
+            writeNormalMasses(row, at);
+        } else {
+            writeStraight(row, at, pair);
+        }
+    }
+
+    /** Where nothing turns there are no levers, and the nearer of two points says all. */
+    private void writeStraight(int row, int at, int pair) {
+        double[] d = rows.data;
+        d[at + Rows.NX] = pairs.normalX[pair];
+        d[at + Rows.NY] = pairs.normalY[pair];
+        d[at + Rows.GAP0] = pairs.gap(pair);
+        rows.points[row] = 1;
+        writeMass(row, at, response(row, 0, 0, 0, 0));
+        d[at + Rows.M00] = 1 / d[at + Rows.K00];
     }
 
     private void writeLevers(int row, int at, int pair) {
@@ -210,14 +228,18 @@ final class RowBuilder {
                         d[at + Rows.LEVER_B0],
                         d[at + Rows.LEVER_A0],
                         d[at + Rows.LEVER_B0]);
-        double give = Rows.COMPLIANCE * k00 + (isDriven(row) ? GIVE_OF_DRIVEN / mass : 0);
-        d[at + Rows.GIVE] = give;
-        d[at + Rows.K00] = k00 + give;
+        writeMass(row, at, k00);
         if (rows.points[row] == 1) {
             d[at + Rows.M00] = 1 / d[at + Rows.K00];
         } else {
             writePairMasses(row, at);
         }
+    }
+
+    private void writeMass(int row, int at, double k00) {
+        double give = Rows.COMPLIANCE * k00 + (isDriven(row) ? GIVE_OF_DRIVEN / mass : 0);
+        rows.data[at + Rows.GIVE] = give;
+        rows.data[at + Rows.K00] = k00 + give;
     }
 
     private void writePairMasses(int row, int at) {

@@ -50,6 +50,16 @@ final class WarmStart {
         rows.data[at + Rows.BEFORE1] = rows.data[at + Rows.IMPULSE1];
     }
 
+    /** Scales those of the kick before as {@link #apply} does the present ones. */
+    void scaleBefore(double scale, int substep) {
+        for (int row = 0; row < rows.count; row++) {
+            if (rows.firstSubstep[row] <= substep) {
+                rows.data[row * Rows.STRIDE + Rows.BEFORE0] *= scale;
+                rows.data[row * Rows.STRIDE + Rows.BEFORE1] *= scale;
+            }
+        }
+    }
+
     /** Scales every impulse and applies it. */
     void apply(double scale, int substep) {
         for (int row = 0; row < rows.count; row++) {
@@ -67,14 +77,30 @@ final class WarmStart {
         int b = rows.bodyB[row];
         double nx = d[at + Rows.NX];
         double ny = d[at + Rows.NY];
-        d[at + Rows.BEFORE0] *= scale;
-        d[at + Rows.BEFORE1] *= scale;
         double j0 = d[at + Rows.IMPULSE0] *= scale;
         double j1 = d[at + Rows.IMPULSE1] *= scale;
         double jt = d[at + Rows.IMPULSE_T] *= scale;
-        double jr = d[at + Rows.IMPULSE_R] *= scale;
         double jx = (j0 + j1) * nx - jt * ny;
         double jy = (j0 + j1) * ny + jt * nx;
+        m[a + VX] -= m[a + INVERSE_MASS] * jx;
+        m[a + VY] -= m[a + INVERSE_MASS] * jy;
+        m[b + VX] += m[b + INVERSE_MASS] * jx;
+        m[b + VY] += m[b + INVERSE_MASS] * jy;
+        if (motions.turns) {
+            turn(m, d, at, a, b, j0, j1, jt, d[at + Rows.IMPULSE_R] *= scale);
+        }
+    }
+
+    private static void turn(
+            double[] m,
+            double[] d,
+            int at,
+            int a,
+            int b,
+            double j0,
+            double j1,
+            double jt,
+            double jr) {
         double onA =
                 j0 * d[at + Rows.LEVER_A0]
                         + j1 * d[at + Rows.LEVER_A1]
@@ -85,11 +111,7 @@ final class WarmStart {
                         + j1 * d[at + Rows.LEVER_B1]
                         + jt * d[at + Rows.LEVER_TB]
                         + jr;
-        m[a + VX] -= m[a + INVERSE_MASS] * jx;
-        m[a + VY] -= m[a + INVERSE_MASS] * jy;
         m[a + SPIN] -= m[a + INVERSE_INERTIA] * onA;
-        m[b + VX] += m[b + INVERSE_MASS] * jx;
-        m[b + VY] += m[b + INVERSE_MASS] * jy;
         m[b + SPIN] += m[b + INVERSE_INERTIA] * onB;
     }
 }
