@@ -21,9 +21,6 @@ final class EnergyGuard {
     private final Counters counters;
     private final SingleRows single;
 
-    /** Whether surfaces may run: what they do to bodies is no energy that contacts add. */
-    private final boolean mayRun;
-
     /** The energy of motion before the contacts, J, and the blows that had been struck by then. */
     private double energyBefore;
 
@@ -32,11 +29,10 @@ final class EnergyGuard {
     /** Velocities before the contacts, laid out as the motions. */
     private double[] before = new double[16 * Motions.STRIDE];
 
-    EnergyGuard(Motions motions, Rows rows, Counters counters, boolean mayRun) {
+    EnergyGuard(Motions motions, Rows rows, Counters counters) {
         this.motions = motions;
         this.rows = rows;
         this.counters = counters;
-        this.mayRun = mayRun;
         single = new SingleRows(motions, rows);
     }
 
@@ -51,7 +47,8 @@ final class EnergyGuard {
      * where nothing else, which is driven or strikes, had a part in what it is now.
      */
     private boolean isWithin(double multiple) {
-        boolean isOfContacts = !motions.isAnyDriven && !mayRun && counters.impacts == impactsBefore;
+        boolean isDriven = motions.isAnyDriven || rows.isAnyRunning;
+        boolean isOfContacts = !isDriven && counters.impacts == impactsBefore;
         return isOfContacts && motions.energy(motions.data) <= (1 + multiple) * energyBefore;
     }
 

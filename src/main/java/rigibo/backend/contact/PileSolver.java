@@ -3,7 +3,6 @@ package rigibo.backend.contact;
 import rigibo.backend.collision.Narrowphase;
 import rigibo.backend.effect.Drag;
 import rigibo.backend.effect.Effects;
-import rigibo.backend.effect.SurfaceSpeed;
 import rigibo.backend.geometry.ShapeKind;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.ContactSolver;
@@ -121,7 +120,7 @@ public final class PileSolver {
                 new NormalSolver(
                         motions, rows, accuracy.contactSolver() != ContactSolver.SEQUENTIAL);
         overlap = new OverlapSolver(motions, rows);
-        guard = new EnergyGuard(motions, rows, counters, effects.declares(SurfaceSpeed.class));
+        guard = new EnergyGuard(motions, rows, counters);
         halfway = new Halfway(motions, rows);
         direct = new DirectSolver(motions, rows, overlap, accuracy.substeps());
         split = new SplitSolver(motions, rows, overlap, accuracy.substeps());

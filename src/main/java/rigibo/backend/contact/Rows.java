@@ -121,6 +121,9 @@ final class Rows {
     /** The part of it by which driven surfaces carry, m/s. */
     double[] running = new double[16];
 
+    /** Whether the surfaces of any of them run. */
+    boolean isAnyRunning;
+
     /** The last substep in which a contact joins, {@link #ALWAYS} where none does. */
     int lastJoining;
 
@@ -167,6 +170,7 @@ final class Rows {
     /** Empties the pack. */
     void clear() {
         count = 0;
+        isAnyRunning = false;
         lastJoining = ALWAYS;
     }
 

@@ -27,6 +27,7 @@ final class RunningRows {
             rows.running[row] =
                     bodies.surfaceSpeed[pairs.bodyA[pair]] + bodies.surfaceSpeed[pairs.bodyB[pair]];
             rows.surface[row] = rows.running[row];
+            rows.isAnyRunning |= rows.running[row] != 0;
         }
     }
 }
