@@ -27,9 +27,9 @@ public final class Broadphase {
     private static final double STEPS_AHEAD = 3;
 
     /**
-     * The same for a body that has no neighbours, up to as many radii: it seldom meets any, and if
-     * it does its fixture is laid anew. Some look farther ahead than others: bodies that were
-     * thrown alike would else all leave their fixtures in one step.
+     * The same for a body that has no neighbours: it seldom meets any, and if it does its fixture
+     * is laid anew. Some look farther ahead than others: bodies that were thrown alike would else
+     * all leave their fixtures in one step.
      */
     private static final int LEAST_AHEAD_ALONE = 8;
 
@@ -40,8 +40,6 @@ public final class Broadphase {
 
     /** The bits of a double that are neither its sign nor its power of two. */
     private static final long DIGITS = (1L << 52) - 1;
-
-    private static final double RADII_AHEAD_ALONE = 4;
 
     /** A fixture that is larger than it would be laid now by this factor is laid anew. */
     private static final double LOOSE = 1.25;
@@ -318,9 +316,8 @@ public final class Broadphase {
         double margin = bodies.type[slot] == BodyType.STATIC ? 0 : MARGIN * radius;
         boolean isAlone = bodies.firstPair[slot] == Pairs.NONE;
         double steps = isAlone ? stepsAheadAlone(slot) : STEPS_AHEAD;
-        double most = isAlone ? RADII_AHEAD_ALONE * radius : radius;
-        double aheadX = ahead(bodies.velocityX[slot], steps * dt, most);
-        double aheadY = ahead(bodies.velocityY[slot], steps * dt, most);
+        double aheadX = ahead(bodies.velocityX[slot], steps * dt, radius);
+        double aheadY = ahead(bodies.velocityY[slot], steps * dt, radius);
         bodies.fixtureMinX[slot] = swept.minX - margin + Math.min(0, aheadX);
         bodies.fixtureMinY[slot] = swept.minY - margin + Math.min(0, aheadY);
         bodies.fixtureMaxX[slot] = swept.maxX + margin + Math.max(0, aheadX);
