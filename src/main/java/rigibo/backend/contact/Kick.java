@@ -43,6 +43,11 @@ final class Kick {
         }
     }
 
+    /** Whether every kick of a step is like the first. */
+    boolean isSteady() {
+        return forces == null;
+    }
+
     /** The strongest acceleration by the effects along an axis, m/s². */
     double strongest() {
         double most = 0;

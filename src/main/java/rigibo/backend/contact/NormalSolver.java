@@ -90,7 +90,7 @@ final class NormalSolver {
             solve(row, 1 / h, RIGID);
         }
         if (isLast) {
-            rows.addUpImpulses(row);
+            rows.addUpImpulses(row, 1);
         }
     }
 

@@ -42,6 +42,21 @@ final class OverlapSolver {
         }
     }
 
+    /** Whether a gap is to open by more than a share of a width within h seconds. */
+    boolean isAnyWanted(double share, double h, int substep) {
+        for (int row = 0; row < rows.count; row++) {
+            if (rows.firstSubstep[row] <= substep) {
+                double least = share * rows.data[row * Rows.STRIDE + Rows.WIDTH];
+                for (int point = 0; point < rows.points[row]; point++) {
+                    if (wanted(row, point, h) > least) {
+                        return true;
+                    }
+                }
+            }
+        }
+        return false;
+    }
+
     /** How far in m a point's gap is to open within h seconds; 0 where it does not overlap. */
     double wanted(int row, int point, double h) {
         int at = row * Rows.STRIDE;

@@ -27,6 +27,12 @@ public final class PileSolver {
     /** Share of the fastest speed that may be left unsolved, per metre of the tolerance. */
     private static final double SETTLED = 1e-2;
 
+    /** Share of its width that a body at rest may move by in a step. */
+    private static final double STILL = 1e-9;
+
+    /** How many times what counts as solved a body at rest may go at. */
+    private static final double QUIET = 16;
+
     /** Share of the strongest answer below which a change is round-off: some 64 ulp. */
     private static final double ROUND_OFF = 1e-14;
 
@@ -89,6 +95,9 @@ public final class PileSolver {
 
     /** The highest speed at which rows that were not solved may leave a body in this step, m/s. */
     private double limit;
+
+    /** What may be left in a small pile that counts as solved, m/s. */
+    private double settled;
 
     /** By entry of the motions the substep in which it joins. */
     private int[] joinsIn = new int[16];
@@ -174,10 +183,50 @@ public final class PileSolver {
             setLimit(substep);
             begin(substep == 1 ? 2 : 1, substep);
             substep(h, substep);
+            if (substep == 0 && isAtRest(substeps * h)) {
+                rest(h);
+                break;
+            }
         }
         finish(h, dt);
-        results.store(h, substeps * h);
+        results.store(h, dt - start);
         declared.store(h);
+    }
+
+    /**
+     * Whether the first half of a kick showed that contacts annul it, and that nothing comes within
+     * {@code length} seconds that they will not annul as well: then other substeps would find out
+     * nothing.
+     */
+    private boolean isAtRest(double length) {
+        boolean isSteady = kick.isSteady() && !motions.isAnyDriven && !rows.isAnyRunning;
+        return whole != null
+                && isSteady
+                && rows.lastJoining == Rows.ALWAYS
+                && isEveryBodyStill(length)
+                && !(isCorrecting && overlap.isAnyWanted(STILL, length, 0));
+    }
+
+    private boolean isEveryBodyStill(double length) {
+        double[] m = motions.data;
+        for (int entry = 1; entry < motions.count; entry++) {
+            int slot = motions.slots[entry];
+            int at = entry * Motions.STRIDE;
+            double straight = Math.max(Math.abs(m[at + Motions.VX]), Math.abs(m[at + Motions.VY]));
+            double turning = bodies.boundingRadius[slot] * Math.abs(m[at + Motions.SPIN]);
+            double still = Math.max(QUIET * settled, STILL * bodies.smallestWidth[slot] / length);
+            if (!(straight + turning <= still)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /** Lets contacts carry in all other substeps what they carried in the first. */
+    private void rest(double h) {
+        motions.drift((substeps - 1) * h);
+        rows.addUpImpulses(2 * (substeps - 1));
+        substeps = 1;
     }
 
     /**
@@ -247,7 +296,7 @@ public final class PileSolver {
             whole.begin();
             declared.strikeJointly(h, substep);
             settle(h, substep);
-            rows.addUpImpulses();
+            rows.addUpImpulses(1);
             motions.drift(h);
             takeOverlapBack(h, substep);
         } else {
@@ -304,7 +353,7 @@ public final class PileSolver {
 
     private boolean settleRows(double h, int substep) {
         double share = SETTLED * accuracy.impactTolerance();
-        double settled = Math.max(share, whole.finestShare()) * fastest;
+        settled = Math.max(share, whole.finestShare()) * fastest;
         double before = Double.POSITIVE_INFINITY;
         for (int i = 0; i < LEAST_ROUNDS + accuracy.substeps(); i++) {
             double change = declared.rub(substep);
@@ -349,7 +398,7 @@ public final class PileSolver {
         if (whole != null) {
             declared.strikeAtOnce(h * NO_TIME, last);
             settle(h * NO_TIME, last);
-            rows.addUpImpulses();
+            rows.addUpImpulses(1);
         } else {
             hold(h, last);
         }

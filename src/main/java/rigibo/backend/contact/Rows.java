@@ -181,17 +181,17 @@ final class Rows {
         }
     }
 
-    /** Adds the impulses of this kick to those of the step. */
-    void addUpImpulses() {
+    /** Adds the impulses of so many kicks like this one to those of the step. */
+    void addUpImpulses(int kicks) {
         for (int row = 0; row < count; row++) {
-            addUpImpulses(row);
+            addUpImpulses(row, kicks);
         }
     }
 
     /** The same of one contact. */
-    void addUpImpulses(int row) {
+    void addUpImpulses(int row, int kicks) {
         int at = row * STRIDE;
-        data[at + TOTAL] += data[at + IMPULSE0] + data[at + IMPULSE1];
+        data[at + TOTAL] += kicks * (data[at + IMPULSE0] + data[at + IMPULSE1]);
     }
 
     /** Makes room for one more contact and returns its index; its numbers are all 0. */

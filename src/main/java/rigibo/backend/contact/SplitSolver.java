@@ -46,6 +46,11 @@ final class SplitSolver implements WholeSolver {
 
     private static final int SUBSTEPS_OF_GAME = 4;
 
+    /** After so many iterations it is told whether less than such a share is left to be solved. */
+    private static final int ITERATIONS_TO_TELL = 8;
+
+    private static final double NEARER = 0.9;
+
     /**
      * Share of the fastest speed that is left unsolved at any accuracy: the last digits are dear.
      */
@@ -161,7 +166,7 @@ final class SplitSolver implements WholeSolver {
     /** What overlaps parts as far as wanted, and no gap closes. */
     @Override
     public void correct(double h, int substep, double fastest) {
-        if (!isAnyToCorrect(h, substep)) {
+        if (!overlap.isAnyWanted(0, h, substep)) {
             return;
         }
         factorize(substep, h * CLOSING * fastest);
@@ -179,20 +184,6 @@ final class SplitSolver implements WholeSolver {
         for (int i = 0; i < size; i++) {
             single.push(set[i], within[i], Motions.DX, Motions.DY, Motions.TURN);
         }
-    }
-
-    /** Whether any overlap is to be taken back: in a pile at rest none is. */
-    private boolean isAnyToCorrect(double h, int substep) {
-        for (int row = 0; row < rows.count; row++) {
-            if (rows.firstSubstep[row] <= substep) {
-                for (int point = 0; point < rows.points[row]; point++) {
-                    if (overlap.wanted(row, point, h) > 0) {
-                        return true;
-                    }
-                }
-            }
-        }
-        return false;
     }
 
     /** Whether no row of the same contact stands before it. */
@@ -285,7 +276,12 @@ final class SplitSolver implements WholeSolver {
         }
     }
 
-    /** Iterates from what is, until an iteration changes no speed by more than is said. */
+    /**
+     * Iterates from what is, until an iteration changes no speed by more than is said, or some of
+     * them hardly came nearer: where loads are carried by more contacts than are needed, and one of
+     * these asks for a speed in the last digits that the others do not allow, all of them shift the
+     * load among themselves for ever.
+     */
     private void search(double settled, int most) {
         for (int i = 0; i < size; i++) {
             within[i] = began[i];
@@ -293,10 +289,18 @@ final class SplitSolver implements WholeSolver {
             beyond[i] = parts ? -asked[i] / softness[i] : 0;
         }
         int last = Math.min(mostIterations, iterations + most);
+        double before = Double.POSITIVE_INFINITY;
+        boolean isNearing = true;
+        double left;
         do {
             solveEquations();
+            left = takeToBounds();
             iterations++;
-        } while (takeToBounds() > settled && iterations < last);
+            if (iterations % ITERATIONS_TO_TELL == 0) {
+                isNearing = left <= NEARER * before;
+                before = left;
+            }
+        } while (left > settled && isNearing && iterations < last);
     }
 
     /** Writes to {@code right} the change of each impulse that the softened equations ask for. */

@@ -94,11 +94,7 @@ public final class Course {
     }
 
     private boolean isFinite() {
-        double sum = 0;
-        for (int i = 0; i < Deviation.FREEDOMS; i++) {
-            sum += deviation.moved[i] + deviation.gained[i];
-        }
-        return Math.abs(sum) < Double.POSITIVE_INFINITY;
+        return deviation.moved.isFinite() && deviation.gained.isFinite();
     }
 
     /**
@@ -108,14 +104,14 @@ public final class Course {
     private void write(int slot, double length) {
         double e1 = deviation.velocityShare(length);
         double e2 = deviation.accelerationShare(length);
-        double ax = deviation.moved[0] / e2;
-        double ay = deviation.moved[1] / e2;
+        double ax = deviation.moved.x / e2;
+        double ay = deviation.moved.y / e2;
         bodies.accelerationX[slot] = deviation.keepingX() + ax;
         bodies.accelerationY[slot] = deviation.keepingY() + ay;
         bodies.pullX[slot] = deviation.keepingX() - deviation.steadyX() + ax;
         bodies.pullY[slot] = deviation.keepingY() - deviation.steadyY() + ay;
-        lackX[slot] = deviation.gained[0] - ax * e1;
-        lackY[slot] = deviation.gained[1] - ay * e1;
+        lackX[slot] = deviation.gained.x - ax * e1;
+        lackY[slot] = deviation.gained.y - ay * e1;
         if (turning != null) {
             turning.write(slot, length);
         }

@@ -7,8 +7,6 @@ import rigibo.backend.force.Instant;
 import rigibo.backend.setup.Integrator;
 import rigibo.backend.storage.Bodies;
 
-import java.util.Arrays;
-
 /**
  * How far forces that change along the way take a body from a reference that is known exactly. With
  * {@code BALLISTIC} the reference is the body's path without those forces, so that forces which are
@@ -16,11 +14,6 @@ import java.util.Arrays;
  * reference is the straight line, which leaves all accelerations to them.
  */
 final class Deviation {
-
-    /** x, y and, where bodies turn, the angle; the first two belong together. */
-    static final int FREEDOMS = 3;
-
-    private static final int LINEAR = 2;
 
     /**
      * Change of a rate between the two looks at a substep's middle, as a share of the rate, beyond
@@ -35,27 +28,33 @@ final class Deviation {
     /** Substeps of a path at most; what is too stiff for them is braked without overshooting. */
     private static final int MOST_SUBSTEPS = 1024;
 
-    /** What the path has deviated by: m, m and rad, and the same per second. */
-    final double[] moved = new double[FREEDOMS];
+    /** What the path has deviated by: m and rad, and the same per second. */
+    final Freedoms moved = new Freedoms();
 
-    final double[] gained = new double[FREEDOMS];
+    final Freedoms gained = new Freedoms();
 
     private final ChangingForces forces;
     private final Integrator method;
     private final boolean isBallistic;
 
-    /** How many of the freedoms there are: where nothing turns, an angle asks for no substep. */
-    private final int freedoms;
+    /** Where nothing turns, an angle asks for no substep and is not looked at. */
+    private final boolean turns;
 
     private final Motion reference = new Motion();
     private final Pose pose = new Pose();
     private final Instant instant = new Instant();
 
-    /** The deviation at the instant that is looked at, and the rates of the looks so far. */
-    private final double[] movedThere = new double[FREEDOMS];
+    /** The deviation at the instant that is looked at. */
+    private final Freedoms movedThere = new Freedoms();
 
-    private final double[] gainedThere = new double[FREEDOMS];
-    private final double[][] rate = new double[4][FREEDOMS];
+    private final Freedoms gainedThere = new Freedoms();
+
+    /** The rates of a substep's looks: at its start, twice at its middle, at its end. */
+    private final Freedoms first = new Freedoms();
+
+    private final Freedoms second = new Freedoms();
+    private final Freedoms third = new Freedoms();
+    private final Freedoms fourth = new Freedoms();
 
     /** The accelerations that stay the same, m/s² and rad/s², and the drag in 1/s. */
     private double steadyX;
@@ -69,7 +68,7 @@ final class Deviation {
 
     Deviation(ChangingForces forces, Integrator method, boolean turns) {
         this.forces = forces;
-        freedoms = turns ? FREEDOMS : LINEAR;
+        this.turns = turns;
         this.method = method;
         isBallistic = method == Integrator.BALLISTIC;
     }
@@ -83,19 +82,20 @@ final class Deviation {
         steadyY = bodies.accelerationY[slot] - bodies.pullY[slot];
         reference.x = bodies.x[slot];
         reference.y = bodies.y[slot];
-        reference.angle = bodies.angle[slot];
         reference.velocityX = bodies.velocityX[slot];
         reference.velocityY = bodies.velocityY[slot];
         reference.drag = isBallistic ? drag : 0;
         reference.accelerationX = isBallistic ? steadyX : 0;
         reference.accelerationY = isBallistic ? steadyY : 0;
-        if (freedoms > LINEAR) {
+        instant.angle = bodies.angle[slot];
+        if (turns) {
             takeTurning(bodies, slot);
         }
     }
 
     private void takeTurning(Bodies bodies, int slot) {
         steadyTurn = bodies.angularAcceleration[slot] - bodies.pullTurn[slot];
+        reference.angle = bodies.angle[slot];
         reference.spin = bodies.spin[slot];
         reference.angularAcceleration = isBallistic ? steadyTurn : 0;
     }
@@ -105,8 +105,14 @@ final class Deviation {
      * that can tell still finds them too long, it begins anew with twice as many.
      */
     void integrate(double length, int substeps) {
+        moved.clear();
+        gained.clear();
+        lookHere(0);
         int count = Math.max(substeps, substepsByDrag(length));
         while (!isIntegrated(length, count)) {
+            moved.clear();
+            gained.clear();
+            lookHere(0);
             count *= 2;
         }
     }
@@ -114,36 +120,34 @@ final class Deviation {
     /**
      * How many substeps h keep k·h below 1, with k the share of a force, per second, that a change
      * of velocity along it takes away. Where a strong drag and another force are in balance,
-     * nothing else would tell before the balance is lost.
+     * nothing else would tell before the balance is lost. The path has been looked at where it
+     * starts.
      */
     private int substepsByDrag(double length) {
         if (method == Integrator.EULER || method == Integrator.VERLET) {
             return 1;
         }
-        Arrays.fill(moved, 0);
-        Arrays.fill(gained, 0);
-        look(0, 0, 0, 0);
-        look(1, 0, SMALL_CHANGE * length, 0);
-        double squared = Math.max(squaredDrag(0, LINEAR), squaredDrag(LINEAR, freedoms));
+        goAhead(SMALL_CHANGE * length, first, 0, first);
+        look(0, second);
+        double squared = shareOf(second.squaredChange(first), first.squaredPlace());
+        if (turns) {
+            double turning = shareOf(square(second.turn - first.turn), square(first.turn));
+            squared = Math.max(squared, turning);
+        }
         return (int) Math.min(MOST_SUBSTEPS, Math.ceil(Math.sqrt(squared) / SMALL_CHANGE));
     }
 
-    /** The square of the share of the first look's rate by which the second one's differs. */
-    private double squaredDrag(int first, int end) {
-        double rates = 0;
-        double changes = 0;
-        for (int i = first; i < end; i++) {
-            rates += square(rate[0][i]);
-            changes += square(rate[1][i] - rate[0][i]);
-        }
+    private static double shareOf(double changes, double rates) {
         return rates > 0 ? changes / rates : 0;
     }
 
+    /** Goes all substeps from the start, which has been looked at. */
     private boolean isIntegrated(double length, int count) {
-        Arrays.fill(moved, 0);
-        Arrays.fill(gained, 0);
         double h = length / count;
         for (int i = 0; i < count; i++) {
+            if (i > 0) {
+                lookHere(i * h);
+            }
             if (!step(i * h, h)) {
                 if (count < MOST_SUBSTEPS) {
                     return false;
@@ -154,48 +158,51 @@ final class Deviation {
         return true;
     }
 
-    /** Goes one substep, unless it is found too long. */
+    /** Goes one substep from where it was looked, unless it is found too long. */
     private boolean step(double time, double h) {
         return switch (method) {
-            case EULER -> stepByEuler(time, h);
+            case EULER -> stepByEuler(h);
             case VERLET -> stepByVerlet(time, h);
             case RK4, BALLISTIC -> stepByRungeKutta(time, h);
         };
     }
 
-    private boolean stepByEuler(double time, double h) {
-        look(0, time, 0, 0);
-        for (int i = 0; i < freedoms; i++) {
-            gained[i] += h * rate[0][i];
-            moved[i] += h * gained[i];
-        }
+    private boolean stepByEuler(double h) {
+        gained.add(h, first);
+        moved.add(h, gained);
         return true;
     }
 
     private boolean stepByVerlet(double time, double h) {
-        look(0, time, 0, 0);
-        look(1, time + h, h, h * h / 2);
-        for (int i = 0; i < freedoms; i++) {
-            moved[i] += h * (gained[i] + h / 2 * rate[0][i]);
-            gained[i] += h / 2 * (rate[0][i] + rate[1][i]);
-        }
+        goAhead(h, first, h * h / 2, first);
+        look(time + h, second);
+        moved.add(h, gained);
+        moved.add(h * (h / 2), first);
+        gained.add(h / 2, first);
+        gained.add(h / 2, second);
         return true;
     }
 
     /** Kutta's method of 1901 for x″ = f(x, x′, t). */
     private boolean stepByRungeKutta(double time, double h) {
         double half = h / 2;
-        look(0, time, 0, 0);
-        look(1, time + half, half, 0);
-        look(2, time + half, half, half * half);
-        look(3, time + h, h, h * half);
-        if (!isShortEnough(0, LINEAR) || !isShortEnough(LINEAR, freedoms)) {
+        goAhead(half, first, 0, first);
+        look(time + half, second);
+        goAhead(half, second, half * half, first);
+        look(time + half, third);
+        goAhead(h, third, h * half, second);
+        look(time + h, fourth);
+        if (!isShortEnough()) {
             return false;
         }
-        for (int i = 0; i < freedoms; i++) {
-            double middle = rate[1][i] + rate[2][i];
-            moved[i] += h * (gained[i] + h / 6 * (rate[0][i] + middle));
-            gained[i] += h / 6 * (rate[0][i] + 2 * middle + rate[3][i]);
+        double sixth = h / 6;
+        moved.x += h * (gained.x + sixth * (first.x + (second.x + third.x)));
+        moved.y += h * (gained.y + sixth * (first.y + (second.y + third.y)));
+        gained.x += sixth * (first.x + 2 * (second.x + third.x) + fourth.x);
+        gained.y += sixth * (first.y + 2 * (second.y + third.y) + fourth.y);
+        if (turns) {
+            moved.turn += h * (gained.turn + sixth * (first.turn + (second.turn + third.turn)));
+            gained.turn += sixth * (first.turn + 2 * (second.turn + third.turn) + fourth.turn);
         }
         return true;
     }
@@ -205,16 +212,15 @@ final class Deviation {
      * from the first look, and the place by h²/4 times the rate: they differ by (kh/2)² or (ωh/2)²
      * of the rate.
      */
-    private boolean isShortEnough(int first, int end) {
-        double change = 0;
-        double before = 0;
-        double middle = 0;
-        for (int i = first; i < end; i++) {
-            change += square(rate[2][i] - rate[1][i]);
-            before += square(rate[0][i]);
-            middle += square(rate[1][i]);
+    private boolean isShortEnough() {
+        double most = square(MOST_CHANGE);
+        double rates = Math.max(first.squaredPlace(), second.squaredPlace());
+        boolean isTooLong = third.squaredChange(second) > most * rates;
+        if (turns) {
+            double turning = Math.max(square(first.turn), square(second.turn));
+            isTooLong |= square(third.turn - second.turn) > most * turning;
         }
-        return !(change > square(MOST_CHANGE) * Math.max(before, middle));
+        return !isTooLong;
     }
 
     private static double square(double value) {
@@ -223,63 +229,76 @@ final class Deviation {
 
     /** Of first order, but no rate, however stiff, does more than undo what it acts against. */
     private void brake(double time, double h) {
-        look(0, time, 0, 0);
-        look(1, time + h, h, 0);
-        double linear = shareThatBrakes(0, LINEAR);
-        double angular = shareThatBrakes(LINEAR, freedoms);
-        for (int i = 0; i < freedoms; i++) {
-            gained[i] += (i < LINEAR ? linear : angular) * h * rate[0][i];
-            moved[i] += h * gained[i];
+        goAhead(h, first, 0, first);
+        look(time + h, second);
+        double undone = first.x * (first.x - second.x) + first.y * (first.y - second.y);
+        double linear = shareThatBrakes(first.squaredPlace(), undone);
+        gained.x += linear * h * first.x;
+        gained.y += linear * h * first.y;
+        if (turns) {
+            double unturned = first.turn * (first.turn - second.turn);
+            gained.turn += shareThatBrakes(square(first.turn), unturned) * h * first.turn;
         }
+        moved.add(h, gained);
     }
 
     /** The inverse of how many times over a full substep of a rate would undo the rate. */
-    private double shareThatBrakes(int first, int end) {
-        double squared = 0;
-        double undone = 0;
-        for (int i = first; i < end; i++) {
-            squared += square(rate[0][i]);
-            undone += rate[0][i] * (rate[0][i] - rate[1][i]);
-        }
+    private static double shareThatBrakes(double squared, double undone) {
         return undone > squared ? squared / undone : 1;
     }
 
+    /** Looks from where the deviation has come to, at a time in s since the path's start. */
+    private void lookHere(double time) {
+        movedThere.set(moved);
+        gainedThere.set(gained);
+        look(time, first);
+    }
+
     /**
-     * Writes the rates at a time in s since the path's start, for a deviation that has gone ahead
-     * from the substep's start: for {@code ahead} seconds with its velocity and with the rates of
-     * the look before, and {@code square} s² times those of the look before that.
+     * Lets the deviation that is looked at go ahead of the one reached: for {@code ahead} seconds
+     * with its velocity and with a rate, and {@code square} s² times another.
      */
-    private void look(int number, double time, double ahead, double square) {
-        double[] kicking = rate[Math.max(0, number - 1)];
-        double[] pulling = rate[Math.max(0, number - 2)];
-        for (int i = 0; i < freedoms; i++) {
-            movedThere[i] =
-                    ahead == 0 ? moved[i] : moved[i] + (ahead * gained[i] + square * pulling[i]);
-            gainedThere[i] = ahead == 0 ? gained[i] : gained[i] + ahead * kicking[i];
+    private void goAhead(double ahead, Freedoms kicking, double square, Freedoms pulling) {
+        movedThere.x = moved.x + (ahead * gained.x + square * pulling.x);
+        movedThere.y = moved.y + (ahead * gained.y + square * pulling.y);
+        gainedThere.x = gained.x + ahead * kicking.x;
+        gainedThere.y = gained.y + ahead * kicking.y;
+        if (turns) {
+            movedThere.turn = moved.turn + (ahead * gained.turn + square * pulling.turn);
+            gainedThere.turn = gained.turn + ahead * kicking.turn;
         }
+    }
+
+    /** Writes the rates at a time in s since the path's start. */
+    private void look(double time, Freedoms out) {
         takePlace(time);
+        if (turns) {
+            takeTurn(time);
+        }
         forces.evaluate(instant);
-        double[] out = rate[number];
         if (isBallistic) {
-            out[0] = instant.accelerationX - drag * gainedThere[0];
-            out[1] = instant.accelerationY - drag * gainedThere[1];
-            out[2] = instant.angularAcceleration;
+            out.x = instant.accelerationX - drag * gainedThere.x;
+            out.y = instant.accelerationY - drag * gainedThere.y;
+            out.turn = instant.angularAcceleration;
         } else {
-            out[0] = instant.accelerationX + (steadyX - drag * instant.velocityX);
-            out[1] = instant.accelerationY + (steadyY - drag * instant.velocityY);
-            out[2] = instant.angularAcceleration + steadyTurn;
+            out.x = instant.accelerationX + (steadyX - drag * instant.velocityX);
+            out.y = instant.accelerationY + (steadyY - drag * instant.velocityY);
+            out.turn = instant.angularAcceleration + steadyTurn;
         }
     }
 
     private void takePlace(double time) {
-        reference.placeAt(time, pose);
         instant.time = start + time;
-        instant.x = pose.x + movedThere[0];
-        instant.y = pose.y + movedThere[1];
-        instant.angle = reference.angleAt(time) + movedThere[2];
-        instant.velocityX = reference.velocityXAt(time) + gainedThere[0];
-        instant.velocityY = reference.velocityYAt(time) + gainedThere[1];
-        instant.spin = reference.spinAt(time) + gainedThere[2];
+        reference.placeAt(time, pose);
+        instant.x = pose.x + movedThere.x;
+        instant.y = pose.y + movedThere.y;
+        instant.velocityX = reference.velocityXAt(time) + gainedThere.x;
+        instant.velocityY = reference.velocityYAt(time) + gainedThere.y;
+    }
+
+    private void takeTurn(double time) {
+        instant.angle = reference.angleAt(time) + movedThere.turn;
+        instant.spin = reference.spinAt(time) + gainedThere.turn;
     }
 
     /** E₁ and E₂ of the path's own drag, after a length in s. */

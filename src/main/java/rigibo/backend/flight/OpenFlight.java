@@ -1,7 +1,6 @@
 package rigibo.backend.flight;
 
 import rigibo.backend.collision.Motion;
-import rigibo.backend.collision.Pose;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.Roster;
@@ -12,7 +11,6 @@ public final class OpenFlight {
     private final Bodies bodies;
     private final Roster roster;
     private final Motion motion = new Motion();
-    private final Pose pose = new Pose();
 
     /** Paths under forces that change along the way, or null where there are none. */
     private final Course course;
@@ -65,11 +63,11 @@ public final class OpenFlight {
             if (bodies.isDynamic(slot)) {
                 motion.take(bodies, slot);
                 motion.drag = bodies.drag[slot];
-                motion.placeAt(dt, pose);
-                bodies.x[slot] = pose.x;
-                bodies.y[slot] = pose.y;
-                bodies.velocityX[slot] = motion.velocityXAt(dt);
-                bodies.velocityY[slot] = motion.velocityYAt(dt);
+                motion.advance(dt);
+                bodies.x[slot] = motion.x;
+                bodies.y[slot] = motion.y;
+                bodies.velocityX[slot] = motion.velocityX;
+                bodies.velocityY[slot] = motion.velocityY;
             }
         }
     }

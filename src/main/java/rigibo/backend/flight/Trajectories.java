@@ -15,7 +15,6 @@ final class Trajectories {
 
     private final Bodies bodies;
     private final Motion motion = new Motion();
-    private final Pose pose = new Pose();
 
     /** The time in s after the step's start that a flyer's columns hold. */
     private double[] since = new double[16];
@@ -155,11 +154,11 @@ final class Trajectories {
             return;
         }
         loadWay(slot, motion);
-        motion.placeAt(time, pose);
-        bodies.x[slot] = pose.x;
-        bodies.y[slot] = pose.y;
-        bodies.velocityX[slot] = motion.velocityXAt(time);
-        bodies.velocityY[slot] = motion.velocityYAt(time);
+        motion.advance(time);
+        bodies.x[slot] = motion.x;
+        bodies.y[slot] = motion.y;
+        bodies.velocityX[slot] = motion.velocityX;
+        bodies.velocityY[slot] = motion.velocityY;
         since[slot] = time;
     }
 }

@@ -34,10 +34,10 @@ final class TurningCourse {
 
     /** Writes how the body turns on the integrated path of a length in s: {@link Course#lay}. */
     void write(int slot, double length) {
-        double turn = deviation.moved[2] / (length * length / 2);
+        double turn = deviation.moved.turn / (length * length / 2);
         bodies.angularAcceleration[slot] = deviation.keepingTurn() + turn;
         bodies.pullTurn[slot] = deviation.keepingTurn() - deviation.steadyTurn() + turn;
-        lackSpin[slot] = deviation.gained[2] - turn * length;
+        lackSpin[slot] = deviation.gained.turn - turn * length;
     }
 
     boolean lacksSpin(int slot) {

@@ -23,16 +23,18 @@ final class AirDragForce implements ChangingForce {
         double uy = at.velocityY - share * wind.y();
         double speed = Math.sqrt(ux * ux + uy * uy);
         if (speed > 0) {
-            double strength = half * speed * widthAcross(at, ux / speed, uy / speed);
+            double strength = half * speed * widthAcross(at, ux, uy, speed);
             at.push(-strength * ux, -strength * uy);
         }
     }
 
-    /** How wide the shape is across a unit direction, m. */
-    private static double widthAcross(Instant at, double x, double y) {
+    /** How wide the shape is across a velocity of that speed, m. */
+    private static double widthAcross(Instant at, double ux, double uy, double speed) {
         if (at.shape.kind() == ShapeKind.CIRCLE) {
             return 2 * at.boundingRadius;
         }
+        double x = ux / speed;
+        double y = uy / speed;
         double acrossX = at.sin() * x - at.cos() * y;
         double acrossY = at.sin() * y + at.cos() * x;
         return width((Polygon) at.shape, acrossX, acrossY);

@@ -12,9 +12,10 @@ public final class Instant {
 
     public Shape shape;
 
-    /** kg, 1/(kg·m²) (0 where it does not turn), m, and the linear drag in 1/s. */
+    /** kg, 1/kg, 1/(kg·m²) (0 where it does not turn), m, and the linear drag in 1/s. */
     public double mass;
 
+    public double inverseMass;
     public double inverseInertia;
     public double boundingRadius;
     public double drag;
@@ -47,6 +48,7 @@ public final class Instant {
     public void take(Bodies bodies, int slot) {
         shape = bodies.shape[slot];
         mass = bodies.mass[slot];
+        inverseMass = bodies.inverseMass[slot];
         inverseInertia = bodies.inverseInertiaOf(slot);
         boundingRadius = bodies.boundingRadius[slot];
         drag = bodies.drag == null ? 0 : bodies.drag[slot];
@@ -54,8 +56,8 @@ public final class Instant {
 
     /** Adds a force in N at the centre of mass. */
     public void push(double forceX, double forceY) {
-        accelerationX += forceX / mass;
-        accelerationY += forceY / mass;
+        accelerationX += forceX * inverseMass;
+        accelerationY += forceY * inverseMass;
     }
 
     /** Adds a torque in N·m, counter-clockwise. */
