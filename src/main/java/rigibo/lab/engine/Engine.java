@@ -17,6 +17,14 @@ public interface Engine {
     List<Setting> settings();
 
     /**
+     * The setting that one of its settings is another name of, so that what was found for it holds
+     * for both; the setting itself where it is no other's.
+     */
+    default Setting standsFor(Setting setting) {
+        return setting;
+    }
+
+    /**
      * A world without bodies.
      *
      * @throws UnsupportedOperationException naming an effect that the engine has not, and that no

@@ -31,6 +31,16 @@ public final class RigiBoEngine implements Engine {
         return List.copyOf(choices.keySet());
     }
 
+    /** The first that turns its knobs the same way and makes the same step. */
+    @Override
+    public Setting standsFor(Setting setting) {
+        return choices.keySet().stream()
+                .filter(first -> first.step() == setting.step())
+                .filter(first -> choices.get(first).equals(choices.get(setting)))
+                .findFirst()
+                .orElseThrow();
+    }
+
     @Override
     public World world(Effects effects, Setting setting) {
         return world(effects, choices.get(setting));

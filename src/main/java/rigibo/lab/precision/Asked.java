@@ -2,6 +2,7 @@ package rigibo.lab.precision;
 
 import rigibo.lab.engine.Line;
 import rigibo.lab.engine.RigiBoEngine;
+import rigibo.lab.engine.Setting;
 import rigibo.lab.problem.Problem;
 
 import java.util.Arrays;
@@ -19,7 +20,7 @@ final class Asked {
     Asked(Problem problem, List<Point> all) {
         this.problem = problem;
         points = all.stream().filter(point -> point.problem().equals(problem.id())).toList();
-        front = new Front(ours().toList(), problem.equalBelow());
+        front = new Front(ours().filter(Asked::isAtUsualStep).toList());
     }
 
     /** Of each problem that has points. */
@@ -38,11 +39,15 @@ final class Asked {
         return points;
     }
 
+    private static boolean isAtUsualStep(Point point) {
+        return point.setting().step() == Setting.USUAL_STEP;
+    }
+
     private Stream<Point> ours() {
         return points.stream().filter(point -> point.engine().equals(RigiBoEngine.NAME));
     }
 
-    /** Of our own settings. */
+    /** Of our own knobs: those of an accuracy, at the step of the game, which is none of them. */
     Front front() {
         return front;
     }

@@ -6,13 +6,16 @@ import rigibo.lab.precision.probe.Patience;
 /** How much is measured, and how carefully. */
 public enum Extent {
     /**
-     * Presets and other engines only, an engine's settings in one process, as many processes side
-     * by side as there are cores: in a minute and a half one sees where things are.
+     * Presets and other engines only, as many processes side by side as there are cores: in a
+     * minute and a half one sees where things are.
      */
-    QUICK(new Patience(60, 30, 3, 150)),
+    QUICK(new Patience(100, 100, 3, 500)),
 
-    /** Every setting in a process of its own, one after the other on the same core. */
-    FULL(new Patience(250, 250, 10, 800));
+    /**
+     * Every setting, processes one after the other on the same core. A round of R11, the longest,
+     * takes 1.5 s.
+     */
+    FULL(new Patience(4000, 8000, 20, 40_000));
 
     private final Patience patience;
 

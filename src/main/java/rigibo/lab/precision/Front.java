@@ -8,8 +8,8 @@ import java.util.Optional;
 /**
  * The Pareto front of points by error and cost: those to which no other is preferred, because none
  * is as accurate for less nor more accurate for as little (V. Pareto, "Manuale di economia
- * politica", 1906). Errors below that of the problem under which there is nothing to choose count
- * as equal to it. Points that failed or were not timed are on no front.
+ * politica", 1906). The question is whether more cost bought anything, and so errors are compared
+ * as they are, down to rounding. Points that failed or were not timed are on no front.
  */
 final class Front {
 
@@ -20,14 +20,12 @@ final class Front {
 
     private final List<Point> eligible;
     private final List<Point> points = new ArrayList<>();
-    private final double equalBelow;
 
-    /** Of these, where errors less than one are equal. */
-    Front(List<Point> all, double equalBelow) {
-        this.equalBelow = equalBelow;
+    /** Of these. */
+    Front(List<Point> all) {
         eligible = all.stream().filter(Front::isEligible).toList();
         List<Point> sorted = new ArrayList<>(eligible);
-        sorted.sort(BY_COST.thenComparingDouble(this::error));
+        sorted.sort(BY_COST.thenComparingDouble(Front::error));
         double least = Double.POSITIVE_INFINITY;
         for (Point point : sorted) {
             if (error(point) < least) {
@@ -37,12 +35,14 @@ final class Front {
         }
     }
 
-    private static boolean isEligible(Point point) {
+    /** Whether it is judged: it did not fail, and it was timed. */
+    static boolean isEligible(Point point) {
         return !point.errors().hasFailed() && point.cost() > 0;
     }
 
-    private double error(Point point) {
-        return Math.max(equalBelow, point.errors().main());
+    /** As far as it counts. */
+    private static double error(Point point) {
+        return Math.max(ObservedOrder.ROUND_OFF, point.errors().main());
     }
 
     /** Those on it, from the cheapest to the most accurate. */

@@ -27,37 +27,26 @@ public record Inquiry(List<String> problems, Extent extent, long seed, Path out)
         return Problems.all().stream().map(Problem::id).toList();
     }
 
-    /** Every process there is to run, by problem, engine and setting. */
-    List<Task> tasks(List<Engine> engines) {
-        List<Task> tasks = new ArrayList<>();
+    /** All of it, by problem and engine. */
+    List<Exam> exams(List<Engine> engines) {
+        List<Exam> exams = new ArrayList<>();
         for (String id : problems) {
             Problem problem = Problems.numbered(id);
             for (Engine engine : engines) {
                 if (problem.isForAll() || engine.name().equals(RigiBoEngine.NAME)) {
-                    tasks.addAll(tasks(problem, engine));
+                    exams.add(exam(problem, engine));
                 }
             }
         }
-        return tasks;
+        return exams;
     }
 
-    private List<Task> tasks(Problem problem, Engine engine) {
+    private Exam exam(Problem problem, Engine engine) {
         List<Setting> settings =
                 engine.settings().stream()
                         .filter(setting -> isAsked(problem, setting.line()))
                         .toList();
-        if (extent == Extent.QUICK) {
-            return List.of(new Task(problem.id(), engine.name(), settings, extent.patience()));
-        }
-        return settings.stream()
-                .map(
-                        setting ->
-                                new Task(
-                                        problem.id(),
-                                        engine.name(),
-                                        List.of(setting),
-                                        extent.patience()))
-                .toList();
+        return new Exam(problem.id(), engine, settings);
     }
 
     private boolean isAsked(Problem problem, Line line) {

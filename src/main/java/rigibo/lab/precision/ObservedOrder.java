@@ -19,8 +19,8 @@ import java.util.stream.IntStream;
  */
 record ObservedOrder(int pairs, double median, double least, double greatest) {
 
-    /** Relative errors less than this are of rounding: some thousand steps of 2⁻⁵³ each. */
-    private static final double ROUND_OFF = 1e-12;
+    /** Errors less than this are of rounding: some thousand steps of 2⁻⁵³ each. */
+    static final double ROUND_OFF = 1e-12;
 
     private static final int LEAST_PAIRS = 2;
 

@@ -11,8 +11,8 @@ final class PlotRange {
     /** Free at an end, as a factor: room for a mark and its label. */
     private static final double ROOM = 1.6;
 
-    /** Below the error under which there is nothing to choose nothing need be told apart. */
-    private static final double BELOW_EQUAL = 0.5;
+    /** Below what is rounding nothing need be told apart. */
+    private static final double BELOW_ROUND_OFF = 0.5;
 
     private final List<Point> drawn;
     private final List<Point> timed;
@@ -22,7 +22,7 @@ final class PlotRange {
         timed = asked.points().stream().filter(point -> point.cost() > 0).toList();
         drawn = timed.stream().filter(point -> !point.errors().hasFailed()).toList();
         double least = errors().filter(error -> error > 0).min().orElse(1);
-        double shown = Math.max(least, BELOW_EQUAL * asked.problem().equalBelow());
+        double shown = Math.max(least, BELOW_ROUND_OFF * ObservedOrder.ROUND_OFF);
         leastError = Math.pow(10, Math.floor(Math.log10(shown)));
     }
 

@@ -9,6 +9,7 @@ import rigibo.lab.engine.Engine;
 import rigibo.lab.engine.Engines;
 import rigibo.lab.engine.Setting;
 import rigibo.lab.precision.probe.Finding;
+import rigibo.lab.precision.probe.Patience;
 import rigibo.lab.precision.probe.ProblemProbe;
 import rigibo.lab.problem.Problem;
 
@@ -32,14 +33,16 @@ final class PrecisionLab {
 
     private static final String LOG = "points.log";
 
-    private final List<Task> tasks;
+    private final List<Exam> exams;
+    private final Patience patience;
     private final Kept kept;
     private final long seed;
     private final BlockingQueue<MeasuringJava> free;
 
     PrecisionLab(Inquiry inquiry) {
         List<Engine> engines = Engines.all();
-        tasks = inquiry.tasks(engines);
+        exams = inquiry.exams(engines);
+        patience = inquiry.extent().patience();
         seed = inquiry.seed();
         kept = new Kept(inquiry.out().resolve(LOG), key(engines));
         free =
@@ -76,13 +79,13 @@ final class PrecisionLab {
      * @throws IllegalStateException when a process breaks off, with what it said
      */
     void run(Consumer<String> tell) {
-        List<Task> missing = new ArrayList<>(tasks.stream().filter(task -> !isDone(task)).toList());
+        List<Exam> missing = missing();
         Collections.shuffle(missing, new Random(seed));
         Progress progress = new Progress(missing.size(), tell);
         ExecutorService runners = Executors.newFixedThreadPool(free.size());
         try {
             List<Future<?>> running = new ArrayList<>();
-            missing.forEach(task -> running.add(runners.submit(() -> run(task, progress))));
+            missing.forEach(exam -> running.add(runners.submit(() -> run(exam, progress))));
             for (Future<?> one : running) {
                 one.get();
             }
@@ -96,21 +99,28 @@ final class PrecisionLab {
         }
     }
 
-    private boolean isDone(Task task) {
-        return task.settings().stream().allMatch(setting -> of(task, setting).isPresent());
+    private List<Exam> missing() {
+        return exams.stream()
+                .filter(exam -> !isDone(exam))
+                .collect(Collectors.toCollection(ArrayList::new));
     }
 
-    private void run(Task task, Progress progress) {
+    private boolean isDone(Exam exam) {
+        return exam.measured().stream().allMatch(setting -> of(exam, setting).isPresent());
+    }
+
+    private void run(Exam exam, Progress progress) {
         MeasuringJava java = free.remove();
         List<String> arguments = new ArrayList<>();
-        arguments.addAll(List.of(task.problem(), task.engine(), task.patience().words()));
-        arguments.addAll(task.names());
+        arguments.addAll(List.of(exam.problem(), exam.engine().name(), patience.words()));
+        exam.measured().forEach(setting -> arguments.add(setting.name()));
         try {
             String classPath = System.getProperty("java.class.path");
-            keep(task, java.run(classPath, ProblemProbe.class, arguments, ProblemProbe.MARK));
+            keep(exam, java.run(classPath, ProblemProbe.class, arguments, ProblemProbe.MARK));
         } catch (IllegalStateException broken) {
             throw new IllegalStateException(
-                    task.problem() + " by " + task.engine() + " " + broken.getMessage(), broken);
+                    exam.problem() + " by " + exam.engine().name() + " " + broken.getMessage(),
+                    broken);
         } finally {
             free.add(java);
         }
@@ -119,36 +129,37 @@ final class PrecisionLab {
         }
     }
 
-    private synchronized void keep(Task task, List<String> lines) {
-        for (int i = 0; i < task.settings().size(); i++) {
-            kept.add(name(task, task.settings().get(i)), lines.get(i));
+    private synchronized void keep(Exam exam, List<String> lines) {
+        for (int i = 0; i < exam.measured().size(); i++) {
+            kept.add(name(exam, exam.measured().get(i)), lines.get(i));
         }
     }
 
     /** Everything that was asked for and found, in the order of engines and settings. */
     List<Point> points() {
         List<Point> points = new ArrayList<>();
-        for (Task task : tasks) {
-            for (Setting setting : task.settings()) {
-                of(task, setting).ifPresent(found -> points.add(point(task, setting, found)));
+        for (Exam exam : exams) {
+            for (Setting setting : exam.settings()) {
+                of(exam, exam.engine().standsFor(setting))
+                        .ifPresent(found -> points.add(point(exam, setting, found)));
             }
         }
         return points;
     }
 
-    private Optional<Finding> of(Task task, Setting setting) {
-        return kept.of(name(task, setting)).map(Finding::parse);
+    private Optional<Finding> of(Exam exam, Setting setting) {
+        return kept.of(name(exam, setting)).map(Finding::parse);
     }
 
-    private static String name(Task task, Setting setting) {
+    private String name(Exam exam, Setting setting) {
         return String.join(
-                " | ", task.problem(), task.engine(), setting.name(), task.patience().words());
+                " | ", exam.problem(), exam.engine().name(), setting.name(), patience.words());
     }
 
-    private static Point point(Task task, Setting setting, Finding found) {
+    private static Point point(Exam exam, Setting setting, Finding found) {
         return new Point(
-                task.problem(),
-                task.engine(),
+                exam.problem(),
+                exam.engine().name(),
                 setting,
                 found.errors(),
                 found.steps(),

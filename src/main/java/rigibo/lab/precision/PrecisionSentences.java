@@ -30,7 +30,9 @@ final class PrecisionSentences {
                         + " for "
                         + all.size()
                         + " reference problems.");
-        front().ifPresent(sentences::add);
+        if (all.stream().anyMatch(asked -> !asked.lines().isEmpty())) {
+            sentences.add(FrontWords.of(all));
+        }
         List<Comparison> comparisons = comparisons();
         if (!comparisons.isEmpty()) {
             sentences.add(mostAccurate(comparisons));
@@ -41,37 +43,6 @@ final class PrecisionSentences {
 
     private List<Comparison> comparisons() {
         return all.stream().map(Comparison::of).flatMap(Optional::stream).toList();
-    }
-
-    private Optional<String> front() {
-        if (all.stream().allMatch(asked -> asked.lines().isEmpty())) {
-            return Optional.empty();
-        }
-        List<String> far = new ArrayList<>();
-        long near = 0;
-        for (Asked asked : all) {
-            for (Point preset : asked.presets()) {
-                if (asked.front().isNear(preset)) {
-                    near++;
-                } else {
-                    far.add(
-                            String.format(
-                                    Locale.ROOT,
-                                    "%s at %s (%.2f ×)",
-                                    preset.setting().name(),
-                                    asked.problem().id(),
-                                    asked.front().excess(preset)));
-                }
-            }
-        }
-        String rest =
-                far.isEmpty()
-                        ? "."
-                        : "; these cost more than the cheapest setting that is no less accurate: "
-                                + String.join(", ", far)
-                                + ".";
-        return Optional.of(
-                near + " presets lie on the front of our own knobs or within 10 % of it" + rest);
     }
 
     private static String mostAccurate(List<Comparison> comparisons) {

@@ -51,7 +51,8 @@ final class WorkPrecisionFigure {
         plot.grid(Amount::roundTime, this::errorWords);
         LabelPlacer placer = new LabelPlacer(plot.box());
         front(plot);
-        equal(plot, placer);
+        limit(ObservedOrder.ROUND_OFF, "less is rounding", plot, placer);
+        limit(asked.problem().equalBelow(), "EXACT promises less", plot, placer);
         Key key = new Key();
         new WorkPrecisionMarks(asked, drawing, plot, size, placer).draw(key);
         y = foot(bottom);
@@ -92,7 +93,9 @@ final class WorkPrecisionFigure {
         return isPower ? Amount.power((int) Math.rint(power)) : Amount.scientific(error);
     }
 
-    /** From the cheapest: so much error it is, until another that is dearer has less. */
+    /**
+     * From the cheapest: so much error it is, until another that is dearer has less, if one has.
+     */
     private void front(Plot plot) {
         List<Spot> steps = new ArrayList<>();
         for (Point point : asked.front().points()) {
@@ -102,21 +105,21 @@ final class WorkPrecisionFigure {
             }
             steps.add(spot);
         }
-        if (steps.size() > 1) {
+        if (!steps.isEmpty()) {
+            steps.add(new Spot(plot.box().right(), steps.get(steps.size() - 1).y()));
             drawing.path(steps, FRONT_WIDTH, Palette.BAND);
         }
     }
 
-    private void equal(Plot plot, LabelPlacer placer) {
-        double error = asked.problem().equalBelow();
+    /** Named on the left, where marks are rarest: little is exact and cheap. */
+    private void limit(double error, String words, Plot plot, LabelPlacer placer) {
         if (error < range.leastError()) {
             return;
         }
-        double right = plot.box().right();
+        double left = plot.box().left();
         double y = plot.at(0, error).y();
-        drawing.dashed(plot.box().left(), y, right, y, Palette.DIM);
-        String words = "less counts as equal";
-        drawing.text(right - 4, y - 5, Anchor.END, SMALL, Palette.DIM, words);
-        placer.keepFree(Box.of(right - 4, y - 5, Anchor.END, SMALL, words));
+        drawing.dashed(left, y, plot.box().right(), y, Palette.DIM);
+        drawing.text(left + 4, y - 5, Anchor.START, SMALL, Palette.DIM, words);
+        placer.keepFree(Box.of(left + 4, y - 5, Anchor.START, SMALL, words));
     }
 }

@@ -11,8 +11,6 @@ import java.util.List;
 
 class FrontTest {
 
-    private static final double FLOOR = 1e-9;
-
     private static Point point(double error, double cost) {
         return FakePoints.point("a setting", Line.SUBSTEPS, 1, 1.0 / 60, error, cost);
     }
@@ -31,8 +29,7 @@ class FrontTest {
                             nearly,
                             middle,
                             point(Double.NaN, 0.5),
-                            point(1e-8, 0)),
-                    FLOOR);
+                            point(1e-8, 0)));
 
     @Test
     void thoseThatNoneIsPreferredToAreOnIt() {
@@ -50,9 +47,17 @@ class FrontTest {
     }
 
     @Test
-    void errorsThatCountAsEqualDoNotPreferOneToAnother() {
+    void errorsOfRoundingDoNotPreferOneToAnother() {
         Point exact = point(1e-16, 3);
-        Point enough = point(5e-10, 2);
-        assertThat(new Front(List.of(exact, enough), FLOOR).points()).containsExactly(enough);
+        Point rounded = point(5e-13, 2);
+        assertThat(new Front(List.of(exact, rounded)).points()).containsExactly(rounded);
+    }
+
+    /** What nobody needs may still be bought: 1e-11 is less than 1e-10, and costs more. */
+    @Test
+    void errorsAboveRoundingAreComparedAsTheyAre() {
+        Point exact = point(1e-11, 3);
+        Point enough = point(1e-10, 2);
+        assertThat(new Front(List.of(exact, enough)).points()).containsExactly(enough, exact);
     }
 }

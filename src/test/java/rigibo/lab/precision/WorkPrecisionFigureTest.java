@@ -58,7 +58,7 @@ class WorkPrecisionFigureTest {
                         "EXACT",
                         "dyn4j 6.0.0",
                         "step, by Euler: order 1.0")
-                .contains("step, by Verlet", "≤ 10⁻¹¹");
+                .contains("step, by Verlet", "≤ 10⁻¹³");
     }
 
     @Test

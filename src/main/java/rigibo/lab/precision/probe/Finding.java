@@ -25,6 +25,16 @@ public record Finding(Errors errors, long steps, Work work, Optional<Timing> tim
     private static final int FIELDS_WITHOUT_TIMING = 9;
     private static final int FIELDS = FIELDS_WITHOUT_TIMING + 6;
 
+    /** Whether it came to an end, be it a failure; what broke off has nothing to be timed. */
+    boolean hasRun() {
+        return steps > 0;
+    }
+
+    /** The same and what it took. */
+    Finding with(Timing took) {
+        return new Finding(errors, steps, work, Optional.of(took));
+    }
+
     /** All of it in one line, for a process to print and for a log. */
     public String line() {
         Stream<Object> told =

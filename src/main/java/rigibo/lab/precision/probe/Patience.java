@@ -1,11 +1,11 @@
 package rigibo.lab.precision.probe;
 
 /**
- * How long a process takes for each setting.
+ * How long a process takes for all of its settings together.
  *
- * @param warmMillis at least, before anything is timed
+ * @param warmMillis at least, after errors were found and before anything is timed
  * @param timedMillis at least
- * @param repeats at least, unless they would take longer than is to be borne
+ * @param repeats of each setting at least, unless they would take longer than is to be borne
  * @param mostMillis after which no repeat is begun
  */
 public record Patience(double warmMillis, double timedMillis, int repeats, double mostMillis) {

@@ -10,10 +10,17 @@ import rigibo.lab.problem.Problem;
 import rigibo.lab.problem.Problems;
 import rigibo.lab.problem.Trial;
 
+import java.util.Arrays;
+import java.util.Collection;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 
-/** The process: puts an engine to a problem, at one setting after the other. */
+/**
+ * The process: puts an engine to a problem, finds the errors of one setting after the other and
+ * then times all of them in turns.
+ */
 public final class ProblemProbe {
 
     /** What the lines begin with that hold a finding, in the order of the settings. */
@@ -42,32 +49,37 @@ public final class ProblemProbe {
                         Problems.numbered(arguments[0]),
                         Engines.named(arguments[1]),
                         Patience.parse(arguments[2]));
-        for (String name : List.of(arguments).subList(FIRST_SETTING, arguments.length)) {
-            System.out.println(MARK + probe.find(Engines.setting(probe.engine, name)).line());
-        }
+        List<Setting> settings =
+                Arrays.stream(arguments)
+                        .skip(FIRST_SETTING)
+                        .map(name -> Engines.setting(probe.engine, name))
+                        .toList();
+        probe.find(settings).forEach(found -> System.out.println(MARK + found.line()));
     }
 
-    private Finding find(Setting setting) {
+    private Collection<Finding> find(List<Setting> settings) {
+        Map<Setting, Finding> found = new LinkedHashMap<>();
+        settings.forEach(setting -> found.put(setting, count(setting)));
+        List<Setting> ran = settings.stream().filter(one -> found.get(one).hasRun()).toList();
+        if (!patience.equals(Patience.NONE) && !ran.isEmpty()) {
+            new Stopwatch(patience, problem, engine)
+                    .time(ran)
+                    .forEach((one, took) -> found.put(one, found.get(one).with(took)));
+        }
+        return found.values();
+    }
+
+    private Finding count(Setting setting) {
         try (Bench bench = Bench.counting(engine, setting)) {
             Trial trial = problem.set(bench);
-            long begun = System.nanoTime();
             Errors errors = trial.run();
-            return new Finding(errors, bench.steps(), bench.work(), time(setting, begun));
+            return new Finding(errors, bench.steps(), bench.work(), Optional.empty());
         } catch (UnsupportedOperationException missing) {
             return broken("has no " + missing.getMessage());
         } catch (RuntimeException | AssertionError broken) {
             // What another engine throws is its result, and not the laboratory's end.
             return broken("broke off: " + broken);
         }
-    }
-
-    private Optional<Timing> time(Setting setting, long warmSince) {
-        if (patience.equals(Patience.NONE)) {
-            return Optional.empty();
-        }
-        return Optional.of(
-                new Stopwatch(patience)
-                        .time(problem, warmSince, () -> Bench.timed(engine, setting)));
     }
 
     private static Finding broken(String why) {

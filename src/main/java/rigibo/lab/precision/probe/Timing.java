@@ -3,7 +3,7 @@ package rigibo.lab.precision.probe;
 /**
  * What a step took, set-up and reading left out.
  *
- * @param repeats of the whole problem that were timed, after warming up
+ * @param repeats that were timed, after warming up: turns, each of the whole problem, once or more
  * @param cpu median over the repeats, µs of the thread's own processor time a step
  * @param cpuLow lower end of where that median lies with 95 %, µs
  * @param cpuHigh upper end, µs

@@ -1,0 +1,77 @@
+package rigibo.lab.precision;
+
+import rigibo.lab.engine.Line;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Collectors;
+
+/** Which presets lie on the front of their problem, and what the others cost too much, in words. */
+final class FrontWords {
+
+    private FrontWords() {}
+
+    /** Of the presets of some problems; those that failed or were not timed are not judged. */
+    static String of(List<Asked> all) {
+        long judged = all.stream().mapToLong(asked -> judged(asked).size()).sum();
+        long far = all.stream().mapToLong(asked -> far(asked).size()).sum();
+        String first =
+                String.format(
+                        Locale.ROOT,
+                        "%d of %d presets lie on the front of our own knobs at the game's step or,"
+                                + " by median times, within 10 %% of it",
+                        judged - far,
+                        judged);
+        String rest =
+                all.stream()
+                        .filter(asked -> !far(asked).isEmpty())
+                        .map(asked -> "at " + asked.problem().id() + " " + excesses(asked))
+                        .collect(Collectors.joining("; "));
+        return rest.isEmpty()
+                ? first + "."
+                : first + "; the others cost more than a setting that errs no more: " + rest + ".";
+    }
+
+    private static List<Point> judged(Asked asked) {
+        return asked.presets().stream().filter(Front::isEligible).toList();
+    }
+
+    private static List<Point> far(Asked asked) {
+        return judged(asked).stream().filter(preset -> !asked.front().isNear(preset)).toList();
+    }
+
+    /** Those that one and the same setting shows to be too dear are told together. */
+    private static String excesses(Asked asked) {
+        Map<String, List<Point>> byCheaper =
+                far(asked).stream()
+                        .collect(
+                                Collectors.groupingBy(
+                                        preset -> cheaper(asked, preset),
+                                        LinkedHashMap::new,
+                                        Collectors.toList()));
+        return byCheaper.entrySet().stream()
+                .map(one -> excesses(asked, one.getValue()) + " as much as " + one.getKey())
+                .collect(Collectors.joining(", "));
+    }
+
+    private static String excesses(Asked asked, List<Point> presets) {
+        return presets.stream()
+                .map(
+                        preset ->
+                                String.format(
+                                        Locale.ROOT,
+                                        "%s %.2f ×",
+                                        preset.setting().name(),
+                                        asked.front().excess(preset)))
+                .collect(Collectors.joining(", "));
+    }
+
+    private static String cheaper(Asked asked, Point preset) {
+        Optional<Point> cheapest = asked.front().cheapestAsAccurateAs(preset);
+        String name = cheapest.orElseThrow().setting().name();
+        return cheapest.get().setting().line() == Line.PRESETS ? name : "\u201c" + name + "\u201d";
+    }
+}
