@@ -46,10 +46,8 @@ final class SplitSolver implements WholeSolver {
 
     private static final int SUBSTEPS_OF_GAME = 4;
 
-    /** After so many iterations it is told whether less than such a share is left to be solved. */
+    /** Iterations after which something must have come nearer. */
     private static final int ITERATIONS_TO_TELL = 8;
-
-    private static final double NEARER = 0.9;
 
     /**
      * Share of the fastest speed that is left unsolved at any accuracy: the last digits are dear.
@@ -277,10 +275,10 @@ final class SplitSolver implements WholeSolver {
     }
 
     /**
-     * Iterates from what is, until an iteration changes no speed by more than is said, or some of
-     * them hardly came nearer: where loads are carried by more contacts than are needed, and one of
-     * these asks for a speed in the last digits that the others do not allow, all of them shift the
-     * load among themselves for ever.
+     * Iterates from what is, until an iteration changes no speed by more than is said, or several
+     * have brought nothing: where loads are carried by more contacts than are needed, and one of
+     * these asks in the last digits for a speed that the others do not allow, they shift the load
+     * among themselves for ever.
      */
     private void search(double settled, int most) {
         for (int i = 0; i < size; i++) {
@@ -297,7 +295,7 @@ final class SplitSolver implements WholeSolver {
             left = takeToBounds();
             iterations++;
             if (iterations % ITERATIONS_TO_TELL == 0) {
-                isNearing = left <= NEARER * before;
+                isNearing = left < before;
                 before = left;
             }
         } while (left > settled && isNearing && iterations < last);
