@@ -1,5 +1,6 @@
 package rigibo.backend.collision;
 
+import rigibo.backend.geometry.ShapeKind;
 import rigibo.backend.setup.ImpactSearch;
 
 /**
@@ -29,11 +30,17 @@ public final class TimeOfImpact {
     /** Units in the last place of a coordinate that a gap must have to be told from none. */
     private static final double ROUNDING_UNITS = 4;
 
+    /** The gap left where a disc touches, in such roundings: not so few as to be lost again. */
+    private static final double POLISHED_ROUNDINGS = 8;
+
+    /** Newton's steps: each doubles the digits, and from a gap of 0.1 mm three come to the last. */
+    private static final int MOST_POLISHES = 4;
+
     /** Rounds before the safe time reached so far is taken; met only by long, close passes. */
     private static final int MOST_ROUNDS = 100;
 
     /**
-     * Longest step of the last correction, of the time searched: the speed must not change in it.
+     * Longest way of the last correction, of the time searched: the speed must not change in it.
      */
     private static final double MOST_POLISH = 0.01;
 
@@ -63,10 +70,10 @@ public final class TimeOfImpact {
 
     /**
      * Finds the first time at which the gap of two shapes has closed to a small positive rest and
-     * still closes. The rest lies between ⅛ and ¼ of the tolerance. A pair that starts closer than
-     * that and parts is not reported; one that comes back is, at half the gap it started with. A
-     * pair that starts in overlap is reported at once if it closes, and else when it has closed by
-     * the tolerance again.
+     * still closes. The rest lies between ⅛ and ¼ of the tolerance; where a disc meets what does
+     * not turn it is round-off. A pair that starts closer than that and parts is not reported; one
+     * that comes back is, at half the gap it started with. A pair that starts in overlap is
+     * reported at once if it closes, and else when it has closed by the tolerance again.
      *
      * @param first motion of A
      * @param second motion of B
@@ -134,15 +141,59 @@ public final class TimeOfImpact {
     }
 
     /**
-     * The root lies anywhere within the stopping gap; one step of Newton's puts it on its middle,
-     * so that a mirrored or exchanged pair meets at the same time, to nearly all digits.
+     * The root lies anywhere within the stopping gap. A step of Newton's puts it on its middle, so
+     * that a mirrored or exchanged pair meets at the same time, to nearly all digits.
      */
-    private double polished(double from, double time, double gap) {
-        double aim = (advance.least + advance.largest) / 2;
+    private double polished(double from, double found, double foundGap) {
+        double middle = (advance.least + advance.largest) / 2;
+        boolean isOfDisc = isDisc(a) && !b.isTurning() || isDisc(b) && !a.isTurning();
+        return isOfDisc
+                ? touching(from, found, foundGap, Math.min(POLISHED_ROUNDINGS * rounding, middle))
+                : newton(from, found, found, foundGap - middle);
+    }
+
+    /**
+     * A disc meets what does not turn in one point and nowhere else: there more steps lead to the
+     * least gap that can be told from none, and a rebound begins where it should.
+     */
+    private double touching(double from, double found, double foundGap, double aim) {
+        double safe = found;
+        double time = found;
+        double above = foundGap - aim;
+        for (int i = 0; i < MOST_POLISHES; i++) {
+            double better = newton(from, found, time, above);
+            if (better == time) {
+                break;
+            }
+            time = better;
+            above = gapAt(time) - aim;
+            safe = above >= -rounding ? time : safe;
+        }
+        return safe;
+    }
+
+    /**
+     * A step of Newton's from the time that was measured last, at a gap in m above the one aimed
+     * at; the same time where that is none to round-off, or the step leads farther than speeds can
+     * be relied on.
+     */
+    private double newton(double from, double found, double time, double above) {
         double speed = approach.partingSpeed(distance, poseA, poseB, time, tolerance);
-        double better = time + (gap - aim) / -speed;
-        boolean isNear = speed < 0 && Math.abs(better - time) <= MOST_POLISH * (end - from);
-        return isNear && better >= from && better <= end ? better : time;
+        double better = time - above / speed;
+        boolean isOff = Math.abs(above) > rounding;
+        boolean isNear = speed < 0 && Math.abs(better - found) <= MOST_POLISH * (end - from);
+        return isOff && isNear && better >= from && better <= end ? better : time;
+    }
+
+    private static boolean isDisc(Motion of) {
+        return of.shape.kind() == ShapeKind.CIRCLE;
+    }
+
+    private double gapAt(double time) {
+        evaluations++;
+        a.poseAt(time, poseA);
+        b.poseAt(time, poseB);
+        return distance.measure(a.shape, poseA, b.shape, poseB);
     }
 
     /** Lets a pair that is close, but parts, come back to half its gap, or to deeper overlap. */
@@ -159,10 +210,7 @@ public final class TimeOfImpact {
      * an axis that stays, for most pairs that stay clear need no other.
      */
     private double measure(double time, int round) {
-        evaluations++;
-        a.poseAt(time, poseA);
-        b.poseAt(time, poseB);
-        double gap = distance.measure(a.shape, poseA, b.shape, poseB);
+        double gap = gapAt(time);
         double x = distance.axisX;
         double y = distance.axisY;
         NormalSource source = distance.manifold.source;

@@ -41,6 +41,9 @@ public final class Flight {
     /** Those whose path is not what was expected, in the order found. */
     private final Found disturbed = new Found();
 
+    /** Bystanders that have joined a pile, whose own blows are still to be looked at. */
+    private final Found joined = new Found();
+
     /** For each body in which step it was last found to follow behind, and the number of this. */
     private int[] followedIn = new int[16];
 
@@ -95,6 +98,8 @@ public final class Flight {
         }
         disturbed.clear();
         disturbed.reserve(bodies.type.length + 1);
+        joined.clear();
+        joined.reserve(bodies.type.length);
         for (int i = 0; i < pairs.activeCount; i++) {
             if (pairs.points[pairs.active[i]] > 0) {
                 predict(pairs.active[i], 0, dt);
@@ -119,12 +124,38 @@ public final class Flight {
     }
 
     private void disturbBouncers(int pair, double time, double dt) {
+        spreadBouncers(pair, time, dt);
+        disturbJoined(time, dt);
+    }
+
+    private void spreadBouncers(int pair, double time, double dt) {
         int a = pairs.bodyA[pair];
         int b = pairs.bodyB[pair];
         if (!paths.isFlyer(a) && !paths.isFlyer(b)) {
             double reach = bystanders.reachOfBouncers(pair, dt - time);
-            disturb(a, reach, time, dt);
-            disturb(b, reach, time, dt);
+            spread(a, reach, time, dt);
+            spread(b, reach, time, dt);
+        }
+    }
+
+    /** Lets join what a body of a pile may reach from a time on, and what that strikes reaches. */
+    private void disturb(int slot, double reach, double time, double dt) {
+        spread(slot, reach, time, dt);
+        disturbJoined(time, dt);
+    }
+
+    /**
+     * A fast flyer that joins for a slow neighbour's sake strikes it all the same, and what it
+     * strikes goes farther than the neighbour would have gone by itself.
+     */
+    private void disturbJoined(double time, double dt) {
+        while (joined.count > 0) {
+            int slot = joined.numbers[--joined.count];
+            for (int p = bodies.firstPair[slot]; p != Pairs.NONE; p = pairs.nextOf(p, slot)) {
+                if (pairs.points[p] > 0) {
+                    spreadBouncers(p, time, dt);
+                }
+            }
         }
     }
 
@@ -132,7 +163,7 @@ public final class Flight {
      * What a body of a pile may reach from a time on becomes part of the pile, or a contact; and so
      * does what that may reach in its turn, or what follows close behind.
      */
-    private void disturb(int slot, double reach, double time, double dt) {
+    private void spread(int slot, double reach, double time, double dt) {
         if (reach == 0 || !hitsPile(slot) || !bodies.awake[slot]) {
             return;
         }
@@ -159,6 +190,7 @@ public final class Flight {
                 paths.land(other, time);
                 repredict(other, time, dt);
                 disturbed.add(other);
+                joined.add(other);
             }
         }
     }

@@ -28,6 +28,11 @@ class TimeOfImpactTest {
         return impact.find(a, b, 0, end, tolerance, ImpactSearch.ITP);
     }
 
+    /** What a gap must have to be told from none, m: four units in the last place. */
+    private static double rounding(double farthest) {
+        return 4 * Math.ulp(farthest);
+    }
+
     /** Two discs of 0.1 m, 2 m apart at 400 m/s: they touch after 1.8/400 s. */
     @Test
     void bulletsMeetHeadOn() {
@@ -36,9 +41,9 @@ class TimeOfImpactTest {
 
         double time = find(a, b, STEP, FINEST);
 
-        // A disc of 0.2 m stops within 0.25 of 0.2 nanometres; 400 m/s cross that in 1.25e-13 s.
-        assertThat(time).isEqualTo(1.8 / 400, within(1.3e-13));
-        assertThat(gap(a, b, time)).isBetween(FINEST * 0.2 / 8, FINEST * 0.2 / 4);
+        // Coordinates go to 1.1 m: nine roundings are 8e-15 m, which 400 m/s cross in 2e-17 s.
+        assertThat(time).isEqualTo(1.8 / 400, within(1e-16));
+        assertThat(gap(a, b, time)).isBetween(7 * rounding(1.1), 9 * rounding(1.1));
     }
 
     /** Passing at an offset of one radius: the centres are 0.2 m apart when √3/2 · 0.2 ahead. */
@@ -62,9 +67,9 @@ class TimeOfImpactTest {
 
         double time = impact.find(floor, disc, 0, STEP, FINEST, search);
 
-        // At 0.14 m/s the quarter nanometre left is crossed in 1.8e-9 s.
-        assertThat(time).isEqualTo(Math.sqrt(2 * 0.001 / 9.81), within(2e-9));
-        assertThat(gap(floor, disc, time)).isBetween(FINEST / 8, FINEST / 4);
+        // The floor goes to 20 m: nine roundings are 1.3e-13 m, crossed at 0.14 m/s in 9e-13 s.
+        assertThat(time).isEqualTo(Math.sqrt(2 * 0.001 / 9.81), within(1e-12));
+        assertThat(gap(floor, disc, time)).isBetween(7 * rounding(20), 9 * rounding(20));
     }
 
     /** With drag k the way is v(1 − e^(−kt))/k, so that 0.5 m take −ln(1 − 0.5k/v)/k. */
@@ -156,6 +161,29 @@ class TimeOfImpactTest {
 
         // The gap closes at 10/√2 m/s or faster.
         assertThat(find(lower, upper, STEP, FINEST)).isEqualTo(truth, within(FINEST / 4 / 7));
+    }
+
+    /** What does not turn meets a disc in one point: the tolerance has no say in when. */
+    @ParameterizedTest
+    @ValueSource(doubles = {1e-3, 1e-4, 1e-6, 1e-9})
+    void discIsMetAsExactlyAtAnyTolerance(double tolerance) {
+        Motion floor = resting(Polygon.box(2, 1), 0, -0.5, 0);
+        Motion disc = moving(new Circle(0.5), 0.3, 0.55, 2, -5);
+        disc.accelerationY = -9.81;
+
+        double truth = (Math.sqrt(25 + 2 * 9.81 * 0.05) - 5) / 9.81;
+
+        // Coordinates go to 1.6 m: nine roundings, 8e-15 m, at 5 m/s, and those of the truth.
+        assertThat(find(floor, disc, STEP, tolerance)).isEqualTo(truth, within(1e-14));
+    }
+
+    /** A box may meet with any corner: it stops in the middle of the stopping gap, a fifth. */
+    @Test
+    void boxIsMetAFifthOfTheToleranceBefore() {
+        Motion floor = resting(Polygon.box(40, 1), 0, -0.5, 0);
+        Motion box = moving(Polygon.box(1, 1), 0.3, 0.55, 0, -5);
+
+        assertThat(gap(floor, box, find(floor, box, STEP, 1e-4))).isEqualTo(2e-5, within(1e-10));
     }
 
     @Test
