@@ -43,9 +43,17 @@ final class Kick {
         }
     }
 
-    /** Whether every kick of a step is like the first. */
-    boolean isSteady() {
-        return forces == null;
+    /**
+     * Whether kicks of h seconds around times h apart, from {@code first} on, pull all bodies as
+     * the last one did, but for so many m/s².
+     */
+    boolean isSteady(double first, double h, int kicks, double most) {
+        boolean isSteady = true;
+        for (int i = 0; forces != null && isSteady && i < kicks; i++) {
+            forces.refresh(motions, turns, first + i * h, h);
+            isSteady = forces.change() <= most;
+        }
+        return isSteady;
     }
 
     /** The strongest acceleration by the effects along an axis, m/s². */

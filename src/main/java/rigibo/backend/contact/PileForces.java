@@ -16,6 +16,7 @@ public final class PileForces {
     private final Bodies bodies;
     private final ChangingForces forces;
     private final Instant instant = new Instant();
+    private double change;
 
     /** These forces on the bodies of a storage. */
     public PileForces(DataStorage data, ChangingForces forces) {
@@ -30,11 +31,19 @@ public final class PileForces {
      * where nothing turns.
      */
     void refresh(Motions motions, PackedTurns turns, double time, double length) {
+        change = 0;
         for (int entry = 1; entry < motions.count; entry++) {
             if (motions.data[entry * Motions.STRIDE + Motions.INVERSE_MASS] > 0) {
                 refresh(motions, turns, entry, data.time + time, length);
             }
         }
+    }
+
+    /**
+     * The greatest change of a body's pull by the last refresh, m/s², and rad/s² times its radius.
+     */
+    double change() {
+        return change;
     }
 
     private void refresh(
@@ -58,6 +67,8 @@ public final class PileForces {
             double share = shareThatBrakes(ax, ay, turn, length);
             replace(slot, share * ax, share * ay);
             if (turns != null) {
+                double more = Math.abs(share * turn - bodies.pullTurn[slot]);
+                change = Math.max(change, more * bodies.boundingRadius[slot]);
                 turns.replacePull(slot, share * turn);
             }
         }
@@ -84,6 +95,8 @@ public final class PileForces {
     }
 
     private void replace(int slot, double ax, double ay) {
+        double more = Math.abs(ax - bodies.pullX[slot]) + Math.abs(ay - bodies.pullY[slot]);
+        change = Math.max(change, more);
         bodies.accelerationX[slot] += ax - bodies.pullX[slot];
         bodies.accelerationY[slot] += ay - bodies.pullY[slot];
         bodies.pullX[slot] = ax;

@@ -183,7 +183,7 @@ public final class PileSolver {
             setLimit(substep);
             begin(substep == 1 ? 2 : 1, substep);
             substep(h, substep);
-            if (substep == 0 && isAtRest(substeps * h)) {
+            if (substep == 0 && isAtRest(start, h)) {
                 rest(h);
                 break;
             }
@@ -194,17 +194,19 @@ public final class PileSolver {
     }
 
     /**
-     * Whether the first half of a kick showed that contacts annul it, and that nothing comes within
-     * {@code length} seconds that they will not annul as well: then other substeps would find out
-     * nothing.
+     * Whether the first half of a kick showed that contacts annul it, and that nothing comes in the
+     * rest of the step that they will not annul as well: then other substeps of h seconds would
+     * find out nothing.
      */
-    private boolean isAtRest(double length) {
-        boolean isSteady = kick.isSteady() && !motions.isAnyDriven && !rows.isAnyRunning;
+    private boolean isAtRest(double start, double h) {
+        double length = substeps * h;
         return whole != null
-                && isSteady
                 && rows.lastJoining == Rows.ALWAYS
+                && !motions.isAnyDriven
+                && !rows.isAnyRunning
                 && isEveryBodyStill(length)
-                && !(isCorrecting && overlap.isAnyWanted(STILL, length, 0));
+                && !(isCorrecting && overlap.isAnyWanted(STILL, length, 0))
+                && kick.isSteady(start + h, h, substeps - 1, QUIET * settled / length);
     }
 
     private boolean isEveryBodyStill(double length) {
