@@ -30,6 +30,7 @@ public final class Narrowphase {
     private final Collider collider = new Collider();
     private final Seams seams;
     private final Manifold manifold = new Manifold();
+    private final Whereabouts whereabouts = new Whereabouts();
     private final Pose poseA = new Pose();
     private final Pose poseB = new Pose();
 
@@ -58,6 +59,7 @@ public final class Narrowphase {
         for (int i = 0; i < pairs.activeCount; i++) {
             begin(pairs.active[i]);
         }
+        whereabouts.compare(bodies);
         measureActive(dt);
         for (int i = 0; i < pairs.activeCount; i++) {
             finish(pairs.active[i]);
@@ -67,12 +69,46 @@ public final class Narrowphase {
     private void measureActive(double dt) {
         if (bodies.turns()) {
             for (int i = 0; i < pairs.activeCount; i++) {
-                measure(pairs.active[i], dt, turningReach(pairs.active[i], dt));
+                measureIfMoved(pairs.active[i], dt, turningReach(pairs.active[i], dt));
             }
         } else {
             for (int i = 0; i < pairs.activeCount; i++) {
-                measure(pairs.active[i], dt, reach(pairs.active[i], dt, 0, 0));
+                measureIfMoved(pairs.active[i], dt, reach(pairs.active[i], dt, 0, 0));
             }
+        }
+    }
+
+    private void measureIfMoved(int pair, double dt, double reach) {
+        boolean stays =
+                whereabouts.areSame(pairs.bodyA[pair]) && whereabouts.areSame(pairs.bodyB[pair]);
+        if (stays && isMeasured(pair, dt, reach)) {
+            goOn(pair);
+        } else {
+            measure(pair, dt, reach);
+        }
+    }
+
+    /** Whether the bodies, where they are, would be found to touch in the points they have. */
+    private boolean isMeasured(int pair, double dt, double reach) {
+        double known = pairs.reach[pair];
+        if (!(reach <= known)) {
+            return false;
+        }
+        if (pairs.points[pair] == 0) {
+            return reach + wayIfHeld(pair, dt) <= known;
+        }
+        return farthest(pair) <= reach;
+    }
+
+    private double farthest(int pair) {
+        double first = pairs.separation[2 * pair];
+        return pairs.points[pair] == 1 ? first : Math.max(first, pairs.separation[2 * pair + 1]);
+    }
+
+    /** Every point continues itself. */
+    private void goOn(int pair) {
+        for (int i = 0; i < 2; i++) {
+            pairs.former[2 * pair + i] = i < pairs.points[pair] ? i : Pairs.NONE;
         }
     }
 
@@ -81,6 +117,8 @@ public final class Narrowphase {
         pairs.activate(pair);
         begin(pair);
         measure(pair, dt, reach(pair, dt));
+        // Within a step nobody knows where bodies were when it began.
+        pairs.reach[pair] = Double.NaN;
         finish(pair);
     }
 
@@ -103,10 +141,12 @@ public final class Narrowphase {
         poseA.set(bodies.x[a], bodies.y[a], bodies.cos[a], bodies.sin[a]);
         poseB.set(bodies.x[b], bodies.y[b], bodies.cos[b], bodies.sin[b]);
         measure(pair, poseA, poseB, reach);
+        pairs.reach[pair] = reach;
         if (pairs.points[pair] == 0) {
             double more = wayIfHeld(pair, dt);
             if (more > 0) {
                 measure(pair, poseA, poseB, reach + more);
+                pairs.reach[pair] = pairs.points[pair] == 0 ? reach + more : Double.NaN;
             }
         }
     }
@@ -119,6 +159,7 @@ public final class Narrowphase {
         Shape shapeB = bodies.shape[pairs.bodyB[pair]];
         collider.collide(shapeA, atA, shapeB, atB, reach, manifold);
         keep(pair);
+        pairs.reach[pair] = Double.NaN;
     }
 
     /** The same without the points that lie in a seam: what the solver of piles is to see. */

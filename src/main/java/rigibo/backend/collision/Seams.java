@@ -135,6 +135,7 @@ final class Seams {
             return false;
         }
         double sign = fixed == pairs.bodyA[pair] ? 1 : -1;
+        pairs.reach[pair] = Double.NaN;
         pairs.normalX[pair] = sign * bestX;
         pairs.normalY[pair] = sign * bestY;
         pairs.faceOf[pair] = fixed;

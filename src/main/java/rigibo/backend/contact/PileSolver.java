@@ -182,10 +182,19 @@ public final class PileSolver {
             fastest = motions.fastest();
             setLimit(substep);
             begin(substep == 1 ? 2 : 1, substep);
-            substep(h, substep);
-            if (substep == 0 && isAtRest(start, h)) {
-                rest(h);
-                break;
+            if (whole != null) {
+                settleSubstep(h, substep);
+                if (substep == 0 && isAtRest(start, h)) {
+                    rest();
+                    break;
+                }
+                motions.drift(h);
+                takeOverlapBack(h, substep);
+            } else {
+                declared.strikeApart(h, substep);
+                pushApart(h, substep);
+                motions.drift(h);
+                hold(h, substep);
             }
         }
         finish(h, dt);
@@ -224,9 +233,11 @@ public final class PileSolver {
         return true;
     }
 
-    /** Lets contacts carry in all other substeps what they carried in the first. */
-    private void rest(double h) {
-        motions.drift((substeps - 1) * h);
+    /**
+     * Lets contacts carry in all other substeps what they carried in the first. Nobody moves: what
+     * is left of their speeds is what counts as none.
+     */
+    private void rest() {
         rows.addUpImpulses(2 * (substeps - 1));
         substeps = 1;
     }
@@ -293,20 +304,11 @@ public final class PileSolver {
         return whole != null ? MOST_LEVERAGE : MOST_LEVERAGE_IF_LARGE;
     }
 
-    private void substep(double h, int substep) {
-        if (whole != null) {
-            whole.begin();
-            declared.strikeJointly(h, substep);
-            settle(h, substep);
-            rows.addUpImpulses(1);
-            motions.drift(h);
-            takeOverlapBack(h, substep);
-        } else {
-            declared.strikeApart(h, substep);
-            pushApart(h, substep);
-            motions.drift(h);
-            hold(h, substep);
-        }
+    private void settleSubstep(double h, int substep) {
+        whole.begin();
+        declared.strikeJointly(h, substep);
+        settle(h, substep);
+        rows.addUpImpulses(1);
     }
 
     private void takeOverlapBack(double h, int substep) {

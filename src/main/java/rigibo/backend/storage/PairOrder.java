@@ -88,6 +88,7 @@ public final class PairOrder {
         pairs.normalY = sorted(pairs.normalY, count);
         pairs.faceOf = sorted(pairs.faceOf, count);
         pairs.points = sorted(pairs.points, count);
+        pairs.reach = sorted(pairs.reach, count);
         pairs.pointX = sortedTwins(pairs.pointX, count);
         pairs.pointY = sortedTwins(pairs.pointY, count);
         pairs.separation = sortedTwins(pairs.separation, count);

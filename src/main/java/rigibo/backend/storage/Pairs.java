@@ -45,6 +45,12 @@ public final class Pairs {
 
     public int[] points = new int[FIRST_CAPACITY];
 
+    /**
+     * How far away points were looked for when the step before began, m; NaN where nobody looked,
+     * or what was found has been changed since.
+     */
+    public double[] reach = new double[FIRST_CAPACITY];
+
     /** Per point: world place and gap in m (negative in overlap), and the id of its features. */
     public double[] pointX = new double[2 * FIRST_CAPACITY];
 
@@ -145,6 +151,7 @@ public final class Pairs {
             bodyA[slots.free[i]] = NONE;
         }
         for (int pair : slots.occupied()) {
+            reach[pair] = Double.NaN;
             index.put(bodyA[pair], bodyB[pair], pair);
             mix(bodies, pair);
         }
@@ -160,6 +167,9 @@ public final class Pairs {
     public void activate(int pair) {
         if (activeStep[pair] == step) {
             return;
+        }
+        if (activeStep[pair] != step - 1) {
+            reach[pair] = Double.NaN;
         }
         activeStep[pair] = step;
         if (activeCount == active.length) {
@@ -241,6 +251,7 @@ public final class Pairs {
         normalY[pair] = 0;
         faceOf[pair] = NONE;
         points[pair] = 0;
+        reach[pair] = Double.NaN;
         clearPoint(2 * pair);
         clearPoint(2 * pair + 1);
         if (frictionForce != null) {
@@ -260,6 +271,7 @@ public final class Pairs {
 
     /** Takes one point away; the other becomes the first. */
     public void removePoint(int pair, int i) {
+        reach[pair] = Double.NaN;
         points[pair]--;
         if (i < points[pair]) {
             movePoint(2 * pair + 1, 2 * pair);
@@ -323,6 +335,7 @@ public final class Pairs {
         normalY = Arrays.copyOf(normalY, capacity);
         faceOf = Arrays.copyOf(faceOf, capacity);
         points = Arrays.copyOf(points, capacity);
+        reach = Arrays.copyOf(reach, capacity);
         pointX = Arrays.copyOf(pointX, 2 * capacity);
         pointY = Arrays.copyOf(pointY, 2 * capacity);
         separation = Arrays.copyOf(separation, 2 * capacity);

@@ -19,6 +19,8 @@ import java.util.Optional;
 /** What accuracy costs in time, told from the points that were measured. */
 final class PrecisionReport {
 
+    private static final String CELLS = "Each cell: the error, and beside it what a step takes.";
+
     private final List<Point> points;
     private final List<Asked> asked;
     private final List<Section> more;
@@ -83,7 +85,7 @@ final class PrecisionReport {
 
     private List<Section> sections() {
         List<Section> sections = new ArrayList<>();
-        sections.add(new Section("tables", "All in numbers", List.of(), List.of(), numbers()));
+        sections.add(new Section("tables", "All in numbers", List.of(CELLS), List.of(), numbers()));
         asked.forEach(one -> sections.add(section(one)));
         sections.addAll(more);
         return sections;
@@ -121,6 +123,7 @@ final class PrecisionReport {
         page.append(environment.words()).append(" By `").append(environment.command());
         page.append("`.\n\n");
         sentences.main().forEach(sentence -> page.append(sentence).append("\n\n"));
+        page.append(CELLS).append("\n\n");
         numbers().forEach(table -> page.append(table.markdown()).append("\n"));
         for (Asked one : asked) {
             page.append(

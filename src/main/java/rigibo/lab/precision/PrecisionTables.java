@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.function.Function;
 import java.util.stream.Stream;
 
-/** Errors and times, a row for each problem. */
+/** Errors, and beside each what a step took, a row for each problem. */
 final class PrecisionTables {
 
     private static final double NANOS_PER_MICRO = 1e3;
@@ -22,21 +22,15 @@ final class PrecisionTables {
     /** Of our presets. */
     Table presets() {
         List<String> head = new ArrayList<>(List.of("problem"));
-        List<Point> first = all.get(0).presets();
-        for (Point preset : first) {
-            head.add(preset.setting().name() + ", error");
-            head.add("a step");
-        }
+        all.get(0).presets().forEach(preset -> head.add(preset.setting().name()));
         return new Table(head, rows(Asked::presets));
     }
 
     /** Of {@code GAME} and of other engines. */
     Table engines() {
-        List<String> head = new ArrayList<>(List.of("problem", "GAME, error", "a step"));
-        for (Point other : others(all.get(0)).toList()) {
-            head.add(other.engine() + " " + other.setting().name() + ", error");
-            head.add("a step");
-        }
+        List<String> head = new ArrayList<>(List.of("problem", "GAME"));
+        others(all.get(0))
+                .forEach(other -> head.add(other.engine() + " " + other.setting().name()));
         return new Table(
                 head,
                 rows(
@@ -65,16 +59,15 @@ final class PrecisionTables {
     private static List<String> row(Asked asked, List<Point> points) {
         List<String> cells = new ArrayList<>();
         cells.add(asked.problem().id() + " " + asked.problem().title());
-        for (Point point : points) {
-            cells.add(
-                    point.errors().hasFailed()
-                            ? "fails"
-                            : Amount.scientific(point.errors().main()));
-            cells.add(
-                    point.timing()
-                            .map(took -> Amount.time(took.cpu() * NANOS_PER_MICRO))
-                            .orElse("–"));
-        }
+        points.forEach(point -> cells.add(cell(point)));
         return cells;
+    }
+
+    private static String cell(Point point) {
+        String error =
+                point.errors().hasFailed() ? "fails" : Amount.scientific(point.errors().main());
+        return point.timing()
+                .map(took -> error + Table.BESIDE + Amount.time(took.cpu() * NANOS_PER_MICRO))
+                .orElse(error);
     }
 }

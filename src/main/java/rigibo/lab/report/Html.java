@@ -37,20 +37,24 @@ public final class Html {
             table { border-collapse: collapse; font-size: 0.85rem;
                     font-variant-numeric: tabular-nums; }
             th, td { border-bottom: 1px solid #ddd; padding: 5px 12px 5px 0; text-align: right;
-                     white-space: nowrap; }
-            th:first-child, td:first-child { text-align: left; }
+                     vertical-align: top; }
+            td span { white-space: nowrap; }
+            th:first-child, td:first-child { text-align: left; min-width: 5em; }
+            td:first-child span { white-space: normal; }
             th { color: #666; font-weight: 600; }
             footer { border-top: 1px solid #ddd; color: #666; font-size: 0.85rem;
                      margin-top: 64px; padding-top: 16px; }
             @media (max-width: 640px) {
               body { font-size: 16px; padding: 12px 14px 48px; }
               h1 { font-size: 1.5rem; }
+              th, td { padding-right: 8px; }
               .wide { display: none; }
               .narrow { display: block; }
             }
             @media print {
               body { font-size: 10pt; max-width: none; padding: 0; }
               nav { display: none; }
+              table { font-size: 7.5pt; }
               figure, tr { break-inside: avoid; }
               h2 { break-after: avoid; }
             }

@@ -12,6 +12,9 @@ import java.util.stream.Stream;
  */
 public record Table(List<String> head, List<List<String>> rows) {
 
+    /** Between two amounts in a cell, where a narrow page breaks the line. */
+    public static final String BESIDE = " · ";
+
     /** As Markdown; numbers, which are all columns but the first, to the right. */
     public String markdown() {
         String rule = "|---" + "|---:".repeat(head.size() - 1) + "|";
@@ -63,7 +66,13 @@ public record Table(List<String> head, List<List<String>> rows) {
 
     private static String cells(String tag, List<String> cells) {
         return cells.stream()
-                .map(cell -> "<" + tag + ">" + Html.escaped(cell) + "</" + tag + ">")
+                .map(cell -> "<" + tag + ">" + amounts(cell) + "</" + tag + ">")
                 .collect(Collectors.joining());
+    }
+
+    private static String amounts(String cell) {
+        return Stream.of(cell.split(BESIDE))
+                .map(amount -> "<span>" + Html.escaped(amount) + "</span>")
+                .collect(Collectors.joining(BESIDE));
     }
 }

@@ -1,0 +1,116 @@
+package rigibo.backend;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+
+import rigibo.backend.effect.Contacts;
+import rigibo.backend.effect.Drag;
+import rigibo.backend.effect.Effects;
+import rigibo.backend.effect.Gravity;
+import rigibo.backend.effect.Rotation;
+import rigibo.backend.effect.Wind;
+import rigibo.backend.geometry.Polygon;
+import rigibo.backend.setup.BodyDefinition;
+import rigibo.backend.setup.Material;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** Piles at rest, none of which sleeps: they stand still, and begin to move when something does. */
+class RestTest {
+
+    private static final double GRAVITY = 9.81;
+    private static final int BOXES = 10;
+    private static final int SECOND = 60;
+
+    private static Pool stack(Presets preset, List<RigidBody> boxes) {
+        Pool pool = new Pool(Scenes.usualWithoutSleep(), preset.accuracy);
+        Scenes.addFloor(pool);
+        for (int i = 0; i < BOXES; i++) {
+            boxes.add(pool.add(BodyDefinition.dynamic(Polygon.box(1, 1)).at(0, i + 0.5)));
+        }
+        Scenes.run(pool, 2 * SECOND);
+        return pool;
+    }
+
+    /**
+     * A contact gives way by 10⁻¹⁰ of its load's speed, ten of them by some nanometres a second.
+     */
+    @ParameterizedTest
+    @EnumSource(Presets.class)
+    void whatRestsStaysInItsPlace(Presets preset) {
+        List<RigidBody> boxes = new ArrayList<>();
+        Pool pool = stack(preset, boxes);
+        double height = boxes.get(BOXES - 1).y();
+        Scenes.run(pool, SECOND);
+        assertThat(boxes.get(BOXES - 1).y()).isEqualTo(height, within(1e-8));
+    }
+
+    /** The impulse of a step is that of all its substeps: weight times time. */
+    @ParameterizedTest
+    @EnumSource(Presets.class)
+    void whatRestsCarriesItsLoadThroughTheWholeStep(Presets preset) {
+        List<RigidBody> boxes = new ArrayList<>();
+        Pool pool = stack(preset, boxes);
+        pool.step(Scenes.DT);
+        double weight = boxes.stream().mapToDouble(box -> box.mass() * GRAVITY).sum();
+        double carried =
+                pool.contactEvents().stream()
+                        .filter(event -> event.a() != boxes.get(0) || event.b() != boxes.get(1))
+                        .filter(event -> event.a() == boxes.get(0) || event.b() == boxes.get(0))
+                        .mapToDouble(ContactEvent::impulse)
+                        .sum();
+        // What is left unsolved is at most 10⁻⁶ of the fastest speed, at DRAFT 10⁻⁵.
+        assertThat(carried).isEqualTo(weight * Scenes.DT, within(1e-5 * weight * Scenes.DT));
+    }
+
+    @ParameterizedTest
+    @EnumSource(Presets.class)
+    void whatLosesItsSupportFallsAtOnce(Presets preset) {
+        List<RigidBody> boxes = new ArrayList<>();
+        Pool pool = stack(preset, boxes);
+        RigidBody second = boxes.get(1);
+        double height = second.y();
+        pool.remove(boxes.get(0));
+        pool.step(Scenes.DT);
+        assertThat(second.velocityY()).isEqualTo(-GRAVITY * Scenes.DT, within(1e-8));
+        double fallen = GRAVITY * Scenes.DT * Scenes.DT / 2;
+        assertThat(height - second.y()).isEqualTo(fallen, within(1e-8));
+    }
+
+    /**
+     * A wind that rises in the middle of a step moves a box on a smooth floor from then on: v = u(1
+     * − e^(−kt)). Kicks know when it rose to within one of them, and are a step long at most.
+     */
+    @ParameterizedTest
+    @EnumSource(Presets.class)
+    void aGustWithinAStepMovesWhatRested(Presets preset) {
+        double rises = (SECOND + 0.5) * Scenes.DT;
+        double speed = 10;
+        double drag = 2;
+        Effects windy =
+                Effects.of(
+                        new Gravity(0, -GRAVITY),
+                        new Contacts(),
+                        new Rotation(),
+                        new Drag(),
+                        new Wind(speed, 0, time -> time < rises ? 0 : 1));
+        Pool pool = new Pool(windy, preset.accuracy);
+        Scenes.addFloor(pool);
+        RigidBody box =
+                pool.add(
+                        BodyDefinition.dynamic(Polygon.box(1, 1))
+                                .at(0, 0.5)
+                                .material(Material.DEFAULT.drag(drag)));
+        Scenes.run(pool, SECOND);
+        assertThat(box.velocityX()).isZero();
+        pool.step(Scenes.DT);
+        double blown = speed * (1 - Math.exp(-drag * (pool.time() - rises)));
+        double kick = Scenes.DT / preset.accuracy.substeps();
+        assertThat(box.velocityX()).isEqualTo(blown, within(drag * speed * kick));
+        assertThat(box.velocityX()).isPositive();
+    }
+}
