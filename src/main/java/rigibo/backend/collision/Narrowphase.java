@@ -79,9 +79,10 @@ public final class Narrowphase {
     }
 
     private void measureIfMoved(int pair, double dt, double reach) {
-        boolean stays =
-                whereabouts.areSame(pairs.bodyA[pair]) && whereabouts.areSame(pairs.bodyB[pair]);
-        if (stays && isMeasured(pair, dt, reach)) {
+        boolean haveStayed =
+                whereabouts.hasStayed(pairs.bodyA[pair])
+                        && whereabouts.hasStayed(pairs.bodyB[pair]);
+        if (haveStayed && isMeasured(pair, dt, reach)) {
             goOn(pair);
         } else {
             measure(pair, dt, reach);

@@ -13,7 +13,7 @@ final class Whereabouts {
     private double[] x = {};
     private double[] y = {};
     private double[] angle = {};
-    private boolean[] areSame = {};
+    private boolean[] stayed = {};
 
     /** Finds out who has moved since the last time, and notes where all are now. */
     void compare(Bodies bodies) {
@@ -21,7 +21,7 @@ final class Whereabouts {
             grow(bodies.type.length);
         }
         for (int slot = 0; slot < bodies.slots.high; slot++) {
-            areSame[slot] =
+            stayed[slot] =
                     x[slot] == bodies.x[slot]
                             && y[slot] == bodies.y[slot]
                             && angle[slot] == bodies.angle[slot];
@@ -36,12 +36,12 @@ final class Whereabouts {
         x = Arrays.copyOf(x, capacity);
         y = Arrays.copyOf(y, capacity);
         angle = Arrays.copyOf(angle, capacity);
-        areSame = new boolean[capacity];
+        stayed = new boolean[capacity];
         Arrays.fill(x, old, capacity, Double.NaN);
     }
 
     /** Whether a body is where it was. */
-    boolean areSame(int slot) {
-        return areSame[slot];
+    boolean hasStayed(int slot) {
+        return stayed[slot];
     }
 }

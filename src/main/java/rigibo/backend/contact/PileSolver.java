@@ -191,10 +191,7 @@ public final class PileSolver {
                 motions.drift(h);
                 takeOverlapBack(h, substep);
             } else {
-                declared.strikeApart(h, substep);
-                pushApart(h, substep);
-                motions.drift(h);
-                hold(h, substep);
+                passSubstep(h, substep);
             }
         }
         finish(h, dt);
@@ -209,8 +206,7 @@ public final class PileSolver {
      */
     private boolean isAtRest(double start, double h) {
         double length = substeps * h;
-        return whole != null
-                && rows.lastJoining == Rows.ALWAYS
+        return rows.lastJoining == Rows.ALWAYS
                 && !motions.isAnyDriven
                 && !rows.isAnyRunning
                 && isEveryBodyStill(length)
@@ -309,6 +305,13 @@ public final class PileSolver {
         declared.strikeJointly(h, substep);
         settle(h, substep);
         rows.addUpImpulses(1);
+    }
+
+    private void passSubstep(double h, int substep) {
+        declared.strikeApart(h, substep);
+        pushApart(h, substep);
+        motions.drift(h);
+        hold(h, substep);
     }
 
     private void takeOverlapBack(double h, int substep) {
