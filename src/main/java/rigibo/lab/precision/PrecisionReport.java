@@ -19,7 +19,7 @@ import java.util.Optional;
 /** What accuracy costs in time, told from the points that were measured. */
 final class PrecisionReport {
 
-    private static final String CELLS = "Each cell: the error, and beside it what a step takes.";
+    private static final String CELLS = "Each cell: the error, and what a step takes.";
 
     private final List<Point> points;
     private final List<Asked> asked;

@@ -38,7 +38,8 @@ public final class Html {
                     font-variant-numeric: tabular-nums; }
             th, td { border-bottom: 1px solid #ddd; padding: 5px 12px 5px 0; text-align: right;
                      vertical-align: top; }
-            td span { white-space: nowrap; }
+            td span { display: block; white-space: nowrap; }
+            td span + span { color: #666; }
             th:first-child, td:first-child { text-align: left; min-width: 5em; }
             td:first-child span { white-space: normal; }
             th { color: #666; font-weight: 600; }

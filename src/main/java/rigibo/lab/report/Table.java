@@ -12,7 +12,7 @@ import java.util.stream.Stream;
  */
 public record Table(List<String> head, List<List<String>> rows) {
 
-    /** Between two amounts in a cell, where a narrow page breaks the line. */
+    /** Between two amounts in a cell; on a page of HTML they stand below each other. */
     public static final String BESIDE = " · ";
 
     /** As Markdown; numbers, which are all columns but the first, to the right. */
@@ -73,6 +73,6 @@ public record Table(List<String> head, List<List<String>> rows) {
     private static String amounts(String cell) {
         return Stream.of(cell.split(BESIDE))
                 .map(amount -> "<span>" + Html.escaped(amount) + "</span>")
-                .collect(Collectors.joining(BESIDE));
+                .collect(Collectors.joining());
     }
 }
