@@ -69,6 +69,7 @@ class StateColumnsTest {
                     Map.entry("Pairs.elasticity", "mixed from the bodies; Pairs.derive"),
                     Map.entry("Pairs.index", "follows from the pairs; Pairs.derive"),
                     Map.entry("Pairs.former", "of the last measurement, read right after it"),
+                    Map.entry("Pairs.reach", "unknown in a restored pool, which measures anew"),
                     Map.entry("Pairs.active", OF_A_STEP),
                     Map.entry("Pairs.activeCount", OF_A_STEP),
                     Map.entry("Pairs.activeStep", OF_A_STEP),
