@@ -59,7 +59,7 @@ public final class Narrowphase {
         for (int i = 0; i < pairs.activeCount; i++) {
             begin(pairs.active[i]);
         }
-        whereabouts.compare(bodies);
+        whereabouts.begin(bodies);
         measureActive(dt);
         for (int i = 0; i < pairs.activeCount; i++) {
             finish(pairs.active[i]);
@@ -79,10 +79,10 @@ public final class Narrowphase {
     }
 
     private void measureIfMoved(int pair, double dt, double reach) {
-        boolean haveStayed =
-                whereabouts.hasStayed(pairs.bodyA[pair])
-                        && whereabouts.hasStayed(pairs.bodyB[pair]);
-        if (haveStayed && isMeasured(pair, dt, reach)) {
+        // Both are looked for, whatever the first did: the next step asks where they were in this.
+        boolean hasA = whereabouts.hasStayed(bodies, pairs.bodyA[pair]);
+        boolean hasB = whereabouts.hasStayed(bodies, pairs.bodyB[pair]);
+        if (hasA && hasB && isMeasured(pair, dt, reach)) {
             goOn(pair);
         } else {
             measure(pair, dt, reach);

@@ -5,8 +5,8 @@ import rigibo.backend.storage.Bodies;
 import java.util.Arrays;
 
 /**
- * Where every body was when the step before began: two that have not moved since, to the last bit,
- * touch as they did.
+ * Where the bodies of active pairs were when the step before began: two that have not moved since,
+ * to the last bit, touch as they did. Nobody else is looked at, so that what sleeps costs nothing.
  */
 final class Whereabouts {
 
@@ -15,12 +15,31 @@ final class Whereabouts {
     private double[] angle = {};
     private boolean[] stayed = {};
 
-    /** Finds out who has moved since the last time, and notes where all are now. */
-    void compare(Bodies bodies) {
-        if (x.length < bodies.type.length) {
-            grow(bodies.type.length);
+    /** For each body the step in which it was last looked for, and the number of this. */
+    private int[] lookedIn = {};
+
+    private int step;
+
+    /** Begins a step, in which every body is compared once. */
+    void begin(Bodies bodies) {
+        step++;
+        int capacity = bodies.type.length;
+        if (x.length < capacity) {
+            x = Arrays.copyOf(x, capacity);
+            y = Arrays.copyOf(y, capacity);
+            angle = Arrays.copyOf(angle, capacity);
+            stayed = Arrays.copyOf(stayed, capacity);
+            lookedIn = Arrays.copyOf(lookedIn, capacity);
         }
-        for (int slot = 0; slot < bodies.slots.high; slot++) {
+    }
+
+    /**
+     * Whether a body is where it was when it was last looked for, which for a pair that was active
+     * in the step before is then.
+     */
+    boolean hasStayed(Bodies bodies, int slot) {
+        if (lookedIn[slot] != step) {
+            lookedIn[slot] = step;
             stayed[slot] =
                     x[slot] == bodies.x[slot]
                             && y[slot] == bodies.y[slot]
@@ -29,19 +48,6 @@ final class Whereabouts {
             y[slot] = bodies.y[slot];
             angle[slot] = bodies.angle[slot];
         }
-    }
-
-    private void grow(int capacity) {
-        int old = x.length;
-        x = Arrays.copyOf(x, capacity);
-        y = Arrays.copyOf(y, capacity);
-        angle = Arrays.copyOf(angle, capacity);
-        stayed = new boolean[capacity];
-        Arrays.fill(x, old, capacity, Double.NaN);
-    }
-
-    /** Whether a body is where it was. */
-    boolean hasStayed(int slot) {
         return stayed[slot];
     }
 }

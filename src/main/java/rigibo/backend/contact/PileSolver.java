@@ -13,8 +13,6 @@ import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.Islands;
 import rigibo.backend.storage.PairTolerances;
 
-import java.util.Arrays;
-
 /** Advances all piles by one step, island by island. */
 public final class PileSolver {
 
@@ -26,12 +24,6 @@ public final class PileSolver {
 
     /** Share of the fastest speed that may be left unsolved, per metre of the tolerance. */
     private static final double SETTLED = 1e-2;
-
-    /** Share of its width that a body at rest may move by in a step. */
-    private static final double STILL = 1e-9;
-
-    /** How many times what counts as solved a body at rest may go at. */
-    private static final double QUIET = 16;
 
     /** Share of the strongest answer below which a change is round-off: some 64 ulp. */
     private static final double ROUND_OFF = 1e-14;
@@ -79,6 +71,8 @@ public final class PileSolver {
     private final DirectSolver direct;
     private final SplitSolver split;
 
+    private final LateJoiners lateJoiners;
+    private final Stillness stillness;
     private final SoftPush soft = new SoftPush();
     private final boolean isDirect;
     private final DeclaredRows declared;
@@ -98,9 +92,6 @@ public final class PileSolver {
 
     /** What may be left in a small pile that counts as solved, m/s. */
     private double settled;
-
-    /** By entry of the motions the substep in which it joins. */
-    private int[] joinsIn = new int[16];
 
     /** Substeps that the packed island is given. */
     private int substeps;
@@ -137,6 +128,8 @@ public final class PileSolver {
         boolean drags = effects.declares(Drag.class);
         DragKick drag = drags ? new DragKick(bodies, motions) : null;
         kick = new Kick(bodies, motions, forces, drag, turns);
+        lateJoiners = new LateJoiners(bodies, motions, rows);
+        stillness = new Stillness(bodies, motions, rows, isCorrecting ? overlap : null, kick);
         FreshRows fresh = new FreshRows(data, narrowphase, motions, rows, builder);
         declared =
                 new DeclaredRows(
@@ -169,7 +162,7 @@ public final class PileSolver {
         warmStart.prepare();
         isRound = isRound();
         whole = isDirect ? wholeSolver(dt) : null;
-        delayLateJoiners(start, h);
+        lateJoiners.delay(start, h);
         counters.rows += declared.rowCount() + rows.count;
         for (int substep = 0; substep < substeps; substep++) {
             double middle = start + (substep + 0.5) * h;
@@ -184,7 +177,7 @@ public final class PileSolver {
             begin(substep == 1 ? 2 : 1, substep);
             if (whole != null) {
                 settleSubstep(h, substep);
-                if (substep == 0 && isAtRest(start, h)) {
+                if (substep == 0 && stillness.isAtRest(start, h, substeps, settled)) {
                     rest();
                     break;
                 }
@@ -197,36 +190,6 @@ public final class PileSolver {
         finish(h, dt);
         results.store(h, dt - start);
         declared.store(h);
-    }
-
-    /**
-     * Whether the first half of a kick showed that contacts annul it, and that nothing comes in the
-     * rest of the step that they will not annul as well: then other substeps of h seconds would
-     * find out nothing.
-     */
-    private boolean isAtRest(double start, double h) {
-        double length = substeps * h;
-        return rows.lastJoining == Rows.ALWAYS
-                && !motions.isAnyDriven
-                && !rows.isAnyRunning
-                && isEveryBodyStill(length)
-                && !(isCorrecting && overlap.isAnyWanted(STILL, length, 0))
-                && kick.isSteady(start + h, h, substeps - 1, QUIET * settled / length);
-    }
-
-    private boolean isEveryBodyStill(double length) {
-        double[] m = motions.data;
-        for (int entry = 1; entry < motions.count; entry++) {
-            int slot = motions.slots[entry];
-            int at = entry * Motions.STRIDE;
-            double straight = Math.max(Math.abs(m[at + Motions.VX]), Math.abs(m[at + Motions.VY]));
-            double turning = bodies.boundingRadius[slot] * Math.abs(m[at + Motions.SPIN]);
-            double still = Math.max(QUIET * settled, STILL * bodies.smallestWidth[slot] / length);
-            if (!(straight + turning <= still)) {
-                return false;
-            }
-        }
-        return true;
     }
 
     /**
@@ -425,47 +388,6 @@ public final class PileSolver {
                 if (d[at + Rows.IMPULSE0 + point] > 0 && gap > 0 && gap < touching) {
                     d[at + Rows.GAP0 + point] -= gap;
                 }
-            }
-        }
-    }
-
-    /**
-     * A body that joined at time t takes part from the substep that holds t. It is set back along
-     * its straight line to where it would have been when that substep began, so that the blow comes
-     * at its time. Its contacts have carried nothing yet.
-     */
-    private void delayLateJoiners(double start, double h) {
-        boolean isAny = false;
-        if (joinsIn.length < motions.count) {
-            joinsIn = new int[motions.slots.length];
-        }
-        Arrays.fill(joinsIn, 0, motions.count, Rows.ALWAYS);
-        for (int entry = 1; entry < motions.count; entry++) {
-            int at = entry * Motions.STRIDE;
-            int slot = motions.slots[entry];
-            if (bodies.isDriven(slot)) {
-                // Its place is that of the step's start; the island begins later.
-                motions.drift(at, start);
-            } else if (bodies.pileTime[slot] > 0) {
-                double late = bodies.pileTime[slot] - start;
-                // Drift moves it from the island's start on, so it is set back by all of that way.
-                motions.drift(at, -late);
-                joinsIn[entry] = (int) (late / h);
-                isAny = true;
-            }
-        }
-        if (isAny) {
-            delayRows();
-        }
-    }
-
-    private void delayRows() {
-        for (int row = 0; row < rows.count; row++) {
-            int joinsA = joinsIn[rows.bodyA[row] / Motions.STRIDE];
-            int joinsB = joinsIn[rows.bodyB[row] / Motions.STRIDE];
-            int joins = Math.max(joinsA, joinsB);
-            if (joins != Rows.ALWAYS) {
-                rows.joinsIn(row, joins);
             }
         }
     }

@@ -105,16 +105,19 @@ final class Deviation {
      * that can tell still finds them too long, it begins anew with twice as many.
      */
     void integrate(double length, int substeps) {
+        begin();
+        int count = Math.max(substeps, substepsByDrag(length));
+        while (!isIntegrated(length, count)) {
+            begin();
+            count *= 2;
+        }
+    }
+
+    /** Goes back to the path's start and looks there. */
+    private void begin() {
         moved.clear();
         gained.clear();
         lookHere(0);
-        int count = Math.max(substeps, substepsByDrag(length));
-        while (!isIntegrated(length, count)) {
-            moved.clear();
-            gained.clear();
-            lookHere(0);
-            count *= 2;
-        }
     }
 
     /**

@@ -1,12 +1,12 @@
 package rigibo.lab.precision;
 
 import rigibo.lab.engine.Line;
+import rigibo.lab.engine.Setting;
 
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.Optional;
 import java.util.stream.Collectors;
 
 /** Which presets lie on the front of their problem, and what the others cost too much, in words. */
@@ -70,8 +70,8 @@ final class FrontWords {
     }
 
     private static String cheaper(Asked asked, Point preset) {
-        Optional<Point> cheapest = asked.front().cheapestAsAccurateAs(preset);
-        String name = cheapest.orElseThrow().setting().name();
-        return cheapest.get().setting().line() == Line.PRESETS ? name : "\u201c" + name + "\u201d";
+        Setting cheapest = asked.front().cheapestAsAccurateAs(preset).orElseThrow().setting();
+        String name = cheapest.name();
+        return cheapest.line() == Line.PRESETS ? name : "\u201c" + name + "\u201d";
     }
 }
