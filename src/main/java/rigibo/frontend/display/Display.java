@@ -4,9 +4,14 @@ import static org.lwjgl.glfw.GLFW.*;
 
 import rigibo.frontend.scene.Director;
 import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.Settings;
+import rigibo.frontend.scene.Silence;
+import rigibo.frontend.scene.Sounds;
+import rigibo.frontend.scene.Words;
 
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
 import java.util.function.Function;
 
 /**
@@ -20,6 +25,9 @@ public final class Display implements Director {
     private final boolean vsync;
     private final Troubles troubles = new Troubles();
     private final FrameClock clock = new FrameClock();
+    private final Sounds sounds = new Silence();
+    private Settings settings = Settings.initial(Locale.getDefault().getLanguage());
+    private Words words = new Words(settings.language());
     private Window window;
     private Scene scene;
     private Scene wanted;
@@ -89,6 +97,27 @@ public final class Display implements Director {
     @Override
     public void quit() {
         isOver = true;
+    }
+
+    @Override
+    public Settings settings() {
+        return settings;
+    }
+
+    @Override
+    public void settings(Settings changed) {
+        settings = changed;
+        words = new Words(changed.language());
+    }
+
+    @Override
+    public Words words() {
+        return words;
+    }
+
+    @Override
+    public Sounds sounds() {
+        return sounds;
     }
 
     void accompany(Companion beside) {

@@ -1,6 +1,9 @@
 package rigibo.frontend.scene;
 
-/** Changes what is shown; the change happens after the present turn, in a window of its own. */
+/**
+ * Changes what is shown, and knows what holds in every scene. A change happens after the present
+ * turn, in a window of its own.
+ */
 public interface Director {
 
     /** Shows another scene. */
@@ -11,4 +14,16 @@ public interface Director {
 
     /** Ends the game. */
     void quit();
+
+    /** What the player has chosen. */
+    Settings settings();
+
+    /** Changes what the player has chosen, from now on and for the next time. */
+    void settings(Settings changed);
+
+    /** The game's words in the player's language. */
+    Words words();
+
+    /** What scenes are heard by. */
+    Sounds sounds();
 }

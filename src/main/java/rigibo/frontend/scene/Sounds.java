@@ -1,19 +1,35 @@
 package rigibo.frontend.scene;
 
-/** What can be heard. */
+/** What a scene is heard by. Silent where there is no device; nothing here ever waits. */
 public interface Sounds {
 
-    /** Silence: for tests, and where there is no device. */
-    Sounds SILENT = (sound, pitch, volume) -> {};
+    /**
+     * Two bodies met.
+     *
+     * @param skin what the smaller of the two is made of
+     * @param size how wide it is, m: large things sound low
+     * @param impulse N·s, a soft knock for a little and a loud one for much
+     */
+    void knock(Skin skin, double size, double impulse);
 
-    /** Plays a sound, at a pitch of 1 as it was made, at a volume from 0 to 1. */
-    void play(Sound sound, double pitch, double volume);
+    /** Something rolls at a speed, m/s; told each step while it does. */
+    void roll(double speed);
 
-    /** The sounds there are. */
-    enum Sound {
-        KNOCK,
-        POP,
-        TICK,
-        CHORD
-    }
+    /** A box was deleted. */
+    void pop();
+
+    /** A refused click. */
+    void refuse();
+
+    /** A step of the hold's clock, 0 to 1 of the hold done: higher towards its end. */
+    void tick(double held);
+
+    /** The level is solved. */
+    void chord();
+
+    /** The level is lost. */
+    void fail();
+
+    /** A button was pressed in a menu. */
+    void press();
 }

@@ -9,6 +9,8 @@ public final class RecordingDirector implements Director {
     /** The scenes that were to be shown, in their order. */
     public final List<Scene> shown = new ArrayList<>();
 
+    private Settings settings = Settings.initial("en");
+
     @Override
     public void show(Scene scene) {
         shown.add(scene);
@@ -19,4 +21,24 @@ public final class RecordingDirector implements Director {
 
     @Override
     public void quit() {}
+
+    @Override
+    public Settings settings() {
+        return settings;
+    }
+
+    @Override
+    public void settings(Settings changed) {
+        settings = changed;
+    }
+
+    @Override
+    public Words words() {
+        return new Words(settings.language());
+    }
+
+    @Override
+    public Sounds sounds() {
+        return new Silence();
+    }
 }

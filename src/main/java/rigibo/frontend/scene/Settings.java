@@ -1,0 +1,76 @@
+package rigibo.frontend.scene;
+
+import java.util.Set;
+
+/**
+ * What a player has chosen, in every scene alike.
+ *
+ * @param language of the words, one of {@link #LANGUAGES}
+ * @param volume of the sounds, 0 to 1
+ * @param isMuted whether there is no sound, whatever the volume
+ * @param motion how much shakes, flashes and fades
+ * @param detail how much is drawn
+ */
+public record Settings(
+        String language, double volume, boolean isMuted, Motion motion, Detail detail) {
+
+    /** The languages there are words in, as ISO 639 names them. */
+    public static final Set<String> LANGUAGES = Set.of("en", "de");
+
+    /** How much moves that is no physics. */
+    public enum Motion {
+        FULL,
+        /** Nothing shakes, flashes or fades. */
+        REDUCED
+    }
+
+    /** How much is drawn. */
+    public enum Detail {
+        /** By how fast the machine draws. */
+        AUTOMATIC,
+        FULL,
+        /** No shadows, no grain, no background but its colour. */
+        LITE
+    }
+
+    public Settings {
+        if (!LANGUAGES.contains(language)) {
+            throw new IllegalArgumentException(
+                    "Settings.language must be one of " + LANGUAGES + ", was " + language);
+        }
+        if (!(volume >= 0 && volume <= 1)) {
+            throw new IllegalArgumentException("Settings.volume must be 0 to 1, was " + volume);
+        }
+    }
+
+    /** What holds before anything was chosen, in the system's language where we have it. */
+    public static Settings initial(String systemLanguage) {
+        String language = LANGUAGES.contains(systemLanguage) ? systemLanguage : "en";
+        return new Settings(language, 0.7, false, Motion.FULL, Detail.AUTOMATIC);
+    }
+
+    /** The same in another language. */
+    public Settings withLanguage(String other) {
+        return new Settings(other, volume, isMuted, motion, detail);
+    }
+
+    /** The same at another volume, 0 to 1. */
+    public Settings withVolume(double other) {
+        return new Settings(language, other, isMuted, motion, detail);
+    }
+
+    /** The same with sound or without. */
+    public Settings withMuted(boolean other) {
+        return new Settings(language, volume, other, motion, detail);
+    }
+
+    /** The same with more or less that moves. */
+    public Settings withMotion(Motion other) {
+        return new Settings(language, volume, isMuted, other, detail);
+    }
+
+    /** The same with more or less that is drawn. */
+    public Settings withDetail(Detail other) {
+        return new Settings(language, volume, isMuted, motion, other);
+    }
+}

@@ -1,0 +1,49 @@
+package rigibo.frontend.scene;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.Test;
+
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.util.Locale;
+import java.util.Properties;
+import java.util.ResourceBundle;
+import java.util.Set;
+import java.util.TreeSet;
+
+class WordsTest {
+
+    @Test
+    void everyLanguageHasEveryKey() {
+        ResourceBundle all = ResourceBundle.getBundle("rigibo.words", Locale.ROOT);
+        Set<String> keys = new TreeSet<>(all.keySet());
+        for (String language : Settings.LANGUAGES) {
+            if (!language.equals("en")) {
+                // The bundle's own keys: what is missing is looked up in its parent.
+                assertThat(ownKeys(language)).containsExactlyInAnyOrderElementsOf(keys);
+            }
+        }
+    }
+
+    private static Set<String> ownKeys(String language) {
+        Properties own = new Properties();
+        String file = "/rigibo/words_" + language + ".properties";
+        try (var in =
+                new InputStreamReader(
+                        WordsTest.class.getResourceAsStream(file), StandardCharsets.UTF_8)) {
+            own.load(in);
+        } catch (IOException cause) {
+            throw new UncheckedIOException(cause);
+        }
+        return own.stringPropertyNames();
+    }
+
+    @Test
+    void speaksTheLanguageAskedForWhateverTheSystemSpeaks() {
+        assertThat(new Words("de").of("puzzle.paused")).isEqualTo("Pause");
+        assertThat(new Words("en").of("puzzle.paused")).isEqualTo("paused");
+    }
+}
