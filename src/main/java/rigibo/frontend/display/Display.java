@@ -3,6 +3,7 @@ package rigibo.frontend.display;
 import static org.lwjgl.glfw.GLFW.*;
 
 import rigibo.frontend.scene.Director;
+import rigibo.frontend.scene.Progress;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Settings;
 import rigibo.frontend.scene.Silence;
@@ -27,6 +28,7 @@ public final class Display implements Director {
     private final FrameClock clock = new FrameClock();
     private final Sounds sounds = new Silence();
     private Settings settings = Settings.initial(Locale.getDefault().getLanguage());
+    private Progress progress = Progress.none();
     private Words words = new Words(settings.language());
     private Window window;
     private Scene scene;
@@ -95,6 +97,11 @@ public final class Display implements Director {
     }
 
     @Override
+    public void showLevels() {
+        showMenu();
+    }
+
+    @Override
     public void quit() {
         isOver = true;
     }
@@ -108,6 +115,16 @@ public final class Display implements Director {
     public void settings(Settings changed) {
         settings = changed;
         words = new Words(changed.language());
+    }
+
+    @Override
+    public Progress progress() {
+        return progress;
+    }
+
+    @Override
+    public void progress(Progress changed) {
+        progress = changed;
     }
 
     @Override

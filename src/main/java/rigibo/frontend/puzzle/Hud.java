@@ -5,6 +5,7 @@ import rigibo.frontend.puzzle.rules.Outcome;
 import rigibo.frontend.puzzle.rules.PuzzleGame;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Medal;
 import rigibo.frontend.scene.Scene;
 
 import java.util.Locale;

@@ -12,6 +12,9 @@ public interface Director {
     /** Goes back to the main menu. */
     void showMenu();
 
+    /** Goes back to the list of levels. */
+    void showLevels();
+
     /** Ends the game. */
     void quit();
 
@@ -20,6 +23,12 @@ public interface Director {
 
     /** Changes what the player has chosen, from now on and for the next time. */
     void settings(Settings changed);
+
+    /** What the player has done so far. */
+    Progress progress();
+
+    /** Changes what the player has done, from now on and for the next time. */
+    void progress(Progress changed);
 
     /** The game's words in the player's language. */
     Words words();

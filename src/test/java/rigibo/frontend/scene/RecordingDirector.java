@@ -10,6 +10,7 @@ public final class RecordingDirector implements Director {
     public final List<Scene> shown = new ArrayList<>();
 
     private Settings settings = Settings.initial("en");
+    private Progress progress = Progress.none();
 
     @Override
     public void show(Scene scene) {
@@ -18,6 +19,9 @@ public final class RecordingDirector implements Director {
 
     @Override
     public void showMenu() {}
+
+    @Override
+    public void showLevels() {}
 
     @Override
     public void quit() {}
@@ -30,6 +34,16 @@ public final class RecordingDirector implements Director {
     @Override
     public void settings(Settings changed) {
         settings = changed;
+    }
+
+    @Override
+    public Progress progress() {
+        return progress;
+    }
+
+    @Override
+    public void progress(Progress changed) {
+        progress = changed;
     }
 
     @Override

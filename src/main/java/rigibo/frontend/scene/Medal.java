@@ -1,12 +1,17 @@
-package rigibo.frontend.puzzle;
+package rigibo.frontend.scene;
 
 /** What a solved level earns; time never counts. */
-enum Medal {
+public enum Medal {
     GOLD,
     SILVER,
     BRONZE;
 
-    static Medal of(int clicks, int par) {
+    /**
+     * For a number of clicks.
+     *
+     * @param par clicks of a gold medal
+     */
+    public static Medal of(int clicks, int par) {
         if (clicks <= par) {
             return GOLD;
         }

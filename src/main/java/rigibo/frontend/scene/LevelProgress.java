@@ -1,0 +1,52 @@
+package rigibo.frontend.scene;
+
+import java.util.OptionalInt;
+
+/**
+ * What a player has done in one level. A level whose play was changed keeps being solved, so that
+ * what it opened stays open; clicks and failures are told of the level as it was, and are
+ * forgotten.
+ *
+ * @param levelHash of the level that was played, as its replays name it
+ * @param isSolved whether it was ever solved
+ * @param fewestClicks of all tries that solved it; none before the first
+ * @param failures since it was last solved, 0 or more
+ */
+public record LevelProgress(
+        long levelHash, boolean isSolved, OptionalInt fewestClicks, int failures) {
+
+    public LevelProgress {
+        if (fewestClicks.orElse(0) < 0) {
+            throw new IllegalArgumentException(
+                    "LevelProgress.fewestClicks must be 0 or more, was " + fewestClicks);
+        }
+        if (failures < 0) {
+            throw new IllegalArgumentException(
+                    "LevelProgress.failures must be 0 or more, was " + failures);
+        }
+        if (fewestClicks.isPresent() && !isSolved) {
+            throw new IllegalArgumentException(
+                    "LevelProgress.fewestClicks must be empty until it is solved, was "
+                            + fewestClicks);
+        }
+    }
+
+    /** Nothing yet. */
+    static LevelProgress none(long levelHash) {
+        return new LevelProgress(levelHash, false, OptionalInt.empty(), 0);
+    }
+
+    /** The same as it stands for a level of a hash. */
+    LevelProgress in(long hash) {
+        return hash == levelHash ? this : new LevelProgress(hash, isSolved, OptionalInt.empty(), 0);
+    }
+
+    LevelProgress solved(int clicks) {
+        int fewest = Math.min(clicks, fewestClicks.orElse(clicks));
+        return new LevelProgress(levelHash, true, OptionalInt.of(fewest), 0);
+    }
+
+    LevelProgress failed() {
+        return new LevelProgress(levelHash, isSolved, fewestClicks, failures + 1);
+    }
+}
