@@ -4,11 +4,14 @@ import static org.lwjgl.glfw.GLFW.*;
 
 import rigibo.frontend.draw.Letterbox;
 import rigibo.frontend.scene.Key;
+import rigibo.frontend.scene.Modifier;
 import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.Scene;
 
+import java.util.EnumSet;
 import java.util.HashMap;
 import java.util.Map;
+import java.util.Set;
 
 /**
  * Brings GLFW's events to the scene: its callbacks call these methods, and so does the tour. Cursor
@@ -63,12 +66,46 @@ final class Input {
         scene.scrolled(notches, x, y);
     }
 
+    /** What is held with the event that follows, in GLFW's bits. */
+    void modifiers(int held) {
+        Set<Modifier> modifiers = EnumSet.noneOf(Modifier.class);
+        if ((held & GLFW_MOD_SHIFT) != 0) {
+            modifiers.add(Modifier.SHIFT);
+        }
+        if ((held & (GLFW_MOD_CONTROL | GLFW_MOD_SUPER)) != 0) {
+            modifiers.add(Modifier.CONTROL);
+        }
+        scene.held(modifiers);
+    }
+
+    /** The same while a key goes down or up: GLFW counts a modifier's own key only afterwards. */
+    void modifiers(int held, int key, int action) {
+        int own =
+                switch (key) {
+                    case GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT -> GLFW_MOD_SHIFT;
+                    case GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL -> GLFW_MOD_CONTROL;
+                    case GLFW_KEY_LEFT_SUPER, GLFW_KEY_RIGHT_SUPER -> GLFW_MOD_SUPER;
+                    default -> 0;
+                };
+        modifiers(action == GLFW_RELEASE ? held & ~own : held | own);
+    }
+
+    void character(int codePoint) {
+        scene.typed(codePoint);
+    }
+
+    private void escape() {
+        if (!scene.escaped()) {
+            close.run();
+        }
+    }
+
     void key(int key, int action) {
         if (action == GLFW_RELEASE) {
             return;
         }
         if (key == GLFW_KEY_ESCAPE) {
-            close.run();
+            escape();
         } else if (key == GLFW_KEY_F11) {
             fullScreen.run();
         } else if (KEYS.containsKey(key)) {
@@ -83,6 +120,7 @@ final class Input {
         keys.put(GLFW_KEY_SPACE, Key.SPACE);
         keys.put(GLFW_KEY_TAB, Key.TAB);
         keys.put(GLFW_KEY_BACKSPACE, Key.BACKSPACE);
+        keys.put(GLFW_KEY_DELETE, Key.DELETE);
         keys.put(GLFW_KEY_PERIOD, Key.PERIOD);
         keys.put(GLFW_KEY_LEFT_BRACKET, Key.LEFT_BRACKET);
         keys.put(GLFW_KEY_RIGHT_BRACKET, Key.RIGHT_BRACKET);
@@ -92,21 +130,16 @@ final class Input {
         keys.put(GLFW_KEY_LEFT, Key.LEFT);
         keys.put(GLFW_KEY_RIGHT, Key.RIGHT);
         keys.put(GLFW_KEY_F1, Key.F1);
-        keys.put(GLFW_KEY_B, Key.B);
-        keys.put(GLFW_KEY_D, Key.D);
-        keys.put(GLFW_KEY_E, Key.E);
-        keys.put(GLFW_KEY_G, Key.G);
-        keys.put(GLFW_KEY_H, Key.H);
-        keys.put(GLFW_KEY_L, Key.L);
-        keys.put(GLFW_KEY_M, Key.M);
-        keys.put(GLFW_KEY_N, Key.N);
-        keys.put(GLFW_KEY_P, Key.P);
-        keys.put(GLFW_KEY_R, Key.R);
-        keys.put(GLFW_KEY_S, Key.S);
+        for (char letter = 'A'; letter <= 'Z'; letter++) {
+            keys.put(GLFW_KEY_A + letter - 'A', Key.valueOf(String.valueOf(letter)));
+        }
         keys.put(GLFW_KEY_1, Key.DIGIT_1);
         keys.put(GLFW_KEY_2, Key.DIGIT_2);
         keys.put(GLFW_KEY_3, Key.DIGIT_3);
         keys.put(GLFW_KEY_4, Key.DIGIT_4);
+        keys.put(GLFW_KEY_5, Key.DIGIT_5);
+        keys.put(GLFW_KEY_6, Key.DIGIT_6);
+        keys.put(GLFW_KEY_7, Key.DIGIT_7);
         return keys;
     }
 }

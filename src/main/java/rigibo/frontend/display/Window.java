@@ -67,12 +67,29 @@ final class Window {
     private void listen() {
         glfwSetCursorPosCallback(handle, (window, x, y) -> input.cursor(x, y));
         glfwSetMouseButtonCallback(
-                handle, (window, button, action, mods) -> input.mouseButton(button, action));
+                handle,
+                (window, button, action, mods) -> {
+                    input.modifiers(mods);
+                    input.mouseButton(button, action);
+                });
         glfwSetScrollCallback(handle, (window, dx, dy) -> input.scroll(dy));
-        glfwSetKeyCallback(handle, (window, key, code, action, mods) -> input.key(key, action));
+        glfwSetKeyCallback(
+                handle,
+                (window, key, code, action, mods) -> {
+                    input.modifiers(mods, key, action);
+                    input.key(asLabelled(key, code), action);
+                });
+        glfwSetCharCallback(handle, (window, codePoint) -> input.character(codePoint));
         glfwSetWindowSizeCallback(handle, (window, w, h) -> input.windowSize(w, h));
         glfwGetWindowSize(handle, width, height);
         input.windowSize(width[0], height[0]);
+    }
+
+    /** A letter by what is printed on its key: Z and Y change places between layouts. */
+    private static int asLabelled(int key, int code) {
+        String label = key >= GLFW_KEY_A && key <= GLFW_KEY_Z ? glfwGetKeyName(key, code) : null;
+        boolean isLetter = label != null && label.matches("[a-z]");
+        return isLetter ? GLFW_KEY_A + label.charAt(0) - 'a' : key;
     }
 
     Input input() {

@@ -1,6 +1,7 @@
 package rigibo.frontend.scene;
 
 import java.util.Optional;
+import java.util.Set;
 
 /** What a window shows: a menu, a demo, a level. Coordinates are logical pixels, y down. */
 public interface Scene {
@@ -42,6 +43,22 @@ public interface Scene {
 
     /** A key went down, or repeats. */
     default void keyPressed(Key key) {}
+
+    /** What is held down while other keys and buttons are pressed; told before each of them. */
+    default void held(Set<Modifier> modifiers) {}
+
+    /** A character was typed, as the keyboard's layout has it: a code point of Unicode. */
+    default void typed(int codePoint) {}
+
+    /** Whether what is typed is text just now: then no key means anything else but Esc. */
+    default boolean isTyping() {
+        return false;
+    }
+
+    /** Esc was pressed; returns whether the scene had a use for it and is not to be left. */
+    default boolean escaped() {
+        return false;
+    }
 
     /** How this scene plays itself, where it can. */
     default Optional<Demonstration> demonstration() {

@@ -1,0 +1,96 @@
+package rigibo.frontend.display;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.lwjgl.glfw.GLFW.*;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+import rigibo.frontend.scene.Canvas;
+import rigibo.frontend.scene.Key;
+import rigibo.frontend.scene.Modifier;
+import rigibo.frontend.scene.Scene;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+
+class InputTest {
+
+    private final List<String> told = new ArrayList<>();
+    private boolean hasUseForEscape;
+
+    private final Scene scene =
+            new Scene() {
+                @Override
+                public String title() {
+                    return "test";
+                }
+
+                @Override
+                public void step() {}
+
+                @Override
+                public void draw(Canvas canvas) {}
+
+                @Override
+                public void held(Set<Modifier> modifiers) {
+                    told.add("held " + modifiers);
+                }
+
+                @Override
+                public void keyPressed(Key key) {
+                    told.add(key.name());
+                }
+
+                @Override
+                public void typed(int codePoint) {
+                    told.add(Character.toString(codePoint));
+                }
+
+                @Override
+                public boolean escaped() {
+                    return hasUseForEscape;
+                }
+            };
+
+    private final Input input = new Input(scene, () -> told.add("left"), () -> {});
+
+    @Test
+    void escapeLeavesOnlyASceneThatHasNoUseForIt() {
+        hasUseForEscape = true;
+        input.key(GLFW_KEY_ESCAPE, GLFW_PRESS);
+        assertThat(told).isEmpty();
+        hasUseForEscape = false;
+        input.key(GLFW_KEY_ESCAPE, GLFW_PRESS);
+        assertThat(told).containsExactly("left");
+    }
+
+    @Test
+    void everyLetterHasItsKey() {
+        input.key(GLFW_KEY_A, GLFW_PRESS);
+        input.key(GLFW_KEY_Z, GLFW_PRESS);
+        assertThat(told).containsExactly("A", "Z");
+    }
+
+    @Test
+    void charactersBeyondTheBasicPlaneArriveWhole() {
+        input.character("𝄞".codePointAt(0));
+        assertThat(told).containsExactly("𝄞");
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0, held []", "1, held [SHIFT]", "2, held [CONTROL]", "8, held [CONTROL]"})
+    void modifiersAreToldByName(int bits, String words) {
+        input.modifiers(bits);
+        assertThat(told).containsExactly(words);
+    }
+
+    @Test
+    void aModifiersOwnKeyCountsAtOnce() {
+        input.modifiers(0, GLFW_KEY_LEFT_SHIFT, GLFW_PRESS);
+        input.modifiers(GLFW_MOD_SHIFT, GLFW_KEY_LEFT_SHIFT, GLFW_RELEASE);
+        assertThat(told).containsExactly("held [SHIFT]", "held []");
+    }
+}
