@@ -10,11 +10,14 @@ import picocli.CommandLine.Spec;
 import rigibo.frontend.catalog.Catalog;
 import rigibo.frontend.display.Display;
 import rigibo.frontend.display.DisplayException;
+import rigibo.frontend.save.Places;
+import rigibo.frontend.save.SavedPlayer;
 import rigibo.frontend.scene.Director;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.SceneEntry;
 
 import java.nio.file.Path;
+import java.util.Locale;
 import java.util.concurrent.Callable;
 import java.util.function.Function;
 import java.util.stream.Collectors;
@@ -25,6 +28,15 @@ final class PlayCommand implements Callable<Integer> {
     @Option(names = "--scene", paramLabel = "NAME", description = "Opens this scene at once.")
     private String scene;
 
+    @Option(
+            names = "--home",
+            paramLabel = "DIR",
+            defaultValue = "${env:RIGIBO_HOME}",
+            description =
+                    "Where settings and progress are kept (default: RIGIBO_HOME, else where the"
+                            + " system keeps such files).")
+    private Path home;
+
     @Parameters(arity = "0..1", paramLabel = "LEVEL.json", description = "Opens this level.")
     private Path level;
 
@@ -32,13 +44,17 @@ final class PlayCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        try {
-            new Display(Catalog::menu, true).run(first());
+        try (SavedPlayer player = new SavedPlayer(places(), Locale.getDefault().getLanguage())) {
+            new Display(Catalog::menu, Catalog::levels, player).run(first());
             return 0;
         } catch (DisplayException | IllegalArgumentException e) {
             spec.commandLine().getErr().println(e.getMessage());
             return 1;
         }
+    }
+
+    private Places places() {
+        return home == null ? Places.ofSystem() : Places.in(home);
     }
 
     /** The scene asked for, or null for the menu. */

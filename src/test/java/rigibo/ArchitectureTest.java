@@ -99,6 +99,7 @@ class ArchitectureTest {
                         new Room(scene, PUBLIC_FACE),
                         new Room(draw, withScene),
                         new Room(sound, withScene),
+                        new Room(FRONTEND + ".save", scene),
                         new Room(FRONTEND + ".display", plus(withScene, draw, sound)),
                         new Room(FRONTEND + ".catalog", plus(withScene, scenes)),
                         new Room("rigibo.lab", PUBLIC_FACE)));

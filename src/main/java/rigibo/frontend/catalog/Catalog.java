@@ -51,4 +51,9 @@ public final class Catalog {
     public static Scene menu(Director director) {
         return new MenuScene(director, entries());
     }
+
+    /** The list of levels. */
+    public static Scene levels(Director director) {
+        return menu(director);
+    }
 }

@@ -3,6 +3,8 @@ package rigibo.frontend.display;
 import static org.lwjgl.glfw.GLFW.*;
 
 import rigibo.frontend.scene.Director;
+import rigibo.frontend.scene.Guest;
+import rigibo.frontend.scene.Player;
 import rigibo.frontend.scene.Progress;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Settings;
@@ -12,7 +14,6 @@ import rigibo.frontend.scene.Words;
 
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Locale;
 import java.util.function.Function;
 
 /**
@@ -23,13 +24,13 @@ import java.util.function.Function;
 public final class Display implements Director {
 
     private final Function<Director, Scene> menu;
+    private final Function<Director, Scene> levels;
     private final boolean vsync;
     private final Troubles troubles = new Troubles();
     private final FrameClock clock = new FrameClock();
     private final Sounds sounds = new Silence();
-    private Settings settings = Settings.initial(Locale.getDefault().getLanguage());
-    private Progress progress = Progress.none();
-    private Words words = new Words(settings.language());
+    private final Player player;
+    private Words words;
     private Window window;
     private Scene scene;
     private Scene wanted;
@@ -47,10 +48,27 @@ public final class Display implements Director {
         default void afterDrawing(Display display, Scene scene) {}
     }
 
-    /** A display that goes back to a menu; with vsync, or without for measuring. */
+    /** A display that a guest sits at, who speaks English; with vsync, or without for measuring. */
     public Display(Function<Director, Scene> menu, boolean vsync) {
+        this(menu, menu, new Guest(Settings.initial("en")), vsync);
+    }
+
+    /** A display that a player sits at, and that goes back to a menu or the list of levels. */
+    public Display(
+            Function<Director, Scene> menu, Function<Director, Scene> levels, Player player) {
+        this(menu, levels, player, true);
+    }
+
+    private Display(
+            Function<Director, Scene> menu,
+            Function<Director, Scene> levels,
+            Player player,
+            boolean vsync) {
         this.menu = menu;
+        this.levels = levels;
+        this.player = player;
         this.vsync = vsync;
+        words = new Words(player.settings().language());
     }
 
     /**
@@ -98,7 +116,7 @@ public final class Display implements Director {
 
     @Override
     public void showLevels() {
-        showMenu();
+        show(levels.apply(this));
     }
 
     @Override
@@ -108,28 +126,38 @@ public final class Display implements Director {
 
     @Override
     public Settings settings() {
-        return settings;
+        return player.settings();
     }
 
     @Override
     public void settings(Settings changed) {
-        settings = changed;
+        player.settings(changed);
         words = new Words(changed.language());
     }
 
     @Override
     public Progress progress() {
-        return progress;
+        return player.progress();
     }
 
     @Override
     public void progress(Progress changed) {
-        progress = changed;
+        player.progress(changed);
     }
 
     @Override
     public Words words() {
         return words;
+    }
+
+    @Override
+    public List<String> notices() {
+        return player.notices(words);
+    }
+
+    @Override
+    public void forgetNotices() {
+        player.forgetNotices();
     }
 
     @Override

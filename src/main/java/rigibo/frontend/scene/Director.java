@@ -1,5 +1,7 @@
 package rigibo.frontend.scene;
 
+import java.util.List;
+
 /**
  * Changes what is shown, and knows what holds in every scene. A change happens after the present
  * turn, in a window of its own.
@@ -29,6 +31,12 @@ public interface Director {
 
     /** Changes what the player has done, from now on and for the next time. */
     void progress(Progress changed);
+
+    /** What the player should know about the files of all this, a sentence or two each. */
+    List<String> notices();
+
+    /** The player has read them; what still holds will be told again. */
+    void forgetNotices();
 
     /** The game's words in the player's language. */
     Words words();

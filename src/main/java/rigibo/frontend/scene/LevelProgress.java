@@ -49,4 +49,18 @@ public record LevelProgress(
     LevelProgress failed() {
         return new LevelProgress(levelHash, isSolved, fewestClicks, failures + 1);
     }
+
+    /** Together with what was done elsewhere, which counts no failures. */
+    LevelProgress with(LevelProgress other) {
+        LevelProgress known = other.in(levelHash);
+        LevelProgress own =
+                new LevelProgress(levelHash, isSolved || known.isSolved, fewestClicks, failures);
+        return known.fewestClicks.isPresent()
+                ? new LevelProgress(
+                        levelHash,
+                        true,
+                        own.solved(known.fewestClicks.getAsInt()).fewestClicks,
+                        failures)
+                : own;
+    }
 }

@@ -47,4 +47,11 @@ public record Progress(SortedMap<String, LevelProgress> levels) {
         changed.put(id, level);
         return new Progress(changed);
     }
+
+    /** Together with what was done elsewhere. */
+    public Progress with(Progress other) {
+        SortedMap<String, LevelProgress> all = new TreeMap<>(levels);
+        other.levels.forEach((id, level) -> all.merge(id, level, LevelProgress::with));
+        return new Progress(all);
+    }
 }

@@ -10,9 +10,15 @@ import java.util.Set;
  * @param isMuted whether there is no sound, whatever the volume
  * @param motion how much shakes, flashes and fades
  * @param detail how much is drawn
+ * @param isFullScreen whether windows fill the screen
  */
 public record Settings(
-        String language, double volume, boolean isMuted, Motion motion, Detail detail) {
+        String language,
+        double volume,
+        boolean isMuted,
+        Motion motion,
+        Detail detail,
+        boolean isFullScreen) {
 
     /** The languages there are words in, as ISO 639 names them. */
     public static final Set<String> LANGUAGES = Set.of("en", "de");
@@ -46,31 +52,36 @@ public record Settings(
     /** What holds before anything was chosen, in the system's language where we have it. */
     public static Settings initial(String systemLanguage) {
         String language = LANGUAGES.contains(systemLanguage) ? systemLanguage : "en";
-        return new Settings(language, 0.7, false, Motion.FULL, Detail.AUTOMATIC);
+        return new Settings(language, 0.7, false, Motion.FULL, Detail.AUTOMATIC, false);
     }
 
     /** The same in another language. */
     public Settings withLanguage(String other) {
-        return new Settings(other, volume, isMuted, motion, detail);
+        return new Settings(other, volume, isMuted, motion, detail, isFullScreen);
     }
 
     /** The same at another volume, 0 to 1. */
     public Settings withVolume(double other) {
-        return new Settings(language, other, isMuted, motion, detail);
+        return new Settings(language, other, isMuted, motion, detail, isFullScreen);
     }
 
     /** The same with sound or without. */
     public Settings withMuted(boolean other) {
-        return new Settings(language, volume, other, motion, detail);
+        return new Settings(language, volume, other, motion, detail, isFullScreen);
     }
 
     /** The same with more or less that moves. */
     public Settings withMotion(Motion other) {
-        return new Settings(language, volume, isMuted, other, detail);
+        return new Settings(language, volume, isMuted, other, detail, isFullScreen);
     }
 
     /** The same with more or less that is drawn. */
     public Settings withDetail(Detail other) {
-        return new Settings(language, volume, isMuted, motion, other);
+        return new Settings(language, volume, isMuted, motion, other, isFullScreen);
+    }
+
+    /** The same in windows, or on the whole screen. */
+    public Settings withFullScreen(boolean other) {
+        return new Settings(language, volume, isMuted, motion, detail, other);
     }
 }

@@ -9,8 +9,20 @@ public final class RecordingDirector implements Director {
     /** The scenes that were to be shown, in their order. */
     public final List<Scene> shown = new ArrayList<>();
 
-    private Settings settings = Settings.initial("en");
-    private Progress progress = Progress.none();
+    /** What the player is told. */
+    public final List<String> notices = new ArrayList<>();
+
+    private final Player player;
+
+    /** For a player who speaks English. */
+    public RecordingDirector() {
+        this("en");
+    }
+
+    /** For a player who speaks a language. */
+    public RecordingDirector(String language) {
+        player = new Guest(Settings.initial(language));
+    }
 
     @Override
     public void show(Scene scene) {
@@ -28,27 +40,37 @@ public final class RecordingDirector implements Director {
 
     @Override
     public Settings settings() {
-        return settings;
+        return player.settings();
     }
 
     @Override
     public void settings(Settings changed) {
-        settings = changed;
+        player.settings(changed);
     }
 
     @Override
     public Progress progress() {
-        return progress;
+        return player.progress();
     }
 
     @Override
     public void progress(Progress changed) {
-        progress = changed;
+        player.progress(changed);
     }
 
     @Override
     public Words words() {
-        return new Words(settings.language());
+        return new Words(settings().language());
+    }
+
+    @Override
+    public List<String> notices() {
+        return List.copyOf(notices);
+    }
+
+    @Override
+    public void forgetNotices() {
+        notices.clear();
     }
 
     @Override

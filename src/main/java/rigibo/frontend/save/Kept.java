@@ -1,0 +1,152 @@
+package rigibo.frontend.save;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * A value and its file. The value is the loop's, the file is written by another thread; that thread
+ * alone waits for the disk.
+ */
+final class Kept<T> {
+
+    private final SafeFile file;
+    private final Format<T> format;
+    private final List<Notice> notices = new ArrayList<>();
+    private T value;
+
+    /** What the file tells, as far as we know. */
+    private T saved;
+
+    private boolean isUnwritable;
+    private boolean isForeign;
+
+    /** Reads a value from its file, or what can be had instead. */
+    Kept(Path path, Format<T> format) {
+        file = new SafeFile(path);
+        this.format = format;
+        saved = load();
+        value = saved;
+    }
+
+    private T load() {
+        Reading<T> reading = Reading.of(file.file(), format);
+        return switch (reading.state()) {
+            case WHOLE -> reading.value().orElseThrow();
+            case MISSING -> backup().orElseGet(format::initial);
+            case DAMAGED -> {
+                putAside(file.file());
+                yield instead(Notice.Kind.BACKUP_USED, Notice.Kind.LOST);
+            }
+            case NEWER -> {
+                isForeign = true;
+                note(Notice.Kind.NEWER);
+                yield format.initial();
+            }
+            case UNREADABLE -> instead(Notice.Kind.UNREADABLE, Notice.Kind.UNREADABLE);
+        };
+    }
+
+    private T instead(Notice.Kind withBackup, Notice.Kind without) {
+        Optional<T> backup = backup();
+        note(backup.isPresent() ? withBackup : without);
+        return backup.orElseGet(format::initial);
+    }
+
+    /** The file before, where it is whole. */
+    private Optional<T> backup() {
+        Reading<T> reading = Reading.of(file.backup(), format);
+        if (reading.state() == Reading.State.DAMAGED) {
+            putAside(file.backup());
+        }
+        isForeign |= reading.state() == Reading.State.NEWER;
+        return reading.value();
+    }
+
+    /** Where even this cannot be written, the file stays, and no other takes its place. */
+    private void putAside(Path damaged) {
+        try {
+            SafeFile.setAside(damaged);
+        } catch (IOException readOnly) {
+            isUnwritable = true;
+        }
+    }
+
+    private void note(Notice.Kind kind) {
+        notices.add(new Notice(kind, file.file()));
+    }
+
+    synchronized T value() {
+        return value;
+    }
+
+    synchronized void value(T changed) {
+        value = changed;
+    }
+
+    /** What the player should know of this file, the present state last. */
+    synchronized List<Notice> notices() {
+        List<Notice> all = new ArrayList<>(notices);
+        if (isUnwritable) {
+            all.add(new Notice(Notice.Kind.UNSAVED, file.file()));
+        }
+        return all;
+    }
+
+    /** The player knows all but what still holds. */
+    synchronized void forgetNotices() {
+        notices.clear();
+    }
+
+    /**
+     * Writes the value where it is not in the file yet.
+     *
+     * @return whether there is nothing left to try
+     */
+    boolean save() {
+        T wanted = value();
+        if (isForeign || wanted.equals(saved())) {
+            return true;
+        }
+        try {
+            write(wanted);
+            wrote(wanted);
+            return true;
+        } catch (IOException full) {
+            failed();
+            return false;
+        }
+    }
+
+    private synchronized T saved() {
+        return saved;
+    }
+
+    private synchronized void wrote(T written) {
+        saved = written;
+        isUnwritable = false;
+    }
+
+    private synchronized void failed() {
+        isUnwritable = true;
+    }
+
+    /** The old file is touched only once the new one is on the disk. */
+    private void write(T wanted) throws IOException {
+        Reading<T> present = Reading.of(file.file(), format);
+        Reading.State state = present.state();
+        if (state == Reading.State.NEWER || state == Reading.State.UNREADABLE) {
+            throw new IOException(file.file() + " is not ours to replace");
+        }
+        T merged = present.value().map(found -> format.merged(found, wanted)).orElse(wanted);
+        file.prepare(Reading.bytes(merged, format));
+        if (state == Reading.State.WHOLE) {
+            file.keep();
+        } else if (state == Reading.State.DAMAGED) {
+            SafeFile.setAside(file.file());
+        }
+        file.replace();
+    }
+}

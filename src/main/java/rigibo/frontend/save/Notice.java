@@ -1,0 +1,33 @@
+package rigibo.frontend.save;
+
+import rigibo.frontend.scene.Words;
+
+import java.nio.file.Path;
+import java.util.Locale;
+
+/**
+ * Something about a file that the player should know.
+ *
+ * @param kind what it is
+ * @param file which file
+ */
+record Notice(Kind kind, Path file) {
+
+    enum Kind {
+        /** The file was damaged; the one before is used. */
+        BACKUP_USED,
+        /** The file was damaged and there is no other. */
+        LOST,
+        /** A newer game wrote it: it stays as it is. */
+        NEWER,
+        /** It cannot be read: it stays as it is. */
+        UNREADABLE,
+        /** It cannot be written, and will be tried again. */
+        UNSAVED
+    }
+
+    String in(Words words) {
+        String key = "save." + kind.name().toLowerCase(Locale.ROOT).replace('_', '-');
+        return words.of(key, file.getFileName(), file.toAbsolutePath().getParent());
+    }
+}

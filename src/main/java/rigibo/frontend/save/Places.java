@@ -1,0 +1,39 @@
+package rigibo.frontend.save;
+
+import dev.dirs.ProjectDirectories;
+
+import java.nio.file.Path;
+
+/**
+ * Where the player's files are.
+ *
+ * @param settings the folder of the settings
+ * @param data the folder of progress, and of what else the player makes
+ */
+public record Places(Path settings, Path data) {
+
+    /** Where the system keeps such files: under Linux by the rules of freedesktop.org. */
+    public static Places ofSystem() {
+        ProjectDirectories own = ProjectDirectories.from("", "", "RigiBo");
+        return new Places(Path.of(own.configDir), Path.of(own.dataDir));
+    }
+
+    /** All in one folder, which need not exist yet. */
+    public static Places in(Path folder) {
+        Path whole = folder.toAbsolutePath().normalize();
+        return new Places(whole, whole);
+    }
+
+    /** The folder of solved runs. */
+    public Path replays() {
+        return data.resolve("replays");
+    }
+
+    Path settingsFile() {
+        return settings.resolve("settings.json");
+    }
+
+    Path progressFile() {
+        return data.resolve("progress.json");
+    }
+}

@@ -1,0 +1,80 @@
+package rigibo.frontend.save;
+
+import static java.nio.file.StandardCopyOption.ATOMIC_MOVE;
+import static java.nio.file.StandardCopyOption.REPLACE_EXISTING;
+import static java.nio.file.StandardOpenOption.CREATE;
+import static java.nio.file.StandardOpenOption.READ;
+import static java.nio.file.StandardOpenOption.TRUNCATE_EXISTING;
+import static java.nio.file.StandardOpenOption.WRITE;
+
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.channels.FileChannel;
+import java.nio.file.Files;
+import java.nio.file.Path;
+
+/**
+ * A file, the one before it as its backup, and those that were set aside. At any moment, whenever
+ * the power fails, the file or its backup is whole.
+ *
+ * @param file where it is
+ */
+record SafeFile(Path file) {
+
+    Path backup() {
+        return file.resolveSibling(file.getFileName() + ".backup");
+    }
+
+    /** Of this process alone, for two games may run at once. */
+    private Path temporary() {
+        return file.resolveSibling(file.getFileName() + "." + ProcessHandle.current().pid());
+    }
+
+    /** Writes bytes beside the file, down to the disk; what was written by halves is taken away. */
+    void prepare(byte[] bytes) throws IOException {
+        Files.createDirectories(file.toAbsolutePath().getParent());
+        boolean isDone = false;
+        try (FileChannel channel =
+                FileChannel.open(temporary(), CREATE, TRUNCATE_EXISTING, WRITE)) {
+            ByteBuffer left = ByteBuffer.wrap(bytes);
+            while (left.hasRemaining()) {
+                channel.write(left);
+            }
+            channel.force(true);
+            isDone = true;
+        } finally {
+            if (!isDone) {
+                Files.deleteIfExists(temporary());
+            }
+        }
+    }
+
+    /** Makes the file that is there its own backup. */
+    void keep() throws IOException {
+        Files.move(file, backup(), ATOMIC_MOVE, REPLACE_EXISTING);
+    }
+
+    /** Puts what was prepared in the file's place. */
+    void replace() throws IOException {
+        Files.move(temporary(), file, ATOMIC_MOVE, REPLACE_EXISTING);
+        if (!System.getProperty("os.name").startsWith("Windows")) {
+            // Moves are of the folder; Windows neither needs this nor lets folders be opened.
+            try (FileChannel folder = FileChannel.open(file.toAbsolutePath().getParent(), READ)) {
+                folder.force(true);
+            }
+        }
+    }
+
+    /** Gives a damaged file the first free of its names with a number. */
+    static void setAside(Path damaged) throws IOException {
+        int number = 1;
+        while (Files.exists(aside(damaged, number))) {
+            number++;
+        }
+        Files.move(damaged, aside(damaged, number));
+    }
+
+    private static Path aside(Path damaged, int number) {
+        return damaged.resolveSibling(damaged.getFileName() + ".damaged-" + number);
+    }
+}

@@ -1,0 +1,107 @@
+package rigibo.frontend.save;
+
+import rigibo.frontend.scene.Player;
+import rigibo.frontend.scene.Progress;
+import rigibo.frontend.scene.Settings;
+import rigibo.frontend.scene.Words;
+
+import java.util.List;
+import java.util.concurrent.Executors;
+import java.util.concurrent.ScheduledExecutorService;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.stream.Stream;
+
+/**
+ * A player who is remembered: settings and progress, read once and written soon after each change
+ * by a thread of its own: whoever changes them never waits for a disk. What cannot be written is
+ * kept, and tried again.
+ */
+public final class SavedPlayer implements Player, AutoCloseable {
+
+    /** From a change until it is written, ms: a slider that is dragged is not written each turn. */
+    private static final long SOON = 300;
+
+    /** From a failure to the next try, ms. */
+    private static final long LATER = 10_000;
+
+    private final Kept<Settings> settings;
+    private final Kept<Progress> progress;
+    private final AtomicBoolean isDue = new AtomicBoolean();
+    private final ScheduledExecutorService writer =
+            Executors.newSingleThreadScheduledExecutor(
+                    work -> {
+                        Thread thread = new Thread(work, "saving");
+                        thread.setDaemon(true);
+                        return thread;
+                    });
+
+    /**
+     * Reads what is there. Never fails: what cannot be read becomes a notice.
+     *
+     * @param systemLanguage of the player's system, for the first start, as ISO 639 names it
+     */
+    public SavedPlayer(Places places, String systemLanguage) {
+        Settings initial = Settings.initial(systemLanguage);
+        settings = new Kept<>(places.settingsFile(), new SettingsFormat(initial));
+        progress = new Kept<>(places.progressFile(), new ProgressFormat());
+    }
+
+    @Override
+    public Settings settings() {
+        return settings.value();
+    }
+
+    @Override
+    public void settings(Settings changed) {
+        settings.value(changed);
+        saveIn(SOON);
+    }
+
+    @Override
+    public Progress progress() {
+        return progress.value();
+    }
+
+    @Override
+    public void progress(Progress changed) {
+        progress.value(changed);
+        saveIn(SOON);
+    }
+
+    @Override
+    public List<String> notices(Words words) {
+        return Stream.concat(settings.notices().stream(), progress.notices().stream())
+                .map(notice -> notice.in(words))
+                .toList();
+    }
+
+    @Override
+    public void forgetNotices() {
+        settings.forgetNotices();
+        progress.forgetNotices();
+    }
+
+    private void saveIn(long millis) {
+        if (!writer.isShutdown() && isDue.compareAndSet(false, true)) {
+            writer.schedule(this::save, millis, TimeUnit.MILLISECONDS);
+        }
+    }
+
+    /** Writes what is not written yet, now. */
+    synchronized void save() {
+        isDue.set(false);
+        // Both, whatever becomes of the first.
+        boolean isDone = settings.save() & progress.save();
+        if (!isDone) {
+            saveIn(LATER);
+        }
+    }
+
+    /** Writes what is not written yet, and waits for it. */
+    @Override
+    public void close() {
+        writer.shutdown();
+        save();
+    }
+}

@@ -1,0 +1,25 @@
+package rigibo.frontend.scene;
+
+import java.util.List;
+
+/** Who plays: what was chosen, and what was done so far. */
+public interface Player {
+
+    /** What the player has chosen. */
+    Settings settings();
+
+    /** Chooses anew. */
+    void settings(Settings changed);
+
+    /** What the player has done. */
+    Progress progress();
+
+    /** Keeps what was done by now. */
+    void progress(Progress changed);
+
+    /** What the player should know about the files of all this, a sentence or two each. */
+    List<String> notices(Words words);
+
+    /** The player has read them; what still holds will be told again. */
+    void forgetNotices();
+}
