@@ -87,8 +87,11 @@ class ArchitectureTest {
     static Stream<Room> otherRooms() {
         String scene = FRONTEND + ".scene";
         String[] withScene = plus(PUBLIC_FACE, scene);
+        String puzzle = FRONTEND + ".puzzle";
+        // Makes levels and plays what it makes.
+        String editor = FRONTEND + ".editor";
         String[] scenes = {
-            FRONTEND + ".menu", FRONTEND + ".demo", FRONTEND + ".puzzle", FRONTEND + ".laboratory"
+            FRONTEND + ".menu", FRONTEND + ".demo", puzzle, FRONTEND + ".laboratory"
         };
         Stream<Room> sceneRooms = Arrays.stream(scenes).map(name -> new Room(name, withScene));
         String draw = FRONTEND + ".draw";
@@ -101,7 +104,8 @@ class ArchitectureTest {
                         new Room(sound, withScene),
                         new Room(FRONTEND + ".save", scene),
                         new Room(FRONTEND + ".display", plus(withScene, draw, sound)),
-                        new Room(FRONTEND + ".catalog", plus(withScene, scenes)),
+                        new Room(editor, plus(withScene, puzzle)),
+                        new Room(FRONTEND + ".catalog", plus(plus(withScene, scenes), editor)),
                         new Room("rigibo.lab", PUBLIC_FACE)));
     }
 

@@ -1,5 +1,7 @@
 package rigibo.frontend.puzzle.level;
 
+import tools.jackson.databind.JsonNode;
+
 import java.util.List;
 import java.util.Optional;
 
@@ -19,6 +21,11 @@ public final class LoadedLevel {
     /** The level; nothing when the file has an error. */
     public Optional<Level> level() {
         return level;
+    }
+
+    /** The file as it stands, also with errors, to be read only; nothing when it is no JSON. */
+    public Optional<JsonNode> document() {
+        return json.map(LocatedJson::root);
     }
 
     /** All problems in the order of the file. */

@@ -1,0 +1,91 @@
+package rigibo.frontend.editor.draft;
+
+import rigibo.backend.setup.Material;
+
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.node.ArrayNode;
+import tools.jackson.databind.node.JsonNodeFactory;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.ToDoubleFunction;
+
+/**
+ * Declares what an edit brings into use and takes back what it puts out of use. What an author
+ * chose against what is used stays as it is: only a change of use changes the choice.
+ */
+public final class EffectUse {
+
+    private static final String POINTER = "/world/effects";
+
+    /** What a body states and the effect that is told by it. */
+    private record Member(String effect, String name, ToDoubleFunction<Material> usual) {
+
+        boolean isUsedBy(Item item) {
+            return item.number(name, usual.applyAsDouble(item.substance().material())) != 0;
+        }
+    }
+
+    private static final List<Member> MEMBERS =
+            List.of(
+                    new Member("friction", "friction", Material::friction),
+                    new Member("restitution", "restitution", Material::elasticity),
+                    new Member(
+                            "rolling-resistance", "rollingResistance", Material::rollingResistance),
+                    new Member("surface-speed", "surfaceSpeed", Material::surfaceSpeed),
+                    new Member("drag", "drag", Material::drag));
+
+    private EffectUse() {}
+
+    /** What an edit made of a draft, its effects brought after. */
+    public static Draft followed(Draft before, Draft after) {
+        Map<String, Boolean> was = used(before);
+        List<String> declared = declared(after);
+        used(after)
+                .forEach(
+                        (effect, isUsed) -> {
+                            if (isUsed && !was.get(effect) && !declared.contains(effect)) {
+                                declared.add(effect);
+                            }
+                            if (!isUsed && was.get(effect)) {
+                                declared.remove(effect);
+                            }
+                        });
+        return declared.equals(declared(after)) ? after : after.with(POINTER, node(declared));
+    }
+
+    /** The effects a draft declares, in its order. */
+    public static List<String> declared(Draft draft) {
+        List<String> titles = new ArrayList<>();
+        draft.at(POINTER).forEach(title -> titles.add(title.asString("")));
+        return titles;
+    }
+
+    /** The draft with an effect declared that was not, or the other way round. */
+    public static Draft switched(Draft draft, String effect) {
+        List<String> declared = declared(draft);
+        if (!declared.remove(effect)) {
+            declared.add(effect);
+        }
+        return draft.with(POINTER, node(declared));
+    }
+
+    private static JsonNode node(List<String> effects) {
+        ArrayNode node = JsonNodeFactory.instance.arrayNode();
+        effects.forEach(node::add);
+        return node;
+    }
+
+    private static Map<String, Boolean> used(Draft draft) {
+        Map<String, Boolean> used = new LinkedHashMap<>();
+        JsonNode gravity = draft.at("/world/gravity");
+        used.put("gravity", gravity.path(0).asDouble(0) != 0 || gravity.path(1).asDouble(0) != 0);
+        List<Item> items = draft.items();
+        for (Member member : MEMBERS) {
+            used.put(member.effect, items.stream().anyMatch(member::isUsedBy));
+        }
+        return used;
+    }
+}

@@ -1,0 +1,40 @@
+package rigibo.frontend.editor.draft;
+
+import rigibo.backend.geometry.Shape;
+
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.node.ObjectNode;
+
+import java.util.List;
+import java.util.Optional;
+
+/** An outline about the point that its item is placed by; also one that cannot be simulated. */
+public sealed interface Form permits Box, Disc, Corners {
+
+    /** Corners in their order, m; none of a disc. */
+    List<Point> corners();
+
+    /** Whether a point lies within, m. */
+    boolean contains(Point point);
+
+    /** How far the outline reaches from its point, m. */
+    double reach();
+
+    /** What the engine makes of it; nothing where it refuses. */
+    Optional<Shape> shape();
+
+    /** Where that shape has its centre, m. */
+    Point centre();
+
+    /** As a body's {@code shape} states it. */
+    ObjectNode node();
+
+    /** A body's {@code shape}. */
+    static Form of(JsonNode shape) {
+        return switch (shape.path("type").asString("")) {
+            case "box" -> new Box(shape.path("w").asDouble(0), shape.path("h").asDouble(0));
+            case "circle" -> new Disc(shape.path("r").asDouble(0));
+            default -> Corners.of(shape.path("points"));
+        };
+    }
+}

@@ -1,0 +1,54 @@
+package rigibo.frontend.editor.draft;
+
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.node.JsonNodeFactory;
+import tools.jackson.databind.node.ObjectNode;
+
+import java.util.List;
+
+/** What a document must have for the editor to show it at all. */
+final class Frame {
+
+    private static final int FORMAT = 1;
+    private static final List<String> OBJECTS =
+            List.of("title", "hint", "world", "rules", "ball", "platform");
+    private static final List<String> LISTS = List.of("bodies", "solutions");
+
+    private Frame() {}
+
+    static ObjectNode of(JsonNode document) {
+        if (!(document instanceof ObjectNode level)) {
+            throw new IllegalArgumentException("it is no level");
+        }
+        if (level.path("format").asInt(FORMAT) > FORMAT) {
+            throw new IllegalArgumentException("it was made for a newer RigiBo");
+        }
+        for (String name : OBJECTS) {
+            require(level, name, level.path(name).isObject());
+        }
+        for (String name : LISTS) {
+            require(level, name, level.path(name).isArray());
+        }
+        for (JsonNode body : level.path("bodies")) {
+            if (!body.isObject()) {
+                throw new IllegalArgumentException("its bodies are not all objects");
+            }
+        }
+        return completed(level);
+    }
+
+    private static void require(ObjectNode level, String name, boolean isSound) {
+        if (level.has(name) && !isSound) {
+            throw new IllegalArgumentException("its \"" + name + "\" is something else");
+        }
+    }
+
+    private static ObjectNode completed(ObjectNode level) {
+        ObjectNode whole = JsonNodeFactory.instance.objectNode();
+        whole.setAll(level);
+        for (var member : NewLevel.document().properties()) {
+            whole.putIfAbsent(member.getKey(), member.getValue());
+        }
+        return whole;
+    }
+}

@@ -1,0 +1,54 @@
+package rigibo.frontend.editor.draft;
+
+/** Where things snap to. */
+public enum Grid {
+    OFF(1e-3),
+    ON(0.05);
+
+    private final double pitch;
+
+    Grid(double pitch) {
+        this.pitch = pitch;
+    }
+
+    /** The other one. */
+    public Grid switched() {
+        return this == ON ? OFF : ON;
+    }
+
+    /** Distance between two lines, m. */
+    public double pitch() {
+        return pitch;
+    }
+
+    /** The nearest line, m. */
+    public double snap(double metres) {
+        return Decimal.rounded(Math.round(metres / pitch) * pitch);
+    }
+
+    /** The nearest crossing of lines. */
+    public Point snap(Point point) {
+        return new Point(snap(point.x()), snap(point.y()));
+    }
+
+    /**
+     * The item with its left and lower edges on lines, so that things of any size stand flush; an
+     * oblique one with its place on them.
+     */
+    public Item snap(Item item) {
+        if (Math.IEEEremainder(item.degrees(), 90) != 0) {
+            return item.at(snap(item.place()));
+        }
+        Point lowest = lowest(item);
+        return item.at(item.place().plus(snap(lowest).minus(lowest)));
+    }
+
+    private static Point lowest(Item item) {
+        if (item.form() instanceof Disc disc) {
+            return item.place().minus(new Point(disc.radius(), disc.radius()));
+        }
+        return new Point(
+                item.corners().stream().mapToDouble(Point::x).min().orElse(item.place().x()),
+                item.corners().stream().mapToDouble(Point::y).min().orElse(item.place().y()));
+    }
+}

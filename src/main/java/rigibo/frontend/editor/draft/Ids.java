@@ -1,0 +1,20 @@
+package rigibo.frontend.editor.draft;
+
+import java.util.Set;
+import java.util.stream.Collectors;
+
+/** Names for bodies, which a level must not use twice. */
+final class Ids {
+
+    private Ids() {}
+
+    /** The word with the smallest number that no body of the draft has. */
+    static String free(Draft draft, String word) {
+        Set<String> taken = draft.items().stream().map(Item::id).collect(Collectors.toSet());
+        int number = 1;
+        while (taken.contains(word + number)) {
+            number++;
+        }
+        return word + number;
+    }
+}

@@ -1,0 +1,146 @@
+package rigibo.frontend.editor.draft;
+
+import rigibo.frontend.puzzle.level.Substance;
+
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.node.JsonNodeFactory;
+import tools.jackson.databind.node.ObjectNode;
+
+import java.util.Arrays;
+import java.util.List;
+
+/**
+ * Something placed in a draft: a ball, the platform, a body. Edits give another item; its node is
+ * never changed once it is part of one.
+ *
+ * @param pointer JSON pointer of where the draft has it
+ * @param node what the level file states of it
+ */
+public record Item(String pointer, ObjectNode node) {
+
+    /** Height of a platform that does not state it, m. */
+    private static final double USUAL_PLATFORM = 0.3;
+
+    /** What an item is. */
+    public enum Kind {
+        BALL,
+        PLATFORM,
+        BODY
+    }
+
+    /** What it is. */
+    public Kind kind() {
+        if (pointer.startsWith("/ball")) {
+            return Kind.BALL;
+        }
+        return pointer.equals("/platform") ? Kind.PLATFORM : Kind.BODY;
+    }
+
+    /** The id of a body; empty for others. */
+    public String id() {
+        return node.path("id").asString("");
+    }
+
+    /** Where it is placed, m. */
+    public Point place() {
+        return new Point(number("x", 0), number("y", 0));
+    }
+
+    /** How it is turned, degrees, counter-clockwise. */
+    public double degrees() {
+        return number("angle", 0);
+    }
+
+    /** A number it states, or what holds where it states none. */
+    public double number(String name, double otherwise) {
+        return node.path(name).asDouble(otherwise);
+    }
+
+    /** Its outline about its place, not yet turned. */
+    public Form form() {
+        return switch (kind()) {
+            case BALL -> new Disc(number("radius", 0));
+            case PLATFORM -> new Box(number("w", 0), number("h", USUAL_PLATFORM));
+            case BODY -> Form.of(node.path("shape"));
+        };
+    }
+
+    /** What it is made of; stone where the file states something unknown. */
+    public Substance substance() {
+        Substance usual =
+                switch (kind()) {
+                    case BALL -> Substance.BALL;
+                    case PLATFORM -> Substance.PLANK;
+                    case BODY -> Substance.STONE;
+                };
+        String title = node.path("material").asString("");
+        return Arrays.stream(Substance.values())
+                .filter(substance -> substance.title().equals(title))
+                .findFirst()
+                .orElse(usual);
+    }
+
+    /** Whether a click deletes it in play. */
+    public boolean isDeletable() {
+        return node.path("deletable").asBoolean(false);
+    }
+
+    /** Whether it stays where it is, whatever strikes it. */
+    public boolean isFixed() {
+        return kind() == Kind.PLATFORM || !node.path("dynamic").asBoolean(true);
+    }
+
+    /** A point of the world in its own frame, m. */
+    public Point toOwn(Point world) {
+        return world.minus(place()).turned(-degrees());
+    }
+
+    /** A point of its own frame in the world, m. */
+    public Point toWorld(Point own) {
+        return place().plus(own.turned(degrees()));
+    }
+
+    /** Whether a point of the world lies in it. */
+    public boolean contains(Point world) {
+        return form().contains(toOwn(world));
+    }
+
+    /** The corners in the world, m; none of a disc. */
+    public List<Point> corners() {
+        return form().corners().stream().map(this::toWorld).toList();
+    }
+
+    /** The same elsewhere, m. */
+    public Item at(Point place) {
+        return with("x", Decimal.of(place.x())).with("y", Decimal.of(place.y()));
+    }
+
+    /** The same at an angle, degrees; within half a turn, as a person would say it. */
+    public Item turnedTo(double degrees) {
+        return with("angle", Decimal.of(Math.IEEEremainder(degrees, 360)));
+    }
+
+    /** The same with another outline; of a ball only a disc, of a platform only a box. */
+    public Item formed(Form form) {
+        if (kind() == Kind.BALL) {
+            return with("radius", Decimal.of(form.reach()));
+        }
+        if (form instanceof Box box && kind() == Kind.PLATFORM) {
+            return with("w", Decimal.of(box.width())).with("h", Decimal.of(box.height()));
+        }
+        return with("shape", form.node());
+    }
+
+    /** The same with one member changed. */
+    public Item with(String name, JsonNode value) {
+        ObjectNode changed = JsonNodeFactory.instance.objectNode();
+        changed.setAll(node);
+        changed.set(name, value);
+        return new Item(pointer, changed);
+    }
+
+    /** The same of the draft's place for it. */
+    Item in(String other) {
+        return new Item(other, node);
+    }
+}
