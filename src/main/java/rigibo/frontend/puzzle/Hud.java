@@ -5,24 +5,31 @@ import rigibo.frontend.puzzle.rules.Outcome;
 import rigibo.frontend.puzzle.rules.PuzzleGame;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
-import rigibo.frontend.scene.Medal;
 import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.Settings.Motion;
+import rigibo.frontend.scene.Words;
 
-import java.util.Locale;
+import java.util.List;
+import java.util.Optional;
 
-/** What stands above the game: title, clicks and time, the rings, and the panel at the end. */
+/** The bar above the play: title, what is the matter, clicks, time, and the cooldown's ring. */
 final class Hud {
 
-    private static final double BAR = 52;
-    private static final double MIDDLE = BAR / 2;
-    private static final double TITLE_LEFT = 26;
+    private static final double EDGE = 8;
+    private static final double HEIGHT = View.BAR_FOOT - EDGE;
+    private static final double MIDDLE = EDGE + HEIGHT / 2;
+    private static final double LEFT = EDGE + 18;
     private static final double TITLE_SIZE = 22;
-    private static final double PANEL_WIDTH = 420;
-    private static final double PANEL_HEIGHT = 210;
-    private static final double PANEL_X = (Scene.WIDTH - PANEL_WIDTH) / 2;
+    private static final double WORDS_SIZE = 17;
+    private static final double GAP = 14;
 
-    /** Below what is drawn above the play, px. */
-    private static final double PANEL_GAP = 12;
+    private static final double RING_X = Scene.WIDTH - 38;
+    private static final double COUNTS_RIGHT = Scene.WIDTH - 64;
+
+    /** Where buttons begin in the bar, and how much room there is for each, px. */
+    private static final double BUTTONS_LEFT = EDGE + 40;
+
+    private static final double BUTTON_WIDTH = 96;
 
     private final Level level;
 
@@ -30,151 +37,100 @@ final class Hud {
         this.level = level;
     }
 
-    /** Where the title ends and something else may begin, px. */
-    double titleEnd(Canvas canvas) {
-        return TITLE_LEFT + canvas.textWidth(title(), TITLE_SIZE, Canvas.Font.WORDS) + 14;
+    /** Buttons in the bar, in place of the title. */
+    static ButtonRow buttons(Command... commands) {
+        double top = MIDDLE - ButtonRow.HEIGHT / 2;
+        return new ButtonRow(BUTTONS_LEFT, top, commands.length * BUTTON_WIDTH, List.of(commands));
     }
 
-    private String title() {
-        return level.title().in(Locale.getDefault());
+    /** The bar with the title and what is the matter. */
+    void draw(Canvas canvas, Words words, Session session, Refusal refusal, Motion motion) {
+        double right = drawRight(canvas, words, session, refusal, motion);
+        String title = level.title().in(words.locale());
+        text(canvas, title, LEFT, TITLE_SIZE, Canvas.Align.LEFT, Color.BRASS);
+        double left = LEFT + canvas.textWidth(title, TITLE_SIZE, Canvas.Font.WORDS) + GAP;
+        state(session, refusal)
+                .map(words::of)
+                .ifPresent(state -> drawBetween(canvas, state, left, right));
     }
 
-    /** The bar at the top, with the cooldown's ring. */
-    void drawBar(Canvas canvas, Session session) {
+    /** The bar with buttons in place of the title, for a pause. */
+    void drawPaused(
+            Canvas canvas,
+            Words words,
+            Session session,
+            Refusal refusal,
+            ButtonRow buttons,
+            Motion motion) {
+        drawRight(canvas, words, session, refusal, motion);
+        for (int bar = 0; bar < 2; bar++) {
+            canvas.panel(LEFT - 6 + 10 * bar, MIDDLE - 9, 6, 18, 2, Color.BRASS);
+        }
+        buttons.draw(canvas, words);
+    }
+
+    /** The bar while something is shown. */
+    void drawShow(Canvas canvas, Words words, Session session, ButtonRow buttons, Motion motion) {
+        double right = drawRight(canvas, words, session, new Refusal(), motion);
+        canvas.line(LEFT - 6, MIDDLE - 9, LEFT + 8, MIDDLE, 3, Color.BRASS);
+        canvas.line(LEFT - 6, MIDDLE + 9, LEFT + 8, MIDDLE, 3, Color.BRASS);
+        canvas.line(LEFT - 6, MIDDLE - 9, LEFT - 6, MIDDLE + 9, 3, Color.BRASS);
+        buttons.draw(canvas, words);
+        String what = words.of("puzzle.show." + key(session.hand()));
+        drawBetween(canvas, what, BUTTONS_LEFT + BUTTON_WIDTH + GAP, right);
+    }
+
+    /** Words between two places of the bar, where there is room for them. */
+    private static void drawBetween(Canvas canvas, String state, double left, double right) {
+        double width = canvas.textWidth(state, WORDS_SIZE, Canvas.Font.WORDS);
+        if (left + width + GAP <= right) {
+            text(canvas, state, left, WORDS_SIZE, Canvas.Align.LEFT, Color.TEXT);
+        }
+    }
+
+    /** The plate, and on its right the counts and the ring; returns where they begin, px. */
+    private double drawRight(
+            Canvas canvas, Words words, Session session, Refusal refusal, Motion motion) {
         PuzzleGame game = session.game();
-        canvas.panel(8, 8, Scene.WIDTH - 16, BAR - 4, 14, Color.PANEL);
-        words(canvas, title(), TITLE_LEFT, TITLE_SIZE, Canvas.Align.LEFT, Color.BRASS);
+        canvas.panel(EDGE, EDGE, Scene.WIDTH - 2 * EDGE, HEIGHT, 14, Color.PANEL);
         String counts =
-                String.format(
-                        Locale.ROOT,
-                        "%d/%d clicks  %5.1f s",
-                        game.clicks(),
-                        level.limits().par(),
-                        game.seconds());
+                words.of("puzzle.counts", game.clicks(), level.limits().par(), game.seconds());
+        boolean isSpent = refusal.is(Refusal.Reason.NO_CLICKS_LEFT);
+        double aside = refusal.shake(motion);
         canvas.text(
                 counts,
-                Scene.WIDTH - 70,
-                MIDDLE + 6,
-                18,
+                COUNTS_RIGHT + (isSpent ? aside : 0),
+                MIDDLE,
+                WORDS_SIZE,
                 Canvas.Font.NUMBERS,
                 Canvas.Align.RIGHT,
-                Color.TEXT);
-        drawCooldown(canvas, Scene.WIDTH - 38, MIDDLE + 6, 13, game);
-        String state = state(session);
-        words(canvas, state, Scene.WIDTH / 2.0, 18, Canvas.Align.CENTRE, Color.TEXT);
+                isSpent ? Color.BAD : Color.TEXT);
+        CooldownRing.drawInBar(canvas, RING_X, MIDDLE, game, refusal, motion);
+        return COUNTS_RIGHT - canvas.textWidth(counts, WORDS_SIZE, Canvas.Font.NUMBERS);
     }
 
-    private static String state(Session session) {
-        if (session.isPaused()) {
-            return "paused";
+    /** The key of what is the matter; the most urgent alone. */
+    private static Optional<String> state(Session session, Refusal refusal) {
+        if (refusal.reason().isPresent()) {
+            return refusal.reason().map(why -> "puzzle.refused." + key(why));
         }
-        return switch (session.pace()) {
-            case FULL -> "";
-            case HALF -> "half speed";
-            case QUARTER -> "quarter speed";
-        };
-    }
-
-    /** The cooldown as a ring: full when the next click is allowed. */
-    void drawCooldown(Canvas canvas, double x, double y, double radius, PuzzleGame game) {
-        double left = game.cooldownLeft();
-        canvas.ring(x, y, radius, 5, 1, Color.PANEL_LIT);
-        canvas.ring(x, y, radius, 5, 1 - left, left > 0 ? Color.BRASS : Color.GOOD);
-    }
-
-    /** Keys, at the bottom. */
-    void drawKeys(Canvas canvas) {
-        words(
-                canvas,
-                "click a box   R restart   Backspace undo   P pause   E effects   Esc menu",
-                Scene.WIDTH / 2.0,
-                16,
-                Scene.HEIGHT - 18,
-                Canvas.Align.CENTRE,
-                Color.TEXT);
-    }
-
-    /** Below the bar, px. */
-    static double foot() {
-        return 8 + BAR - 4;
-    }
-
-    /** The panel when the game is over, below what is drawn above the play. */
-    void drawEnd(Canvas canvas, PuzzleGame game, boolean hasNext, double above) {
-        boolean won = game.outcome() == Outcome.WON;
-        double top = above + PANEL_GAP;
-        Color edge = game.isSolved() ? Color.GOOD : won ? Color.BRASS : Color.BAD;
-        canvas.panel(PANEL_X, top, PANEL_WIDTH, PANEL_HEIGHT, 18, Color.PANEL);
-        canvas.frame(PANEL_X, top, PANEL_WIDTH, PANEL_HEIGHT, 18, edge);
-        String headline = won ? "Solved!" : "Lost: " + game.loss().orElseThrow().words();
-        centred(canvas, headline, 34, top + 48, Color.TEXT);
-        drawEarned(canvas, game, top + 100);
-        String more =
-                game.isSolved() && hasNext
-                        ? "Enter: next level     R: again"
-                        : "R: again     Esc: menu";
-        centred(canvas, more, 20, top + PANEL_HEIGHT - 40, Color.BRASS);
-    }
-
-    private void drawEarned(Canvas canvas, PuzzleGame game, double y) {
-        double centre = Scene.WIDTH / 2.0;
-        if (game.isSolved()) {
-            drawMedal(canvas, centre, y, Medal.of(game.clicks(), level.limits().par()));
-        } else if (game.outcome() == Outcome.WON) {
-            centred(canvas, "an experiment: does not count", 22, y, Color.TEXT_DIM);
-        } else {
-            drawCross(canvas, centre, y);
+        if (session.pace() != Pace.FULL) {
+            return Optional.of("puzzle.pace." + key(session.pace()));
         }
-    }
-
-    private static void centred(Canvas canvas, String words, double size, double y, Color color) {
-        words(canvas, words, Scene.WIDTH / 2.0, size, y, Canvas.Align.CENTRE, color);
-    }
-
-    /** One, two or three stars beside the colour, so that colour alone does not tell. */
-    private static void drawMedal(Canvas canvas, double x, double y, Medal medal) {
-        Color metal =
-                switch (medal) {
-                    case GOLD -> Color.of(0xFFD24A);
-                    case SILVER -> Color.of(0xD5DAE3);
-                    case BRONZE -> Color.of(0xCD8E5C);
-                };
-        int discs = Medal.values().length - medal.ordinal();
-        for (int i = 0; i < discs; i++) {
-            double at = x + (i - (discs - 1) / 2.0) * 34 - 60;
-            canvas.disc(at, y, 13, metal);
-            canvas.disc(at, y, 8, metal.alpha(0.5));
-            canvas.ring(at, y, 9, 2, 1, Color.PANEL_LIT);
+        if (session.game().isExperiment()) {
+            return Optional.of("puzzle.experiment");
         }
-        words(
-                canvas,
-                medal.name().toLowerCase(Locale.ROOT),
-                x + 14,
-                22,
-                y,
-                Canvas.Align.LEFT,
-                metal);
+        boolean isUntouched =
+                session.game().clicks() == 0 && session.game().outcome() == Outcome.RUNNING;
+        return isUntouched ? Optional.of("puzzle.task") : Optional.empty();
     }
 
-    private static void drawCross(Canvas canvas, double x, double y) {
-        canvas.ring(x, y, 20, 4, 1, Color.BAD);
-        canvas.line(x - 8, y - 8, x + 8, y + 8, 4, Color.BAD);
-        canvas.line(x - 8, y + 8, x + 8, y - 8, 4, Color.BAD);
+    private static String key(Enum<?> constant) {
+        return Command.key(constant);
     }
 
-    private static void words(
+    private static void text(
             Canvas canvas, String words, double x, double size, Canvas.Align align, Color color) {
-        words(canvas, words, x, size, MIDDLE + 6, align, color);
-    }
-
-    private static void words(
-            Canvas canvas,
-            String words,
-            double x,
-            double size,
-            double y,
-            Canvas.Align align,
-            Color color) {
-        canvas.text(words, x, y, size, Canvas.Font.WORDS, align, color);
+        canvas.text(words, x, MIDDLE, size, Canvas.Font.WORDS, align, color);
     }
 }

@@ -5,6 +5,7 @@ import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.RollingResistance;
 import rigibo.backend.effect.Wind;
 import rigibo.frontend.puzzle.level.Level;
+import rigibo.frontend.scene.Words;
 import rigibo.frontend.scene.effects.EffectReason;
 import rigibo.frontend.scene.effects.SceneEffects;
 
@@ -16,16 +17,13 @@ final class LevelEffects implements SceneEffects {
     /** Boxes are heavy: nothing less than a storm moves them, m/s. */
     private static final double STORM = 30;
 
-    private static final List<EffectReason> REASONS =
-            List.of(
-                    new EffectReason(new RollingResistance(), "a rolling ball slows down"),
-                    new EffectReason(new Wind(STORM, 0), "a storm blows to the right"));
-
     private final Level level;
     private final Session session;
+    private final Words words;
 
-    LevelEffects(Level level, Session session) {
+    LevelEffects(Level level, Session session, Words words) {
         this.level = level;
+        this.words = words;
         this.session = session;
     }
 
@@ -41,7 +39,9 @@ final class LevelEffects implements SceneEffects {
 
     @Override
     public List<EffectReason> reasons() {
-        return REASONS;
+        return List.of(
+                new EffectReason(new RollingResistance(), words.of("puzzle.effects.rolling")),
+                new EffectReason(new Wind(STORM, 0), words.of("puzzle.effects.wind")));
     }
 
     @Override
@@ -51,8 +51,6 @@ final class LevelEffects implements SceneEffects {
 
     @Override
     public String marking() {
-        return session.game().isExperiment()
-                ? "an experiment: does not count (R starts again with the level's own effects)"
-                : "";
+        return session.game().isExperiment() ? words.of("puzzle.effects.marking") : "";
     }
 }

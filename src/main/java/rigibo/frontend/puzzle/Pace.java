@@ -23,4 +23,9 @@ enum Pace {
     Pace faster() {
         return values()[Math.max(ordinal() - 1, 0)];
     }
+
+    /** For a button: slower and slower, then full again. */
+    Pace next() {
+        return values()[(ordinal() + 1) % values().length];
+    }
 }

@@ -1,47 +1,35 @@
 package rigibo.frontend.puzzle;
 
-import rigibo.backend.RigidBody;
 import rigibo.backend.setup.Accuracy;
 import rigibo.frontend.puzzle.level.Level;
-import rigibo.frontend.puzzle.level.Substance;
-import rigibo.frontend.puzzle.rules.ClickResult;
 import rigibo.frontend.puzzle.rules.Outcome;
-import rigibo.frontend.puzzle.rules.Piece;
 import rigibo.frontend.puzzle.rules.PuzzleGame;
-import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Canvas;
-import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Demonstration;
 import rigibo.frontend.scene.Director;
 import rigibo.frontend.scene.Key;
+import rigibo.frontend.scene.Modifier;
 import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.Scene;
-import rigibo.frontend.scene.Skin;
+import rigibo.frontend.scene.Settings.Motion;
 
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
+import java.util.Set;
 
-/** A level as it is played. */
+/** A level as it is played: brings what the player does to the play and to the panels round it. */
 public final class PuzzleScene implements Scene {
-
-    /** How long a refused click shakes the ring, in turns. */
-    private static final int SHAKE_TURNS = 18;
 
     private final Director director;
     private final List<Level> levels;
     private final int number;
     private final Level level;
     private final Session session;
-    private final Hud hud;
-    private final Splinters splinters = new Splinters();
-    private final Camera camera;
-    private final EffectsDrawer drawer;
-    private double pointerX = WIDTH / 2.0;
-    private double pointerY = HEIGHT / 2.0;
-    private int chosen = -1;
-    private int shake;
-    private Outcome seen = Outcome.RUNNING;
+    private final View view;
+    private final Table table;
+    private final Panels panels;
+    private final Tally tally;
+    private boolean isShiftHeld;
 
     /** One of some levels, to be played in their order. */
     public PuzzleScene(Director director, List<Level> levels, int number) {
@@ -50,182 +38,199 @@ public final class PuzzleScene implements Scene {
         this.number = number;
         level = levels.get(number);
         session = new Session(level, Accuracy.GAME);
-        hud = new Hud(level);
-        double width = level.world().width();
-        double height = level.world().height();
-        camera = new Camera(width / 2, height / 2, Math.min(WIDTH / width, HEIGHT / height));
-        drawer = new EffectsDrawer(new LevelEffects(level, session), level.world(), camera);
+        view = new View(level.world());
+        table = new Table(session, view.camera());
+        panels = new Panels(level, session, view, director.words());
+        tally = new Tally(director, level);
     }
 
     @Override
     public String title() {
-        return "RigiBo – " + level.title().in(Locale.getDefault());
+        return "RigiBo – " + level.title().in(director.words().locale());
     }
 
     @Override
     public void step() {
-        session.frame();
-        splinters.step();
-        shake = Math.max(0, shake - 1);
         PuzzleGame game = session.game();
-        if (game.isSolved() && seen != Outcome.WON) {
-            splinters.celebrate(game.ball().x(), game.ball().y());
+        boolean wasRunning = game.outcome() == Outcome.RUNNING;
+        table.frame();
+        if (wasRunning && game.outcome() != Outcome.RUNNING && !session.isShowing()) {
+            ended(game);
         }
-        seen = game.outcome();
+        panels.turn();
+    }
+
+    private void ended(PuzzleGame game) {
+        tally.ended(game);
+        table.letGo();
+        panels.end(game, number + 1 < levels.size());
+        if (game.isSolved()) {
+            table.celebrate(motion());
+        }
+    }
+
+    private Motion motion() {
+        return director.settings().motion();
     }
 
     @Override
     public void draw(Canvas canvas) {
-        PuzzleGame game = session.game();
-        canvas.camera(camera);
-        canvas.gaze(game.ball().x(), game.ball().y());
-        body(canvas, game.platform(), Skin.WOOD, Canvas.Mood.PLAIN);
-        for (Piece piece : game.pieces()) {
-            if (piece.body().isAlive()) {
-                body(canvas, piece.body(), skin(piece), mood(piece));
-            }
-        }
-        body(canvas, game.ball(), Skin.BALL, Canvas.Mood.PLAIN);
-        splinters.draw(canvas);
-        drawRings(canvas, game);
-        hud.drawBar(canvas, session);
-        drawer.draw(canvas, hud.titleEnd(canvas));
-        hud.drawKeys(canvas);
-        if (game.outcome() != Outcome.RUNNING) {
-            double above = drawer.isOpen() ? EffectsDrawer.FOOT : Hud.foot();
-            hud.drawEnd(canvas, game, number + 1 < levels.size(), above);
-        }
+        table.draw(canvas, motion());
+        panels.draw(canvas, table.refusal(), hasHint(), motion());
+        table.drawPointer(canvas, motion());
+    }
+
+    private boolean hasHint() {
+        return tally.failuresToHint() == 0;
     }
 
     @Override
     public void drawn(long nanos) {
-        drawer.drawn();
+        panels.drawn();
     }
 
     @Override
     public void closed() {
-        drawer.close();
-    }
-
-    private static void body(Canvas canvas, RigidBody body, Skin skin, Canvas.Mood mood) {
-        canvas.body(body.shape(), body.x(), body.y(), body.angle(), skin, mood);
-    }
-
-    /** The hold's ring round the ball, the cooldown's at the pointer. */
-    private void drawRings(Canvas canvas, PuzzleGame game) {
-        RigidBody ball = game.ball();
-        double radius = ball.shape().boundingRadius() * camera.scale() + 8;
-        double held = game.held();
-        if (held > 0) {
-            double x = camera.screenX(ball.x());
-            double y = camera.screenY(ball.y());
-            canvas.ring(x, y, radius, 6, 1, Color.PANEL_LIT);
-            canvas.ring(x, y, radius, 6, held, Color.GOOD);
-        }
-        if (game.cooldownLeft() > 0) {
-            double aside = shake > 0 ? 5 * Math.sin(shake * 1.4) : 0;
-            hud.drawCooldown(canvas, pointerX + aside, pointerY, 16, game);
-        }
-    }
-
-    private static Skin skin(Piece piece) {
-        Substance substance = piece.definition().substance();
-        return switch (substance) {
-            case RIGIBO -> Skin.RIGIBO;
-            case STONE -> Skin.STONE;
-            case PLANK -> Skin.WOOD;
-            case ICE -> Skin.ICE;
-            case RUBBER -> Skin.RUBBER;
-            case IRON -> Skin.IRON;
-            case BALL -> Skin.BALL;
-        };
-    }
-
-    private Canvas.Mood mood(Piece piece) {
-        boolean isUnder = piece.isDeletable() && hovered().filter(piece::equals).isPresent();
-        return isUnder ? Canvas.Mood.HOVERED : Canvas.Mood.PLAIN;
-    }
-
-    /** The piece chosen by keys, or under the pointer. */
-    private Optional<Piece> hovered() {
-        PuzzleGame game = session.game();
-        if (chosen >= 0 && chosen < game.pieces().size()) {
-            return Optional.of(game.pieces().get(chosen));
-        }
-        return game.pieceAt(camera.worldX(pointerX), camera.worldY(pointerY));
+        panels.close();
     }
 
     @Override
     public void pointerMoved(double x, double y) {
-        pointerX = x;
-        pointerY = y;
-        chosen = -1;
-        drawer.pointerMoved(x, y);
+        table.point(x, y);
+        panels.pointerMoved(x, y);
     }
 
     @Override
     public void pointerPressed(PointerButton button, double x, double y) {
         pointerMoved(x, y);
-        if (button == PointerButton.LEFT && !drawer.pointerPressed(x, y)) {
-            double worldX = camera.worldX(x);
-            double worldY = camera.worldY(y);
-            Optional<Piece> under = session.game().pieceAt(worldX, worldY);
-            answer(session.game().click(worldX, worldY), under);
+        if (button != PointerButton.LEFT) {
+            return;
+        }
+        Optional<Command> command = panels.at(x, y);
+        if (command.isPresent()) {
+            run(command.get());
+        } else if (panels.cover(x, y)) {
+            panels.press(x, y);
+        } else {
+            table.click(x, y);
         }
     }
 
-    private void answer(ClickResult result, Optional<Piece> piece) {
-        switch (result) {
-            case DELETED -> piece.ifPresent(this::burst);
-            case COOLING_DOWN, NO_CLICKS_LEFT -> shake = SHAKE_TURNS;
-            case NOT_DELETABLE, NOTHING_THERE, OVER -> {}
-        }
-    }
-
-    /** The body is gone by now; its size and last place are the definition's and the pointer's. */
-    private void burst(Piece piece) {
-        double width = piece.definition().shape().smallestWidth();
-        splinters.burst(camera.worldX(pointerX), camera.worldY(pointerY), width);
+    @Override
+    public void held(Set<Modifier> modifiers) {
+        isShiftHeld = modifiers.contains(Modifier.SHIFT);
     }
 
     @Override
     public void keyPressed(Key key) {
         switch (key) {
-            case R -> session.restart();
-            case P -> session.togglePause();
-            case E -> drawer.toggle();
-            case BACKSPACE -> session.undo();
-            case TAB -> chooseNext();
+            case R -> run(session.isShowing() ? Command.STOP : Command.RESTART);
+            case P -> run(Command.PAUSE);
+            case E -> run(Command.EFFECTS);
+            case H -> run(Command.HINT);
+            case V -> run(Command.SOLUTION);
+            case BACKSPACE -> run(Command.UNDO);
             case S -> session.pace(session.pace().slower());
             case N -> session.pace(session.pace().faster());
+            case TAB -> cycle(isShiftHeld ? -1 : 1);
+            case UP, DOWN, LEFT, RIGHT -> arrow(key);
             case ENTER -> enter();
             default -> {}
         }
     }
 
-    private void chooseNext() {
-        List<Piece> pieces = session.game().pieces();
-        for (int i = 1; i <= pieces.size(); i++) {
-            int next = Math.floorMod(chosen + i, pieces.size());
-            if (pieces.get(next).isDeletable()) {
-                chosen = next;
-                Piece piece = pieces.get(next);
-                pointerX = camera.screenX(piece.body().x());
-                pointerY = camera.screenY(piece.body().y());
-                return;
-            }
+    /** Chooses a box, and no button. */
+    private void cycle(int direction) {
+        panels.buttons().ifPresent(ButtonRow::letGo);
+        table.cycle(direction);
+    }
+
+    /** Where there are buttons, left and right choose among them; else arrows choose boxes. */
+    private void arrow(Key key) {
+        Optional<ButtonRow> buttons = panels.buttons();
+        boolean isAcross = key == Key.LEFT || key == Key.RIGHT;
+        if (buttons.isPresent() && (isAcross || panels.isOver())) {
+            table.letGo();
+            buttons.get().move(key == Key.LEFT || key == Key.UP ? -1 : 1);
+        } else {
+            buttons.ifPresent(ButtonRow::letGo);
+            table.move(key);
         }
     }
 
-    /** Deletes the chosen box, or goes on to the next level. */
+    /** Deletes the box that keys chose, or does what the chosen button says. */
     private void enter() {
-        PuzzleGame game = session.game();
-        if (game.isSolved() && number + 1 < levels.size()) {
-            director.show(new PuzzleScene(director, levels, number + 1));
-        } else if (chosen >= 0) {
-            Piece piece = game.pieces().get(chosen);
-            answer(game.delete(piece.definition().id()), Optional.of(piece));
-            chosen = -1;
+        if (!table.deleteChosen()) {
+            panels.buttons().flatMap(ButtonRow::chosen).ifPresent(this::run);
+        }
+    }
+
+    @Override
+    public boolean escaped() {
+        boolean isShowing = session.isShowing();
+        if (isShowing) {
+            session.stopShow();
+        }
+        return isShowing;
+    }
+
+    private void run(Command command) {
+        switch (command) {
+            case PAUSE, RESUME -> pause();
+            case RESTART -> restart();
+            case UNDO -> undo();
+            case SLOWER -> session.pace(session.pace().next());
+            case EFFECTS -> effects();
+            case HINT -> hint();
+            case SOLUTION -> showSolution();
+            case REPLAY -> session.showAgain();
+            case STOP -> session.stopShow();
+            case NEXT -> director.show(new PuzzleScene(director, levels, number + 1));
+            case LEVELS -> director.showLevels();
+            case MENU -> director.showMenu();
+        }
+    }
+
+    private void pause() {
+        session.togglePause();
+        table.letGo();
+        panels.buttons().ifPresent(ButtonRow::begin);
+    }
+
+    private void restart() {
+        tally.givenUp(session.game());
+        session.restart();
+    }
+
+    private void undo() {
+        if (!session.undo()) {
+            table.refuse(Refusal.Reason.NO_UNDO);
+        }
+    }
+
+    /** An experiment is the player's own: what is shown meets the level's effects. */
+    private void effects() {
+        if (session.isShowing()) {
+            table.refuse(Refusal.Reason.SHOWING);
+        } else {
+            panels.toggle(Panels.Drawer.EFFECTS);
+        }
+    }
+
+    private void hint() {
+        if (hasHint() && !session.isShowing()) {
+            panels.toggle(Panels.Drawer.HINT);
+        } else {
+            table.refuse(Refusal.Reason.NO_HINT_YET);
+        }
+    }
+
+    /** Asked for beside the hint only, and never while a show runs. */
+    private void showSolution() {
+        if (panels.isOpen(Panels.Drawer.HINT) && !level.solutions().isEmpty()) {
+            tally.givenUp(session.game());
+            panels.shut();
+            session.show(level.solutions().get(0));
         }
     }
 
@@ -233,6 +238,6 @@ public final class PuzzleScene implements Scene {
     public Optional<Demonstration> demonstration() {
         return level.solutions().isEmpty()
                 ? Optional.empty()
-                : Optional.of(new SolutionShow(session, camera, level.solutions().get(0)));
+                : Optional.of(new SolutionShow(session, view.camera(), level.solutions().get(0)));
     }
 }

@@ -1,26 +1,43 @@
 package rigibo.frontend.puzzle;
 
+import rigibo.backend.RigidBody;
 import rigibo.backend.setup.Accuracy;
 import rigibo.frontend.puzzle.level.Level;
+import rigibo.frontend.puzzle.level.Solution;
+import rigibo.frontend.puzzle.level.Steps;
 import rigibo.frontend.puzzle.rules.Outcome;
 import rigibo.frontend.puzzle.rules.Playback;
 import rigibo.frontend.puzzle.rules.PuzzleGame;
 import rigibo.frontend.puzzle.rules.Replay;
 
-/** A player's tries at one level: the running game, paused or slow, started anew or taken back. */
+import java.util.Optional;
+
+/**
+ * A player's tries at one level: the running game, paused or slow, started anew or taken back, and
+ * what is shown in its place.
+ */
 final class Session {
+
+    /** How long the end of a show stays on the screen, frames. */
+    private static final int CURTAIN = Steps.of(2);
 
     private final Level level;
     private final Accuracy accuracy;
-    private PuzzleGame game;
+    private final Poses poses = new Poses();
+    private PuzzleGame own;
+    private Optional<Playback> show = Optional.empty();
+    private Hand hand = Hand.PLAYER;
+    private int curtain;
     private Pace pace = Pace.FULL;
     private boolean isPaused;
+
+    /** Frames since the last step: 0 in the frame that made one. */
     private int frame;
 
     Session(Level level, Accuracy accuracy) {
         this.level = level;
         this.accuracy = accuracy;
-        game = timed(new PuzzleGame(level, accuracy));
+        own = timed(new PuzzleGame(level, accuracy));
     }
 
     /** The effects bar tells how long a step takes. */
@@ -31,22 +48,38 @@ final class Session {
 
     /** One frame of 1/60 s; whether it advanced the game. */
     boolean frame() {
-        frame++;
-        boolean isDue = !isPaused && frame % pace.framesPerStep() == 0;
-        if (isDue) {
-            game.step();
+        if (isPaused) {
+            return false;
         }
+        frame = (frame + 1) % pace.framesPerStep();
+        boolean isDue = frame == 0;
+        if (isDue) {
+            poses.remember(game().pool());
+            show.ifPresentOrElse(Playback::step, own::step);
+        }
+        lowerCurtain();
         return isDue;
     }
 
-    /** How far the picture is between the last step and the next, 0 to 1. */
-    double betweenSteps() {
-        return frame % pace.framesPerStep() / (double) pace.framesPerStep();
+    private void lowerCurtain() {
+        if (isShowing() && game().outcome() != Outcome.RUNNING && ++curtain > CURTAIN) {
+            stopShow();
+        }
+    }
+
+    /** Where a body is seen, between two steps in slow motion. */
+    Pose pose(RigidBody body) {
+        return poses.of(body, (frame + 1.0) / pace.framesPerStep());
+    }
+
+    /** Where a body was that the last step of a show deleted. */
+    Pose lastPose(RigidBody deleted) {
+        return poses.last(deleted);
     }
 
     void restart() {
-        game = timed(new PuzzleGame(level, accuracy));
-        isPaused = false;
+        own = timed(new PuzzleGame(level, accuracy));
+        endShow();
     }
 
     /**
@@ -57,19 +90,75 @@ final class Session {
      * @return whether there was a click to take back
      */
     boolean undo() {
-        Replay played = game.replay();
-        if (played.deletions().isEmpty()) {
+        Replay played = own.replay();
+        if (isShowing() || played.deletions().isEmpty()) {
             return false;
         }
         int step = played.deletions().get(played.deletions().size() - 1).step();
         Playback again = new Playback(level, played.withoutLast());
         again.stepTo(step);
-        game = timed(again.game());
+        own = timed(again.game());
+        toLastStep();
         return true;
     }
 
+    /** Shows a solution from the level's start; afterwards the level starts anew. */
+    void show(Solution solution) {
+        show(Hand.SOLUTION, Replay.of(level, solution, accuracy));
+    }
+
+    /** Shows the game that is over once more; afterwards it is over as before. */
+    void showAgain() {
+        show(Hand.REPLAY, own.replay());
+    }
+
+    private void show(Hand whose, Replay replay) {
+        endShow();
+        Playback playback = new Playback(level, replay);
+        timed(playback.game());
+        show = Optional.of(playback);
+        hand = whose;
+    }
+
+    /** Ends what is shown. */
+    void stopShow() {
+        if (hand == Hand.SOLUTION) {
+            restart();
+        } else {
+            endShow();
+        }
+    }
+
+    private void endShow() {
+        show = Optional.empty();
+        hand = Hand.PLAYER;
+        curtain = 0;
+        isPaused = false;
+        toLastStep();
+    }
+
+    /** Shows the last step's end until there is another step. */
+    private void toLastStep() {
+        poses.forget();
+        frame = pace.framesPerStep() - 1;
+    }
+
+    /** The game on the screen: the player's own, or what is shown in its place. */
     PuzzleGame game() {
-        return game;
+        return show.map(Playback::game).orElse(own);
+    }
+
+    Hand hand() {
+        return hand;
+    }
+
+    /** What is shown in place of the player's own game. */
+    Optional<Playback> show() {
+        return show;
+    }
+
+    boolean isShowing() {
+        return show.isPresent();
     }
 
     Pace pace() {
@@ -78,6 +167,7 @@ final class Session {
 
     void pace(Pace next) {
         pace = next;
+        frame = pace.framesPerStep() - 1;
     }
 
     boolean isPaused() {
@@ -86,6 +176,6 @@ final class Session {
 
     /** Pausing a game that is over would only hide why. */
     void togglePause() {
-        isPaused = !isPaused && game.outcome() == Outcome.RUNNING;
+        isPaused = !isPaused && game().outcome() == Outcome.RUNNING;
     }
 }

@@ -13,6 +13,7 @@ import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Key;
 import rigibo.frontend.scene.Legibility;
 import rigibo.frontend.scene.PointerButton;
+import rigibo.frontend.scene.Progress;
 import rigibo.frontend.scene.RecordingCanvas;
 import rigibo.frontend.scene.RecordingDirector;
 import rigibo.frontend.scene.Scene;
@@ -61,7 +62,7 @@ class PuzzleExperimentTest {
     @MethodSource("levels")
     void isShutUntilItIsAskedForAndThenCoversNoneOfThePlay(SceneEntry entry) {
         Scene shut = entry.open().apply(director);
-        assertThat(texts(shut)).contains("effects (E)").doesNotContain("gravity");
+        assertThat(texts(shut)).contains("Effects").doesNotContain("gravity");
         shut.keyPressed(Key.E);
         RecordingCanvas open = RecordingCanvas.of(shut);
         assertThat(open.texts()).contains("gravity");
@@ -85,7 +86,7 @@ class PuzzleExperimentTest {
     @Test
     void aLevelThatIsSolvedAsItIsMeantEarnsItsMedal() {
         solve();
-        assertThat(texts(scene)).contains("gold").doesNotContain(NOT_COUNTED);
+        assertThat(texts(scene)).contains("gold: 1 click").doesNotContain(NOT_COUNTED);
         scene.keyPressed(Key.ENTER);
         assertThat(director.shown).hasSize(1);
     }
@@ -96,13 +97,16 @@ class PuzzleExperimentTest {
         click("sleep");
         scene.keyPressed(Key.E);
         solve();
-        assertThat(texts(scene)).contains(NOT_COUNTED, "experiment").doesNotContain("gold");
+        assertThat(texts(scene))
+                .contains(NOT_COUNTED, "experiment")
+                .noneMatch(words -> words.startsWith("gold"));
         assertThat(Legibility.faults(scene)).isEmpty();
-        scene.keyPressed(Key.ENTER);
-        assertThat(director.shown).as("there is no way on").isEmpty();
         scene.keyPressed(Key.E);
         assertThat(texts(scene)).contains(NOT_COUNTED);
         assertThat(Legibility.faults(scene)).as("with the bar open").isEmpty();
+        scene.keyPressed(Key.ENTER);
+        assertThat(director.shown).as("there is no way on").isEmpty();
+        assertThat(director.progress()).isEqualTo(Progress.none());
     }
 
     /** What happened while it was on stays, so it counts as little once it is off again. */
@@ -125,7 +129,7 @@ class PuzzleExperimentTest {
         assertThat(RecordingCanvas.of(scene).plateOf("gravity")).isEqualTo(Color.BRASS);
         scene.keyPressed(Key.E);
         solve();
-        assertThat(texts(scene)).contains("gold");
+        assertThat(texts(scene)).contains("gold: 1 click");
     }
 
     @Test

@@ -43,7 +43,7 @@ class WordsTest {
 
     @Test
     void speaksTheLanguageAskedForWhateverTheSystemSpeaks() {
-        assertThat(new Words("de").of("puzzle.paused")).isEqualTo("Pause");
-        assertThat(new Words("en").of("puzzle.paused")).isEqualTo("paused");
+        assertThat(new Words("de").of("puzzle.won")).isEqualTo("Gelöst!");
+        assertThat(new Words("en").of("puzzle.won")).isEqualTo("Solved!");
     }
 }

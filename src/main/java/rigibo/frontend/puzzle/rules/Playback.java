@@ -59,6 +59,11 @@ public final class Playback {
         }
     }
 
+    /** The deletion to be made next; nothing when all were made. */
+    public Optional<Deletion> upcoming() {
+        return isDone() ? Optional.empty() : Optional.of(replay.deletions().get(next));
+    }
+
     /** Whether every deletion was made. */
     public boolean isDone() {
         return next == replay.deletions().size();

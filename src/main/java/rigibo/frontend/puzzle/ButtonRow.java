@@ -1,0 +1,82 @@
+package rigibo.frontend.puzzle;
+
+import rigibo.frontend.scene.Canvas;
+import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Words;
+
+import java.util.List;
+import java.util.Optional;
+
+/** Buttons side by side; one of them is chosen, by the pointer or by keys. */
+final class ButtonRow {
+
+    static final double HEIGHT = 36;
+    private static final double GAP = 8;
+    private static final int NONE = -1;
+
+    private final double left;
+    private final double top;
+    private final double width;
+    private final List<Command> commands;
+    private int chosen;
+
+    /** Buttons of the same width from (left, top), px. */
+    ButtonRow(double left, double top, double width, List<Command> commands) {
+        this.left = left;
+        this.top = top;
+        this.width = (width - (commands.size() - 1) * GAP) / commands.size();
+        this.commands = List.copyOf(commands);
+    }
+
+    void draw(Canvas canvas, Words words) {
+        for (int i = 0; i < commands.size(); i++) {
+            double x = left + i * (width + GAP);
+            boolean isChosen = i == chosen;
+            Color plate = isChosen ? Color.BRASS : Color.PANEL_LIT;
+            canvas.panel(x, top, width, HEIGHT, 10, plate);
+            canvas.text(
+                    commands.get(i).words(words),
+                    x + width / 2,
+                    top + HEIGHT / 2,
+                    17,
+                    Canvas.Font.WORDS,
+                    Canvas.Align.CENTRE,
+                    isChosen ? Color.DUSK_TOP : Color.TEXT);
+        }
+    }
+
+    /** Chooses the button under a point, if there is one. */
+    Optional<Command> point(double x, double y) {
+        int under = (int) Math.floor((x - left) / (width + GAP));
+        boolean isOn =
+                under >= 0
+                        && under < commands.size()
+                        && x - left - under * (width + GAP) <= width
+                        && y >= top
+                        && y <= top + HEIGHT;
+        if (!isOn) {
+            return Optional.empty();
+        }
+        chosen = under;
+        return Optional.of(commands.get(under));
+    }
+
+    /** Chooses the next (+1) or the one before (−1), round and round; the first where none was. */
+    void move(int direction) {
+        chosen = chosen == NONE ? 0 : Math.floorMod(chosen + direction, commands.size());
+    }
+
+    /** Chooses the first. */
+    void begin() {
+        chosen = 0;
+    }
+
+    /** Chooses none: something else was chosen. */
+    void letGo() {
+        chosen = NONE;
+    }
+
+    Optional<Command> chosen() {
+        return chosen == NONE ? Optional.empty() : Optional.of(commands.get(chosen));
+    }
+}

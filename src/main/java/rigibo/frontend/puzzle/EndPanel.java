@@ -1,0 +1,141 @@
+package rigibo.frontend.puzzle;
+
+import rigibo.frontend.puzzle.rules.Loss;
+import rigibo.frontend.puzzle.rules.Outcome;
+import rigibo.frontend.puzzle.rules.PuzzleGame;
+import rigibo.frontend.scene.Canvas;
+import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Medal;
+import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.Settings.Motion;
+import rigibo.frontend.scene.Words;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/** What is said when a try is over: how, what it earned, and what can be done now. */
+final class EndPanel {
+
+    private static final double WIDTH = 600;
+    private static final double LEFT = (Scene.WIDTH - WIDTH) / 2;
+    private static final double PADDING = 20;
+    private static final double MIDDLE = Scene.WIDTH / 2.0;
+
+    /** Below what is drawn above the play, px. */
+    private static final double GAP = 12;
+
+    private static final double HEADLINE = 42;
+    private static final double HEADLINE_SIZE = 34;
+
+    /** From the panel's upper edge to the middle of what is between headline and buttons, px. */
+    private static final double MEDALS = 104;
+
+    private static final double REASON = 84;
+
+    private final PuzzleGame game;
+    private final List<Command> ways;
+    private final Optional<MedalStamps> stamps;
+    private final double height;
+    private double top;
+    private ButtonRow buttons;
+
+    /** The end of a game. */
+    EndPanel(PuzzleGame game, boolean hasNext) {
+        this.game = game;
+        int par = game.level().limits().par();
+        stamps =
+                game.isSolved()
+                        ? Optional.of(new MedalStamps(Medal.of(game.clicks(), par), par))
+                        : Optional.empty();
+        ways = ways(hasNext);
+        height = buttonsBelow() + ButtonRow.HEIGHT + PADDING;
+        place(View.BAR_FOOT);
+    }
+
+    /** From the panel's upper edge to its buttons, px. */
+    private double buttonsBelow() {
+        return stamps.isPresent() ? MEDALS + 60 : REASON + 24;
+    }
+
+    /** Stands where the play begins, px. */
+    void place(double foot) {
+        top = foot + GAP;
+        double inner = WIDTH - 2 * PADDING;
+        buttons = new ButtonRow(LEFT + PADDING, top + buttonsBelow(), inner, ways);
+    }
+
+    boolean isOf(PuzzleGame other) {
+        return game == other;
+    }
+
+    private List<Command> ways(boolean hasNext) {
+        List<Command> ways = new ArrayList<>();
+        if (game.isSolved() && hasNext) {
+            ways.add(Command.NEXT);
+        }
+        ways.add(Command.RESTART);
+        if (game.isSolved()) {
+            ways.add(Command.REPLAY);
+        } else {
+            ways.add(Command.UNDO);
+        }
+        ways.add(Command.LEVELS);
+        return ways;
+    }
+
+    ButtonRow buttons() {
+        return buttons;
+    }
+
+    boolean contains(double x, double y) {
+        return x >= LEFT && x <= LEFT + WIDTH && y >= top && y <= top + height;
+    }
+
+    /** After each frame. */
+    void turn() {
+        stamps.ifPresent(MedalStamps::turn);
+    }
+
+    void draw(Canvas canvas, Words words, Motion motion) {
+        boolean isWon = game.outcome() == Outcome.WON;
+        Color edge = game.isSolved() ? Color.GOOD : isWon ? Color.BRASS : Color.BAD;
+        canvas.panel(LEFT, top, WIDTH, height, 18, Color.PANEL);
+        canvas.frame(LEFT, top, WIDTH, height, 18, edge);
+        drawHeadline(canvas, words.of(isWon ? "puzzle.won" : "puzzle.lost"), edge, isWon);
+        if (stamps.isPresent()) {
+            stamps.get().draw(canvas, words, MIDDLE, top + MEDALS, motion);
+        } else {
+            text(canvas, words.of(reason()), top + REASON, 20, Color.TEXT);
+        }
+        buttons.draw(canvas, words);
+    }
+
+    /** Why it is lost, or why a win counts for nothing. */
+    private String reason() {
+        return game.loss().map(EndPanel::key).orElse("puzzle.experiment.end");
+    }
+
+    private static String key(Loss loss) {
+        return "puzzle.loss." + Command.key(loss);
+    }
+
+    private void drawHeadline(Canvas canvas, String headline, Color color, boolean isWon) {
+        double y = top + HEADLINE;
+        double half = canvas.textWidth(headline, HEADLINE_SIZE, Canvas.Font.WORDS) / 2;
+        text(canvas, headline, y, HEADLINE_SIZE, Color.TEXT);
+        double x = MIDDLE - half - 34;
+        canvas.ring(x, y, 15, 4, 1, color);
+        if (isWon) {
+            canvas.line(x - 7, y, x - 2, y + 6, 3, color);
+            canvas.line(x - 2, y + 6, x + 7, y - 6, 3, color);
+        } else {
+            canvas.line(x - 6, y - 6, x + 6, y + 6, 3, color);
+            canvas.line(x - 6, y + 6, x + 6, y - 6, 3, color);
+        }
+    }
+
+    private static void text(Canvas canvas, String words, double y, double size, Color color) {
+        canvas.text(words, MIDDLE, y, size, Canvas.Font.WORDS, Canvas.Align.CENTRE, color);
+    }
+}

@@ -1,0 +1,10 @@
+package rigibo.frontend.puzzle;
+
+/** Whose clicks they are. */
+enum Hand {
+    PLAYER,
+    /** A stored solution's: earns nothing. */
+    SOLUTION,
+    /** The player's of a try that is over. */
+    REPLAY
+}

@@ -1,0 +1,191 @@
+package rigibo.frontend.puzzle;
+
+import rigibo.frontend.puzzle.level.Level;
+import rigibo.frontend.puzzle.rules.Outcome;
+import rigibo.frontend.puzzle.rules.PuzzleGame;
+import rigibo.frontend.scene.Canvas;
+import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.Settings.Motion;
+import rigibo.frontend.scene.Words;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/** What stands round the play: the bar, the keys, what opens between, and the panel at the end. */
+final class Panels {
+
+    private final Session session;
+    private final View view;
+    private final Words words;
+    private final Hud hud;
+    private final KeyStrip keys = new KeyStrip();
+    private final EffectsDrawer effects;
+    private final HintPlate hint;
+    private final ButtonRow pause =
+            Hud.buttons(Command.RESUME, Command.RESTART, Command.LEVELS, Command.MENU);
+    private final ButtonRow stop = Hud.buttons(Command.STOP);
+    private Drawer open = Drawer.NONE;
+    private Optional<EndPanel> end = Optional.empty();
+
+    /** What is open between the bar and the play. */
+    enum Drawer {
+        NONE(View.BAR_FOOT),
+        EFFECTS(EffectsDrawer.FOOT),
+        HINT(HintPlate.FOOT);
+
+        /** Where the play begins, px. */
+        private final double foot;
+
+        Drawer(double foot) {
+            this.foot = foot;
+        }
+    }
+
+    Panels(Level level, Session session, View view, Words words) {
+        this.session = session;
+        this.view = view;
+        this.words = words;
+        hud = new Hud(level);
+        effects = new EffectsDrawer(new LevelEffects(level, session, words));
+        hint = new HintPlate(level.hint().in(words.locale()), !level.solutions().isEmpty());
+    }
+
+    /** Opens a drawer, or shuts it where it is open. */
+    void toggle(Drawer drawer) {
+        open = open == drawer ? Drawer.NONE : drawer;
+        view.fitBelow(open.foot);
+        end.ifPresent(panel -> panel.place(open.foot));
+    }
+
+    void shut() {
+        open = Drawer.NONE;
+        view.fitBelow(open.foot);
+    }
+
+    boolean isOpen(Drawer drawer) {
+        return open == drawer;
+    }
+
+    /** Says how a game ended, for as long as it is on the screen. */
+    void end(PuzzleGame game, boolean hasNext) {
+        end = Optional.of(new EndPanel(game, hasNext));
+        end.get().place(open.foot);
+    }
+
+    /** After each frame. */
+    void turn() {
+        end().ifPresent(EndPanel::turn);
+    }
+
+    private Optional<EndPanel> end() {
+        return end.filter(panel -> panel.isOf(session.game()));
+    }
+
+    /** The buttons that keys choose from now, where there are any. */
+    Optional<ButtonRow> buttons() {
+        if (session.isShowing()) {
+            return Optional.of(stop);
+        }
+        return session.isPaused() ? Optional.of(pause) : end().map(EndPanel::buttons);
+    }
+
+    void draw(Canvas canvas, Refusal refusal, boolean hasHint, Motion motion) {
+        if (session.isShowing()) {
+            canvas.frame(3, 3, Scene.WIDTH - 6, Scene.HEIGHT - 6, 12, Color.BRASS);
+            hud.drawShow(canvas, words, session, stop, motion);
+        } else if (session.isPaused()) {
+            hud.drawPaused(canvas, words, session, refusal, pause, motion);
+        } else {
+            hud.draw(canvas, words, session, refusal, motion);
+        }
+        switch (open) {
+            case NONE -> {}
+            case EFFECTS -> effects.draw(canvas);
+            case HINT -> hint.draw(canvas, words);
+        }
+        keys.draw(canvas, words, commands(hasHint), lit());
+        end().ifPresent(panel -> panel.draw(canvas, words, motion));
+    }
+
+    private List<Command> commands(boolean hasHint) {
+        if (session.isShowing()) {
+            return List.of(Command.PAUSE, Command.SLOWER, Command.STOP);
+        }
+        List<Command> commands =
+                new ArrayList<>(
+                        List.of(
+                                Command.RESTART,
+                                Command.UNDO,
+                                Command.PAUSE,
+                                Command.SLOWER,
+                                Command.EFFECTS));
+        if (hasHint) {
+            commands.add(Command.HINT);
+        }
+        commands.add(Command.MENU);
+        return commands;
+    }
+
+    private List<Command> lit() {
+        List<Command> lit = new ArrayList<>();
+        if (session.isPaused()) {
+            lit.add(Command.PAUSE);
+        }
+        if (session.pace() != Pace.FULL) {
+            lit.add(Command.SLOWER);
+        }
+        if (open == Drawer.EFFECTS) {
+            lit.add(Command.EFFECTS);
+        }
+        if (open == Drawer.HINT) {
+            lit.add(Command.HINT);
+        }
+        return lit;
+    }
+
+    /** The command of the button at a point. */
+    Optional<Command> at(double x, double y) {
+        Optional<Command> command = buttons().flatMap(row -> row.point(x, y));
+        if (command.isEmpty() && open == Drawer.HINT && hint.isOnSolution(x, y)) {
+            return Optional.of(Command.SOLUTION);
+        }
+        return command.or(() -> keys.at(x, y));
+    }
+
+    /** Whether a point lies on a panel, so that a click there is none on the play. */
+    boolean cover(double x, double y) {
+        return y < open.foot
+                || KeyStrip.contains(y)
+                || end().filter(p -> p.contains(x, y)).isPresent();
+    }
+
+    /** A click on a panel where no button is. */
+    void press(double x, double y) {
+        if (open == Drawer.EFFECTS) {
+            effects.pointerPressed(x, y);
+        }
+    }
+
+    void pointerMoved(double x, double y) {
+        buttons().ifPresent(row -> row.point(x, y));
+        keys.pointerMoved(x, y);
+        effects.pointerMoved(x, y);
+    }
+
+    /** After each frame that was drawn. */
+    void drawn() {
+        if (open == Drawer.EFFECTS) {
+            effects.drawn();
+        }
+    }
+
+    void close() {
+        effects.close();
+    }
+
+    boolean isOver() {
+        return session.game().outcome() != Outcome.RUNNING;
+    }
+}

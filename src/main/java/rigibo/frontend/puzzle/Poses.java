@@ -1,0 +1,41 @@
+package rigibo.frontend.puzzle;
+
+import rigibo.backend.Pool;
+import rigibo.backend.RigidBody;
+
+import java.util.IdentityHashMap;
+import java.util.Map;
+
+/** Where the bodies were before the last step, so that slow motion moves between the steps. */
+final class Poses {
+
+    private final Map<RigidBody, Pose> before = new IdentityHashMap<>();
+
+    /** To be called before each step. */
+    void remember(Pool pool) {
+        before.clear();
+        for (RigidBody body : pool.bodies()) {
+            before.put(body, Pose.of(body));
+        }
+    }
+
+    /** Of another game from now on. */
+    void forget() {
+        before.clear();
+    }
+
+    /**
+     * Where a body is seen.
+     *
+     * @param share of the way from the last step's beginning to its end, 0 to 1
+     */
+    Pose of(RigidBody body, double share) {
+        Pose now = Pose.of(body);
+        return before.getOrDefault(body, now).towards(now, share);
+    }
+
+    /** Where a body was that the last step deleted. */
+    Pose last(RigidBody deleted) {
+        return before.get(deleted);
+    }
+}

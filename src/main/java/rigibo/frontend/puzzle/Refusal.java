@@ -1,0 +1,107 @@
+package rigibo.frontend.puzzle;
+
+import rigibo.frontend.puzzle.level.Steps;
+import rigibo.frontend.puzzle.rules.ClickResult;
+import rigibo.frontend.scene.Canvas;
+import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Settings.Motion;
+
+import java.util.Optional;
+
+/** Shows that a click was refused, and why: none is silently lost. */
+final class Refusal {
+
+    /** How long something shakes. */
+    private static final int SHAKING_TURNS = Steps.of(0.3);
+
+    /** How long a refusal is seen: long enough to read its words. */
+    private static final int SEEN_TURNS = Steps.of(1.2);
+
+    private static final double SWING = 5;
+
+    /** Half the width of the cross, px. */
+    private static final double CROSS = 9;
+
+    /** Why, if anything is refused. */
+    private Optional<Reason> reason = Optional.empty();
+
+    private double x;
+    private double y;
+    private int turnsLeft;
+
+    /** Why nothing is deleted. */
+    enum Reason {
+        COOLING_DOWN,
+        NOT_DELETABLE,
+        NO_CLICKS_LEFT,
+        NOTHING_THERE,
+        /** Nothing is left to undo. */
+        NO_UNDO,
+        NO_HINT_YET,
+        /** What is shown is not the player's. */
+        SHOWING,
+        OVER
+    }
+
+    /** Refuses something at a place of the screen, px. */
+    void refuse(Reason why, double atX, double atY) {
+        reason = Optional.of(why);
+        x = atX;
+        y = atY;
+        turnsLeft = SEEN_TURNS;
+    }
+
+    /** Tells what became of a click at a place of the screen, px. */
+    void answer(ClickResult result, double atX, double atY) {
+        switch (result) {
+            case DELETED -> forget();
+            case COOLING_DOWN -> refuse(Reason.COOLING_DOWN, atX, atY);
+            case NOT_DELETABLE -> refuse(Reason.NOT_DELETABLE, atX, atY);
+            case NO_CLICKS_LEFT -> refuse(Reason.NO_CLICKS_LEFT, atX, atY);
+            case NOTHING_THERE -> refuse(Reason.NOTHING_THERE, atX, atY);
+            case OVER -> refuse(Reason.OVER, atX, atY);
+        }
+    }
+
+    void forget() {
+        reason = Optional.empty();
+    }
+
+    /** After each frame. */
+    void turn() {
+        turnsLeft = Math.max(0, turnsLeft - 1);
+        if (turnsLeft == 0) {
+            forget();
+        }
+    }
+
+    /** What is refused now. */
+    Optional<Reason> reason() {
+        return reason;
+    }
+
+    boolean is(Reason why) {
+        return reason.filter(why::equals).isPresent();
+    }
+
+    /** How far aside that stands which is refused, px; never, where motion is reduced. */
+    double shake(Motion motion) {
+        int shaking = turnsLeft - (SEEN_TURNS - SHAKING_TURNS);
+        boolean isStill = motion == Motion.REDUCED || reason.isEmpty() || shaking <= 0;
+        return isStill ? 0 : SWING * Math.sin(1.4 * shaking);
+    }
+
+    /** A small cross where it was refused. */
+    void draw(Canvas canvas) {
+        if (reason.isPresent()) {
+            cross(canvas, x, y, CROSS + 2, 6, Color.DUSK_TOP);
+            cross(canvas, x, y, CROSS, 3, Color.BAD);
+        }
+    }
+
+    private static void cross(
+            Canvas canvas, double x, double y, double arm, double width, Color color) {
+        canvas.line(x - arm, y - arm, x + arm, y + arm, width, color);
+        canvas.line(x - arm, y + arm, x + arm, y - arm, width, color);
+    }
+}

@@ -1,0 +1,82 @@
+package rigibo.frontend.puzzle;
+
+import rigibo.backend.RigidBody;
+import rigibo.frontend.puzzle.level.Steps;
+import rigibo.frontend.puzzle.rules.Deletion;
+import rigibo.frontend.puzzle.rules.Piece;
+import rigibo.frontend.puzzle.rules.Playback;
+import rigibo.frontend.scene.Camera;
+import rigibo.frontend.scene.Canvas;
+import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Scene;
+
+import java.util.Optional;
+
+/** The pointer of what is shown: it goes to each box in time for its deletion. */
+final class ShownPointer {
+
+    /** How long it is on its way. */
+    private static final int WAY = Steps.of(0.7);
+
+    /** How long a click is seen. */
+    private static final int RIPPLE = Steps.of(0.4);
+
+    private final Camera camera;
+    private double fromX = Scene.WIDTH / 2.0;
+    private double fromY = View.KEYS_TOP;
+    private int rippleTurns;
+
+    ShownPointer(Camera camera) {
+        this.camera = camera;
+    }
+
+    /** A box was deleted at a place of the world, m. */
+    void clicked(double worldX, double worldY) {
+        fromX = camera.screenX(worldX);
+        fromY = camera.screenY(worldY);
+        rippleTurns = RIPPLE;
+    }
+
+    /** After each frame. */
+    void turn() {
+        rippleTurns = Math.max(0, rippleTurns - 1);
+    }
+
+    void draw(Canvas canvas, Playback playback) {
+        Optional<RigidBody> next = playback.upcoming().flatMap(to -> body(playback, to));
+        int left = playback.upcoming().map(to -> to.step() - playback.game().steps()).orElse(WAY);
+        double share = Math.max(0, Math.min(1, 1 - left / (double) WAY));
+        double x = next.map(body -> between(fromX, camera.screenX(body.x()), share)).orElse(fromX);
+        double y = next.map(body -> between(fromY, camera.screenY(body.y()), share)).orElse(fromY);
+        if (rippleTurns > 0) {
+            double radius = 10 + 20 * (1 - rippleTurns / (double) RIPPLE);
+            canvas.ring(fromX, fromY, radius, 3, 1, Color.BRASS);
+        }
+        drawArrow(canvas, x, y);
+    }
+
+    private static Optional<RigidBody> body(Playback playback, Deletion deletion) {
+        return playback.game().pieces().stream()
+                .filter(piece -> piece.definition().id().equals(deletion.body()))
+                .filter(Piece::isDeletable)
+                .map(Piece::body)
+                .findFirst();
+    }
+
+    private static double between(double from, double to, double share) {
+        return from + (to - from) * share;
+    }
+
+    /** An arrow as pointers are, bright with a dark edge. */
+    private static void drawArrow(Canvas canvas, double x, double y) {
+        drawArrow(canvas, x, y, 8, Color.DUSK_TOP);
+        drawArrow(canvas, x, y, 4, Color.BRASS);
+    }
+
+    private static void drawArrow(Canvas canvas, double x, double y, double width, Color color) {
+        canvas.line(x, y, x, y + 22, width, color);
+        canvas.line(x, y, x + 16, y + 16, width, color);
+        canvas.line(x, y + 22, x + 16, y + 16, width, color);
+        canvas.line(x + 6, y + 17, x + 11, y + 28, width, color);
+    }
+}

@@ -1,0 +1,97 @@
+package rigibo.frontend.puzzle;
+
+import rigibo.backend.RigidBody;
+import rigibo.backend.geometry.Aabb;
+import rigibo.backend.geometry.Shape;
+import rigibo.frontend.puzzle.rules.Piece;
+import rigibo.frontend.puzzle.rules.PuzzleGame;
+import rigibo.frontend.scene.Camera;
+import rigibo.frontend.scene.Canvas;
+import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Skin;
+
+import java.util.Optional;
+
+/** Draws a level's bodies, and marks the one that is meant. */
+final class Stage {
+
+    /** Between a chosen box and the corners round it, px. */
+    private static final double CORNER_GAP = 6;
+
+    private static final double CORNER_LENGTH = 12;
+
+    private final Session session;
+    private final Camera camera;
+    private final Aabb bounds = new Aabb();
+
+    Stage(Session session, Camera camera) {
+        this.session = session;
+        this.camera = camera;
+    }
+
+    /** All bodies; the one that is meant is lifted where a click would delete it. */
+    void draw(Canvas canvas, Optional<Piece> meant) {
+        PuzzleGame game = session.game();
+        Pose ball = session.pose(game.ball());
+        canvas.camera(camera);
+        canvas.gaze(ball.x(), ball.y());
+        body(canvas, game.platform(), Skin.WOOD, Canvas.Mood.PLAIN);
+        for (Piece piece : game.pieces()) {
+            if (piece.body().isAlive()) {
+                boolean isMeant = piece.isDeletable() && meant.filter(piece::equals).isPresent();
+                Canvas.Mood mood = isMeant ? Canvas.Mood.HOVERED : Canvas.Mood.PLAIN;
+                body(canvas, piece.body(), skin(piece), mood);
+            }
+        }
+        body(canvas, game.ball(), Skin.BALL, Canvas.Mood.PLAIN);
+    }
+
+    private void body(Canvas canvas, RigidBody body, Skin skin, Canvas.Mood mood) {
+        Pose pose = session.pose(body);
+        canvas.body(body.shape(), pose.x(), pose.y(), pose.angle(), skin, mood);
+    }
+
+    /** The outline of a body a little aside, px. */
+    void drawOutline(Canvas canvas, Piece piece, double aside) {
+        Pose pose = session.pose(piece.body());
+        canvas.body(
+                piece.body().shape(),
+                pose.x() + aside / camera.scale(),
+                pose.y(),
+                pose.angle(),
+                skin(piece),
+                Canvas.Mood.GHOST);
+    }
+
+    /** Four corners round a box that keys have chosen. */
+    void drawChosen(Canvas canvas, Piece piece) {
+        Pose pose = session.pose(piece.body());
+        Shape shape = piece.body().shape();
+        shape.bounds(pose.x(), pose.y(), Math.cos(pose.angle()), Math.sin(pose.angle()), bounds);
+        double left = camera.screenX(bounds.minX) - CORNER_GAP;
+        double right = camera.screenX(bounds.maxX) + CORNER_GAP;
+        double top = camera.screenY(bounds.maxY) - CORNER_GAP;
+        double bottom = camera.screenY(bounds.minY) + CORNER_GAP;
+        corner(canvas, left, top, CORNER_LENGTH, CORNER_LENGTH);
+        corner(canvas, right, top, -CORNER_LENGTH, CORNER_LENGTH);
+        corner(canvas, left, bottom, CORNER_LENGTH, -CORNER_LENGTH);
+        corner(canvas, right, bottom, -CORNER_LENGTH, -CORNER_LENGTH);
+    }
+
+    private static void corner(Canvas canvas, double x, double y, double across, double down) {
+        canvas.line(x, y, x + across, y, 3, Color.TEXT);
+        canvas.line(x, y, x, y + down, 3, Color.TEXT);
+    }
+
+    private static Skin skin(Piece piece) {
+        return switch (piece.definition().substance()) {
+            case RIGIBO -> Skin.RIGIBO;
+            case STONE -> Skin.STONE;
+            case PLANK -> Skin.WOOD;
+            case ICE -> Skin.ICE;
+            case RUBBER -> Skin.RUBBER;
+            case IRON -> Skin.IRON;
+            case BALL -> Skin.BALL;
+        };
+    }
+}

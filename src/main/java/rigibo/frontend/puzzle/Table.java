@@ -1,0 +1,195 @@
+package rigibo.frontend.puzzle;
+
+import rigibo.frontend.puzzle.rules.ClickResult;
+import rigibo.frontend.puzzle.rules.Deletion;
+import rigibo.frontend.puzzle.rules.Outcome;
+import rigibo.frontend.puzzle.rules.Piece;
+import rigibo.frontend.puzzle.rules.PuzzleGame;
+import rigibo.frontend.scene.Camera;
+import rigibo.frontend.scene.Canvas;
+import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Key;
+import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.Settings.Motion;
+
+import java.util.List;
+import java.util.Optional;
+
+/** The play itself: the bodies, the rings, what flies about, and the pointer over them. */
+final class Table {
+
+    /** From the ball to its ring, px. */
+    private static final double RING_GAP = 8;
+
+    /** How dim all is once it is lost. */
+    private static final double VEIL = 0.6;
+
+    private final Session session;
+    private final Camera camera;
+    private final Stage stage;
+    private final Cursor cursor;
+    private final HoldRing ring;
+    private final Refusal refusal = new Refusal();
+    private final Splinters splinters = new Splinters();
+    private ShownPointer shownPointer;
+
+    /** The game that was on the screen in the last frame. */
+    private PuzzleGame seen;
+
+    Table(Session session, Camera camera) {
+        this.session = session;
+        this.camera = camera;
+        seen = session.game();
+        stage = new Stage(session, camera);
+        cursor = new Cursor(camera);
+        ring = new HoldRing(seen.level().limits().hold());
+        shownPointer = new ShownPointer(camera);
+    }
+
+    /** One frame of 1/60 s. */
+    void frame() {
+        int clicks = session.game().clicks();
+        boolean isStep = session.frame();
+        if (session.game() != seen) {
+            begin();
+        } else if (isStep) {
+            ring.observe(seen);
+            showDeletions(clicks);
+        }
+        ring.turn();
+        refusal.turn();
+        splinters.step();
+        shownPointer.turn();
+    }
+
+    /** Another game is on the screen. */
+    private void begin() {
+        seen = session.game();
+        ring.reset(seen);
+        refusal.forget();
+        cursor.letGo();
+        shownPointer = new ShownPointer(camera);
+    }
+
+    /** What a show has deleted in the last step. */
+    private void showDeletions(int clicksBefore) {
+        List<Deletion> deletions = seen.replay().deletions();
+        for (Deletion deletion : deletions.subList(clicksBefore, deletions.size())) {
+            seen.pieces().stream()
+                    .filter(piece -> piece.definition().id().equals(deletion.body()))
+                    .forEach(
+                            piece -> {
+                                Pose pose = session.lastPose(piece.body());
+                                burst(piece, pose);
+                                shownPointer.clicked(pose.x(), pose.y());
+                            });
+        }
+    }
+
+    /** The body is gone by now; its last place is told. */
+    private void burst(Piece piece, Pose pose) {
+        splinters.burst(pose.x(), pose.y(), piece.definition().shape().smallestWidth());
+    }
+
+    /** Confetti, where nothing is against it. */
+    void celebrate(Motion motion) {
+        if (motion == Motion.FULL) {
+            splinters.celebrate(seen.ball().x(), seen.ball().y());
+        }
+    }
+
+    void draw(Canvas canvas, Motion motion) {
+        PuzzleGame game = session.game();
+        boolean isOwn = !session.isShowing();
+        stage.draw(canvas, isOwn ? cursor.under(game) : Optional.empty());
+        drawRefused(canvas, game, motion);
+        splinters.draw(canvas);
+        Pose ball = session.pose(game.ball());
+        double radius = game.ball().shape().boundingRadius() * camera.scale() + RING_GAP;
+        ring.draw(canvas, camera.screenX(ball.x()), camera.screenY(ball.y()), radius, motion);
+        if (game.outcome() == Outcome.LOST) {
+            canvas.panel(0, 0, Scene.WIDTH, Scene.HEIGHT, 0, Color.DUSK_TOP.alpha(VEIL));
+        }
+        cursor.chosen(game).ifPresent(piece -> stage.drawChosen(canvas, piece));
+        session.show().ifPresent(show -> shownPointer.draw(canvas, show));
+    }
+
+    /** The outline of what cannot be deleted shakes where the click was. */
+    private void drawRefused(Canvas canvas, PuzzleGame game, Motion motion) {
+        if (refusal.is(Refusal.Reason.NOT_DELETABLE)) {
+            double aside = refusal.shake(motion);
+            cursor.under(game).ifPresent(piece -> stage.drawOutline(canvas, piece, aside));
+        }
+    }
+
+    /** What is drawn at the pointer, above everything else: the cooldown and the cross. */
+    void drawPointer(Canvas canvas, Motion motion) {
+        PuzzleGame game = session.game();
+        if (!session.isShowing()) {
+            CooldownRing.drawAtPointer(
+                    canvas, cursor.x(game), cursor.y(game), game, refusal, motion);
+        }
+        refusal.draw(canvas);
+    }
+
+    /** A click at a place of the screen, px. */
+    void click(double x, double y) {
+        PuzzleGame game = session.game();
+        if (session.isShowing()) {
+            refusal.refuse(Refusal.Reason.SHOWING, x, y);
+            return;
+        }
+        double worldX = camera.worldX(x);
+        double worldY = camera.worldY(y);
+        Optional<Piece> under = game.pieceAt(worldX, worldY);
+        Optional<Pose> pose = under.map(piece -> session.pose(piece.body()));
+        ClickResult result = game.click(worldX, worldY);
+        refusal.answer(result, x, y);
+        if (result == ClickResult.DELETED) {
+            burst(under.orElseThrow(), pose.orElseThrow());
+        }
+    }
+
+    /** Deletes the box that keys chose; returns whether there is one. */
+    boolean deleteChosen() {
+        Optional<Piece> chosen = cursor.chosen(session.game());
+        if (session.isShowing() || chosen.isEmpty()) {
+            return false;
+        }
+        Pose pose = session.pose(chosen.get().body());
+        double x = cursor.x(session.game());
+        double y = cursor.y(session.game());
+        ClickResult result = session.game().delete(chosen.get().definition().id());
+        refusal.answer(result, x, y);
+        if (result == ClickResult.DELETED) {
+            burst(chosen.get(), pose);
+            cursor.point(x, y);
+        }
+        return true;
+    }
+
+    /** Refuses what keys asked for, at the pointer. */
+    void refuse(Refusal.Reason why) {
+        refusal.refuse(why, cursor.x(session.game()), cursor.y(session.game()));
+    }
+
+    Refusal refusal() {
+        return refusal;
+    }
+
+    void point(double x, double y) {
+        cursor.point(x, y);
+    }
+
+    void letGo() {
+        cursor.letGo();
+    }
+
+    void cycle(int direction) {
+        cursor.cycle(session.game(), direction);
+    }
+
+    void move(Key arrow) {
+        cursor.move(session.game(), arrow);
+    }
+}

@@ -1,0 +1,50 @@
+package rigibo.frontend.puzzle;
+
+import rigibo.frontend.puzzle.level.Level;
+import rigibo.frontend.puzzle.rules.Outcome;
+import rigibo.frontend.puzzle.rules.PuzzleGame;
+import rigibo.frontend.scene.Director;
+
+/** Tells how tries ended to whoever keeps it; an experiment counts for nothing. */
+final class Tally {
+
+    /** After so many failures there is a hint. */
+    static final int PATIENCE = 3;
+
+    private final Director director;
+    private final Level level;
+    private final long hash;
+
+    Tally(Director director, Level level) {
+        this.director = director;
+        this.level = level;
+        hash = level.hash();
+    }
+
+    /** A try is won or lost. */
+    void ended(PuzzleGame game) {
+        if (game.isSolved()) {
+            director.progress(director.progress().solved(level.id(), hash, game.clicks()));
+        } else if (game.outcome() == Outcome.LOST) {
+            failed(game);
+        }
+    }
+
+    /** A try is left before its end: a failure, unless nothing was tried. */
+    void givenUp(PuzzleGame game) {
+        if (game.outcome() == Outcome.RUNNING && game.clicks() > 0) {
+            failed(game);
+        }
+    }
+
+    private void failed(PuzzleGame game) {
+        if (!game.isExperiment()) {
+            director.progress(director.progress().failed(level.id(), hash));
+        }
+    }
+
+    /** Failures that are still missing before there is a hint, 0 when it may be shown. */
+    int failuresToHint() {
+        return Math.max(0, PATIENCE - director.progress().of(level.id(), hash).failures());
+    }
+}

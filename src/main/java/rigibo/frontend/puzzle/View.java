@@ -1,0 +1,46 @@
+package rigibo.frontend.puzzle;
+
+import rigibo.frontend.puzzle.level.World;
+import rigibo.frontend.scene.Camera;
+import rigibo.frontend.scene.Scene;
+
+/**
+ * Keeps the play between the bar at the top and the keys at the bottom. Levels leave a little of
+ * their world free for the two; whatever else opens below the bar makes the picture smaller.
+ */
+final class View {
+
+    /** Below the bar with title and clicks, px. */
+    static final double BAR_FOOT = 56;
+
+    /** Above the keys, px. */
+    static final double KEYS_TOP = Scene.HEIGHT - 32;
+
+    /** What levels keep free at their upper and lower edges, m. */
+    private static final double SKY = 0.7;
+
+    private static final double GROUND = 0.4;
+
+    private final World world;
+    private final Camera camera;
+
+    View(World world) {
+        this.world = world;
+        camera = new Camera(world.width() / 2, world.height() / 2, Camera.DEFAULT_SCALE);
+        fitBelow(BAR_FOOT);
+    }
+
+    Camera camera() {
+        return camera;
+    }
+
+    /** Has the play begin at a height of the window, px. */
+    void fitBelow(double foot) {
+        double room = KEYS_TOP - foot;
+        double scale =
+                Math.min(Scene.WIDTH / world.width(), room / (world.height() - SKY - GROUND));
+        double middle = (GROUND + world.height() - SKY) / 2;
+        double aside = (foot + room / 2 - Scene.HEIGHT / 2.0) / scale;
+        camera.look(world.width() / 2, middle + aside, scale);
+    }
+}
