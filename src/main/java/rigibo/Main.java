@@ -18,6 +18,7 @@ import java.io.PrintWriter;
             TourCommand.class,
             MeasureCommand.class,
             LevelsCommand.class,
+            ReplayCommand.class,
             CasesCommand.class,
             LabCommand.class,
             BenchCommand.class,

@@ -23,7 +23,15 @@ class MainTest {
         assertThat(run("help")).isZero();
         assertThat(out.toString())
                 .contains(
-                        "Usage: rigibo", "play", "tour", "levels", "cases", "lab", "bench", "help");
+                        "Usage: rigibo",
+                        "play",
+                        "tour",
+                        "levels",
+                        "replay",
+                        "cases",
+                        "lab",
+                        "bench",
+                        "help");
     }
 
     @Test

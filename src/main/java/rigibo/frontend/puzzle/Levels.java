@@ -19,16 +19,22 @@ public final class Levels {
 
     /** An entry for each level of the game that can be played, in the order of their files. */
     public static List<SceneEntry> entries() {
-        LevelLoader loader = new LevelLoader();
-        List<Level> levels = new ArrayList<>();
-        for (Path file : LevelShelf.files()) {
-            loader.load(file).level().ifPresent(levels::add);
-        }
+        List<Level> levels = all();
         List<SceneEntry> entries = new ArrayList<>();
         for (int i = 0; i < levels.size(); i++) {
             entries.add(entry(levels, i));
         }
         return entries;
+    }
+
+    /** The levels of the game that can be played, in the order of their files. */
+    static List<Level> all() {
+        LevelLoader loader = new LevelLoader();
+        List<Level> levels = new ArrayList<>();
+        for (Path file : LevelShelf.files()) {
+            loader.load(file).level().ifPresent(levels::add);
+        }
+        return levels;
     }
 
     /**
@@ -37,9 +43,17 @@ public final class Levels {
      * @throws IllegalArgumentException with all that is wrong with the file, a line each
      */
     public static SceneEntry entry(Path file) {
+        return entry(List.of(level(file)), 0);
+    }
+
+    /**
+     * The level of a file.
+     *
+     * @throws IllegalArgumentException with all that is wrong with the file, a line each
+     */
+    static Level level(Path file) {
         LoadedLevel loaded = new LevelLoader().load(file);
         return loaded.level()
-                .map(level -> entry(List.of(level), 0))
                 .orElseThrow(() -> new IllegalArgumentException(words(loaded.problems())));
     }
 

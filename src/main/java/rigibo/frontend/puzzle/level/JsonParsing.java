@@ -16,9 +16,9 @@ import java.util.Optional;
 
 /**
  * Reads one JSON document with the place of every value. The library's own tree reader would stop
- * at the first duplicate key and keep no places; a level author wants all of it at once.
+ * at the first duplicate key and keep no places; an author wants all of it at once.
  */
-final class JsonParsing {
+public final class JsonParsing {
 
     private static final JsonNodeFactory NODES = JsonNodeFactory.instance;
 
@@ -33,7 +33,7 @@ final class JsonParsing {
     }
 
     /** The document, or nothing after telling why the text is no JSON. */
-    static Optional<LocatedJson> parse(String text, Problems problems) {
+    public static Optional<LocatedJson> parse(String text, Problems problems) {
         try (JsonParser parser =
                 JsonFactory.builder()
                         .build()
@@ -45,12 +45,12 @@ final class JsonParsing {
     private Optional<LocatedJson> document() {
         try {
             if (parser.nextToken() == null) {
-                problems.error(Place.START, "", "the file is empty, expected a level");
+                problems.error(Place.START, "", "the file is empty");
                 return Optional.empty();
             }
             JsonNode root = value();
             if (parser.nextToken() != null) {
-                problems.error(here(), "", "not JSON: text after the end of the level");
+                problems.error(here(), "", "not JSON: text after the end");
                 return Optional.empty();
             }
             return Optional.of(new LocatedJson(root, places));

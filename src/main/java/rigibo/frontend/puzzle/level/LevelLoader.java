@@ -1,7 +1,5 @@
 package rigibo.frontend.puzzle.level;
 
-import tools.jackson.databind.JsonNode;
-
 import java.nio.file.Path;
 import java.util.Optional;
 
@@ -14,12 +12,12 @@ public final class LevelLoader {
     /** The format this version reads. */
     static final int FORMAT = 1;
 
-    private final LevelSchema schema = new LevelSchema();
+    private final JsonSchema schema = new JsonSchema(LevelShelf.SCHEMA);
 
     /** Reads a file; what cannot be read is a problem like any other. */
     public LoadedLevel load(Path file) {
         Problems problems = new Problems(file.toString());
-        return LevelText.read(file, problems)
+        return FileText.read(file, problems)
                 .map(text -> parse(text, problems))
                 .orElseGet(() -> new LoadedLevel(Optional.empty(), Optional.empty(), problems));
     }
@@ -39,15 +37,7 @@ public final class LevelLoader {
     }
 
     private Optional<Level> read(LocatedJson json, Problems problems) {
-        JsonNode format = json.node("/format");
-        if (format.isInt() && format.asInt() > FORMAT) {
-            problems.error(
-                    json.at("/format"),
-                    "/format",
-                    "made for a newer RigiBo (format "
-                            + format.asInt()
-                            + "); this version reads "
-                            + FORMAT);
+        if (FormatRule.isNewer(json, FORMAT, problems)) {
             return Optional.empty();
         }
         schema.check(json, problems);

@@ -26,6 +26,9 @@ public final class LevelShelf {
     private static final Comparator<Path> BY_NUMBER =
             Comparator.comparingInt(LevelShelf::number).thenComparing(LevelShelf::name);
 
+    /** What level files are held against, among the class path's resources. */
+    static final String SCHEMA = "/levels/level.schema.json";
+
     private LevelShelf() {}
 
     /** The files {@code NN-name.json}, in the order of their numbers. */
@@ -52,9 +55,9 @@ public final class LevelShelf {
     }
 
     private static Path packaged() {
-        URL schema = LevelShelf.class.getResource(LevelSchema.RESOURCE);
+        URL schema = LevelShelf.class.getResource(SCHEMA);
         if (schema == null) {
-            throw new IllegalStateException(LevelSchema.RESOURCE + " is missing");
+            throw new IllegalStateException(SCHEMA + " is missing");
         }
         try {
             return path(schema.toURI()).getParent();

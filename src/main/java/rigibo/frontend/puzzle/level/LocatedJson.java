@@ -10,10 +10,10 @@ import java.util.Map;
  * @param root the document
  * @param places by JSON pointer; a member's place is that of its value
  */
-record LocatedJson(JsonNode root, Map<String, Place> places) {
+public record LocatedJson(JsonNode root, Map<String, Place> places) {
 
     /** Where a value begins; that of the nearest value around it when there is none. */
-    Place at(String pointer) {
+    public Place at(String pointer) {
         String here = pointer;
         while (!here.isEmpty() && !places.containsKey(here)) {
             here = here.substring(0, here.lastIndexOf('/'));
@@ -21,7 +21,8 @@ record LocatedJson(JsonNode root, Map<String, Place> places) {
         return places.getOrDefault(here, Place.START);
     }
 
-    JsonNode node(String pointer) {
+    /** The value at a pointer; a missing node where there is none. */
+    public JsonNode node(String pointer) {
         return root.at(pointer);
     }
 }

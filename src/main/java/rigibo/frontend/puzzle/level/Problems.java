@@ -33,7 +33,7 @@ public final class Problems {
     }
 
     /** Whether an error lies at this pointer or below it. */
-    boolean spoil(String pointer) {
+    public boolean spoil(String pointer) {
         return found.stream()
                 .filter(Problem::isError)
                 .map(Problem::pointer)

@@ -6,12 +6,12 @@ import java.util.Locale;
 import java.util.stream.Collectors;
 
 /** Guesses which known word was meant by an unknown one. */
-final class Suggestion {
+public final class Suggestion {
 
     private Suggestion() {}
 
     /** {@code , did you mean "legL"?}, or nothing where no known word is near. */
-    static String among(Collection<String> known, String word) {
+    public static String among(Collection<String> known, String word) {
         // A third of the letters wrong is still a slip; more is another word.
         int most = Math.max(1, (word.length() + 1) / 3);
         return known.stream()
@@ -22,7 +22,7 @@ final class Suggestion {
     }
 
     /** The known words in a row, for messages. */
-    static String list(Collection<String> known) {
+    public static String list(Collection<String> known) {
         return known.stream().collect(Collectors.joining(", "));
     }
 

@@ -23,6 +23,7 @@ public final class PuzzleGame {
     private final Cooldown cooldown;
     private final HoldClock hold;
     private final RestWatch rest = new RestWatch();
+    private final Trace trace = new Trace();
     private final List<Deletion> deletions = new ArrayList<>();
     private Outcome outcome = Outcome.RUNNING;
     private Optional<Loss> loss = Optional.empty();
@@ -37,6 +38,7 @@ public final class PuzzleGame {
         board = Board.of(level, accuracy);
         cooldown = new Cooldown(Steps.of(limits.cooldown()));
         hold = new HoldClock(Steps.of(limits.hold()), Steps.of(limits.contactGrace()));
+        trace.observe(steps, outcome, board.pool());
     }
 
     /** Advances by 1/60 s. */
@@ -47,6 +49,7 @@ public final class PuzzleGame {
         rest.observe(board);
         if (outcome == Outcome.RUNNING) {
             judge();
+            trace.observe(steps, outcome, board.pool());
         }
     }
 
@@ -217,6 +220,11 @@ public final class PuzzleGame {
     /** Whether the level is solved as it is meant to be. */
     public boolean isSolved() {
         return outcome == Outcome.WON && !isExperiment;
+    }
+
+    /** The game's states from its start to its end, every so many steps. */
+    public List<Checkpoint> checkpoints() {
+        return trace.checkpoints();
     }
 
     /**

@@ -43,8 +43,8 @@ class LevelFilesTest {
 
     @Test
     void aHugeFileIsNotReadToItsEnd() throws IOException {
-        assertThat(problems(file(new byte[LevelText.MOST_BYTES + 1])))
-                .containsExactly("1:1 is larger than 1000000 bytes, the most of a level");
+        assertThat(problems(file(new byte[FileText.MOST_BYTES + 1])))
+                .containsExactly("1:1 is larger than 1000000 bytes, the most we read");
     }
 
     @Test
@@ -61,10 +61,10 @@ class LevelFilesTest {
 
     static Stream<Arguments> malformed() {
         return Stream.of(
-                Arguments.of("", "1:1 the file is empty, expected a level"),
+                Arguments.of("", "1:1 the file is empty"),
                 Arguments.of("{\n  \"format\": 1,\n  \"id\": ?\n}", "3:9 not JSON: "),
                 Arguments.of("{\"format\": 1", "1:13 not JSON: "),
-                Arguments.of("{} {}", "1:4 not JSON: text after the end of the level"),
+                Arguments.of("{} {}", "1:4 not JSON: text after the end"),
                 Arguments.of("[".repeat(100_000), "1:501 not JSON: "));
     }
 

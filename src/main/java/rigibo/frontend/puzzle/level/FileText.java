@@ -11,18 +11,18 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.Optional;
 
-/** Reads a level file's text, whatever the file really is. */
-final class LevelText {
+/** Reads a file's text, whatever the file really is. */
+public final class FileText {
 
-    /** A level of 500 bodies takes about 100 kB; far above it the file is something else. */
+    /** A level of 500 bodies takes about 100 kB; far above it a file is something else. */
     static final int MOST_BYTES = 1_000_000;
 
     private static final String BYTE_ORDER_MARK = "\uFEFF";
 
-    private LevelText() {}
+    private FileText() {}
 
     /** The text, or nothing after telling why there is none. */
-    static Optional<String> read(Path file, Problems problems) {
+    public static Optional<String> read(Path file, Problems problems) {
         try {
             return Files.isDirectory(file)
                     ? refused(problems, "cannot be read: it is a folder")
@@ -45,8 +45,7 @@ final class LevelText {
 
     private static Optional<String> decode(byte[] bytes, Problems problems) {
         if (bytes.length > MOST_BYTES) {
-            return refused(
-                    problems, "is larger than " + MOST_BYTES + " bytes, the most of a level");
+            return refused(problems, "is larger than " + MOST_BYTES + " bytes, the most we read");
         }
         try {
             String text =

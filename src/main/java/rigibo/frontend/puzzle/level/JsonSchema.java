@@ -18,24 +18,22 @@ import java.util.List;
 import java.util.Locale;
 import java.util.stream.StreamSupport;
 
-/** Compares a level file with {@code level.schema.json} and words what differs. */
-final class LevelSchema {
-
-    /** The schema among the class path's resources. */
-    static final String RESOURCE = "/levels/level.schema.json";
+/** Compares a file with its JSON schema and words what differs. */
+public final class JsonSchema {
 
     private final Schema schema;
 
-    LevelSchema() {
+    /** The schema of a name among the class path's resources. */
+    public JsonSchema(String resource) {
         schema =
                 SchemaRegistry.withDefaultDialect(SpecificationVersion.DRAFT_2020_12)
-                        .getSchema(text(), InputFormat.JSON);
+                        .getSchema(text(resource), InputFormat.JSON);
     }
 
-    private static String text() {
-        try (InputStream in = LevelSchema.class.getResourceAsStream(RESOURCE)) {
+    private static String text(String resource) {
+        try (InputStream in = JsonSchema.class.getResourceAsStream(resource)) {
             if (in == null) {
-                throw new IllegalStateException(RESOURCE + " is missing from the class path");
+                throw new IllegalStateException(resource + " is missing from the class path");
             }
             return new String(in.readAllBytes(), StandardCharsets.UTF_8);
         } catch (IOException broken) {
@@ -43,15 +41,16 @@ final class LevelSchema {
         }
     }
 
-    void check(LocatedJson level, Problems problems) {
+    /** Tells everything that the schema forbids. */
+    public void check(LocatedJson json, Problems problems) {
         List<Error> errors =
                 schema.validate(
-                        level.root(),
+                        json.root(),
                         context ->
                                 context.executionConfig(config -> config.locale(Locale.ENGLISH)));
         for (Error error : errors) {
             String pointer = pointer(error);
-            problems.error(level.at(pointer), pointer, sentence(error));
+            problems.error(json.at(pointer), pointer, sentence(error));
         }
     }
 

@@ -1,0 +1,37 @@
+package rigibo.frontend.puzzle;
+
+import rigibo.frontend.puzzle.level.Level;
+import rigibo.frontend.puzzle.replay.LoadedReplay;
+import rigibo.frontend.puzzle.replay.ReplayLoader;
+
+import java.nio.file.Path;
+import java.util.List;
+
+/** Solved runs from files, of the levels of the game or of one level. */
+public final class Replays {
+
+    private final ReplayLoader loader;
+
+    private Replays(List<Level> levels) {
+        loader = new ReplayLoader(levels);
+    }
+
+    /** Those of the levels that come with the game. */
+    public static Replays ofGame() {
+        return new Replays(Levels.all());
+    }
+
+    /**
+     * Those of the level in a file.
+     *
+     * @throws IllegalArgumentException with all that is wrong with the level, a line each
+     */
+    public static Replays of(Path level) {
+        return new Replays(List.of(Levels.level(level)));
+    }
+
+    /** Reads a replay file; what is wrong with it is told all at once. */
+    public LoadedReplay load(Path file) {
+        return loader.load(file);
+    }
+}

@@ -1,0 +1,24 @@
+package rigibo.frontend.puzzle.replay;
+
+import java.util.HexFormat;
+import java.util.OptionalLong;
+import java.util.regex.Pattern;
+
+/** Hashes in files: JSON's numbers would lose bits in other programs. */
+final class Hex {
+
+    private static final Pattern HASH = Pattern.compile("[0-9a-f]{16}");
+
+    private Hex() {}
+
+    static String of(long hash) {
+        return HexFormat.of().toHexDigits(hash);
+    }
+
+    /** The hash of 16 hexadecimal digits; nothing where they are none. */
+    static OptionalLong read(String digits) {
+        return HASH.matcher(digits).matches()
+                ? OptionalLong.of(HexFormat.fromHexDigitsToLong(digits))
+                : OptionalLong.empty();
+    }
+}

@@ -1,0 +1,71 @@
+package rigibo.frontend.puzzle.replay;
+
+import static java.nio.file.StandardCopyOption.ATOMIC_MOVE;
+import static java.nio.file.StandardCopyOption.REPLACE_EXISTING;
+
+import rigibo.frontend.puzzle.level.Level;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * Where solved runs are kept: of each level the best and the last.
+ *
+ * @param folder need not exist yet
+ */
+public record ReplayShelf(Path folder) {
+
+    /** How the names of replay files end. */
+    public static final String ENDING = ".replay.json";
+
+    /** Fewest clicks, then least time. */
+    public Path best(Level level) {
+        return folder.resolve(level.id() + ".best" + ENDING);
+    }
+
+    /** The one that was played last. */
+    public Path last(Level level) {
+        return folder.resolve(level.id() + ".last" + ENDING);
+    }
+
+    /** The best that can still be watched, else the last; nothing where neither can. */
+    public Optional<Recording> watchable(Level level) {
+        return recording(best(level), level).or(() -> recording(last(level), level));
+    }
+
+    /**
+     * Keeps a solved run as the last, and as the best where it is, or where the best is of an
+     * altered level or of another version, and could never be watched again.
+     *
+     * @throws IOException when nothing can be written there
+     */
+    public void keep(Recording recording) throws IOException {
+        Files.createDirectories(folder);
+        write(last(recording.level()), recording);
+        Path best = best(recording.level());
+        Optional<Recording> before = recording(best, recording.level());
+        if (before.isEmpty() || recording.isBetterThan(before.get())) {
+            write(best, recording);
+        }
+    }
+
+    private static Optional<Recording> recording(Path file, Level level) {
+        return Files.isRegularFile(file)
+                ? new ReplayLoader(List.of(level)).load(file).recording()
+                : Optional.empty();
+    }
+
+    /** Beside its place and then moved into it, so that no half of a file is ever there. */
+    private static void write(Path file, Recording recording) throws IOException {
+        Path beside = Files.createTempFile(file.getParent(), ".replay", ".tmp");
+        try {
+            Files.writeString(beside, ReplayText.of(recording));
+            Files.move(beside, file, ATOMIC_MOVE, REPLACE_EXISTING);
+        } finally {
+            Files.deleteIfExists(beside);
+        }
+    }
+}

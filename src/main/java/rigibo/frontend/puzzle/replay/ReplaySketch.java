@@ -1,0 +1,109 @@
+package rigibo.frontend.puzzle.replay;
+
+import rigibo.backend.setup.Accuracy;
+import rigibo.backend.setup.ContactSolver;
+import rigibo.backend.setup.Correction;
+import rigibo.backend.setup.ImpactMode;
+import rigibo.backend.setup.ImpactSearch;
+import rigibo.backend.setup.Integrator;
+import rigibo.frontend.puzzle.level.LocatedJson;
+import rigibo.frontend.puzzle.level.Problems;
+import rigibo.frontend.puzzle.rules.Checkpoint;
+import rigibo.frontend.puzzle.rules.Deletion;
+
+import tools.jackson.databind.JsonNode;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.OptionalLong;
+import java.util.regex.Pattern;
+
+/** Reads the parts of a replay that the schema found sound, and tells what it cannot say. */
+final class ReplaySketch {
+
+    private static final Pattern STEP = Pattern.compile("0|[1-9]\\d{0,7}");
+
+    private final LocatedJson json;
+    private final Problems problems;
+
+    ReplaySketch(LocatedJson json, Problems problems) {
+        this.json = json;
+        this.problems = problems;
+    }
+
+    /** The hash at a pointer, after telling why there is none. */
+    OptionalLong hash(String pointer) {
+        JsonNode node = json.node(pointer);
+        OptionalLong hash = Hex.read(node.asString(""));
+        if (node.isString() && hash.isEmpty()) {
+            error(pointer, "must be 16 hexadecimal digits, was " + node);
+        }
+        return hash;
+    }
+
+    /** By their steps, in which order a file has them or not. */
+    List<Checkpoint> checkpoints() {
+        String all = "/hashes";
+        List<Checkpoint> checkpoints = new ArrayList<>();
+        for (String step : json.node(all).propertyNames()) {
+            String pointer = all + "/" + step;
+            if (STEP.matcher(step).matches()) {
+                hash(pointer)
+                        .ifPresent(
+                                hash ->
+                                        checkpoints.add(
+                                                new Checkpoint(Integer.parseInt(step), hash)));
+            } else {
+                error(all, "\"" + step + "\" is no number of steps");
+            }
+        }
+        if (json.node(all).isObject() && json.node(all).isEmpty()) {
+            error(all, "is empty: nothing tells whether it plays back the same");
+        }
+        checkpoints.sort(Comparator.comparingInt(Checkpoint::step));
+        return checkpoints;
+    }
+
+    /**
+     * The clicks; they must be in the order of time, and none after the end.
+     *
+     * @param end the last step
+     */
+    List<Deletion> deletions(int end) {
+        List<Deletion> deletions = new ArrayList<>();
+        int before = 0;
+        for (int i = 0; i < json.node("/clicks").size(); i++) {
+            String pointer = "/clicks/" + i + "/step";
+            JsonNode node = json.node(pointer);
+            int step = node.isInt() ? node.asInt() : before;
+            if (step < before) {
+                error(pointer, "is before the click at step " + before);
+            } else if (step >= end) {
+                error(pointer, "is not before the end, which is at step " + end);
+            }
+            before = Math.max(before, step);
+            deletions.add(new Deletion(step, json.node("/clicks/" + i + "/body").asString("")));
+        }
+        return deletions;
+    }
+
+    /** How exactly it was simulated; call only where the schema found that sound. */
+    Accuracy accuracy() {
+        JsonNode node = json.node("/accuracy");
+        return new Accuracy(
+                node.path("substeps").asInt(),
+                node.path("velocityIterations").asInt(),
+                ImpactMode.valueOf(node.path("impacts").asString()),
+                node.path("impactTolerance").asDouble(),
+                ImpactSearch.valueOf(node.path("search").asString()),
+                node.path("maxImpactsPerPair").asInt(),
+                Integrator.valueOf(node.path("integrator").asString()),
+                ContactSolver.valueOf(node.path("contactSolver").asString()),
+                Correction.valueOf(node.path("correction").asString()));
+    }
+
+    private void error(String pointer, String message) {
+        problems.error(json.at(pointer), pointer, message);
+    }
+}

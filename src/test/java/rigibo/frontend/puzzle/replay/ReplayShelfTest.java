@@ -1,0 +1,95 @@
+package rigibo.frontend.puzzle.replay;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+import rigibo.backend.setup.Accuracy;
+import rigibo.frontend.puzzle.level.Click;
+import rigibo.frontend.puzzle.level.Level;
+import rigibo.frontend.puzzle.level.LevelTexts;
+import rigibo.frontend.puzzle.level.Solution;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
+
+class ReplayShelfTest {
+
+    @TempDir Path folder;
+
+    private final Level level =
+            LevelTexts.level(
+                    LevelTexts.with(
+                            "\"material\": \"stone\", \"dynamic\": false",
+                            "\"material\": \"stone\", \"dynamic\": false, \"deletable\": true"));
+    private final Recording quick = run(new Click(0.5, "box"));
+    private final Recording slow = run(new Click(2, "box"));
+    private final Recording wasteful = run(new Click(0, "box"), new Click(1, "wall"));
+    private ReplayShelf shelf;
+
+    @BeforeEach
+    void makeShelf() {
+        shelf = new ReplayShelf(folder.resolve("replays"));
+    }
+
+    private Recording run(Click... clicks) {
+        return Recording.of(level, new Solution(List.of(clicks)), Accuracy.GAME, 1200);
+    }
+
+    private Recording read(Path file) {
+        return new ReplayLoader(List.of(level)).load(file).recording().orElseThrow();
+    }
+
+    @Test
+    void theFirstRunIsTheLastAndTheBest() throws IOException {
+        shelf.keep(slow);
+        assertThat(read(shelf.best(level))).isEqualTo(slow);
+        assertThat(read(shelf.last(level))).isEqualTo(slow);
+    }
+
+    @Test
+    void fewerClicksAreBetterThenLessTime() throws IOException {
+        shelf.keep(wasteful);
+        shelf.keep(slow);
+        assertThat(read(shelf.best(level))).isEqualTo(slow);
+        shelf.keep(quick);
+        assertThat(read(shelf.best(level))).isEqualTo(quick);
+    }
+
+    @Test
+    void aWorseRunIsTheLastOnly() throws IOException {
+        shelf.keep(quick);
+        shelf.keep(wasteful);
+        assertThat(read(shelf.best(level))).isEqualTo(quick);
+        assertThat(read(shelf.last(level))).isEqualTo(wasteful);
+        assertThat(shelf.watchable(level)).contains(quick);
+    }
+
+    @Test
+    void twoFilesOfALevelAreAllThereIs() throws IOException {
+        for (Recording run : List.of(quick, slow, wasteful, quick)) {
+            shelf.keep(run);
+        }
+        try (Stream<Path> files = Files.list(shelf.folder())) {
+            assertThat(files).containsExactlyInAnyOrder(shelf.best(level), shelf.last(level));
+        }
+    }
+
+    @Test
+    void aBestThatCannotBeWatchedAnyMoreMakesRoom() throws IOException {
+        shelf.keep(quick);
+        Files.writeString(shelf.best(level), "{");
+        shelf.keep(wasteful);
+        assertThat(read(shelf.best(level))).isEqualTo(wasteful);
+    }
+
+    @Test
+    void whereNothingIsKeptNothingCanBeWatched() {
+        assertThat(shelf.watchable(level)).isEmpty();
+    }
+}
