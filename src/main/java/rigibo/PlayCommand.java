@@ -45,7 +45,9 @@ final class PlayCommand implements Callable<Integer> {
     @Override
     public Integer call() {
         try (SavedPlayer player = new SavedPlayer(places(), Locale.getDefault().getLanguage())) {
-            new Display(Catalog::menu, Catalog::levels, player).run(first());
+            Display display = new Display(Catalog::menu, Catalog::levels, player);
+            display.plugIn();
+            display.run(first());
             return 0;
         } catch (DisplayException | IllegalArgumentException e) {
             spec.commandLine().getErr().println(e.getMessage());

@@ -81,6 +81,7 @@ final class DemoScene implements Scene {
         demo.beforeStep(bench);
         side.beforeStep();
         bench.step(STEP);
+        bench.tell(director.sounds());
         side.afterStep();
         accuracy.stepped();
         demo.afterStep(bench);

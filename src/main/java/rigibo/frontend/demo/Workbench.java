@@ -11,8 +11,10 @@ import rigibo.backend.setup.BodyType;
 import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Impacts;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Skin;
+import rigibo.frontend.scene.Sounds;
 import rigibo.frontend.scene.ghost.Ghost;
 
 import java.util.IdentityHashMap;
@@ -38,6 +40,7 @@ final class Workbench {
     private final Pool pool;
     private final Camera camera;
     private final Map<RigidBody, Skin> skins = new IdentityHashMap<>();
+    private final Impacts impacts = new Impacts();
     private RigidBody held;
 
     /** The same scene at another accuracy, or null, and the accuracy of the scene when it began. */
@@ -144,6 +147,11 @@ final class Workbench {
         if (ghost != null) {
             ghost.step(dt);
         }
+    }
+
+    /** Has the impacts of the last step heard. */
+    void tell(Sounds sounds) {
+        impacts.tell(pool.contactEvents(), skins::get, sounds);
     }
 
     /**

@@ -8,9 +8,9 @@ import rigibo.frontend.scene.Player;
 import rigibo.frontend.scene.Progress;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Settings;
-import rigibo.frontend.scene.Silence;
 import rigibo.frontend.scene.Sounds;
 import rigibo.frontend.scene.Words;
+import rigibo.frontend.sound.Speaker;
 
 import java.nio.file.Path;
 import java.util.List;
@@ -28,7 +28,7 @@ public final class Display implements Director {
     private final boolean vsync;
     private final Troubles troubles = new Troubles();
     private final FrameClock clock = new FrameClock();
-    private final Sounds sounds = new Silence();
+    private final Speaker speaker = new Speaker();
     private final Player player;
     private Words words;
     private Window window;
@@ -69,6 +69,12 @@ public final class Display implements Director {
         this.player = player;
         this.vsync = vsync;
         words = new Words(player.settings().language());
+        speaker.settings(player.settings());
+    }
+
+    /** Has the scenes heard, where the machine can; without it they are silent. */
+    public void plugIn() {
+        speaker.plugIn();
     }
 
     /**
@@ -89,6 +95,7 @@ public final class Display implements Director {
         } finally {
             closeWindow();
             glfwTerminate();
+            speaker.close();
         }
     }
 
@@ -132,6 +139,7 @@ public final class Display implements Director {
     @Override
     public void settings(Settings changed) {
         player.settings(changed);
+        speaker.settings(changed);
         words = new Words(changed.language());
     }
 
@@ -162,7 +170,7 @@ public final class Display implements Director {
 
     @Override
     public Sounds sounds() {
-        return sounds;
+        return speaker;
     }
 
     void accompany(Companion beside) {
@@ -205,6 +213,7 @@ public final class Display implements Director {
 
     private void doStep() {
         scene.step();
+        speaker.turn();
     }
 
     private void renderDisplay() {

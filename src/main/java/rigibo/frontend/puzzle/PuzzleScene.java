@@ -39,7 +39,7 @@ public final class PuzzleScene implements Scene {
         level = levels.get(number);
         session = new Session(level, Accuracy.GAME);
         view = new View(level.world());
-        table = new Table(session, view.camera());
+        table = new Table(session, view.camera(), new Noises(director.sounds(), session.game()));
         panels = new Panels(level, session, view, director.words());
         tally = new Tally(director, level);
     }

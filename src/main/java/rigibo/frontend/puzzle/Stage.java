@@ -84,14 +84,6 @@ final class Stage {
     }
 
     private static Skin skin(Piece piece) {
-        return switch (piece.definition().substance()) {
-            case RIGIBO -> Skin.RIGIBO;
-            case STONE -> Skin.STONE;
-            case PLANK -> Skin.WOOD;
-            case ICE -> Skin.ICE;
-            case RUBBER -> Skin.RUBBER;
-            case IRON -> Skin.IRON;
-            case BALL -> Skin.BALL;
-        };
+        return Skins.of(piece.definition().substance());
     }
 }

@@ -26,6 +26,7 @@ final class Table {
 
     private final Session session;
     private final Camera camera;
+    private final Noises noises;
     private final Stage stage;
     private final Cursor cursor;
     private final HoldRing ring;
@@ -36,9 +37,10 @@ final class Table {
     /** The game that was on the screen in the last frame. */
     private PuzzleGame seen;
 
-    Table(Session session, Camera camera) {
+    Table(Session session, Camera camera, Noises noises) {
         this.session = session;
         this.camera = camera;
+        this.noises = noises;
         seen = session.game();
         stage = new Stage(session, camera);
         cursor = new Cursor(camera);
@@ -50,6 +52,9 @@ final class Table {
     void frame() {
         int clicks = session.game().clicks();
         boolean isStep = session.frame();
+        if (isStep) {
+            noises.stepped(session.game());
+        }
         if (session.game() != seen) {
             begin();
         } else if (isStep) {
@@ -88,6 +93,7 @@ final class Table {
 
     /** The body is gone by now; its last place is told. */
     private void burst(Piece piece, Pose pose) {
+        noises.deleted();
         splinters.burst(pose.x(), pose.y(), piece.definition().shape().smallestWidth());
     }
 
@@ -136,7 +142,7 @@ final class Table {
     void click(double x, double y) {
         PuzzleGame game = session.game();
         if (session.isShowing()) {
-            refusal.refuse(Refusal.Reason.SHOWING, x, y);
+            refuse(Refusal.Reason.SHOWING, x, y);
             return;
         }
         double worldX = camera.worldX(x);
@@ -144,7 +150,7 @@ final class Table {
         Optional<Piece> under = game.pieceAt(worldX, worldY);
         Optional<Pose> pose = under.map(piece -> session.pose(piece.body()));
         ClickResult result = game.click(worldX, worldY);
-        refusal.answer(result, x, y);
+        answer(result, x, y);
         if (result == ClickResult.DELETED) {
             burst(under.orElseThrow(), pose.orElseThrow());
         }
@@ -160,7 +166,7 @@ final class Table {
         double x = cursor.x(session.game());
         double y = cursor.y(session.game());
         ClickResult result = session.game().delete(chosen.get().definition().id());
-        refusal.answer(result, x, y);
+        answer(result, x, y);
         if (result == ClickResult.DELETED) {
             burst(chosen.get(), pose);
             cursor.point(x, y);
@@ -170,7 +176,20 @@ final class Table {
 
     /** Refuses what keys asked for, at the pointer. */
     void refuse(Refusal.Reason why) {
-        refusal.refuse(why, cursor.x(session.game()), cursor.y(session.game()));
+        refuse(why, cursor.x(session.game()), cursor.y(session.game()));
+    }
+
+    private void refuse(Refusal.Reason why, double x, double y) {
+        refusal.refuse(why, x, y);
+        noises.refused();
+    }
+
+    private void answer(ClickResult result, double x, double y) {
+        refusal.answer(result, x, y);
+        switch (result) {
+            case COOLING_DOWN, NO_CLICKS_LEFT, NOT_DELETABLE -> noises.refused();
+            case DELETED, NOTHING_THERE, OVER -> {}
+        }
     }
 
     Refusal refusal() {

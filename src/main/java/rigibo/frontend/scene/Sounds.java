@@ -6,9 +6,9 @@ public interface Sounds {
     /**
      * Two bodies met.
      *
-     * @param skin what the smaller of the two is made of
-     * @param size how wide it is, m: large things sound low
-     * @param impulse N·s, a soft knock for a little and a loud one for much
+     * @param skin what the lighter of the two is made of
+     * @param size the root of its area, m, more than 0: large things sound low
+     * @param impulse N·s, more than 0: a soft knock for a little and a loud one for much
      */
     void knock(Skin skin, double size, double impulse);
 

@@ -9,6 +9,9 @@ public final class RecordingDirector implements Director {
     /** The scenes that were to be shown, in their order. */
     public final List<Scene> shown = new ArrayList<>();
 
+    /** What was to be heard. */
+    public final RecordingSounds sounds = new RecordingSounds();
+
     /** What the player is told. */
     public final List<String> notices = new ArrayList<>();
 
@@ -75,6 +78,6 @@ public final class RecordingDirector implements Director {
 
     @Override
     public Sounds sounds() {
-        return new Silence();
+        return sounds;
     }
 }

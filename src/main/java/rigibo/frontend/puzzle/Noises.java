@@ -1,0 +1,100 @@
+package rigibo.frontend.puzzle;
+
+import rigibo.backend.ContactEvent;
+import rigibo.backend.RigidBody;
+import rigibo.frontend.puzzle.rules.Outcome;
+import rigibo.frontend.puzzle.rules.Piece;
+import rigibo.frontend.puzzle.rules.PuzzleGame;
+import rigibo.frontend.scene.Impacts;
+import rigibo.frontend.scene.Skin;
+import rigibo.frontend.scene.Sounds;
+
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Map;
+
+/** Has a level heard: what knocks and rolls in it, and what becomes of clicks, hold and game. */
+final class Noises {
+
+    /** Ticks of a hold, the last of which is the chord: one each half second of the usual 3 s. */
+    private static final int TICKS = 6;
+
+    private final Sounds sounds;
+    private final Map<RigidBody, Skin> skins = new IdentityHashMap<>();
+    private Impacts impacts;
+    private PuzzleGame game;
+    private Outcome outcome;
+    private int ticks;
+
+    /** Of a game from where it is. */
+    Noises(Sounds sounds, PuzzleGame game) {
+        this.sounds = sounds;
+        listenTo(game);
+    }
+
+    /** What was before is not heard again: a game may be another try, or one taken back. */
+    private void listenTo(PuzzleGame other) {
+        game = other;
+        impacts = new Impacts();
+        outcome = other.outcome();
+        ticks = ticks(other);
+        skins.clear();
+        skins.put(other.ball(), Skin.BALL);
+        for (Piece piece : other.pieces()) {
+            skins.put(piece.body(), Skins.of(piece.definition().substance()));
+        }
+    }
+
+    private static int ticks(PuzzleGame game) {
+        return (int) (TICKS * game.held());
+    }
+
+    /** The game that is played went on by a step. */
+    void stepped(PuzzleGame played) {
+        if (played != game) {
+            listenTo(played);
+        }
+        List<ContactEvent> contacts = game.pool().contactEvents();
+        impacts.tell(contacts, skins::get, sounds);
+        if (contacts.stream().anyMatch(this::carriesBall)) {
+            RigidBody ball = game.ball();
+            sounds.roll(Math.abs(ball.angularVelocity()) * ball.shape().boundingRadius());
+        }
+        tellHold();
+        tellOutcome();
+    }
+
+    private boolean carriesBall(ContactEvent contact) {
+        return contact.phase() != ContactEvent.Phase.END
+                && (contact.a() == game.ball() || contact.b() == game.ball());
+    }
+
+    private void tellHold() {
+        int before = ticks;
+        ticks = ticks(game);
+        if (ticks > before && ticks < TICKS) {
+            sounds.tick(game.held());
+        }
+    }
+
+    private void tellOutcome() {
+        if (game.outcome() != outcome) {
+            outcome = game.outcome();
+            if (outcome == Outcome.WON) {
+                sounds.chord();
+            } else {
+                sounds.fail();
+            }
+        }
+    }
+
+    /** A box is gone. */
+    void deleted() {
+        sounds.pop();
+    }
+
+    /** What the player asked for is not to be had now. */
+    void refused() {
+        sounds.refuse();
+    }
+}

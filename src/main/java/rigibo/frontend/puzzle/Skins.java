@@ -1,0 +1,22 @@
+package rigibo.frontend.puzzle;
+
+import rigibo.frontend.puzzle.level.Substance;
+import rigibo.frontend.scene.Skin;
+
+/** What the materials of levels look like, and sound like. */
+final class Skins {
+
+    private Skins() {}
+
+    static Skin of(Substance substance) {
+        return switch (substance) {
+            case RIGIBO -> Skin.RIGIBO;
+            case STONE -> Skin.STONE;
+            case PLANK -> Skin.WOOD;
+            case ICE -> Skin.ICE;
+            case RUBBER -> Skin.RUBBER;
+            case IRON -> Skin.IRON;
+            case BALL -> Skin.BALL;
+        };
+    }
+}

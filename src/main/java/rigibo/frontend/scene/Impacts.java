@@ -1,0 +1,51 @@
+package rigibo.frontend.scene;
+
+import rigibo.backend.ContactEvent;
+import rigibo.backend.RigidBody;
+
+import java.util.List;
+import java.util.function.Function;
+
+/**
+ * Has what meets in a pool heard, step by step. All but the first: in that everything begins to
+ * touch what it stands on, with the weight of all that stands on it.
+ */
+public final class Impacts {
+
+    /**
+     * A change of velocity that is heard, m/s. What rests is pressed on by g·dt = 0.16 m/s in every
+     * step, and comes to rest in bounces no faster than that: twice as much is a knock.
+     */
+    private static final double HEARD = 0.35;
+
+    private boolean hasBegun;
+
+    /**
+     * Tells the impacts among the contacts of a step.
+     *
+     * @param skins of the bodies that move
+     */
+    public void tell(List<ContactEvent> contacts, Function<RigidBody, Skin> skins, Sounds sounds) {
+        if (hasBegun) {
+            tellAll(contacts, skins, sounds);
+        }
+        hasBegun = true;
+    }
+
+    private static void tellAll(
+            List<ContactEvent> contacts, Function<RigidBody, Skin> skins, Sounds sounds) {
+        for (ContactEvent contact : contacts) {
+            RigidBody lighter = lighter(contact);
+            if (contact.phase() == ContactEvent.Phase.BEGIN
+                    && contact.impulse() > HEARD * lighter.mass()) {
+                double size = Math.sqrt(lighter.shape().area());
+                sounds.knock(skins.apply(lighter), size, contact.impulse());
+            }
+        }
+    }
+
+    /** Of the two the one that the impact moves more, which is never the ground. */
+    private static RigidBody lighter(ContactEvent contact) {
+        return contact.a().mass() < contact.b().mass() ? contact.a() : contact.b();
+    }
+}

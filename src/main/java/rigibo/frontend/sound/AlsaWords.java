@@ -1,0 +1,39 @@
+package rigibo.frontend.sound;
+
+import org.lwjgl.system.JNI;
+import org.lwjgl.system.Library;
+import org.lwjgl.system.Platform;
+import org.lwjgl.system.SharedLibrary;
+
+/**
+ * Where a Linux machine has no sound card, ALSA writes eight lines of its insides to the terminal.
+ * We say the same in one sentence.
+ */
+final class AlsaWords {
+
+    private AlsaWords() {}
+
+    /**
+     * Has ALSA's complaints answered by a function of its own that does nothing, in place of the
+     * one that prints: what is returned, and what is passed beyond its parameters, nobody looks at.
+     */
+    static void silence() {
+        if (Platform.get() == Platform.LINUX) {
+            silence("libasound.so.2");
+        }
+    }
+
+    private static void silence(String name) {
+        try {
+            SharedLibrary alsa =
+                    Library.loadNative(AlsaWords.class, "rigibo.frontend.sound", name, false);
+            long handler = alsa.getFunctionAddress("snd_lib_error_set_handler");
+            long nothing = alsa.getFunctionAddress("snd_asoundlib_version");
+            if (handler != 0 && nothing != 0) {
+                JNI.invokePV(nothing, handler);
+            }
+        } catch (UnsatisfiedLinkError withoutAlsa) {
+            // There is nothing to be silenced then.
+        }
+    }
+}

@@ -1,0 +1,96 @@
+package rigibo.frontend.sound;
+
+import rigibo.frontend.scene.Skin;
+
+import java.util.Comparator;
+import java.util.PriorityQueue;
+
+/**
+ * Decides what is played on a device, turn by turn, so that nothing clips and nothing is drowned.
+ */
+final class Ensemble {
+
+    /** Knocks that start in one turn; more are one noise to the ear. */
+    private static final int KNOCKS_PER_TURN = 4;
+
+    private static final int KNOCKING_VOICES = 12;
+    private static final int SIGNALLING_VOICES = 4;
+
+    /** The voices that a device is asked for. */
+    static final int VOICES = KNOCKING_VOICES + SIGNALLING_VOICES;
+
+    /**
+     * What knocks and signals may be of full scale, each for themselves, so that a signal is heard
+     * in any noise; together with what rolls they are 1.
+     */
+    private static final double MOST_KNOCKING = 0.5;
+
+    private static final double MOST_SIGNALLING = 1 - MOST_KNOCKING - Rolling.MOST;
+
+    /** A turn of the loop, s. */
+    private static final double TURN = 1.0 / 60;
+
+    private final Device device;
+    private final Samples samples;
+    private final Voices knocking = new Voices(KNOCKING_VOICES, MOST_KNOCKING);
+    private final Voices signalling = new Voices(SIGNALLING_VOICES, MOST_SIGNALLING);
+    private final Rolling rolling = new Rolling();
+    private final PriorityQueue<Knock> loudest =
+            new PriorityQueue<>(Comparator.comparingDouble(Knock::gain));
+
+    /** Plays samples that the device has. */
+    Ensemble(Device device, Samples samples) {
+        this.device = device;
+        this.samples = samples;
+    }
+
+    /** A knock, to be played with the turn unless that has louder ones. */
+    void knock(Skin skin, double size, double impulse) {
+        loudest.add(Knock.of(skin, size, impulse));
+        if (loudest.size() > KNOCKS_PER_TURN) {
+            loudest.remove();
+        }
+    }
+
+    /** Something rolls at a speed, m/s. */
+    void roll(double speed) {
+        rolling.tell(speed);
+    }
+
+    /** Plays a signal at once, at a multiple of its pitch. */
+    void signal(Signal signal, double pitch) {
+        int voice = signalling.start(samples.signal(signal), signal.gain, pitch);
+        if (voice != Voices.NONE) {
+            double gain = signalling.gain(voice);
+            device.play(KNOCKING_VOICES + voice, samples.signal(signal), gain, pitch);
+        }
+    }
+
+    /** Starts the turn's knocks and goes on to the next turn. */
+    void turn() {
+        while (!loudest.isEmpty()) {
+            play(loudest.remove());
+        }
+        rolling.turn();
+        device.roll(rolling.gain(), rolling.pitch());
+        knocking.advance(TURN);
+        signalling.advance(TURN);
+    }
+
+    private void play(Knock knock) {
+        Sample sample = samples.knock(knock.skin());
+        int voice = knocking.start(sample, knock.gain(), knock.pitch());
+        if (voice != Voices.NONE) {
+            device.play(voice, sample, knocking.gain(voice), knock.pitch());
+        }
+    }
+
+    /** What all of it is multiplied with from now on, 0 to 1. */
+    void volume(double volume) {
+        device.volume(volume);
+    }
+
+    void close() {
+        device.close();
+    }
+}

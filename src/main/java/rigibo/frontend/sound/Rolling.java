@@ -1,0 +1,68 @@
+package rigibo.frontend.sound;
+
+import java.util.SplittableRandom;
+
+/** The rumble of what rolls: always there, mostly at gain 0; louder and higher with speed. */
+final class Rolling {
+
+    /** The greatest gain. */
+    static final double MOST = 0.2;
+
+    /** At this speed it is as loud as it gets, m/s. */
+    private static final double FAST = 6;
+
+    /**
+     * Share of the way to the wanted gain that is gone per turn: no step is heard, none is late.
+     */
+    private static final double SWIFTNESS = 0.2;
+
+    private static final int LOWEST = 40;
+    private static final int HIGHEST = 520;
+
+    /** How far apart the sines are, Hz: whole, so that they come round within the loop's second. */
+    private static final int SPACING = 3;
+
+    private double told;
+    private double gain;
+    private double pitch = 1;
+
+    /**
+     * A second of noise out of sines, each a whole number of times, so that the end meets the
+     * beginning; their amplitudes fall with 1/f, for rough ground is rougher the wider one looks.
+     */
+    static Sample sample() {
+        SplittableRandom random = new SplittableRandom(2);
+        double[] wave = new double[Sample.RATE];
+        for (int frequency = LOWEST; frequency <= HIGHEST; frequency += SPACING) {
+            double phase = 2 * Math.PI * random.nextDouble();
+            double step = 2 * Math.PI * frequency / Sample.RATE;
+            for (int i = 0; i < wave.length; i++) {
+                wave[i] += Math.sin(phase + i * step) / frequency;
+            }
+        }
+        return Sample.loop(wave);
+    }
+
+    /** Something rolls at a speed, m/s; the fastest of a turn is heard. */
+    void tell(double speed) {
+        told = Math.max(told, speed);
+    }
+
+    /** Goes on by a turn. What is not told again falls silent. */
+    void turn() {
+        double share = Math.min(1, told / FAST);
+        gain += SWIFTNESS * (MOST * share - gain);
+        pitch += SWIFTNESS * (0.7 + 0.8 * share - pitch);
+        told = 0;
+    }
+
+    /** 0 to {@link #MOST}. */
+    double gain() {
+        return gain;
+    }
+
+    /** How many times as fast the sample is played. */
+    double pitch() {
+        return pitch;
+    }
+}

@@ -1,0 +1,113 @@
+package rigibo.frontend.sound;
+
+import org.tinylog.Logger;
+
+import rigibo.frontend.scene.Settings;
+import rigibo.frontend.scene.Skin;
+import rigibo.frontend.scene.Sounds;
+
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+
+/**
+ * What the game is heard by. Silent until it is plugged in and the audio device has opened, which
+ * takes half a second that nobody waits for; silent for good where there is none.
+ */
+public final class Speaker implements Sounds {
+
+    /** How much higher the last tick of a hold is than the first: an octave. */
+    private static final double RISE_OF_TICKS = 1;
+
+    private CompletableFuture<Optional<Ensemble>> opening =
+            CompletableFuture.completedFuture(Optional.empty());
+    private double volume;
+
+    /** Begins to open the system's audio device; says so in the log where that fails. */
+    public void plugIn() {
+        opening = new CompletableFuture<>();
+        CompletableFuture<Optional<Ensemble>> opened = opening;
+        Thread thread = new Thread(() -> opened.complete(open()), "sound");
+        thread.setDaemon(true);
+        thread.start();
+    }
+
+    private static Optional<Ensemble> open() {
+        try {
+            Samples samples = new Samples();
+            return Optional.of(new Ensemble(Device.open(samples, Ensemble.VOICES), samples));
+        } catch (IllegalStateException | LinkageError noSound) {
+            Logger.warn("The game is silent: {}.", noSound.getMessage());
+            return Optional.empty();
+        }
+    }
+
+    private Optional<Ensemble> ensemble() {
+        return opening.getNow(Optional.empty());
+    }
+
+    /** As loud as the player has chosen, from now on. */
+    public void settings(Settings settings) {
+        volume = settings.isMuted() ? 0 : settings.volume();
+        ensemble().ifPresent(ensemble -> ensemble.volume(volume));
+    }
+
+    /** Goes on by a turn of the loop, after the scene's step: what that told is heard. */
+    public void turn() {
+        ensemble().ifPresent(this::turn);
+    }
+
+    private void turn(Ensemble ensemble) {
+        ensemble.volume(volume);
+        ensemble.turn();
+    }
+
+    /** Gives the device back; nothing is heard from then on. */
+    public void close() {
+        opening.thenAccept(ensemble -> ensemble.ifPresent(Ensemble::close));
+        opening = CompletableFuture.completedFuture(Optional.empty());
+    }
+
+    @Override
+    public void knock(Skin skin, double size, double impulse) {
+        ensemble().ifPresent(ensemble -> ensemble.knock(skin, size, impulse));
+    }
+
+    @Override
+    public void roll(double speed) {
+        ensemble().ifPresent(ensemble -> ensemble.roll(speed));
+    }
+
+    @Override
+    public void pop() {
+        signal(Signal.POP, 1);
+    }
+
+    @Override
+    public void refuse() {
+        signal(Signal.REFUSE, 1);
+    }
+
+    @Override
+    public void tick(double held) {
+        signal(Signal.TICK, 1 + RISE_OF_TICKS * held);
+    }
+
+    @Override
+    public void chord() {
+        signal(Signal.CHORD, 1);
+    }
+
+    @Override
+    public void fail() {
+        signal(Signal.FAIL, 1);
+    }
+
+    @Override
+    public void press() {
+        signal(Signal.PRESS, 1);
+    }
+
+    private void signal(Signal signal, double pitch) {
+        ensemble().ifPresent(ensemble -> ensemble.signal(signal, pitch));
+    }
+}
