@@ -8,15 +8,19 @@ import rigibo.frontend.scene.Sounds;
 
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
 
 /**
  * What the game is heard by. Silent until it is plugged in and the audio device has opened, which
- * takes half a second that nobody waits for; silent for good where there is none.
+ * takes half a second that no turn waits for; silent for good where there is none.
  */
 public final class Speaker implements Sounds {
 
     /** How much higher the last tick of a hold is than the first: an octave. */
     private static final double RISE_OF_TICKS = 1;
+
+    /** How long a device that still opens is waited for at the end, s. */
+    private static final int PATIENCE = 2;
 
     private CompletableFuture<Optional<Ensemble>> opening =
             CompletableFuture.completedFuture(Optional.empty());
@@ -61,9 +65,14 @@ public final class Speaker implements Sounds {
         ensemble.turn();
     }
 
-    /** Gives the device back; nothing is heard from then on. */
+    /**
+     * Gives the device back; nothing is heard from then on. One that is just being opened is waited
+     * for, as no thread should be inside a driver when the process ends, but not for ever.
+     */
     public void close() {
-        opening.thenAccept(ensemble -> ensemble.ifPresent(Ensemble::close));
+        opening.completeOnTimeout(Optional.empty(), PATIENCE, TimeUnit.SECONDS)
+                .join()
+                .ifPresent(Ensemble::close);
         opening = CompletableFuture.completedFuture(Optional.empty());
     }
 
