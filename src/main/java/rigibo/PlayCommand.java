@@ -17,6 +17,7 @@ import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.SceneEntry;
 
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
 import java.util.function.Function;
@@ -37,8 +38,12 @@ final class PlayCommand implements Callable<Integer> {
                             + " system keeps such files).")
     private Path home;
 
-    @Parameters(arity = "0..1", paramLabel = "LEVEL.json", description = "Opens this level.")
-    private Path level;
+    @Parameters(
+            paramLabel = "FILE",
+            description =
+                    "Opens this level, or this replay, with the level it belongs to where that is"
+                            + " none of the game's own.")
+    private List<Path> files = List.of();
 
     @Spec private CommandSpec spec;
 
@@ -47,6 +52,7 @@ final class PlayCommand implements Callable<Integer> {
         try (SavedPlayer player = new SavedPlayer(places(), Locale.getDefault().getLanguage())) {
             Display display = new Display(Catalog::menu, Catalog::levels, player);
             display.plugIn();
+            display.opensFilesBy(Catalog::dropped);
             display.run(first());
             return 0;
         } catch (DisplayException | IllegalArgumentException e) {
@@ -61,8 +67,8 @@ final class PlayCommand implements Callable<Integer> {
 
     /** The scene asked for, or null for the menu. */
     private Function<Director, Scene> first() {
-        if (level != null) {
-            return Catalog.level(level).open();
+        if (!files.isEmpty()) {
+            return Catalog.files(files);
         }
         if (scene == null) {
             return null;

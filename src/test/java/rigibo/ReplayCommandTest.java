@@ -31,10 +31,10 @@ class ReplayCommandTest {
     }
 
     private Path kept() throws IOException {
-        ReplayShelf shelf = new ReplayShelf(folder);
         Recording played = Recordings.sound();
+        ReplayShelf shelf = new ReplayShelf(folder, played.level());
         shelf.keep(played);
-        return shelf.best(played.level());
+        return shelf.best();
     }
 
     private String level() throws IOException {

@@ -5,6 +5,7 @@ import rigibo.frontend.demo.Demos;
 import rigibo.frontend.laboratory.Laboratory;
 import rigibo.frontend.menu.MenuScene;
 import rigibo.frontend.puzzle.Levels;
+import rigibo.frontend.puzzle.PlayerFiles;
 import rigibo.frontend.scene.Director;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.SceneEntry;
@@ -14,6 +15,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Function;
 
 /** Every scene that can be chosen. */
 public final class Catalog {
@@ -39,12 +41,18 @@ public final class Catalog {
     }
 
     /**
-     * The scene of a level file.
+     * The scene of files that the player names: a level to be played or a replay to be watched,
+     * with its level where that is none of the game's own.
      *
-     * @throws IllegalArgumentException with all that is wrong with the file, a line each
+     * @throws IllegalArgumentException with all that is wrong with the files, a line each
      */
-    public static SceneEntry level(Path file) {
-        return Levels.entry(file);
+    public static Function<Director, Scene> files(List<Path> files) {
+        return PlayerFiles.read(files).sound();
+    }
+
+    /** The scene of files that were dropped on a window; what is wrong with them is shown. */
+    public static Scene dropped(Director director, List<Path> files) {
+        return PlayerFiles.read(files).scene(director);
     }
 
     /** The main menu. */

@@ -14,6 +14,8 @@ import rigibo.frontend.sound.Speaker;
 
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
+import java.util.function.BiFunction;
 import java.util.function.Function;
 
 /**
@@ -30,6 +32,7 @@ public final class Display implements Director {
     private final FrameClock clock = new FrameClock();
     private final Speaker speaker = new Speaker();
     private final Player player;
+    private Optional<BiFunction<Director, List<Path>, Scene>> opener = Optional.empty();
     private Words words;
     private Window window;
     private Scene scene;
@@ -169,8 +172,27 @@ public final class Display implements Director {
     }
 
     @Override
+    public void tell(String notice) {
+        player.tell(notice);
+    }
+
+    @Override
+    public Optional<Path> replays() {
+        return player.replays();
+    }
+
+    @Override
     public Sounds sounds() {
         return speaker;
+    }
+
+    /** Shows what this makes of files that are dropped on a window. */
+    public void opensFilesBy(BiFunction<Director, List<Path>, Scene> opening) {
+        opener = Optional.of(opening);
+    }
+
+    void dropped(List<Path> files) {
+        opener.map(opening -> opening.apply(this, files)).ifPresent(this::show);
     }
 
     void accompany(Companion beside) {
@@ -233,7 +255,7 @@ public final class Display implements Director {
             closeWindow();
             scene = wanted;
             wanted = null;
-            window = new Window(scene, troubles, vsync);
+            window = new Window(scene, troubles, vsync, this::dropped);
         }
     }
 

@@ -4,6 +4,7 @@ import static org.lwjgl.glfw.GLFW.*;
 import static org.lwjgl.opengl.GL33C.*;
 
 import org.lwjgl.glfw.Callbacks;
+import org.lwjgl.glfw.GLFWDropCallback;
 import org.lwjgl.glfw.GLFWVidMode;
 import org.lwjgl.opengl.GL;
 import org.lwjgl.stb.STBImageWrite;
@@ -14,6 +15,9 @@ import rigibo.frontend.scene.Scene;
 
 import java.nio.ByteBuffer;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Consumer;
 
 /** One window with its OpenGL context, its painter and its input, for one scene. */
 final class Window {
@@ -34,7 +38,7 @@ final class Window {
      *
      * @throws DisplayException when there is no window or no OpenGL 3.3 to be had
      */
-    Window(Scene scene, Troubles troubles, boolean vsync) {
+    Window(Scene scene, Troubles troubles, boolean vsync, Consumer<List<Path>> dropped) {
         this.scene = scene;
         this.troubles = troubles;
         handle = create(scene.title());
@@ -44,6 +48,7 @@ final class Window {
         painter = new Painter();
         input = new Input(scene, this::close, this::toggleFullScreen);
         listen();
+        listenToDrops(dropped);
         glfwShowWindow(handle);
     }
 
@@ -83,6 +88,18 @@ final class Window {
         glfwSetWindowSizeCallback(handle, (window, w, h) -> input.windowSize(w, h));
         glfwGetWindowSize(handle, width, height);
         input.windowSize(width[0], height[0]);
+    }
+
+    private void listenToDrops(Consumer<List<Path>> dropped) {
+        glfwSetDropCallback(
+                handle,
+                (window, count, names) -> {
+                    List<Path> files = new ArrayList<>();
+                    for (int i = 0; i < count; i++) {
+                        files.add(Path.of(GLFWDropCallback.getName(names, i)));
+                    }
+                    dropped.accept(files);
+                });
     }
 
     /** A letter by what is printed on its key: Z and Y change places between layouts. */

@@ -6,5 +6,7 @@ enum Hand {
     /** A stored solution's: earns nothing. */
     SOLUTION,
     /** The player's of a try that is over. */
-    REPLAY
+    REPLAY,
+    /** Those of a recording that is watched from its start to its end. */
+    RECORDING
 }

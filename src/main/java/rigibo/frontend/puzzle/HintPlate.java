@@ -4,8 +4,8 @@ import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Words;
+import rigibo.frontend.scene.widget.Lines;
 
-import java.util.ArrayList;
 import java.util.List;
 
 /** The level's hint, between the bar and the play, with a way to see the solution. */
@@ -42,7 +42,8 @@ final class HintPlate {
         canvas.panel(EDGE, TOP, Scene.WIDTH - 2 * EDGE, HEIGHT, 14, Color.PANEL);
         drawBulb(canvas, EDGE + 28, TOP + HEIGHT / 2);
         double right = hasSolution ? BUTTON_LEFT : Scene.WIDTH - EDGE;
-        List<String> lines = lines(canvas, right - 10 - TEXT_LEFT);
+        List<String> lines =
+                Lines.of(canvas, hint, SIZE, Canvas.Font.WORDS, right - 10 - TEXT_LEFT);
         double y = TOP + HEIGHT / 2 - (lines.size() - 1) * LINE / 2;
         for (String line : lines) {
             canvas.text(line, TEXT_LEFT, y, SIZE, Canvas.Font.WORDS, Canvas.Align.LEFT, Color.TEXT);
@@ -51,22 +52,6 @@ final class HintPlate {
         if (hasSolution) {
             buttons.draw(canvas, words);
         }
-    }
-
-    /** The hint in lines of a width, px. */
-    private List<String> lines(Canvas canvas, double width) {
-        List<String> lines = new ArrayList<>();
-        String line = "";
-        for (String word : hint.split(" ")) {
-            String longer = line.isEmpty() ? word : line + " " + word;
-            if (canvas.textWidth(longer, SIZE, Canvas.Font.WORDS) > width && !line.isEmpty()) {
-                lines.add(line);
-                longer = word;
-            }
-            line = longer;
-        }
-        lines.add(line);
-        return lines;
     }
 
     private static void drawBulb(Canvas canvas, double x, double y) {

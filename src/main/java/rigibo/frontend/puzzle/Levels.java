@@ -67,8 +67,8 @@ public final class Levels {
                 director -> new PuzzleScene(director, levels, number));
     }
 
-    private static String words(List<Problem> problems) {
-        StringBuilder lines = new StringBuilder("this level cannot be played:");
+    static String words(List<Problem> problems) {
+        StringBuilder lines = new StringBuilder("this cannot be opened:");
         problems.forEach(problem -> lines.append(System.lineSeparator()).append(problem));
         return lines.toString();
     }

@@ -5,6 +5,7 @@ import rigibo.backend.setup.Accuracy;
 import rigibo.frontend.puzzle.level.Level;
 import rigibo.frontend.puzzle.level.Solution;
 import rigibo.frontend.puzzle.level.Steps;
+import rigibo.frontend.puzzle.replay.Recording;
 import rigibo.frontend.puzzle.rules.Outcome;
 import rigibo.frontend.puzzle.rules.Playback;
 import rigibo.frontend.puzzle.rules.PuzzleGame;
@@ -40,6 +41,13 @@ final class Session {
         own = timed(new PuzzleGame(level, accuracy));
     }
 
+    /** What only watches a recording, and stays at its end. */
+    static Session watching(Recording recording) {
+        Session session = new Session(recording.level(), recording.replay().accuracy());
+        session.show(Hand.RECORDING, recording.replay());
+        return session;
+    }
+
     /** The effects bar tells how long a step takes. */
     private static PuzzleGame timed(PuzzleGame made) {
         made.pool().clock(System::nanoTime);
@@ -62,7 +70,8 @@ final class Session {
     }
 
     private void lowerCurtain() {
-        if (isShowing() && game().outcome() != Outcome.RUNNING && ++curtain > CURTAIN) {
+        boolean isOver = isShowing() && game().outcome() != Outcome.RUNNING;
+        if (isOver && hand != Hand.RECORDING && ++curtain > CURTAIN) {
             stopShow();
         }
     }

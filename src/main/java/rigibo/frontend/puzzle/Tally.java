@@ -1,9 +1,14 @@
 package rigibo.frontend.puzzle;
 
 import rigibo.frontend.puzzle.level.Level;
+import rigibo.frontend.puzzle.replay.Recording;
+import rigibo.frontend.puzzle.replay.ReplayShelf;
 import rigibo.frontend.puzzle.rules.Outcome;
 import rigibo.frontend.puzzle.rules.PuzzleGame;
 import rigibo.frontend.scene.Director;
+
+import java.io.IOException;
+import java.util.Optional;
 
 /** Tells how tries ended to whoever keeps it; an experiment counts for nothing. */
 final class Tally {
@@ -14,19 +19,31 @@ final class Tally {
     private final Director director;
     private final Level level;
     private final long hash;
+    private final Optional<ReplayShelf> shelf;
 
     Tally(Director director, Level level) {
         this.director = director;
         this.level = level;
         hash = level.hash();
+        shelf = director.replays().map(folder -> new ReplayShelf(folder, level));
     }
 
     /** A try is won or lost. */
     void ended(PuzzleGame game) {
         if (game.isSolved()) {
             director.progress(director.progress().solved(level.id(), hash, game.clicks()));
+            shelf.ifPresent(place -> keep(place, game));
         } else if (game.outcome() == Outcome.LOST) {
             failed(game);
+        }
+    }
+
+    private void keep(ReplayShelf place, PuzzleGame game) {
+        try {
+            place.keep(Recording.of(game));
+        } catch (IOException broken) {
+            String why = broken.getMessage();
+            director.tell(director.words().of("replay.not-kept", level.id(), why));
         }
     }
 

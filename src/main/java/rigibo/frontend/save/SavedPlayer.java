@@ -5,7 +5,10 @@ import rigibo.frontend.scene.Progress;
 import rigibo.frontend.scene.Settings;
 import rigibo.frontend.scene.Words;
 
+import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
@@ -27,6 +30,8 @@ public final class SavedPlayer implements Player, AutoCloseable {
 
     private final Kept<Settings> settings;
     private final Kept<Progress> progress;
+    private final Path replays;
+    private final List<String> told = new ArrayList<>();
     private final AtomicBoolean isDue = new AtomicBoolean();
     private final ScheduledExecutorService writer =
             Executors.newSingleThreadScheduledExecutor(
@@ -45,6 +50,7 @@ public final class SavedPlayer implements Player, AutoCloseable {
         Settings initial = Settings.initial(systemLanguage);
         settings = new Kept<>(places.settingsFile(), new SettingsFormat(initial));
         progress = new Kept<>(places.progressFile(), new ProgressFormat());
+        replays = places.replays();
     }
 
     @Override
@@ -71,15 +77,27 @@ public final class SavedPlayer implements Player, AutoCloseable {
 
     @Override
     public List<String> notices(Words words) {
-        return Stream.concat(settings.notices().stream(), progress.notices().stream())
-                .map(notice -> notice.in(words))
-                .toList();
+        Stream<String> ofFiles =
+                Stream.concat(settings.notices().stream(), progress.notices().stream())
+                        .map(notice -> notice.in(words));
+        return Stream.concat(ofFiles, told.stream()).toList();
     }
 
     @Override
     public void forgetNotices() {
         settings.forgetNotices();
         progress.forgetNotices();
+        told.clear();
+    }
+
+    @Override
+    public void tell(String notice) {
+        told.add(notice);
+    }
+
+    @Override
+    public Optional<Path> replays() {
+        return Optional.of(replays);
     }
 
     private void saveIn(long millis) {

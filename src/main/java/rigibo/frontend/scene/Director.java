@@ -1,6 +1,8 @@
 package rigibo.frontend.scene;
 
+import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 
 /**
  * Changes what is shown, and knows what holds in every scene. A change happens after the present
@@ -32,11 +34,17 @@ public interface Director {
     /** Changes what the player has done, from now on and for the next time. */
     void progress(Progress changed);
 
+    /** Where solved runs are kept; nothing where none are. */
+    Optional<Path> replays();
+
     /** What the player should know about the files of all this, a sentence or two each. */
     List<String> notices();
 
     /** The player has read them; what still holds will be told again. */
     void forgetNotices();
+
+    /** Adds a sentence or two to what the player should know. */
+    void tell(String notice);
 
     /** The game's words in the player's language. */
     Words words();

@@ -1,12 +1,16 @@
 package rigibo.frontend.scene;
 
+import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 
 /** A player of whom nothing is remembered. */
 public final class Guest implements Player {
 
     private Settings settings;
     private Progress progress = Progress.none();
+    private final List<String> notices = new ArrayList<>();
 
     /** Who begins with certain settings. */
     public Guest(Settings settings) {
@@ -34,10 +38,22 @@ public final class Guest implements Player {
     }
 
     @Override
-    public List<String> notices(Words words) {
-        return List.of();
+    public Optional<Path> replays() {
+        return Optional.empty();
     }
 
     @Override
-    public void forgetNotices() {}
+    public List<String> notices(Words words) {
+        return List.copyOf(notices);
+    }
+
+    @Override
+    public void forgetNotices() {
+        notices.clear();
+    }
+
+    @Override
+    public void tell(String notice) {
+        notices.add(notice);
+    }
 }

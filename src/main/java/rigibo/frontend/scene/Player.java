@@ -1,6 +1,8 @@
 package rigibo.frontend.scene;
 
+import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 
 /** Who plays: what was chosen, and what was done so far. */
 public interface Player {
@@ -17,9 +19,15 @@ public interface Player {
     /** Keeps what was done by now. */
     void progress(Progress changed);
 
+    /** Where solved runs are kept; nothing where none are. */
+    Optional<Path> replays();
+
     /** What the player should know about the files of all this, a sentence or two each. */
     List<String> notices(Words words);
 
     /** The player has read them; what still holds will be told again. */
     void forgetNotices();
+
+    /** Adds a sentence or two to what the player should know. */
+    void tell(String notice);
 }

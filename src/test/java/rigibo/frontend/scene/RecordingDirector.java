@@ -1,7 +1,9 @@
 package rigibo.frontend.scene;
 
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 
 /** Keeps what was asked of it. */
 public final class RecordingDirector implements Director {
@@ -14,6 +16,9 @@ public final class RecordingDirector implements Director {
 
     /** What the player is told. */
     public final List<String> notices = new ArrayList<>();
+
+    /** Where solved runs are kept. */
+    public Optional<Path> replays = Optional.empty();
 
     private final Player player;
 
@@ -74,6 +79,16 @@ public final class RecordingDirector implements Director {
     @Override
     public void forgetNotices() {
         notices.clear();
+    }
+
+    @Override
+    public void tell(String notice) {
+        notices.add(notice);
+    }
+
+    @Override
+    public Optional<Path> replays() {
+        return replays;
     }
 
     @Override

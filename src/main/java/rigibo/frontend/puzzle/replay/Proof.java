@@ -2,61 +2,51 @@ package rigibo.frontend.puzzle.replay;
 
 import rigibo.frontend.puzzle.rules.Checkpoint;
 import rigibo.frontend.puzzle.rules.Playback;
-import rigibo.frontend.puzzle.rules.PuzzleGame;
 
 import java.util.List;
 import java.util.Optional;
 
-/** Plays a recording again, step by step, and compares each state that was kept. */
+/** Watches a recording being played again, and compares each state that was kept. */
 public final class Proof {
 
-    private final Playback playback;
     private final List<Checkpoint> recorded;
     private int next;
     private Optional<Verdict> verdict = Optional.empty();
 
-    /** A playback at its start. */
+    /** A proof of a recording that has not begun to be played. */
     public Proof(Recording recording) {
-        playback = new Playback(recording.level(), recording.replay());
         recorded = recording.checkpoints();
-        compare();
     }
 
     /** The verdict of a recording, after playing it to its end. */
     public static Verdict of(Recording recording) {
+        Playback playback = new Playback(recording.level(), recording.replay());
         Proof proof = new Proof(recording);
+        proof.observe(playback);
         while (proof.verdict.isEmpty()) {
-            proof.step();
+            playback.step();
+            proof.observe(playback);
         }
         return proof.verdict.get();
     }
 
-    /** Advances by 1/60 s; after the verdict it only goes on moving. */
-    public void step() {
-        playback.step();
+    /** Looks at a playback; to be called at its start and after each step. */
+    public void observe(Playback playback) {
         if (verdict.isEmpty()) {
             verdict = playback.refusal().map(r -> new Verdict.Refused(r.deletion(), r.result()));
-            compare();
+        }
+        if (verdict.isEmpty() && recorded.get(next).step() == playback.game().steps()) {
+            compare(recorded.get(next), playback.game().pool().stateHash());
         }
     }
 
-    private void compare() {
-        if (verdict.isPresent() || recorded.get(next).step() != playback.game().steps()) {
-            return;
-        }
-        Checkpoint expected = recorded.get(next);
-        long found = playback.game().pool().stateHash();
+    private void compare(Checkpoint expected, long found) {
         if (found != expected.hash()) {
             int lastSame = next == 0 ? -1 : recorded.get(next - 1).step();
             verdict = Optional.of(new Verdict.Diverged(lastSame, expected, found));
         } else if (++next == recorded.size()) {
             verdict = Optional.of(new Verdict.Same(recorded.size(), expected.step()));
         }
-    }
-
-    /** The game as it stands. */
-    public PuzzleGame game() {
-        return playback.game();
     }
 
     /** Nothing as long as all is the same and not at its end. */

@@ -11,29 +11,36 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 
-/**
- * Where solved runs are kept: of each level the best and the last.
- *
- * @param folder need not exist yet
- */
-public record ReplayShelf(Path folder) {
+/** Where solved runs of a level are kept: the best and the last. */
+public final class ReplayShelf {
 
     /** How the names of replay files end. */
     public static final String ENDING = ".replay.json";
 
+    private final Path folder;
+    private final String id;
+    private final ReplayLoader loader;
+
+    /** A level's place in a folder, which need not exist yet. */
+    public ReplayShelf(Path folder, Level level) {
+        this.folder = folder;
+        id = level.id();
+        loader = new ReplayLoader(List.of(level));
+    }
+
     /** Fewest clicks, then least time. */
-    public Path best(Level level) {
-        return folder.resolve(level.id() + ".best" + ENDING);
+    public Path best() {
+        return folder.resolve(id + ".best" + ENDING);
     }
 
     /** The one that was played last. */
-    public Path last(Level level) {
-        return folder.resolve(level.id() + ".last" + ENDING);
+    public Path last() {
+        return folder.resolve(id + ".last" + ENDING);
     }
 
     /** The best that can still be watched, else the last; nothing where neither can. */
-    public Optional<Recording> watchable(Level level) {
-        return recording(best(level), level).or(() -> recording(last(level), level));
+    public Optional<Recording> watchable() {
+        return recording(best()).or(() -> recording(last()));
     }
 
     /**
@@ -44,18 +51,15 @@ public record ReplayShelf(Path folder) {
      */
     public void keep(Recording recording) throws IOException {
         Files.createDirectories(folder);
-        write(last(recording.level()), recording);
-        Path best = best(recording.level());
-        Optional<Recording> before = recording(best, recording.level());
+        write(last(), recording);
+        Optional<Recording> before = recording(best());
         if (before.isEmpty() || recording.isBetterThan(before.get())) {
-            write(best, recording);
+            write(best(), recording);
         }
     }
 
-    private static Optional<Recording> recording(Path file, Level level) {
-        return Files.isRegularFile(file)
-                ? new ReplayLoader(List.of(level)).load(file).recording()
-                : Optional.empty();
+    private Optional<Recording> recording(Path file) {
+        return Files.isRegularFile(file) ? loader.load(file).recording() : Optional.empty();
     }
 
     /** Beside its place and then moved into it, so that no half of a file is ever there. */

@@ -2,9 +2,7 @@ package rigibo.frontend.scene.ghost;
 
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
-
-import java.util.ArrayList;
-import java.util.List;
+import rigibo.frontend.scene.widget.Lines;
 
 /** How far a ghost has come from its scene: a number, a curve, and what it means. */
 public final class GhostPlate {
@@ -42,26 +40,10 @@ public final class GhostPlate {
         boolean isParted = divergence.parting().isPresent();
         String note = divergence.parting().map(Parting::brief).orElse(OPEN);
         double line = y + CURVE_TOP + CURVE_HEIGHT + 8 + LINE / 2;
-        for (String part : wrapped(canvas, note, right - left)) {
+        for (String part : Lines.of(canvas, note, SIZE, Canvas.Font.WORDS, right - left)) {
             words(canvas, part, left, line, isParted ? Color.BRASS : Color.TEXT);
             line += LINE;
         }
-    }
-
-    /** Broken between words where the plate ends. */
-    private static List<String> wrapped(Canvas canvas, String note, double width) {
-        List<String> lines = new ArrayList<>();
-        String line = "";
-        for (String word : note.split(" ")) {
-            String longer = line.isEmpty() ? word : line + " " + word;
-            if (canvas.textWidth(longer, SIZE, Canvas.Font.WORDS) > width) {
-                lines.add(line);
-                longer = word;
-            }
-            line = longer;
-        }
-        lines.add(line);
-        return lines;
     }
 
     private static void words(Canvas canvas, String words, double x, double y, Color color) {

@@ -34,7 +34,7 @@ class ReplayShelfTest {
 
     @BeforeEach
     void makeShelf() {
-        shelf = new ReplayShelf(folder.resolve("replays"));
+        shelf = new ReplayShelf(folder.resolve("replays"), level);
     }
 
     private Recording run(Click... clicks) {
@@ -48,26 +48,26 @@ class ReplayShelfTest {
     @Test
     void theFirstRunIsTheLastAndTheBest() throws IOException {
         shelf.keep(slow);
-        assertThat(read(shelf.best(level))).isEqualTo(slow);
-        assertThat(read(shelf.last(level))).isEqualTo(slow);
+        assertThat(read(shelf.best())).isEqualTo(slow);
+        assertThat(read(shelf.last())).isEqualTo(slow);
     }
 
     @Test
     void fewerClicksAreBetterThenLessTime() throws IOException {
         shelf.keep(wasteful);
         shelf.keep(slow);
-        assertThat(read(shelf.best(level))).isEqualTo(slow);
+        assertThat(read(shelf.best())).isEqualTo(slow);
         shelf.keep(quick);
-        assertThat(read(shelf.best(level))).isEqualTo(quick);
+        assertThat(read(shelf.best())).isEqualTo(quick);
     }
 
     @Test
     void aWorseRunIsTheLastOnly() throws IOException {
         shelf.keep(quick);
         shelf.keep(wasteful);
-        assertThat(read(shelf.best(level))).isEqualTo(quick);
-        assertThat(read(shelf.last(level))).isEqualTo(wasteful);
-        assertThat(shelf.watchable(level)).contains(quick);
+        assertThat(read(shelf.best())).isEqualTo(quick);
+        assertThat(read(shelf.last())).isEqualTo(wasteful);
+        assertThat(shelf.watchable()).contains(quick);
     }
 
     @Test
@@ -75,21 +75,21 @@ class ReplayShelfTest {
         for (Recording run : List.of(quick, slow, wasteful, quick)) {
             shelf.keep(run);
         }
-        try (Stream<Path> files = Files.list(shelf.folder())) {
-            assertThat(files).containsExactlyInAnyOrder(shelf.best(level), shelf.last(level));
+        try (Stream<Path> files = Files.list(folder.resolve("replays"))) {
+            assertThat(files).containsExactlyInAnyOrder(shelf.best(), shelf.last());
         }
     }
 
     @Test
     void aBestThatCannotBeWatchedAnyMoreMakesRoom() throws IOException {
         shelf.keep(quick);
-        Files.writeString(shelf.best(level), "{");
+        Files.writeString(shelf.best(), "{");
         shelf.keep(wasteful);
-        assertThat(read(shelf.best(level))).isEqualTo(wasteful);
+        assertThat(read(shelf.best())).isEqualTo(wasteful);
     }
 
     @Test
     void whereNothingIsKeptNothingCanBeWatched() {
-        assertThat(shelf.watchable(level)).isEmpty();
+        assertThat(shelf.watchable()).isEmpty();
     }
 }

@@ -1,0 +1,82 @@
+package rigibo.frontend.puzzle;
+
+import rigibo.frontend.puzzle.level.Level;
+import rigibo.frontend.puzzle.level.LevelLoader;
+import rigibo.frontend.puzzle.level.LoadedLevel;
+import rigibo.frontend.puzzle.level.Problem;
+import rigibo.frontend.puzzle.replay.LoadedReplay;
+import rigibo.frontend.puzzle.replay.Recording;
+import rigibo.frontend.puzzle.replay.ReplayLoader;
+import rigibo.frontend.puzzle.replay.ReplayShelf;
+import rigibo.frontend.scene.Director;
+import rigibo.frontend.scene.Scene;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Function;
+import java.util.stream.Stream;
+
+/** Files that the player brings: levels to be played, or a replay to be watched. */
+public final class PlayerFiles {
+
+    private final List<Level> levels = new ArrayList<>();
+    private final List<Problem> errors = new ArrayList<>();
+    private Optional<Recording> recording = Optional.empty();
+
+    private PlayerFiles() {}
+
+    /** Reads the files; a replay may come with its level, and of several one is watched. */
+    public static PlayerFiles read(List<Path> files) {
+        PlayerFiles read = new PlayerFiles();
+        LevelLoader loader = new LevelLoader();
+        files.stream().filter(file -> !isReplay(file)).map(loader::load).forEach(read::add);
+        List<Path> replays = files.stream().filter(PlayerFiles::isReplay).toList();
+        if (!replays.isEmpty()) {
+            read.addReplays(replays);
+        }
+        return read;
+    }
+
+    private static boolean isReplay(Path file) {
+        return file.toString().endsWith(ReplayShelf.ENDING);
+    }
+
+    private void add(LoadedLevel loaded) {
+        loaded.level().ifPresent(levels::add);
+        loaded.problems().stream().filter(Problem::isError).forEach(errors::add);
+    }
+
+    private void addReplays(List<Path> files) {
+        List<Level> known = Stream.concat(levels.stream(), Levels.all().stream()).toList();
+        ReplayLoader loader = new ReplayLoader(known);
+        for (Path file : files) {
+            LoadedReplay loaded = loader.load(file);
+            errors.addAll(loaded.problems());
+            recording = recording.or(loaded::recording);
+        }
+    }
+
+    /**
+     * What they are for.
+     *
+     * @throws IllegalArgumentException with all that is wrong with them, a line each
+     */
+    public Function<Director, Scene> sound() {
+        if (!errors.isEmpty()) {
+            throw new IllegalArgumentException(Levels.words(errors));
+        }
+        return this::scene;
+    }
+
+    /** What they are for, or what is wrong with them. */
+    public Scene scene(Director director) {
+        if (!errors.isEmpty()) {
+            return new ProblemsScene(director, errors);
+        }
+        return recording
+                .<Scene>map(watched -> new ReplayScene(director, watched))
+                .orElseGet(() -> new PuzzleScene(director, levels, 0));
+    }
+}

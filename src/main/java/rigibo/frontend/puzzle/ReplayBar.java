@@ -1,0 +1,118 @@
+package rigibo.frontend.puzzle;
+
+import rigibo.frontend.puzzle.replay.Recording;
+import rigibo.frontend.puzzle.replay.Verdict;
+import rigibo.frontend.puzzle.rules.Deletion;
+import rigibo.frontend.puzzle.rules.PuzzleGame;
+import rigibo.frontend.scene.Canvas;
+import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.Words;
+import rigibo.frontend.scene.widget.Lines;
+
+import java.util.List;
+
+/** What stands round a recording: title, counts, a line of its time with its clicks, and keys. */
+final class ReplayBar {
+
+    private static final double EDGE = 8;
+    private static final double INNER = Scene.WIDTH - 2 * EDGE;
+    private static final double HEIGHT = View.BAR_FOOT - EDGE;
+    private static final double MIDDLE = EDGE + 20;
+    private static final double LEFT = EDGE + 18;
+    private static final double RIGHT = Scene.WIDTH - LEFT;
+    private static final double TITLE_SIZE = 22;
+    private static final double WORDS_SIZE = 17;
+    private static final double GAP = 14;
+
+    /** The line of time, px. */
+    private static final double TIME_Y = View.BAR_FOOT - 9;
+
+    private static final double PLATE_TOP = View.BAR_FOOT + 6;
+    private static final double LINE = 22;
+    private static final double ICON = 46;
+    private static final double KEYS_Y = (View.KEYS_TOP + Scene.HEIGHT) / 2;
+
+    private final Recording recording;
+
+    ReplayBar(Recording recording) {
+        this.recording = recording;
+    }
+
+    /** The bar; {@code state} is how it is being watched. */
+    void draw(Canvas canvas, Words words, PuzzleGame game, String state) {
+        canvas.panel(EDGE, EDGE, INNER, HEIGHT, 14, Color.PANEL);
+        String title = recording.level().title().in(words.locale());
+        text(canvas, title, LEFT, MIDDLE, TITLE_SIZE, Color.BRASS);
+        double left = LEFT + canvas.textWidth(title, TITLE_SIZE, Canvas.Font.WORDS) + GAP;
+        text(canvas, state, left, MIDDLE, WORDS_SIZE, Color.TEXT);
+        int par = recording.level().limits().par();
+        canvas.text(
+                words.of("puzzle.counts", game.clicks(), par, game.seconds()),
+                RIGHT,
+                MIDDLE,
+                WORDS_SIZE,
+                Canvas.Font.NUMBERS,
+                Canvas.Align.RIGHT,
+                Color.TEXT);
+        drawTime(canvas, Math.min(1, game.steps() / (double) recording.steps()));
+    }
+
+    private void drawTime(Canvas canvas, double share) {
+        canvas.line(LEFT, TIME_Y, RIGHT, TIME_Y, 3, Color.PANEL_LIT);
+        canvas.line(LEFT, TIME_Y, at(share), TIME_Y, 3, Color.BRASS);
+        for (Deletion deletion : recording.replay().deletions()) {
+            double x = at(deletion.step() / (double) recording.steps());
+            canvas.line(x, TIME_Y - 5, x, TIME_Y + 5, 3, Color.TEXT);
+        }
+    }
+
+    private static double at(double share) {
+        return LEFT + share * (RIGHT - LEFT);
+    }
+
+    /** The keys, below the play. */
+    void drawKeys(Canvas canvas, Words words) {
+        canvas.text(
+                words.of("replay.keys"),
+                Scene.WIDTH / 2.0,
+                KEYS_Y,
+                16,
+                Canvas.Font.WORDS,
+                Canvas.Align.CENTRE,
+                Color.TEXT);
+    }
+
+    /** Whether it was the same, below the bar. */
+    void drawVerdict(Canvas canvas, Words words, Verdict verdict) {
+        double width = INNER - ICON - GAP;
+        String said = verdict.in(words);
+        List<String> lines = Lines.of(canvas, said, WORDS_SIZE, Canvas.Font.WORDS, width);
+        double height = lines.size() * LINE + 16;
+        Color color = verdict.isSame() ? Color.GOOD : Color.BAD;
+        canvas.panel(EDGE, PLATE_TOP, INNER, height, 14, Color.PANEL);
+        canvas.frame(EDGE, PLATE_TOP, INNER, height, 14, color);
+        drawIcon(canvas, LEFT + 8, PLATE_TOP + height / 2, verdict.isSame(), color);
+        double y = PLATE_TOP + 8 + LINE / 2;
+        for (String line : lines) {
+            text(canvas, line, EDGE + ICON, y, WORDS_SIZE, Color.TEXT);
+            y += LINE;
+        }
+    }
+
+    private static void drawIcon(Canvas canvas, double x, double y, boolean isGood, Color color) {
+        canvas.ring(x, y, 11, 3, 1, color);
+        if (isGood) {
+            canvas.line(x - 5, y, x - 1, y + 4, 3, color);
+            canvas.line(x - 1, y + 4, x + 5, y - 4, 3, color);
+        } else {
+            canvas.line(x - 4, y - 4, x + 4, y + 4, 3, color);
+            canvas.line(x - 4, y + 4, x + 4, y - 4, 3, color);
+        }
+    }
+
+    private static void text(
+            Canvas canvas, String words, double x, double y, double size, Color color) {
+        canvas.text(words, x, y, size, Canvas.Font.WORDS, Canvas.Align.LEFT, color);
+    }
+}

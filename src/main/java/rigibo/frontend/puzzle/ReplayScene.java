@@ -1,0 +1,91 @@
+package rigibo.frontend.puzzle;
+
+import rigibo.frontend.puzzle.replay.Recording;
+import rigibo.frontend.puzzle.rules.PuzzleGame;
+import rigibo.frontend.scene.Canvas;
+import rigibo.frontend.scene.Director;
+import rigibo.frontend.scene.Key;
+import rigibo.frontend.scene.PointerButton;
+import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.Settings.Motion;
+
+/** A solved run as it is watched, and at its end whether it was the same to the last bit. */
+final class ReplayScene implements Scene {
+
+    private final Director director;
+    private final Recording recording;
+    private final View view;
+    private final ReplayBar bar;
+    private Screening screening;
+    private ReplaySpeed speed = ReplaySpeed.FULL;
+    private boolean isPaused;
+
+    ReplayScene(Director director, Recording recording) {
+        this.director = director;
+        this.recording = recording;
+        view = new View(recording.level().world());
+        bar = new ReplayBar(recording);
+        begin();
+    }
+
+    private void begin() {
+        screening = new Screening(recording, view.camera(), director.sounds());
+        isPaused = false;
+    }
+
+    @Override
+    public String title() {
+        String level = recording.level().title().in(director.words().locale());
+        return "RigiBo – " + director.words().of("replay.title", level);
+    }
+
+    @Override
+    public void step() {
+        if (!isPaused) {
+            screening.turn(speed, motion());
+        }
+    }
+
+    private Motion motion() {
+        return director.settings().motion();
+    }
+
+    @Override
+    public void draw(Canvas canvas) {
+        PuzzleGame game = screening.game();
+        screening.draw(canvas, motion());
+        bar.draw(canvas, director.words(), game, state());
+        screening
+                .verdict()
+                .ifPresent(verdict -> bar.drawVerdict(canvas, director.words(), verdict));
+        bar.drawKeys(canvas, director.words());
+    }
+
+    private String state() {
+        return isPaused
+                ? director.words().of("replay.paused")
+                : director.words().of("replay.running", speed.words());
+    }
+
+    @Override
+    public void pointerPressed(PointerButton button, double x, double y) {
+        isPaused = !isPaused;
+    }
+
+    @Override
+    public void keyPressed(Key key) {
+        switch (key) {
+            case SPACE, P -> isPaused = !isPaused;
+            case PERIOD -> stepOnce();
+            case LEFT, S -> speed = speed.slower();
+            case RIGHT, N -> speed = speed.faster();
+            case R -> begin();
+            default -> {}
+        }
+    }
+
+    private void stepOnce() {
+        isPaused = true;
+        screening.turn(ReplaySpeed.FULL, motion());
+    }
+}

@@ -1,0 +1,41 @@
+package rigibo.frontend.puzzle;
+
+/** How fast a recording is watched; always in whole steps of 1/60 s, so that it is the same. */
+enum ReplaySpeed {
+    QUARTER(Pace.QUARTER, 1, "¼ ×"),
+    HALF(Pace.HALF, 1, "½ ×"),
+    FULL(Pace.FULL, 1, "1 ×"),
+    DOUBLE(Pace.FULL, 2, "2 ×"),
+    FOURFOLD(Pace.FULL, 4, "4 ×");
+
+    private final Pace pace;
+    private final int framesPerTurn;
+    private final String words;
+
+    ReplaySpeed(Pace pace, int framesPerTurn, String words) {
+        this.pace = pace;
+        this.framesPerTurn = framesPerTurn;
+        this.words = words;
+    }
+
+    Pace pace() {
+        return pace;
+    }
+
+    int framesPerTurn() {
+        return framesPerTurn;
+    }
+
+    /** In any language. */
+    String words() {
+        return words;
+    }
+
+    ReplaySpeed slower() {
+        return values()[Math.max(ordinal() - 1, 0)];
+    }
+
+    ReplaySpeed faster() {
+        return values()[Math.min(ordinal() + 1, values().length - 1)];
+    }
+}

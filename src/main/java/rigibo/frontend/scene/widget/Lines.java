@@ -1,0 +1,50 @@
+package rigibo.frontend.scene.widget;
+
+import rigibo.frontend.scene.Canvas;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** Texts in lines of a width. */
+public final class Lines {
+
+    private Lines() {}
+
+    /**
+     * A text broken between words; a word wider than a line, such as a path, is broken inside.
+     *
+     * @param size of the text, px
+     * @param width of a line, px
+     */
+    public static List<String> of(
+            Canvas canvas, String text, double size, Canvas.Font font, double width) {
+        List<String> lines = new ArrayList<>();
+        String line = "";
+        for (String word : text.split(" ")) {
+            String longer = line.isEmpty() ? word : line + " " + word;
+            if (canvas.textWidth(longer, size, font) > width && !line.isEmpty()) {
+                lines.add(line);
+                longer = word;
+            }
+            while (canvas.textWidth(longer, size, font) > width && longer.length() > 1) {
+                int fitting = fitting(canvas, longer, size, font, width);
+                lines.add(longer.substring(0, fitting));
+                longer = longer.substring(fitting);
+            }
+            line = longer;
+        }
+        lines.add(line);
+        return lines;
+    }
+
+    /** How many letters of a word fit, at least one. */
+    private static int fitting(
+            Canvas canvas, String word, double size, Canvas.Font font, double width) {
+        int letters = 1;
+        while (letters < word.length()
+                && canvas.textWidth(word.substring(0, letters + 1), size, font) <= width) {
+            letters++;
+        }
+        return letters;
+    }
+}

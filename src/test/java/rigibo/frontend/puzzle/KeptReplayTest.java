@@ -1,0 +1,66 @@
+package rigibo.frontend.puzzle;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+import rigibo.backend.effect.Effects;
+import rigibo.backend.setup.Accuracy;
+import rigibo.frontend.puzzle.level.Level;
+import rigibo.frontend.puzzle.level.LevelTexts;
+import rigibo.frontend.puzzle.replay.Proof;
+import rigibo.frontend.puzzle.replay.ReplayShelf;
+import rigibo.frontend.puzzle.rules.Outcome;
+import rigibo.frontend.puzzle.rules.PuzzleGame;
+import rigibo.frontend.scene.RecordingDirector;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Optional;
+
+class KeptReplayTest {
+
+    @TempDir Path folder;
+
+    private final Level level = LevelTexts.sound();
+    private final RecordingDirector director = new RecordingDirector();
+
+    private static PuzzleGame won(PuzzleGame game) {
+        game.delete("box");
+        while (game.outcome() == Outcome.RUNNING) {
+            game.step();
+        }
+        return game;
+    }
+
+    @Test
+    void aSolvedRunIsKeptAndPlaysBackTheSame() {
+        director.replays = Optional.of(folder);
+        new Tally(director, level).ended(won(new PuzzleGame(level, Accuracy.GAME)));
+        assertThat(new ReplayShelf(folder, level).watchable())
+                .hasValueSatisfying(kept -> assertThat(Proof.of(kept).isSame()).isTrue());
+    }
+
+    @Test
+    void anExperimentIsNotKept() {
+        director.replays = Optional.of(folder);
+        PuzzleGame game = new PuzzleGame(level, Accuracy.GAME);
+        Effects own = level.world().effects();
+        game.experiment(own);
+        new Tally(director, level).ended(won(game));
+        assertThat(new ReplayShelf(folder, level).watchable()).isEmpty();
+    }
+
+    @Test
+    void whereNothingCanBeWrittenThePlayerIsTold() throws IOException {
+        Path file = Files.writeString(folder.resolve("file"), "no folder");
+        director.replays = Optional.of(file);
+        new Tally(director, level).ended(won(new PuzzleGame(level, Accuracy.GAME)));
+        assertThat(director.notices)
+                .singleElement()
+                .asString()
+                .startsWith("The replay of drop could not be kept: ");
+    }
+}

@@ -1,0 +1,81 @@
+package rigibo.frontend.puzzle;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+import rigibo.frontend.puzzle.level.LevelTexts;
+import rigibo.frontend.puzzle.replay.Recording;
+import rigibo.frontend.puzzle.replay.Recordings;
+import rigibo.frontend.puzzle.replay.ReplayShelf;
+import rigibo.frontend.scene.Legibility;
+import rigibo.frontend.scene.RecordingCanvas;
+import rigibo.frontend.scene.RecordingDirector;
+import rigibo.frontend.scene.Scene;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+
+class PlayerFilesTest {
+
+    @TempDir Path folder;
+
+    private final RecordingDirector director = new RecordingDirector();
+    private Path level;
+    private Path replay;
+
+    @BeforeEach
+    void write() throws IOException {
+        Recording recording = Recordings.sound();
+        ReplayShelf shelf = new ReplayShelf(folder, recording.level());
+        shelf.keep(recording);
+        replay = shelf.best();
+        level = Files.writeString(folder.resolve("drop.json"), LevelTexts.SOUND);
+    }
+
+    private Scene open(Path... files) {
+        return PlayerFiles.read(List.of(files)).scene(director);
+    }
+
+    @Test
+    void aLevelIsPlayed() {
+        assertThat(open(level)).isInstanceOf(PuzzleScene.class);
+    }
+
+    @Test
+    void aReplayIsWatchedWithTheLevelItComesWith() {
+        assertThat(open(replay, level)).isInstanceOf(ReplayScene.class);
+        assertThat(open(level, replay)).isInstanceOf(ReplayScene.class);
+    }
+
+    @Test
+    void aReplayOfNoKnownLevelIsRefusedInWords() {
+        Scene scene = open(replay);
+        assertThat(String.join("", RecordingCanvas.of(scene).texts()))
+                .contains("This cannot be opened", "belongs to the level");
+        assertThatThrownBy(() -> PlayerFiles.read(List.of(replay)).sound())
+                .hasMessageContaining("belongs to the level \"drop\", which is not here");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"en", "de"})
+    void manyProblemsOfFilesFarAwayCanBeRead(String language) throws IOException {
+        List<Path> files = new ArrayList<>();
+        Path far = Files.createDirectories(folder.resolve("x".repeat(120)));
+        for (int i = 0; i < 40; i++) {
+            files.add(far.resolve(i + ".json"));
+        }
+        Scene scene = PlayerFiles.read(files).scene(new RecordingDirector(language));
+        assertThat(Legibility.faults(scene)).isEmpty();
+        assertThat(RecordingCanvas.of(scene).texts())
+                .anySatisfy(words -> assertThat(words).matches("(and|und) \\d+ (more|mehr)"));
+    }
+}
