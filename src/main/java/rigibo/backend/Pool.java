@@ -193,6 +193,7 @@ public final class Pool {
         return report;
     }
 
+    /** How accurately it is simulated. */
     public Accuracy accuracy() {
         return plan.accuracy();
     }
@@ -204,6 +205,7 @@ public final class Pool {
         plan.compile(plan.effects(), accuracy);
     }
 
+    /** What is simulated. */
     public Effects effects() {
         return plan.effects();
     }

@@ -85,14 +85,17 @@ public final class RigidBody {
         return columns().kineticEnergy(slot);
     }
 
+    /** What may move the body. */
     public BodyType type() {
         return columns().type[slot];
     }
 
+    /** The shape, whose centre of mass is at (x, y). */
     public Shape shape() {
         return columns().shape[slot];
     }
 
+    /** What the body is made of. */
     public Material material() {
         return columns().material[slot];
     }

@@ -6,14 +6,16 @@ package rigibo.backend.effect;
  */
 public final class FieldPoint {
 
-    /** World place of the centre of mass, m, y up. */
+    /** World place of the centre of mass, m, to the right. */
     public double x;
 
+    /** World place of the centre of mass, m, up. */
     public double y;
 
-    /** Velocity of the centre of mass, m/s. */
+    /** Velocity of the centre of mass, m/s, to the right. */
     public double velocityX;
 
+    /** Velocity of the centre of mass, m/s, up. */
     public double velocityY;
 
     /** kg, positive. */
@@ -22,9 +24,10 @@ public final class FieldPoint {
     /** s since the pool was made. */
     public double time;
 
-    /** What has been added so far, m/s². */
+    /** What has been added so far, m/s², to the right. */
     public double accelerationX;
 
+    /** What has been added so far, m/s², up. */
     public double accelerationY;
 
     /** Adds a force in N, to the right and up. */

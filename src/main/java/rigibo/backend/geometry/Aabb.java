@@ -3,9 +3,16 @@ package rigibo.backend.geometry;
 /** An axis-aligned box in world coordinates, m. A plain carrier that stages reuse. */
 public final class Aabb {
 
+    /** Left edge, m. */
     public double minX;
+
+    /** Lower edge, m. */
     public double minY;
+
+    /** Right edge, m. */
     public double maxX;
+
+    /** Upper edge, m. */
     public double maxY;
 
     /** An empty box at the origin, to be written to. */

@@ -2,6 +2,9 @@ package rigibo.backend.geometry;
 
 /** The kinds of shape the engine knows; switches over it have no default, so none is forgotten. */
 public enum ShapeKind {
+    /** {@link Circle}. */
     CIRCLE,
+
+    /** {@link Polygon}. */
     POLYGON
 }

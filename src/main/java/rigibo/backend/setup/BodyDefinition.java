@@ -180,10 +180,12 @@ public final class BodyDefinition {
         return next;
     }
 
+    /** What may move the body. */
     public BodyType type() {
         return type;
     }
 
+    /** The shape, whose centre of mass is at (x, y). */
     public Shape shape() {
         return shape;
     }
@@ -218,10 +220,12 @@ public final class BodyDefinition {
         return spin;
     }
 
+    /** {@link Material#DEFAULT} unless another was stated. */
     public Material material() {
         return material;
     }
 
+    /** Empty unless one was stated. */
     public String name() {
         return name;
     }
@@ -256,6 +260,7 @@ public final class BodyDefinition {
         return group;
     }
 
+    /** Whether the body begins awake. */
     public boolean awake() {
         return awake;
     }
@@ -284,6 +289,7 @@ public final class BodyDefinition {
      */
     public static final double LEAST_MASS = 1e-100;
 
+    /** The greatest. */
     public static final double MOST_MASS = 1e100;
 
     /** Highest spin accepted, rad/s. */
