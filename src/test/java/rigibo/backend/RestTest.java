@@ -113,4 +113,79 @@ class RestTest {
         assertThat(box.velocityX()).isEqualTo(blown, within(drag * speed * kick));
         assertThat(box.velocityX()).isPositive();
     }
+
+    /** Rows are written where a pile is solved: not for what rests, and again when it is struck. */
+    @ParameterizedTest
+    @EnumSource(Presets.class)
+    void whatRestsIsNotSolvedUntilSomethingHappens(Presets preset) {
+        List<RigidBody> boxes = new ArrayList<>();
+        Pool pool = stack(preset, boxes);
+        assertThat(pool.step(Scenes.DT).rows()).isZero();
+        RigidBody top = boxes.get(BOXES - 1);
+        top.applyImpulse(top.mass(), 0, top.x(), top.y());
+        assertThat(pool.step(Scenes.DT).rows()).isPositive();
+        assertThat(top.velocityX()).isPositive();
+    }
+
+    /** A box on a slope of 20° holds by μ = 0.5 > tan 20°, and slides at g·(sin − μ·cos) by 0.1. */
+    @ParameterizedTest
+    @EnumSource(Presets.class)
+    void whatLosesItsGripSlidesAtOnce(Presets preset) {
+        double slope = Math.toRadians(20);
+        Pool pool = new Pool(Scenes.usualWithoutSleep(), preset.accuracy);
+        RigidBody ramp =
+                pool.add(
+                        BodyDefinition.fixed(Polygon.box(40, 2))
+                                .at(Math.sin(slope), -Math.cos(slope))
+                                .angle(slope)
+                                .material(new Material(1, 0.5, 0)));
+        RigidBody box =
+                pool.add(
+                        BodyDefinition.dynamic(Polygon.box(2, 0.5))
+                                .at(-0.25 * Math.sin(slope), 0.25 * Math.cos(slope))
+                                .angle(slope)
+                                .material(new Material(1, 0.5, 0)));
+        Scenes.run(pool, SECOND);
+        assertThat(pool.step(Scenes.DT).rows()).isZero();
+        ramp.material(new Material(1, 0.1, 0));
+        box.material(new Material(1, 0.1, 0));
+        Scenes.run(pool, SECOND);
+        double sliding = GRAVITY * (Math.sin(slope) - 0.1 * Math.cos(slope));
+        double speed = Math.hypot(box.velocityX(), box.velocityY());
+        // Coulomb's force is constant: the scheme is exact but for what is left unsolved, 10⁻⁵.
+        assertThat(speed).isEqualTo(sliding * SECOND * Scenes.DT, within(1e-4));
+    }
+
+    /**
+     * 5,050 boxes of which each stands on two, loaded from above as no pass over contacts could
+     * tell in one step: nobody moves, and the floor carries the weight of all.
+     */
+    @ParameterizedTest
+    @EnumSource(Presets.class)
+    void aPyramidOfAHundredStoreysRests(Presets preset) {
+        int base = 100;
+        Pool pool = new Pool(Scenes.usualWithoutSleep(), preset.accuracy);
+        RigidBody floor = pool.add(BodyDefinition.fixed(Polygon.box(120, 1)).at(0, -0.5));
+        List<RigidBody> boxes = new ArrayList<>();
+        for (int storey = 0; storey < base; storey++) {
+            for (int i = 0; i < base - storey; i++) {
+                double x = 1.0625 * (i - (base - storey - 1) / 2.0);
+                boxes.add(pool.add(BodyDefinition.dynamic(Polygon.box(1, 1)).at(x, storey + 0.5)));
+            }
+        }
+        Scenes.run(pool, 10);
+        for (RigidBody box : boxes) {
+            assertThat(box.velocityX()).isZero();
+            assertThat(box.velocityY()).isZero();
+            assertThat(box.y()).isEqualTo(Math.round(box.y() - 0.5) + 0.5);
+        }
+        double weight = boxes.stream().mapToDouble(box -> box.mass() * GRAVITY).sum();
+        double carried =
+                pool.contactEvents().stream()
+                        .filter(event -> event.a() == floor || event.b() == floor)
+                        .mapToDouble(ContactEvent::impulse)
+                        .sum();
+        // Every body is held to 10⁻¹⁰ of its weight.
+        assertThat(carried).isEqualTo(weight * Scenes.DT, within(1e-9 * weight * Scenes.DT));
+    }
 }

@@ -49,6 +49,12 @@ final class Halfway {
         }
     }
 
+    /** Takes all of the round back. */
+    void takeBack() {
+        System.arraycopy(velocities, 0, motions.data, 0, motions.count * Motions.STRIDE);
+        System.arraycopy(impulses, 0, rows.data, 0, rows.count * Rows.STRIDE);
+    }
+
     private void halve(int column) {
         rows.data[column] = (rows.data[column] + impulses[column]) / 2;
     }

@@ -43,6 +43,11 @@ final class Kick {
         }
     }
 
+    /** Whether there are forces that change along the way. */
+    boolean mayChange() {
+        return forces != null;
+    }
+
     /**
      * Whether kicks of h seconds around times h apart, from {@code first} on, pull all bodies as
      * the last one did, but for so many m/s².

@@ -1,6 +1,7 @@
 package rigibo.backend.contact;
 
 import rigibo.backend.storage.Bodies;
+import rigibo.backend.storage.Islands;
 
 import java.util.Arrays;
 
@@ -22,6 +23,15 @@ final class LateJoiners {
         this.bodies = bodies;
         this.motions = motions;
         this.rows = rows;
+    }
+
+    /** When the first of an island's bodies joined, s after the step's start. */
+    double startOf(Islands islands, int island) {
+        double first = Double.POSITIVE_INFINITY;
+        for (int i = islands.bodyStart[island]; i < islands.bodyStart[island + 1]; i++) {
+            first = Math.min(first, bodies.pileTime[islands.bodies[i]]);
+        }
+        return first;
     }
 
     /** Delays those of the packed island, whose substeps of h seconds begin at a time in s. */

@@ -104,6 +104,13 @@ final class Motions {
         }
     }
 
+    /** Takes all speed from every entry. */
+    void halt() {
+        for (int at = STRIDE; at < count * STRIDE; at += STRIDE) {
+            Arrays.fill(data, at, at + DX, 0);
+        }
+    }
+
     /** The gap of a contact's point now, m, negative in overlap. */
     double gap(Rows rows, int row, int point) {
         double[] d = rows.data;

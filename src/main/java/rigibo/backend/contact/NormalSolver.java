@@ -197,12 +197,13 @@ final class NormalSolver {
         double free1 = w1 - k01 * old0 - k11 * old1;
         double only0 = -free0 / k00;
         double only1 = -free1 / k11;
-        if (only0 >= 0 && free1 + k01 * only0 >= 0) {
-            keep(d, at, only0, 0);
-        } else if (only1 >= 0 && free0 + k01 * only1 >= 0) {
-            keep(d, at, 0, only1);
-        } else {
+        if (free0 >= 0 && free1 >= 0) {
             keep(d, at, 0, 0);
+        } else if (free1 + k01 * push(only0) >= free0 + k01 * push(only1)) {
+            // Of the two cases that are left round-off may deny both: then the nearer one is true.
+            keep(d, at, push(only0), 0);
+        } else {
+            keep(d, at, 0, push(only1));
         }
     }
 

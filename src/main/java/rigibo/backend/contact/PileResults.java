@@ -2,6 +2,7 @@ package rigibo.backend.contact;
 
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.Islands;
 import rigibo.backend.storage.Pairs;
 
 /** Carries what a packed island came to back into the storage. */
@@ -12,6 +13,7 @@ final class PileResults {
 
     private final Bodies bodies;
     private final Pairs pairs;
+    private final Islands islands;
     private final Motions motions;
     private final Rows rows;
 
@@ -22,6 +24,7 @@ final class PileResults {
         this.turns = turns;
         bodies = data.bodies;
         pairs = data.pairs;
+        islands = data.islands;
         this.motions = motions;
         this.rows = rows;
     }
@@ -39,6 +42,18 @@ final class PileResults {
         }
         for (int row = 0; row < rows.count; row++) {
             storePair(row, h, Math.min(1, length / LOAD_MEMORY));
+        }
+    }
+
+    /** Lets an island carry for {@code dt} seconds more what it carries, and stay where it is. */
+    void goOn(int island, double dt) {
+        for (int i = islands.pairStart[island]; i < islands.pairStart[island + 1]; i++) {
+            int pair = islands.pairs[i];
+            double force = pairs.normalForce[2 * pair] + pairs.normalForce[2 * pair + 1];
+            remember(2 * pair, Math.min(1, dt / LOAD_MEMORY));
+            remember(2 * pair + 1, Math.min(1, dt / LOAD_MEMORY));
+            pairs.impulse[pair] += dt * force;
+            noteTouch(pair, force);
         }
     }
 
@@ -61,7 +76,11 @@ final class PileResults {
         remember(2 * pair, share);
         remember(2 * pair + 1, share);
         pairs.impulse[pair] += d[at + Rows.TOTAL];
-        if (d[at + Rows.IMPULSE0] + d[at + Rows.IMPULSE1] > 0) {
+        noteTouch(pair, d[at + Rows.IMPULSE0] + d[at + Rows.IMPULSE1]);
+    }
+
+    private void noteTouch(int pair, double carried) {
+        if (carried > 0) {
             pairs.resting[pair] = true;
             pairs.touching[pair] = true;
         }

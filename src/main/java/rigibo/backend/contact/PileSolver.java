@@ -72,8 +72,8 @@ public final class PileSolver {
     private final SplitSolver split;
 
     private final LateJoiners lateJoiners;
-    private final Stillness stillness;
-    private final SoftPush soft = new SoftPush();
+    private final Repose repose;
+    private final Passes passes;
     private final boolean isDirect;
     private final DeclaredRows declared;
     private final PileResults results;
@@ -92,6 +92,9 @@ public final class PileSolver {
 
     /** What may be left in a small pile that counts as solved, m/s. */
     private double settled;
+
+    /** Whether every body of the packed island was found to be held where it is. */
+    private boolean isHeld;
 
     /** Substeps that the packed island is given. */
     private int substeps;
@@ -129,31 +132,35 @@ public final class PileSolver {
         DragKick drag = drags ? new DragKick(bodies, motions) : null;
         kick = new Kick(bodies, motions, forces, drag, turns);
         lateJoiners = new LateJoiners(bodies, motions, rows);
-        stillness = new Stillness(bodies, motions, rows, isCorrecting ? overlap : null, kick);
+        repose =
+                new Repose(
+                        data,
+                        motions,
+                        rows,
+                        isCorrecting ? overlap : null,
+                        kick,
+                        builder,
+                        accuracy);
         FreshRows fresh = new FreshRows(data, narrowphase, motions, rows, builder);
         declared =
                 new DeclaredRows(
                         data, effects, motions, rows, kick, fresh, accuracy.impactTolerance());
+        passes = new Passes(motions, normals, declared, guard, accuracy);
     }
 
     /** Advances every island to the end of a step of {@code dt} seconds. */
     public void solve(double dt) {
         for (int island = 0; island < islands.count; island++) {
-            double start = startOf(island);
+            if (repose.lasts(island, dt)) {
+                results.goOn(island, dt);
+                continue;
+            }
+            double start = lateJoiners.startOf(islands, island);
             if (dt > start) {
                 substeps = declared.substepsFor(island, dt - start, accuracy.substeps());
                 advance(island, start, (dt - start) / substeps, dt);
             }
         }
-    }
-
-    /** When the first of the island's bodies joined, s after the step's start. */
-    private double startOf(int island) {
-        double first = Double.POSITIVE_INFINITY;
-        for (int i = islands.bodyStart[island]; i < islands.bodyStart[island + 1]; i++) {
-            first = Math.min(first, bodies.pileTime[islands.bodies[i]]);
-        }
-        return first;
     }
 
     private void advance(int island, double start, double h, double dt) {
@@ -163,6 +170,8 @@ public final class PileSolver {
         isRound = isRound();
         whole = isDirect ? wholeSolver(dt) : null;
         lateJoiners.delay(start, h);
+        isHeld = false;
+        boolean wasStill = repose.isStill(dt, share());
         counters.rows += declared.rowCount() + rows.count;
         for (int substep = 0; substep < substeps; substep++) {
             double middle = start + (substep + 0.5) * h;
@@ -175,19 +184,28 @@ public final class PileSolver {
             fastest = motions.fastest();
             setLimit(substep);
             begin(substep == 1 ? 2 : 1, substep);
+            if (substep == 0 && wasStill && isCarried(start, h)) {
+                rest();
+                break;
+            }
             if (whole != null) {
                 settleSubstep(h, substep);
-                if (substep == 0 && stillness.isAtRest(start, h, substeps, settled)) {
+                if (substep == 0 && repose.isFound(start, h, substeps, settled)) {
                     rest();
                     break;
                 }
+                rows.addUpImpulses(1);
                 motions.drift(h);
                 takeOverlapBack(h, substep);
             } else {
-                passSubstep(h, substep);
+                passes.advance(h, substep, isRound, limit);
             }
         }
-        finish(h, dt);
+        if (isHeld) {
+            finishHeld();
+        } else {
+            finish(h, dt);
+        }
         results.store(h, dt - start);
         declared.store(h);
     }
@@ -197,7 +215,7 @@ public final class PileSolver {
      * is left of their speeds is what counts as none.
      */
     private void rest() {
-        rows.addUpImpulses(2 * (substeps - 1));
+        rows.addUpImpulses(2 * substeps - 1);
         substeps = 1;
     }
 
@@ -267,14 +285,18 @@ public final class PileSolver {
         whole.begin();
         declared.strikeJointly(h, substep);
         settle(h, substep);
-        rows.addUpImpulses(1);
     }
 
-    private void passSubstep(double h, int substep) {
-        declared.strikeApart(h, substep);
-        pushApart(h, substep);
-        motions.drift(h);
-        hold(h, substep);
+    /** Share of the fastest speed that counts as solved. */
+    private double share() {
+        double finest = whole == null ? SplitSolver.FINEST : whole.finestShare();
+        return Math.max(SETTLED * accuracy.impactTolerance(), finest);
+    }
+
+    private boolean isCarried(double start, double h) {
+        settled = share() * fastest;
+        isHeld = repose.isCarried(start, h, substeps, settled, fastest);
+        return isHeld;
     }
 
     private void takeOverlapBack(double h, int substep) {
@@ -282,34 +304,6 @@ public final class PileSolver {
             whole.correct(h, substep, fastest);
             overlap.correct(h, substep);
         }
-    }
-
-    /** A pile too large to be solved whole gives way under its load and pushes back. */
-    private void pushApart(double h, int substep) {
-        double kickLength = substep == 0 ? h / 2 : h;
-        for (int i = 0; i < accuracy.velocityIterations(); i++) {
-            if (isCorrecting) {
-                normals.push(h, kickLength, substep, soft);
-            } else {
-                normals.forth(h, substep);
-            }
-        }
-        guard.limitSpeed(limit);
-    }
-
-    /**
-     * Keeps the contacts of a pile that is not solved whole from closing and sliding. What is
-     * stacked is passed over both ways: loads that reach the ground in one substep come back up in
-     * it, and a high stack does not breathe.
-     */
-    private void hold(double h, int substep) {
-        for (int left = accuracy.velocityIterations(); left > 0; left--) {
-            if (!isRound) {
-                normals.forth(h, substep);
-            }
-            declared.relax(normals, h, substep, left == 1);
-        }
-        guard.limitSpeed(limit);
     }
 
     /** Goes on until a small pile is solved, which at rest it is after the first round. */
@@ -322,8 +316,7 @@ public final class PileSolver {
     }
 
     private boolean settleRows(double h, int substep) {
-        double share = SETTLED * accuracy.impactTolerance();
-        settled = Math.max(share, whole.finestShare()) * fastest;
+        settled = share() * fastest;
         double before = Double.POSITIVE_INFINITY;
         for (int i = 0; i < LEAST_ROUNDS + accuracy.substeps(); i++) {
             double change = declared.rub(substep);
@@ -348,6 +341,12 @@ public final class PileSolver {
         return false;
     }
 
+    /** What held the first half of a kick holds its second half as well: nothing moves at all. */
+    private void finishHeld() {
+        motions.halt();
+        rows.addUpImpulses(1);
+    }
+
     /**
      * The second half of the last kick: velocities are those at the end of the step. Nothing moves
      * any more, so in a small pile a gap that would close in the next step is no reason to slow
@@ -370,7 +369,7 @@ public final class PileSolver {
             settle(h * NO_TIME, last);
             rows.addUpImpulses(1);
         } else {
-            hold(h, last);
+            passes.hold(h, last, isRound, limit);
         }
     }
 

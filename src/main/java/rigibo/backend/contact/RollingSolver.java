@@ -40,7 +40,7 @@ final class RollingSolver implements Rubbing {
         }
         count = 0;
         for (int row = 0; row < rows.count; row++) {
-            double lever = lever(rows.pair[row]);
+            double lever = pairs.rollingLever(bodies, rows.pair[row]);
             if (lever > 0) {
                 write(row, lever, firstKick);
                 rolling[count++] = row;
@@ -49,13 +49,6 @@ final class RollingSolver implements Rubbing {
         if (friction != null) {
             friction.begin(firstKick);
         }
-    }
-
-    /** The longer of the two levers, m. */
-    private double lever(int pair) {
-        return Math.max(
-                bodies.rollingResistance[pairs.bodyA[pair]],
-                bodies.rollingResistance[pairs.bodyB[pair]]);
     }
 
     private void write(int row, double lever, double firstKick) {

@@ -90,7 +90,8 @@ final class RowBuilder {
         }
     }
 
-    private void packBodies(int island) {
+    /** Packs the bodies of an island alone. */
+    void packBodies(int island) {
         motions.clear(bodies);
         for (int i = islands.bodyStart[island]; i < islands.bodyStart[island + 1]; i++) {
             motions.offset(bodies, islands.bodies[i]);
@@ -191,7 +192,7 @@ final class RowBuilder {
         }
         d[at + Rows.NX] = nx;
         d[at + Rows.NY] = ny;
-        double rubsAt = rubsAt(pair, nx, ny);
+        double rubsAt = rubsAt(pairs, pair, nx, ny);
         d[at + Rows.LEVER_TA] = rubsAt - ax * nx - ay * ny;
         d[at + Rows.LEVER_TB] = rubsAt - bx * nx - by * ny;
     }
@@ -200,7 +201,7 @@ final class RowBuilder {
      * How far along the normal a contact rubs, m: where its nearest point is. What stands on one
      * corner and has the other in the air turns about the one.
      */
-    private double rubsAt(int pair, double nx, double ny) {
+    static double rubsAt(Pairs pairs, int pair, double nx, double ny) {
         int point = 2 * pair;
         double first = nx * pairs.pointX[point] + ny * pairs.pointY[point];
         if (pairs.points[pair] < 2) {

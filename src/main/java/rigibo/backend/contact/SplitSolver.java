@@ -52,7 +52,7 @@ final class SplitSolver implements WholeSolver {
     /**
      * Share of the fastest speed that is left unsolved at any accuracy: the last digits are dear.
      */
-    private static final double FINEST = 1e-5;
+    static final double FINEST = 1e-5;
 
     /** How many times the fastest speed two bodies may close at: each twice as fast. */
     private static final double CLOSING = 4;

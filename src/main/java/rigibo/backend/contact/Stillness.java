@@ -10,10 +10,10 @@ import rigibo.backend.storage.Bodies;
 final class Stillness {
 
     /** Share of its width that a body at rest may move by in a step. */
-    private static final double STILL = 1e-9;
+    static final double STILL = 1e-9;
 
     /** How many times what counts as solved a body at rest may go at. */
-    private static final double QUIET = 16;
+    static final double QUIET = 16;
 
     private final Bodies bodies;
     private final Motions motions;
@@ -47,7 +47,8 @@ final class Stillness {
                 && kick.isSteady(start + h, h, substeps - 1, quiet / length);
     }
 
-    private boolean isEveryBodyStill(double length, double quiet) {
+    /** Whether nobody would move in so many seconds, whatever goes no faster than is said, m/s. */
+    boolean isEveryBodyStill(double length, double quiet) {
         double[] m = motions.data;
         for (int entry = 1; entry < motions.count; entry++) {
             int slot = motions.slots[entry];

@@ -235,6 +235,12 @@ public final class Pairs {
         }
     }
 
+    /** The longer of the rolling levers of the two bodies, m; rolling resistance is declared. */
+    public double rollingLever(Bodies bodies, int pair) {
+        return Math.max(
+                bodies.rollingResistance[bodyA[pair]], bodies.rollingResistance[bodyB[pair]]);
+    }
+
     /** The mixed friction, 0 where none is declared. */
     public double frictionOf(int pair) {
         return friction == null ? 0 : friction[pair];

@@ -1,0 +1,170 @@
+package rigibo.backend.contact;
+
+import rigibo.backend.storage.Bodies;
+import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.Islands;
+import rigibo.backend.storage.PairTolerances;
+import rigibo.backend.storage.Pairs;
+
+/**
+ * Tells whether an island rests by what it carries already: whether the forces that held when the
+ * last step ended hold every body against what pulls at it now, Σ F + m·a = 0 and Σ r × F + I·α =
+ * 0, each of them within its bounds. Then nothing moves, and solving would find the same forces
+ * again. Nothing is remembered for it: whatever changed since shows in the sums.
+ */
+final class Equilibrium {
+
+    /** Share of the island's strongest pull by which a body may be held too little or too much. */
+    static final double UNHELD = 1e-9;
+
+    private final Bodies bodies;
+    private final Pairs pairs;
+    private final Islands islands;
+
+    /** Whether overlap is taken back, which moves bodies. */
+    private final boolean isCorrecting;
+
+    /** By slot: what is left of its acceleration, m/s² and rad/s². */
+    private double[] leftX = new double[16];
+
+    private double[] leftY = new double[16];
+    private double[] leftTurn = new double[16];
+
+    Equilibrium(DataStorage data, boolean isCorrecting) {
+        bodies = data.bodies;
+        pairs = data.pairs;
+        islands = data.islands;
+        this.isCorrecting = isCorrecting;
+    }
+
+    /** Whether an island stays as it is for a step of {@code dt} seconds. */
+    boolean lasts(int island, double dt) {
+        double strongest = 0;
+        for (int i = islands.bodyStart[island]; i < islands.bodyStart[island + 1]; i++) {
+            int slot = islands.bodies[i];
+            if (!isStill(slot, dt)) {
+                return false;
+            }
+            strongest = Math.max(strongest, pull(slot));
+        }
+        return areHeld(island, UNHELD * strongest);
+    }
+
+    private boolean isStill(int slot, double dt) {
+        double speed = Math.abs(bodies.velocityX[slot]) + Math.abs(bodies.velocityY[slot]);
+        speed += bodies.boundingRadius[slot] * Math.abs(bodies.spinOf(slot));
+        return bodies.pileTime[slot] == 0
+                && speed * dt <= Stillness.STILL * bodies.smallestWidth[slot];
+    }
+
+    private double pull(int slot) {
+        return Math.abs(bodies.accelerationX[slot]) + Math.abs(bodies.accelerationY[slot]);
+    }
+
+    private boolean areHeld(int island, double most) {
+        reserve();
+        for (int i = islands.bodyStart[island]; i < islands.bodyStart[island + 1]; i++) {
+            int slot = islands.bodies[i];
+            leftX[slot] = bodies.accelerationX[slot];
+            leftY[slot] = bodies.accelerationY[slot];
+            leftTurn[slot] = bodies.turns() ? bodies.angularAcceleration[slot] : 0;
+        }
+        for (int i = islands.pairStart[island]; i < islands.pairStart[island + 1]; i++) {
+            int pair = islands.pairs[i];
+            if (!isSteady(pair)) {
+                return false;
+            }
+            addForces(pair);
+        }
+        for (int i = islands.bodyStart[island]; i < islands.bodyStart[island + 1]; i++) {
+            int slot = islands.bodies[i];
+            double left = Math.abs(leftX[slot]) + Math.abs(leftY[slot]);
+            left += bodies.boundingRadius[slot] * Math.abs(leftTurn[slot]);
+            if (!(left <= most)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private void reserve() {
+        if (leftX.length < bodies.type.length) {
+            leftX = new double[bodies.type.length];
+            leftY = new double[bodies.type.length];
+            leftTurn = new double[bodies.type.length];
+        }
+    }
+
+    /** Whether a contact goes on carrying what it carries: closed, and within its bounds. */
+    private boolean isSteady(int pair) {
+        int a = pairs.bodyA[pair];
+        int b = pairs.bodyB[pair];
+        double width = PairTolerances.width(bodies, a, b);
+        double most = (OverlapSolver.KEPT_OVERLAP + Stillness.STILL) * width;
+        if (isCorrecting && pairs.gap(pair) < -most || bodies.isDriven(a) || bodies.isDriven(b)) {
+            return false;
+        }
+        boolean runs = bodies.surfaceSpeed != null;
+        if (runs && (bodies.surfaceSpeed[a] != 0 || bodies.surfaceSpeed[b] != 0)) {
+            return false;
+        }
+        double touching = PairTolerances.TOUCHING_GAP * width;
+        double load0 = pairs.normalForce[2 * pair];
+        double load1 = pairs.normalForce[2 * pair + 1];
+        return (load0 == 0 || pairs.separation[2 * pair] <= touching)
+                && (load1 == 0 || pairs.separation[2 * pair + 1] <= touching)
+                && rubsWithin(pair, a, b, load0 + load1);
+    }
+
+    private boolean rubsWithin(int pair, int a, int b, double load) {
+        boolean slides =
+                pairs.friction != null
+                        && Math.abs(rubbing(pair)) > (1 + UNHELD) * pairs.friction[pair] * load;
+        return !slides
+                && (bodies.rollingResistance == null
+                        || Math.abs(rolling(pair))
+                                <= (1 + UNHELD) * load * pairs.rollingLever(bodies, pair));
+    }
+
+    /** The friction that held, N: none where no load did. */
+    private double rubbing(int pair) {
+        boolean isAny = pairs.frictionForce != null && pairs.isLoaded(pair);
+        return isAny ? pairs.frictionForce[pair] : 0;
+    }
+
+    private double rolling(int pair) {
+        boolean isAny = pairs.rollingTorque != null && pairs.isLoaded(pair);
+        return isAny ? pairs.rollingTorque[pair] : 0;
+    }
+
+    private void addForces(int pair) {
+        double nx = pairs.normalX[pair];
+        double ny = pairs.normalY[pair];
+        double load = pairs.normalForce[2 * pair] + pairs.normalForce[2 * pair + 1];
+        double along = rubbing(pair);
+        double fx = load * nx - along * ny;
+        double fy = load * ny + along * nx;
+        int a = pairs.bodyA[pair];
+        int b = pairs.bodyB[pair];
+        leftX[a] -= bodies.inverseMass[a] * fx;
+        leftY[a] -= bodies.inverseMass[a] * fy;
+        leftX[b] += bodies.inverseMass[b] * fx;
+        leftY[b] += bodies.inverseMass[b] * fy;
+        if (bodies.turns() && load > 0) {
+            leftTurn[a] -= bodies.inverseInertia[a] * torque(pair, a, nx, ny, along);
+            leftTurn[b] += bodies.inverseInertia[b] * torque(pair, b, nx, ny, along);
+        }
+    }
+
+    /** Σ r × F + τ about a body's centre, N·m, as B feels it. */
+    private double torque(int pair, int slot, double nx, double ny, double along) {
+        double x = bodies.x[slot];
+        double y = bodies.y[slot];
+        double sum = rolling(pair);
+        for (int point = 2 * pair; point < 2 * pair + pairs.points[pair]; point++) {
+            double lever = (pairs.pointX[point] - x) * ny - (pairs.pointY[point] - y) * nx;
+            sum += lever * pairs.normalForce[point];
+        }
+        return sum + along * (RowBuilder.rubsAt(pairs, pair, nx, ny) - x * nx - y * ny);
+    }
+}
