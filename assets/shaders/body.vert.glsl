@@ -4,11 +4,14 @@ layout(location = 0) in vec2 position;
 layout(location = 1) in vec2 texel;
 layout(location = 2) in vec2 way;    // from the centre (px)
 layout(location = 3) in vec2 reach;  // of a box to its sides (px); of a round body x, and y negative
-layout(location = 4) in vec2 kind;   // skin and mood
+layout(location = 4) in vec2 light;  // towards the lamp, in the body's frame
+layout(location = 5) in vec3 kind;   // skin, mood, radius of a box's corners (px)
 uniform vec2 screen;
 out vec3 sheet;
 out vec2 out_way;
 flat out vec2 out_reach;
+flat out vec2 out_light;
+flat out float corner;
 flat out float mood;
 
 void main() {
@@ -16,5 +19,7 @@ void main() {
     sheet = vec3(texel, kind.x);
     out_way = way;
     out_reach = reach;
+    out_light = light;
     mood = kind.y;
+    corner = kind.z;
 }

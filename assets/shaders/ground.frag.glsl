@@ -1,15 +1,130 @@
 #version 330 core
-// The workshop at dusk: cool above, warmer below, with a faint lamp.
+// The workshop at dusk: a cool, dim wall of boards, a lamp, tools and shelves out of focus, so that
+// nobody takes them for something a ball could lie on. Lengths are logical pixels, y down.
 in vec2 place;
+uniform int detailed; // 0: only the gradient
 out vec4 colour;
 
+const vec2 WINDOW = vec2(720.0, 800.0);
+const vec3 TOP = vec3(0.106, 0.122, 0.200);
+const vec3 BOTTOM = vec3(0.290, 0.247, 0.400);
+const float FOCUS = 2.5; // how far an outline is smeared
+
+float hash(vec2 p) {
+    return fract(sin(dot(p, vec2(12.9898, 78.233))) * 43758.5453);
+}
+
+float noise(vec2 p) {
+    vec2 i = floor(p);
+    vec2 f = p - i;
+    vec2 u = f * f * (3.0 - 2.0 * f);
+    return mix(mix(hash(i), hash(i + vec2(1, 0)), u.x), mix(hash(i + vec2(0, 1)), hash(i + vec2(1, 1)), u.x), u.y);
+}
+
+/** How much of a pixel lies within an outline, out of focus. */
+float soft(float outside) {
+    return 1.0 - smoothstep(-FOCUS, FOCUS, outside);
+}
+
+float box(vec2 p, vec2 centre, vec2 extent, float corner) {
+    vec2 q = abs(p - centre) - extent + corner;
+    return length(max(q, 0.0)) + min(max(q.x, q.y), 0.0) - corner;
+}
+
+float disc(vec2 p, vec2 centre, float radius) {
+    return length(p - centre) - radius;
+}
+
+float rod(vec2 p, vec2 a, vec2 b, float radius) {
+    vec2 way = b - a;
+    vec2 from = p - a;
+    return length(from - clamp(dot(from, way) / dot(way, way), 0.0, 1.0) * way) - radius;
+}
+
+/** Cuts the second out of the first. */
+float without(float outline, float cut) {
+    return max(outline, -cut);
+}
+
+float hammer(vec2 p) {
+    float head = min(box(p, vec2(92, 178), vec2(30, 11), 4.0), box(p, vec2(67, 178), vec2(8, 15), 3.0));
+    return min(rod(p, vec2(92, 178), vec2(92, 288), 5.5), head);
+}
+
+float wrench(vec2 p) {
+    float eye = without(disc(p, vec2(146, 176), 17.0), disc(p, vec2(146, 176), 8.0));
+    float jaw = without(disc(p, vec2(146, 292), 19.0), box(p, vec2(146, 308), vec2(7.5, 18), 2.0));
+    return min(rod(p, vec2(146, 192), vec2(146, 276), 6.5), min(eye, jaw));
+}
+
+float saw(vec2 p) {
+    vec2 along = vec2(p.x - 206.0, p.y - 170.0);
+    float teeth = 2.5 * abs(fract(along.y / 7.0) - 0.5);
+    float blade = max(abs(along.x) - 17.0 + 0.085 * (along.y - 55.0) + teeth, box(p, vec2(206, 258), vec2(40, 62), 2.0));
+    float grip = without(box(p, vec2(206, 176), vec2(21, 22), 9.0), box(p, vec2(206, 176), vec2(9, 10), 5.0));
+    return min(blade, grip);
+}
+
+float tools(vec2 p) {
+    float pegs = min(disc(p, vec2(92, 160), 3.0), min(disc(p, vec2(146, 176), 4.0), disc(p, vec2(206, 152), 3.0)));
+    return min(min(hammer(p), pegs), min(wrench(p), saw(p)));
+}
+
+float jar(vec2 p, vec2 foot, vec2 extent) {
+    float body = box(p, foot - vec2(0, extent.y), extent, 6.0);
+    return min(body, box(p, foot - vec2(0, 2.0 * extent.y + 5.0), vec2(0.7 * extent.x, 4.0), 2.0));
+}
+
+float shelves(vec2 p) {
+    float upper = box(p, vec2(596, 268), vec2(98, 4), 1.0);
+    float lower = box(p, vec2(596, 392), vec2(98, 4), 1.0);
+    float stays = min(box(p, vec2(520, 336), vec2(3, 66), 1.0), box(p, vec2(672, 336), vec2(3, 66), 1.0));
+    float above = min(jar(p, vec2(530, 264), vec2(17, 26)), jar(p, vec2(572, 264), vec2(13, 19)));
+    above = min(above, min(box(p, vec2(630, 238), vec2(32, 26), 3.0), box(p, vec2(626, 202), vec2(22, 10), 3.0)));
+    float wheel = without(disc(p, vec2(556, 360), 28.0), disc(p, vec2(556, 360), 19.0));
+    float spokes = max(disc(p, vec2(556, 360), 22.0), min(abs(p.x - 556.0), abs(p.y - 360.0)) - 2.0);
+    float below = min(min(wheel, spokes), jar(p, vec2(614, 388), vec2(15, 22)));
+    below = min(below, min(box(p, vec2(652, 376), vec2(9, 12), 2.0), disc(p, vec2(652, 354), 9.0)));
+    return min(min(upper, lower), min(stays, min(above, below)));
+}
+
+/** The wall's boards: each a little lighter or darker, with a gap between. */
+float boards(vec2 p) {
+    float board = floor(p.x / 90.0);
+    float gap = abs(p.x - 90.0 * floor(p.x / 90.0 + 0.5));
+    float grain = noise(vec2(p.x / 5.0 + 17.0 * board, p.y / 110.0)) + 0.5 * noise(vec2(p.x / 2.0, p.y / 40.0));
+    return 0.965 + 0.05 * hash(vec2(board, 3.0)) + 0.035 * (grain - 0.75) - 0.11 * (1.0 - smoothstep(0.5, 2.5, gap));
+}
+
+vec3 workshop(vec2 p, vec3 wall) {
+    vec3 c = wall * boards(p);
+    vec2 lit = vec2(5.0, 9.0); // the lamp throws shadows of what hangs on the wall
+    float thing = min(tools(p), shelves(p));
+    float shade = min(tools(p - lit), shelves(p - lit));
+    c *= 1.0 - 0.16 * (1.0 - smoothstep(-5.0, 7.0, shade));
+    c = mix(c, wall * 0.60 + vec3(0.004, 0.003, 0.0), 0.85 * soft(thing));
+    // The lamp: a cone that widens and dies away.
+    vec2 bulb = vec2(360, 116);
+    float down = p.y - bulb.y;
+    float across = abs(p.x - bulb.x) / (34.0 + 0.62 * max(down, 0.0));
+    float cone = (1.0 - smoothstep(0.35, 1.0, across)) * smoothstep(-4.0, 14.0, down) * exp(-down / 260.0);
+    float halo = exp(-length(p - bulb) / 70.0);
+    c += (0.085 * cone + 0.10 * halo) * vec3(1.0, 0.74, 0.42);
+    float shade_ = min(rod(p, vec2(360, 0), vec2(360, 84), 1.5), max(box(p, vec2(360, 98), vec2(44, 15), 3.0), abs(p.x - 360.0) - 12.0 - 1.05 * (p.y - 82.0)));
+    c = mix(c, vec3(0.055, 0.06, 0.10), 0.9 * soft(shade_ + 1.0));
+    c = mix(c, vec3(0.62, 0.47, 0.29), 0.8 * soft(max(disc(p, vec2(360, 112), 13.0), 112.0 - p.y)));
+    return c;
+}
+
 void main() {
-    vec3 top = vec3(0.106, 0.122, 0.200);
-    vec3 bottom = vec3(0.290, 0.247, 0.400);
-    vec3 c = mix(bottom, top, smoothstep(0.0, 1.0, place.y));
-    float lamp = exp(-4.0 * length((place - vec2(0.5, 0.62)) * vec2(1.0, 1.2)));
-    c += 0.06 * lamp * vec3(1.0, 0.75, 0.45);
+    vec2 p = vec2(place.x, 1.0 - place.y) * WINDOW;
+    vec3 c = mix(BOTTOM, TOP, smoothstep(0.0, 1.0, place.y));
+    if (detailed == 1) {
+        c = workshop(p, c);
+        vec2 aside = place - 0.5;
+        c *= 1.0 - 0.55 * dot(aside, aside);
+    }
     // A step of 1/255 shows as a band on so dark a ground; this grain hides it.
-    c += (fract(sin(dot(gl_FragCoord.xy, vec2(12.9898, 78.233))) * 43758.5453) - 0.5) / 255.0;
+    c += (hash(gl_FragCoord.xy) - 0.5) / 255.0;
     colour = vec4(c, 1.0);
 }

@@ -10,6 +10,7 @@ import org.lwjgl.opengl.GL;
 import org.lwjgl.stb.STBImageWrite;
 import org.lwjgl.system.MemoryUtil;
 
+import rigibo.frontend.draw.Detail;
 import rigibo.frontend.draw.Painter;
 import rigibo.frontend.scene.Scene;
 
@@ -45,7 +46,7 @@ final class Window {
         glfwMakeContextCurrent(handle);
         GL.createCapabilities();
         glfwSwapInterval(vsync ? 1 : 0);
-        painter = new Painter();
+        painter = new Painter(Detail.FULL);
         input = new Input(scene, this::close, this::toggleFullScreen);
         listen();
         listenToDrops(dropped);
@@ -128,9 +129,9 @@ final class Window {
     void render() {
         long begin = System.nanoTime();
         glfwGetFramebufferSize(handle, width, height);
-        painter.begin(width[0], height[0], glfwGetTime());
+        painter.begin(width[0], height[0], glfwGetTime(), Detail.FULL);
         scene.draw(painter);
-        painter.end();
+        painter.end(0);
         glFinish();
         scene.drawn(System.nanoTime() - begin);
         troubles.askOpenGl("while drawing " + scene.title());

@@ -14,8 +14,11 @@ final class Baked {
     private final int width;
     private final int height;
 
-    /** Runs a shader over each layer, which it is told by its uniform {@code layer}. */
-    Baked(String shader, int width, int height, int layers) {
+    /**
+     * Runs a shader over each layer, which it is told by its uniform {@code layer}; in {@code
+     * detailed} it is told whether everything is to be drawn.
+     */
+    Baked(String shader, int width, int height, int layers, Detail detail) {
         this.width = width;
         this.height = height;
         glBindTexture(GL_TEXTURE_2D_ARRAY, texture);
@@ -34,6 +37,7 @@ final class Baked {
         glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
         Program program = new Program("everywhere", shader);
         program.use();
+        program.set("detailed", detail == Detail.FULL ? 1 : 0);
         for (int layer = 0; layer < layers; layer++) {
             program.set("layer", layer);
             run(layer);

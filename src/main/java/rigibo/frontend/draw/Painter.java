@@ -3,6 +3,7 @@ package rigibo.frontend.draw;
 import static org.lwjgl.opengl.GL33C.*;
 
 import rigibo.backend.geometry.Shape;
+import rigibo.frontend.draw.ParticleBatch.Kind;
 import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
@@ -16,23 +17,29 @@ import rigibo.frontend.scene.Skin;
  */
 public final class Painter implements Canvas {
 
-    private final BodyBatch bodies = new BodyBatch();
+    private final BodyBatch bodies;
     private final Plates plates = new Plates();
     private final Pen pen = new Pen();
     private final Marks marks = new Marks();
     private Baked ground;
+    private Detail detail;
     private float pixelRatio = 1;
-    private double seconds;
+
+    /** A painter for the present context. */
+    public Painter(Detail detail) {
+        this.detail = detail;
+        bodies = new BodyBatch(detail);
+    }
 
     /**
      * Begins a frame on a framebuffer of a size in pixels; the picture keeps its proportions.
      * Seconds since the start let faces blink.
      */
-    public void begin(int framebufferWidth, int framebufferHeight, double now) {
-        seconds = now;
+    public void begin(int framebufferWidth, int framebufferHeight, double seconds, Detail wanted) {
         Letterbox box = Letterbox.of(framebufferWidth, framebufferHeight);
-        if (ground == null || !ground.fits(box)) {
-            layGround(box);
+        bodies.begin(seconds, wanted);
+        if (ground == null || !ground.fits(box) || wanted != detail) {
+            layGround(box, wanted);
         }
         if (box.width() < framebufferWidth || box.height() < framebufferHeight) {
             glViewport(0, 0, framebufferWidth, framebufferHeight);
@@ -45,17 +52,26 @@ public final class Painter implements Canvas {
         pen.begin(pixelRatio);
     }
 
-    private void layGround(Letterbox box) {
+    private void layGround(Letterbox box, Detail wanted) {
+        detail = wanted;
         if (ground != null) {
             ground.free();
         }
-        ground = new Baked("ground", box.width(), box.height(), 1);
+        ground = new Baked("ground", box.width(), box.height(), 1, wanted);
     }
 
-    /** Ends the frame. */
-    public void end() {
-        bodies.draw(pixelRatio, seconds);
-        plates.draw(pixelRatio, seconds);
+    /** Ends the frame, darkened by a share from 0, not at all, to 1, black. */
+    public void end(double darkness) {
+        flush();
+        if (darkness > 0) {
+            plates.add(0, 0, Scene.WIDTH, Scene.HEIGHT, 0, Color.NIGHT.alpha(darkness));
+            plates.draw(pixelRatio);
+        }
+    }
+
+    private void flush() {
+        bodies.draw(pixelRatio);
+        plates.draw(pixelRatio);
         pen.end();
         marks.clear();
     }
@@ -87,7 +103,22 @@ public final class Painter implements Canvas {
 
     @Override
     public void particle(double x, double y, double size, double angle, Color color) {
-        bodies.particle(x, y, size, angle, color);
+        bodies.particle(Kind.SPLINTER, x, y, size, angle, color);
+    }
+
+    @Override
+    public void puff(double x, double y, double size, Color color) {
+        bodies.particle(Kind.PUFF, x, y, size, 0, color);
+    }
+
+    @Override
+    public void glow(double x, double y, double size, Color color) {
+        bodies.particle(Kind.GLOW, x, y, size, 0, color);
+    }
+
+    @Override
+    public void veil(double share) {
+        bodies.veil(share);
     }
 
     @Override
@@ -112,7 +143,7 @@ public final class Painter implements Canvas {
     @Override
     public void panel(double x, double y, double width, double height, double corner, Color color) {
         if (marks.meet(x, y, x + width, y + height)) {
-            end();
+            flush();
             pen.begin(pixelRatio);
         }
         plates.add(x, y, width, height, corner, color);

@@ -51,8 +51,8 @@ final class Plates {
     }
 
     /** Draws what was added since. */
-    void draw(float pixelRatio, double seconds) {
-        triangles.draw(program, pixelRatio, seconds);
+    void draw(float pixelRatio) {
+        triangles.draw(program, pixelRatio);
     }
 
     void free() {

@@ -29,7 +29,11 @@ public interface Canvas {
         /** Asleep: dimmed a little. */
         ASLEEP,
         /** Only an outline: the same body elsewhere or at another time. */
-        GHOST
+        GHOST,
+        /** Falls, or the level is lost: a RigiBo is afraid. */
+        WORRIED,
+        /** The level is solved: a RigiBo laughs. */
+        CHEERING
     }
 
     /** Looks at the world through a camera from now on. */
@@ -43,6 +47,15 @@ public interface Canvas {
 
     /** A small square particle in the world: m, its size in m, rad. */
     void particle(double x, double y, double size, double angle, Color color);
+
+    /** A soft, round particle in the world, such as dust: m, how wide it is in m. */
+    void puff(double x, double y, double size, Color color);
+
+    /** Light about a point of the world, added to what is there: m, how wide it is in m. */
+    void glow(double x, double y, double size, Color color);
+
+    /** Greys out the world in this frame, 0 not at all to 1. */
+    void veil(double share);
 
     /** A straight line on the screen. */
     void line(double x1, double y1, double x2, double y2, double width, Color color);

@@ -14,6 +14,7 @@ public record Color(float red, float green, float blue, float alpha) {
     public static final Color DUSK_TOP = of(0x1B1F33);
 
     public static final Color DUSK_BOTTOM = of(0x4A3F66);
+    public static final Color NIGHT = of(0x0C0E18);
     public static final Color PANEL = of(0x14172A).alpha(0.86f);
     public static final Color PANEL_LIT = of(0x2B3050);
     public static final Color EDGE = of(0x5A5F85);

@@ -135,6 +135,15 @@ public final class RecordingCanvas implements Canvas {
     public void particle(double x, double y, double size, double angle, Color color) {}
 
     @Override
+    public void puff(double x, double y, double size, Color color) {}
+
+    @Override
+    public void glow(double x, double y, double size, Color color) {}
+
+    @Override
+    public void veil(double share) {}
+
+    @Override
     public void line(double x1, double y1, double x2, double y2, double width, Color color) {}
 
     @Override

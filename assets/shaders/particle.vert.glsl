@@ -1,0 +1,19 @@
+#version 330 core
+// Particles, one instance each; places and sizes are logical pixels.
+layout(location = 0) in vec4 position; // its middle, and half its width and height
+layout(location = 1) in vec2 turn;     // cosine and sine
+layout(location = 2) in vec4 ink;
+layout(location = 3) in float kind;
+uniform vec2 screen;
+out vec2 way; // 1 at the edges
+flat out vec4 out_ink;
+flat out float out_kind;
+
+void main() {
+    way = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2.0 - 1.0;
+    vec2 arm = way * position.zw;
+    vec2 p = position.xy + vec2(turn.x * arm.x + turn.y * arm.y, turn.x * arm.y - turn.y * arm.x);
+    gl_Position = vec4(2.0 * p.x / screen.x - 1.0, 1.0 - 2.0 * p.y / screen.y, 0.0, 1.0);
+    out_ink = ink;
+    out_kind = kind;
+}

@@ -1,0 +1,88 @@
+package rigibo.frontend.draw;
+
+import rigibo.frontend.scene.Canvas.Mood;
+import rigibo.frontend.scene.Color;
+
+/** Faces of RigiBos, drawn by one call from a sheet of expressions; pupils are dots of their own. */
+final class FaceBatch {
+
+    private static final int TEXELS = 128;
+
+    /** A face that is smaller does not show, px to its unit. */
+    private static final double LEAST = 5;
+
+    /** The unit is half of a square body's side, a little more on long ones, and no more, m. */
+    private static final double MOST = 0.5;
+
+    private static final double OF_WIDTH = 1.2;
+    private static final double OF_HEIGHT = 1.35;
+
+    /** How far the sheet reaches from a face's middle; the shader that bakes it agrees. */
+    private static final double REACH = 0.7;
+
+    /** Where the eyes are, and how far the pupils wander. */
+    private static final double EYE_X = 0.36;
+
+    private static final double EYE_Y = 0.14;
+    private static final double GAZE = 0.085;
+    private static final double PUPIL = 0.115;
+    private static final double GLINT = 0.042;
+    private static final Color INK = Color.of(0x291715);
+
+    private final Program program = new Program("face", "face");
+    private final Baked sheet =
+            new Baked("expression", TEXELS, TEXELS, Expression.values().length, Detail.FULL);
+
+    /** Position, place on the sheet and its layer. */
+    private final Triangles triangles = new Triangles(2, 3);
+
+    private int count;
+
+    /** A face on a body, looking in a direction of the body's frame. */
+    void add(Figure figure, OnScreen at, Mood mood, Gaze gaze, DotBatch pupils) {
+        double wide = Math.min(OF_WIDTH * figure.halfWidth, OF_HEIGHT * figure.halfHeight);
+        double unit = Math.min(MOST, wide);
+        if (unit * at.scale() < LEAST) {
+            return;
+        }
+        Expression expression = Expression.of(mood, count, gaze.seconds);
+        count++;
+        for (int i = 0; i < Triangles.SQUARE.length; i += 2) {
+            int right = Triangles.SQUARE[i];
+            int up = Triangles.SQUARE[i + 1];
+            double reach = REACH * unit;
+            at.vertex(triangles, right * reach, up * reach)
+                    .put((1 + right) / 2f)
+                    .put((1 + up) / 2f)
+                    .put(expression.ordinal());
+        }
+        if (expression.isOpen()) {
+            pupil(at, unit, EYE_X * unit, gaze, pupils);
+            pupil(at, unit, -EYE_X * unit, gaze, pupils);
+        }
+    }
+
+    private static void pupil(OnScreen at, double unit, double eyeX, Gaze gaze, DotBatch to) {
+        double dx = gaze.x - at.worldX();
+        double dy = gaze.y - at.worldY();
+        double wander = GAZE * unit / Math.max(1e-9, Math.sqrt(dx * dx + dy * dy));
+        double x = eyeX + wander * at.alongX(dx, dy);
+        double y = EYE_Y * unit + wander * at.alongY(dx, dy);
+        to.add(at, x, y, PUPIL * unit, INK);
+        to.add(at, x - GLINT * unit, y + GLINT * unit, GLINT * unit, Color.TEXT);
+    }
+
+    void draw(float pixelRatio, double veil) {
+        sheet.bind();
+        program.use();
+        program.set("veil", (float) veil);
+        triangles.draw(program, pixelRatio);
+        count = 0;
+    }
+
+    void free() {
+        program.free();
+        sheet.free();
+        triangles.free();
+    }
+}

@@ -1,0 +1,44 @@
+package rigibo.frontend.draw;
+
+import rigibo.backend.geometry.Aabb;
+import rigibo.backend.geometry.Circle;
+import rigibo.backend.geometry.Polygon;
+import rigibo.backend.geometry.Shape;
+
+/** A shape as it is drawn: a disc, a box or any other polygon, and how far it reaches, m. */
+final class Figure {
+
+    private final Aabb bounds = new Aabb();
+    Shape shape;
+
+    /** From the centre to the farther side. */
+    double halfWidth;
+
+    double halfHeight;
+    boolean isDisc;
+    boolean isBox;
+
+    void of(Shape drawn) {
+        shape = drawn;
+        drawn.bounds(0, 0, 1, 0, bounds);
+        halfWidth = Math.max(bounds.maxX, -bounds.minX);
+        halfHeight = Math.max(bounds.maxY, -bounds.minY);
+        isDisc = drawn instanceof Circle;
+        isBox = drawn instanceof Polygon polygon && isBox(polygon);
+    }
+
+    /** Half the smaller side of what encloses it, m. */
+    double halfSize() {
+        return Math.min(halfWidth, halfHeight);
+    }
+
+    private boolean isBox(Polygon polygon) {
+        boolean isBox = polygon.corners() == 4;
+        for (int i = 0; i < polygon.corners() && isBox; i++) {
+            isBox =
+                    Math.abs(polygon.cornerX(i)) == halfWidth
+                            && Math.abs(polygon.cornerY(i)) == halfHeight;
+        }
+        return isBox;
+    }
+}

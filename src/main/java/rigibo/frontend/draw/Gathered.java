@@ -1,0 +1,84 @@
+package rigibo.frontend.draw;
+
+import static org.lwjgl.opengl.GL33C.*;
+
+import org.lwjgl.system.MemoryUtil;
+
+import java.nio.FloatBuffer;
+
+/** Records of floats that are gathered over a frame and brought to OpenGL at once. */
+final class Gathered {
+
+    private static final int FIRST_CAPACITY = 1 << 16;
+
+    private final int[] sizes;
+    private final int floatsPerRecord;
+    private final int array = glGenVertexArrays();
+    private final int buffer = glGenBuffers();
+    private FloatBuffer records = MemoryUtil.memAllocFloat(FIRST_CAPACITY);
+
+    /** Records whose attributes have so many floats each, at locations 0, 1, … */
+    Gathered(int... sizes) {
+        this.sizes = sizes.clone();
+        int sum = 0;
+        for (int size : sizes) {
+            sum += size;
+        }
+        floatsPerRecord = sum;
+        glBindVertexArray(array);
+        glBindBuffer(GL_ARRAY_BUFFER, buffer);
+        long offset = 0;
+        for (int i = 0; i < sizes.length; i++) {
+            glEnableVertexAttribArray(i);
+            glVertexAttribPointer(i, sizes[i], GL_FLOAT, false, sum * Float.BYTES, offset);
+            offset += (long) sizes[i] * Float.BYTES;
+        }
+        glBindVertexArray(0);
+    }
+
+    /** A record is for a whole instance, not for a vertex. */
+    void onePerInstance() {
+        glBindVertexArray(array);
+        for (int i = 0; i < sizes.length; i++) {
+            glVertexAttribDivisor(i, 1);
+        }
+        glBindVertexArray(0);
+    }
+
+    /** Makes room for one more record; the caller puts all its floats. */
+    FloatBuffer next() {
+        if (records.remaining() < floatsPerRecord) {
+            records = MemoryUtil.memRealloc(records, 2 * records.capacity());
+        }
+        return records;
+    }
+
+    boolean isEmpty() {
+        return records.position() == 0;
+    }
+
+    /** Brings everything to OpenGL, bound for drawing; tells how many records there are. */
+    int upload() {
+        int count = records.position() / floatsPerRecord;
+        records.flip();
+        glBindVertexArray(array);
+        glBindBuffer(GL_ARRAY_BUFFER, buffer);
+        glBufferData(GL_ARRAY_BUFFER, records, GL_STREAM_DRAW);
+        // Every shader multiplies its colour by its cover, so that light can also be added.
+        glEnable(GL_BLEND);
+        glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+        return count;
+    }
+
+    /** Empty again, after drawing. */
+    void clear() {
+        glBindVertexArray(0);
+        records.clear();
+    }
+
+    void free() {
+        MemoryUtil.memFree(records);
+        glDeleteBuffers(buffer);
+        glDeleteVertexArrays(array);
+    }
+}

@@ -1,0 +1,42 @@
+package rigibo.frontend.draw;
+
+import static org.lwjgl.opengl.GL33C.*;
+
+import rigibo.frontend.scene.Scene;
+
+import java.nio.FloatBuffer;
+
+/** Squares that are gathered over a frame, a few floats each, and drawn by one instanced call. */
+final class Instances {
+
+    private final int corners;
+    private final Gathered gathered;
+
+    /** Instances of a strip of so many corners, whose attributes have so many floats each. */
+    Instances(int corners, int... sizes) {
+        this.corners = corners;
+        gathered = new Gathered(sizes);
+        gathered.onePerInstance();
+    }
+
+    /** Makes room for one more; the caller puts all its floats. */
+    FloatBuffer next() {
+        return gathered.next();
+    }
+
+    /** Draws what was gathered, if anything, and is empty again. */
+    void draw(Program program) {
+        if (gathered.isEmpty()) {
+            return;
+        }
+        program.use();
+        program.set("screen", Scene.WIDTH, Scene.HEIGHT);
+        int count = gathered.upload();
+        glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, corners, count);
+        gathered.clear();
+    }
+
+    void free() {
+        gathered.free();
+    }
+}

@@ -1,0 +1,67 @@
+package rigibo.frontend.draw;
+
+import rigibo.frontend.scene.Camera;
+
+import java.nio.FloatBuffer;
+
+/** Where a body stands on the screen: brings metres in its own frame to logical pixels. */
+final class OnScreen {
+
+    private double worldX;
+    private double worldY;
+    private double x;
+    private double y;
+    private double cos;
+    private double sin;
+    private double scale;
+
+    /** A body at a pose in the world (m, rad), swollen by a factor about its centre. */
+    void place(Camera camera, double atX, double atY, double angle, double swell) {
+        worldX = atX;
+        worldY = atY;
+        x = camera.screenX(atX);
+        y = camera.screenY(atY);
+        cos = Math.cos(angle);
+        sin = Math.sin(angle);
+        scale = swell * camera.scale();
+    }
+
+    /** Moves it on the screen, px. */
+    void shift(double dx, double dy) {
+        x += dx;
+        y += dy;
+    }
+
+    /** World x of its centre, m. */
+    double worldX() {
+        return worldX;
+    }
+
+    /** World y of its centre, m. */
+    double worldY() {
+        return worldY;
+    }
+
+    /** Pixels per metre. */
+    double scale() {
+        return scale;
+    }
+
+    /** A direction of the world in the body's frame: its part along the body's x. */
+    double alongX(double worldX, double worldY) {
+        return cos * worldX + sin * worldY;
+    }
+
+    /** A direction of the world in the body's frame: its part along the body's y. */
+    double alongY(double worldX, double worldY) {
+        return cos * worldY - sin * worldX;
+    }
+
+    /** Begins a vertex with its place on the screen; m in the body's frame. */
+    FloatBuffer vertex(Triangles triangles, double localX, double localY) {
+        return triangles
+                .vertex()
+                .put((float) (x + scale * (cos * localX - sin * localY)))
+                .put((float) (y - scale * (sin * localX + cos * localY)));
+    }
+}

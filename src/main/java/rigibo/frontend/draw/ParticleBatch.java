@@ -1,0 +1,44 @@
+package rigibo.frontend.draw;
+
+import rigibo.frontend.scene.Color;
+
+import java.nio.FloatBuffer;
+
+/** Particles, drawn by one call, an instance each: splinters, puffs of dust, glows. */
+final class ParticleBatch {
+
+    /** What a particle is; the shader has them in this order. */
+    enum Kind {
+        /** A square that turns. */
+        SPLINTER,
+        /** Fades towards its edge. */
+        PUFF,
+        /** Adds its light to what is there. */
+        GLOW
+    }
+
+    private static final int CORNERS = 4;
+
+    private final Program program = new Program("particle", "particle");
+
+    /** Place and half extents, cosine and sine, colour, kind. */
+    private final Instances instances = new Instances(CORNERS, 4, 2, 4, 1);
+
+    /** A particle on the screen, px and rad. */
+    void add(Kind kind, double x, double y, double halfSize, double angle, Color color) {
+        FloatBuffer to = instances.next();
+        to.put((float) x).put((float) y).put((float) halfSize).put((float) halfSize);
+        to.put((float) Math.cos(angle)).put((float) Math.sin(angle));
+        to.put(color.red()).put(color.green()).put(color.blue()).put(color.alpha());
+        to.put(kind.ordinal());
+    }
+
+    void draw() {
+        instances.draw(program);
+    }
+
+    void free() {
+        program.free();
+        instances.free();
+    }
+}
