@@ -2,6 +2,7 @@ package rigibo.frontend.display;
 
 import static org.lwjgl.glfw.GLFW.*;
 
+import rigibo.frontend.draw.DetailChoice;
 import rigibo.frontend.scene.Director;
 import rigibo.frontend.scene.Guest;
 import rigibo.frontend.scene.Player;
@@ -31,6 +32,8 @@ public final class Display implements Director {
     private final Troubles troubles = new Troubles();
     private final FrameClock clock = new FrameClock();
     private final Speaker speaker = new Speaker();
+    private final Curtain curtain = new Curtain();
+    private final DetailChoice choice = new DetailChoice();
     private final Player player;
     private Optional<BiFunction<Director, List<Path>, Scene>> opener = Optional.empty();
     private Words words;
@@ -239,7 +242,7 @@ public final class Display implements Director {
     }
 
     private void renderDisplay() {
-        window.render();
+        window.render(settings.detail(), curtain.rise());
         companion.afterDrawing(this, scene);
     }
 
@@ -252,10 +255,25 @@ public final class Display implements Director {
     /** Destroys the present window and opens the next, where another scene is wanted. */
     private void change() {
         if (wanted != null && !isOver) {
+            boolean fades = settings.motion() == Settings.Motion.FULL;
+            if (window != null && fades) {
+                fadeOut();
+            }
             closeWindow();
             scene = wanted;
             wanted = null;
-            window = new Window(scene, troubles, vsync, this::dropped);
+            window = new Window(scene, troubles, choice, vsync, this::dropped);
+            if (fades) {
+                curtain.drop();
+            }
+        }
+    }
+
+    private void fadeOut() {
+        for (int frame = 1; frame <= Curtain.FRAMES; frame++) {
+            window.render(settings.detail(), Curtain.fallen(frame));
+            window.swap();
+            clock.awaitTurn();
         }
     }
 

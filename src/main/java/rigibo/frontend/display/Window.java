@@ -10,9 +10,10 @@ import org.lwjgl.opengl.GL;
 import org.lwjgl.stb.STBImageWrite;
 import org.lwjgl.system.MemoryUtil;
 
-import rigibo.frontend.draw.Detail;
+import rigibo.frontend.draw.DetailChoice;
 import rigibo.frontend.draw.Painter;
 import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.Settings;
 
 import java.nio.ByteBuffer;
 import java.nio.file.Path;
@@ -30,6 +31,7 @@ final class Window {
     private final Troubles troubles;
     private final long handle;
     private final Painter painter;
+    private final DetailChoice choice;
     private final int[] width = new int[1];
     private final int[] height = new int[1];
     private boolean isFull;
@@ -39,14 +41,21 @@ final class Window {
      *
      * @throws DisplayException when there is no window or no OpenGL 3.3 to be had
      */
-    Window(Scene scene, Troubles troubles, boolean vsync, Consumer<List<Path>> dropped) {
+    Window(
+            Scene scene,
+            Troubles troubles,
+            DetailChoice choice,
+            boolean vsync,
+            Consumer<List<Path>> dropped) {
         this.scene = scene;
         this.troubles = troubles;
+        this.choice = choice;
         handle = create(scene.title());
         glfwMakeContextCurrent(handle);
         GL.createCapabilities();
         glfwSwapInterval(vsync ? 1 : 0);
-        painter = new Painter(Detail.FULL);
+        choice.renderer(glGetString(GL_RENDERER));
+        painter = new Painter();
         input = new Input(scene, this::close, this::toggleFullScreen);
         listen();
         listenToDrops(dropped);
@@ -125,15 +134,20 @@ final class Window {
     /**
      * Draws the scene into the back buffer. OpenGL is waited for: nothing else is to be done until
      * the frame is shown, and only so is it known what it cost.
+     *
+     * @param chosen how much the player wants to be drawn
+     * @param darkness from 0, none, to 1, black
      */
-    void render() {
+    void render(Settings.Detail chosen, double darkness) {
         long begin = System.nanoTime();
         glfwGetFramebufferSize(handle, width, height);
-        painter.begin(width[0], height[0], glfwGetTime(), Detail.FULL);
+        painter.begin(width[0], height[0], glfwGetTime(), choice.detail(chosen));
         scene.draw(painter);
-        painter.end(0);
+        painter.end(darkness);
         glFinish();
-        scene.drawn(System.nanoTime() - begin);
+        long nanos = System.nanoTime() - begin;
+        choice.drawn(nanos);
+        scene.drawn(nanos);
         troubles.askOpenGl("while drawing " + scene.title());
     }
 

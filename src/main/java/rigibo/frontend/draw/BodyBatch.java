@@ -35,23 +35,14 @@ final class BodyBatch {
     private Baked skins;
     private double veil;
 
-    BodyBatch(Detail detail) {
-        this.detail = detail;
-        skins = bake(detail);
-    }
-
-    private static Baked bake(Detail detail) {
-        return new Baked("skin", TEXELS, TEXELS, Skin.values().length, detail);
-    }
-
     /** Begins a frame so many seconds after the window opened. */
     void begin(double seconds, Detail wanted) {
         gaze.seconds = seconds;
         veil = 0;
         if (wanted != detail) {
             detail = wanted;
-            skins.free();
-            skins = bake(wanted);
+            freeSkins();
+            skins = new Baked("skin", TEXELS, TEXELS, Skin.values().length, wanted);
         }
     }
 
@@ -121,9 +112,15 @@ final class BodyBatch {
         faces.free();
         dots.free();
         particles.free();
-        skins.free();
+        freeSkins();
         bodyProgram.free();
         shadowProgram.free();
         dotProgram.free();
+    }
+
+    private void freeSkins() {
+        if (skins != null) {
+            skins.free();
+        }
     }
 }

@@ -17,19 +17,13 @@ import rigibo.frontend.scene.Skin;
  */
 public final class Painter implements Canvas {
 
-    private final BodyBatch bodies;
+    private final BodyBatch bodies = new BodyBatch();
     private final Plates plates = new Plates();
     private final Pen pen = new Pen();
     private final Marks marks = new Marks();
     private Baked ground;
     private Detail detail;
     private float pixelRatio = 1;
-
-    /** A painter for the present context. */
-    public Painter(Detail detail) {
-        this.detail = detail;
-        bodies = new BodyBatch(detail);
-    }
 
     /**
      * Begins a frame on a framebuffer of a size in pixels; the picture keeps its proportions.

@@ -1,0 +1,55 @@
+package rigibo.frontend.draw;
+
+import rigibo.frontend.scene.Settings;
+
+import java.util.Locale;
+
+/**
+ * Decides how much is drawn: what the player chose, or by how fast frames come where OpenGL has no
+ * graphics card to run on. Once frames came too late it stays with less: back and forth would be
+ * worse than either.
+ */
+public final class DetailChoice {
+
+    /** A frame that takes longer leaves a step of many bodies too little of 16.7 ms, ns. */
+    private static final long LATE = 12_000_000;
+
+    /** So many frames are looked at before it is decided, and if half of them are late, it is. */
+    private static final int FRAMES = 90;
+
+    private static final String[] SOFTWARE = {"llvmpipe", "softpipe", "swrast", "swiftshader"};
+
+    private boolean isSoftware;
+    private boolean isSlow;
+    private int frames;
+    private int late;
+
+    /** What draws, as OpenGL names it in {@code GL_RENDERER}; told for every window. */
+    public void renderer(String name) {
+        String lower = name.toLowerCase(Locale.ROOT);
+        isSoftware = false;
+        for (String software : SOFTWARE) {
+            isSoftware |= lower.contains(software);
+        }
+    }
+
+    /** A frame took so long to draw, ns. */
+    public void drawn(long nanos) {
+        frames++;
+        late += nanos > LATE ? 1 : 0;
+        if (frames == FRAMES) {
+            isSlow |= isSoftware && 2 * late > frames;
+            frames = 0;
+            late = 0;
+        }
+    }
+
+    /** How much to draw in the next frame. */
+    public Detail detail(Settings.Detail chosen) {
+        return switch (chosen) {
+            case AUTOMATIC -> isSlow ? Detail.LITE : Detail.FULL;
+            case FULL -> Detail.FULL;
+            case LITE -> Detail.LITE;
+        };
+    }
+}
