@@ -12,70 +12,117 @@ final class Splinters {
 
     private static final double STEP = 1.0 / 60;
     private static final double GRAVITY = -9.81;
-    private static final int PER_BOX = 26;
-    private static final int PER_WIN = 120;
-    private static final Color[] CONFETTI = {Color.GOOD, Color.BAD, Color.BRASS, Color.ICE};
+
+    /** Of paper, which air holds up: it falls more slowly and slows down, 1/s. */
+    private static final double PAPER_GRAVITY = -3.5;
+
+    private static final double PAPER_DRAG = 1.6;
+
+    /** Splinters per m² of a box, and how many there are at least and at most. */
+    private static final double PER_AREA = 55;
+
+    private static final int LEAST = 14;
+    private static final int MOST = 48;
+
+    private static final int PER_WIN = 140;
+    private static final Color[] CONFETTI = {
+        Color.GOOD, Color.BAD, Color.BRASS, Color.ICE, Color.TEXT
+    };
 
     private final SplittableRandom random = new SplittableRandom(1);
     private final List<Splinter> flying = new ArrayList<>();
 
     /** One piece; s, m, m/s, rad, rad/s. */
     private static final class Splinter {
+        boolean isPaper;
         double left;
         double x;
         double y;
-        double vx;
-        double vy;
+        double velocityX;
+        double velocityY;
         double angle;
         double spin;
         double size;
         Color color;
     }
 
-    /** A box of a width bursts at a place, m. */
-    void burst(double x, double y, double width) {
-        for (int i = 0; i < PER_BOX; i++) {
-            fly(x + between(-width, width) / 2, y + between(-width, width) / 2, 3, Color.RIGIBO);
+    /** A body bursts where it was, in its own colour. */
+    void burst(Remains remains) {
+        double width = remains.width();
+        double height = remains.height();
+        int count = (int) Math.max(LEAST, Math.min(MOST, PER_AREA * width * height));
+        double cos = Math.cos(remains.angle());
+        double sin = Math.sin(remains.angle());
+        for (int i = 0; i < count; i++) {
+            double along = between(-width, width) / 2;
+            double up = between(-height, height) / 2;
+            Splinter splinter =
+                    fly(remains.x() + cos * along - sin * up, remains.y() + sin * along + cos * up);
+            splinter.velocityX = 1.5 * (splinter.x - remains.x()) + between(-1.2, 1.2);
+            splinter.velocityY = 1.6 * (splinter.y - remains.y()) + between(0.2, 3.2);
+            splinter.size = between(0.04, 0.13);
+            splinter.left = between(0.45, 1.1);
+            splinter.color = shade(remains.skin().color, between(0.7, 1.2));
         }
     }
 
     /** Confetti from a place, m. */
     void celebrate(double x, double y) {
         for (int i = 0; i < PER_WIN; i++) {
-            fly(x, y, 7, CONFETTI[i % CONFETTI.length]);
+            Splinter splinter = fly(x, y);
+            double speed = between(2, 9);
+            double direction = between(0.12, 0.88) * Math.PI;
+            splinter.isPaper = true;
+            splinter.velocityX = speed * Math.cos(direction);
+            splinter.velocityY = speed * Math.sin(direction);
+            splinter.size = between(0.06, 0.13);
+            splinter.left = between(1.4, 3.2);
+            splinter.color = CONFETTI[i % CONFETTI.length];
         }
     }
 
     void step() {
         for (Splinter splinter : flying) {
+            double drag = splinter.isPaper ? Math.exp(-PAPER_DRAG * STEP) : 1;
+            double gravity = splinter.isPaper ? PAPER_GRAVITY : GRAVITY;
             splinter.left -= STEP;
-            splinter.vy += GRAVITY * STEP;
-            splinter.x += splinter.vx * STEP;
-            splinter.y += splinter.vy * STEP;
+            splinter.velocityX *= drag;
+            splinter.velocityY = splinter.velocityY * drag + gravity * STEP;
+            splinter.x += splinter.velocityX * STEP;
+            splinter.y += splinter.velocityY * STEP;
             splinter.angle += splinter.spin * STEP;
         }
         flying.removeIf(splinter -> splinter.left <= 0);
     }
 
+    void clear() {
+        flying.clear();
+    }
+
     void draw(Canvas canvas) {
         for (Splinter splinter : flying) {
-            Color faded = splinter.color.alpha(Math.min(1, 2 * splinter.left));
+            Color faded = splinter.color.alpha(Math.min(1, 3 * splinter.left));
             canvas.particle(splinter.x, splinter.y, splinter.size, splinter.angle, faded);
         }
     }
 
-    private void fly(double x, double y, double speed, Color color) {
+    private Splinter fly(double x, double y) {
         Splinter splinter = new Splinter();
-        splinter.left = between(0.5, 1.2);
         splinter.x = x;
         splinter.y = y;
-        splinter.vx = between(-speed, speed) / 2;
-        splinter.vy = between(0, speed);
         splinter.angle = between(0, 6);
         splinter.spin = between(-9, 9);
-        splinter.size = between(0.04, 0.11);
-        splinter.color = color;
         flying.add(splinter);
+        return splinter;
+    }
+
+    private static Color shade(Color color, double brightness) {
+        float by = (float) brightness;
+        return new Color(
+                Math.min(1, by * color.red()),
+                Math.min(1, by * color.green()),
+                Math.min(1, by * color.blue()),
+                1);
     }
 
     private double between(double least, double most) {

@@ -1,0 +1,111 @@
+package rigibo.frontend.puzzle;
+
+import rigibo.backend.ContactEvent;
+import rigibo.backend.Pool;
+import rigibo.frontend.scene.Canvas;
+import rigibo.frontend.scene.Color;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+
+/** Dust that blows where bodies strike each other, the more the harder. For the eye only. */
+final class Dust {
+
+    private static final double STEP = 1.0 / 60;
+
+    /** A blow that changes a body's speed by less raises none, m/s. */
+    private static final double LEAST_BLOW = 0.8;
+
+    /** A blow of so many N·s raises a puff more than one of a quarter of it. */
+    private static final double PER_PUFF = 22;
+
+    private static final int MOST_PER_BLOW = 9;
+    private static final int MOST = 160;
+
+    /** How fast puffs leave the contact at a blow of 1 m/s, m/s, and how air brakes them, 1/s. */
+    private static final double SPEED = 0.35;
+
+    private static final double MOST_SPEED = 1.6;
+    private static final double DRAG = 4;
+
+    /** How fast they rise, m/s, and grow, m/s. */
+    private static final double RISE = 0.25;
+
+    private static final double GROWTH = 0.45;
+    private static final Color COLOR = Color.of(0xC9BFB4);
+
+    private final SplittableRandom random = new SplittableRandom(2);
+    private final List<Puff> puffs = new ArrayList<>();
+
+    /** One puff; s, m, m/s. */
+    private static final class Puff {
+        double life;
+        double left;
+        double x;
+        double y;
+        double velocityX;
+        double velocityY;
+        double size;
+    }
+
+    /** Raises dust from the contacts that began in the pool's last step. */
+    void raise(Pool pool) {
+        for (ContactEvent contact : pool.contactEvents()) {
+            if (contact.phase() == ContactEvent.Phase.BEGIN && puffs.size() < MOST) {
+                raise(contact);
+            }
+        }
+    }
+
+    private void raise(ContactEvent contact) {
+        double lighter = Math.min(contact.a().mass(), contact.b().mass());
+        double blow = contact.impulse() / lighter;
+        if (blow < LEAST_BLOW) {
+            return;
+        }
+        int count = (int) Math.min(MOST_PER_BLOW, 2 + Math.sqrt(contact.impulse() / PER_PUFF));
+        double speed = Math.min(MOST_SPEED, SPEED * blow);
+        for (int i = 0; i < count; i++) {
+            // To either side along the surface, for the normal leads into one of the bodies.
+            double aside = (i % 2 == 0 ? 1 : -1) * between(0.3, 1) * speed;
+            Puff puff = new Puff();
+            puff.life = between(0.35, 0.8);
+            puff.left = puff.life;
+            puff.x = contact.x();
+            puff.y = contact.y();
+            puff.velocityX = -contact.normalY() * aside;
+            puff.velocityY = contact.normalX() * aside + between(0, RISE);
+            puff.size = between(0.12, 0.24);
+            puffs.add(puff);
+        }
+    }
+
+    void step() {
+        double slowed = Math.exp(-DRAG * STEP);
+        for (Puff puff : puffs) {
+            puff.left -= STEP;
+            puff.velocityX *= slowed;
+            puff.velocityY = RISE + (puff.velocityY - RISE) * slowed;
+            puff.x += puff.velocityX * STEP;
+            puff.y += puff.velocityY * STEP;
+            puff.size += GROWTH * STEP;
+        }
+        puffs.removeIf(puff -> puff.left <= 0);
+    }
+
+    void clear() {
+        puffs.clear();
+    }
+
+    void draw(Canvas canvas) {
+        for (Puff puff : puffs) {
+            double fading = puff.left / puff.life;
+            canvas.puff(puff.x, puff.y, puff.size, COLOR.alpha(0.55 * fading));
+        }
+    }
+
+    private double between(double least, double most) {
+        return least + (most - least) * random.nextDouble();
+    }
+}

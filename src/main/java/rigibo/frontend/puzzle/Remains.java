@@ -1,0 +1,65 @@
+package rigibo.frontend.puzzle;
+
+import rigibo.backend.geometry.Aabb;
+import rigibo.backend.geometry.Circle;
+import rigibo.backend.geometry.Polygon;
+import rigibo.backend.geometry.Shape;
+import rigibo.frontend.scene.Canvas;
+import rigibo.frontend.scene.Skin;
+
+/**
+ * What is left of a deleted body: how it looked where it was last seen.
+ *
+ * @param shape its outline
+ * @param x m
+ * @param y m
+ * @param angle rad
+ * @param skin what it was made of
+ */
+record Remains(Shape shape, double x, double y, double angle, Skin skin) {
+
+    /** How flat it gets, and how much wider. */
+    private static final double FLATTER = 0.7;
+
+    private static final double WIDER = 0.3;
+
+    double width() {
+        Aabb bounds = bounds();
+        return bounds.maxX - bounds.minX;
+    }
+
+    double height() {
+        Aabb bounds = bounds();
+        return bounds.maxY - bounds.minY;
+    }
+
+    private Aabb bounds() {
+        Aabb bounds = new Aabb();
+        shape.bounds(0, 0, 1, 0, bounds);
+        return bounds;
+    }
+
+    /** Draws it squashed towards what is below it, from 0, not yet, to 1. */
+    void draw(Canvas canvas, double squashed) {
+        boolean isUpright = Math.abs(Math.cos(angle)) > Math.abs(Math.sin(angle));
+        double flat = 1 - FLATTER * squashed;
+        double wide = 1 + WIDER * squashed;
+        double across = isUpright ? wide : flat;
+        double along = isUpright ? flat : wide;
+        double sunk = (isUpright ? height() : width()) / 2 * (1 - flat);
+        canvas.body(scaled(across, along), x, y - sunk, angle, skin, Canvas.Mood.HOVERED);
+    }
+
+    private Shape scaled(double across, double along) {
+        if (shape instanceof Circle circle) {
+            return new Circle(circle.radius() * Math.min(across, along));
+        }
+        Polygon polygon = (Polygon) shape;
+        double[] corners = new double[2 * polygon.corners()];
+        for (int i = 0; i < polygon.corners(); i++) {
+            corners[2 * i] = across * polygon.cornerX(i);
+            corners[2 * i + 1] = along * polygon.cornerY(i);
+        }
+        return Polygon.of(corners);
+    }
+}

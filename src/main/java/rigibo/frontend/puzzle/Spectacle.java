@@ -1,0 +1,175 @@
+package rigibo.frontend.puzzle;
+
+import rigibo.backend.RigidBody;
+import rigibo.frontend.puzzle.rules.Outcome;
+import rigibo.frontend.puzzle.rules.Piece;
+import rigibo.frontend.puzzle.rules.PuzzleGame;
+import rigibo.frontend.scene.Camera;
+import rigibo.frontend.scene.Canvas;
+import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Settings.Motion;
+
+import java.util.ArrayList;
+import java.util.Iterator;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * What happens for the eye only: what is deleted is squashed and bursts, blows raise dust, the ball
+ * glows, confetti flies, and a lost world turns grey. It watches the game instead of being told, so
+ * that a box goes the same way whoever deleted it.
+ */
+final class Spectacle {
+
+    /** How long a deleted box is seen to be squashed, in turns: 80 ms. */
+    private static final int SQUASH_TURNS = 5;
+
+    /** How long a lost world takes to turn grey, in turns. */
+    private static final int GREYING_TURNS = 36;
+
+    /** How long the ball flashes when the level is solved, in turns. */
+    private static final int FLASH_TURNS = 40;
+
+    /** How wide the glow is, in radii of the ball. */
+    private static final double GLOW = 4.6;
+
+    /** A RigiBo that falls faster is afraid, m/s. */
+    private static final double FEARED = 2.0;
+
+    private final Splinters splinters = new Splinters();
+    private final Dust dust = new Dust();
+    private final HoldRing ring = new HoldRing();
+    private final List<Squashed> squashed = new ArrayList<>();
+    private final List<Optional<Remains>> last = new ArrayList<>();
+    private PuzzleGame watched;
+    private int steps;
+    private int grey;
+    private int flash;
+    private boolean isCelebrated;
+
+    /** A body on its way out. */
+    private static final class Squashed {
+        final Remains remains;
+        int turns;
+
+        Squashed(Remains remains) {
+            this.remains = remains;
+        }
+    }
+
+    /** One turn of the loop, after the game's. */
+    void step(PuzzleGame game) {
+        if (game != watched) {
+            begin(game);
+        }
+        watchPieces(game);
+        if (game.steps() != steps) {
+            dust.raise(game.pool());
+            steps = game.steps();
+        }
+        squashed.forEach(body -> body.turns++);
+        burst();
+        splinters.step();
+        dust.step();
+        ring.step(game.held());
+        judge(game);
+    }
+
+    /** A new attempt, or one taken back: nothing of the old one is left in the air. */
+    private void begin(PuzzleGame game) {
+        watched = game;
+        steps = game.steps();
+        splinters.clear();
+        dust.clear();
+        ring.clear();
+        squashed.clear();
+        last.clear();
+        grey = 0;
+        flash = 0;
+        isCelebrated = false;
+    }
+
+    private void watchPieces(PuzzleGame game) {
+        List<Piece> pieces = game.pieces();
+        for (int i = 0; i < pieces.size(); i++) {
+            Optional<Remains> now = seen(pieces.get(i));
+            if (i == last.size()) {
+                last.add(now);
+            }
+            if (now.isEmpty() && pieces.get(i).definition().deletable()) {
+                last.get(i).ifPresent(remains -> squashed.add(new Squashed(remains)));
+            }
+            last.set(i, now);
+        }
+    }
+
+    private static Optional<Remains> seen(Piece piece) {
+        RigidBody body = piece.body();
+        return body.isAlive()
+                ? Optional.of(
+                        new Remains(
+                                body.shape(), body.x(), body.y(), body.angle(), Looks.of(piece)))
+                : Optional.empty();
+    }
+
+    private void burst() {
+        for (Iterator<Squashed> each = squashed.iterator(); each.hasNext(); ) {
+            Squashed body = each.next();
+            if (body.turns > SQUASH_TURNS) {
+                splinters.burst(body.remains);
+                each.remove();
+            }
+        }
+    }
+
+    private void judge(PuzzleGame game) {
+        grey = game.outcome() == Outcome.LOST ? Math.min(GREYING_TURNS, grey + 1) : 0;
+        flash = Math.max(0, flash - 1);
+        if (game.isSolved() && !isCelebrated) {
+            isCelebrated = true;
+            flash = FLASH_TURNS;
+            splinters.celebrate(game.ball().x(), game.ball().y());
+        }
+    }
+
+    /** How a piece looks that nobody points at. */
+    Canvas.Mood mood(Piece piece) {
+        Outcome outcome = watched == null ? Outcome.RUNNING : watched.outcome();
+        return switch (outcome) {
+            case WON -> Canvas.Mood.CHEERING;
+            case LOST -> Canvas.Mood.WORRIED;
+            case RUNNING ->
+                    piece.body().velocityY() < -FEARED ? Canvas.Mood.WORRIED : Canvas.Mood.PLAIN;
+        };
+    }
+
+    /** Draws it above the bodies, and the ring round the ball above all. */
+    void draw(Canvas canvas, Camera camera, Motion motion) {
+        if (watched == null) {
+            return;
+        }
+        boolean isFull = motion == Motion.FULL;
+        canvas.veil(isFull ? grey / (double) GREYING_TURNS : grey > 0 ? 1 : 0);
+        for (Squashed body : squashed) {
+            body.remains.draw(canvas, Math.min(1, body.turns / (double) SQUASH_TURNS));
+        }
+        dust.draw(canvas);
+        glow(canvas, isFull ? flash / (double) FLASH_TURNS : 0);
+        splinters.draw(canvas);
+        RigidBody ball = watched.ball();
+        double radius = ball.shape().boundingRadius() * camera.scale();
+        ring.draw(canvas, camera.screenX(ball.x()), camera.screenY(ball.y()), radius, isFull);
+    }
+
+    /** The ball glows the more the longer it is held, and flashes when that is done. */
+    private void glow(Canvas canvas, double flashing) {
+        double held = watched.held();
+        if (held > 0 && watched.outcome() != Outcome.LOST) {
+            RigidBody ball = watched.ball();
+            double radius = ball.shape().boundingRadius();
+            double strength = 0.08 + 0.24 * held * held + 0.3 * flashing;
+            double size = GLOW * radius * (1 + 0.6 * flashing);
+            canvas.glow(ball.x(), ball.y(), size, Color.BRASS.alpha(Math.min(1, strength)));
+        }
+    }
+}
