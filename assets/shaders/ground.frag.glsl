@@ -8,7 +8,9 @@ out vec4 colour;
 const vec2 WINDOW = vec2(720.0, 800.0);
 const vec3 TOP = vec3(0.106, 0.122, 0.200);
 const vec3 BOTTOM = vec3(0.290, 0.247, 0.400);
-const float FOCUS = 2.5; // how far an outline is smeared
+const float FOCUS = 2.5;          // how far an outline is smeared
+const vec2 FALL = vec2(5.0, 9.0); // where shadows on the wall fall to
+const vec2 BULB = vec2(598.0, 116.0);
 
 float hash(vec2 p) {
     return fract(sin(dot(p, vec2(12.9898, 78.233))) * 43758.5453);
@@ -88,6 +90,11 @@ float shelves(vec2 p) {
     return min(min(upper, lower), min(stays, min(above, below)));
 }
 
+/** What hangs on the wall: tools under the lamp, shelves on the other side. */
+float things(vec2 p) {
+    return min(tools(p - vec2(452, 78)), shelves(p + vec2(470, 0)));
+}
+
 /** The wall's boards: each a little lighter or darker, with a gap between. */
 float boards(vec2 p) {
     float board = floor(p.x / 90.0);
@@ -98,22 +105,20 @@ float boards(vec2 p) {
 
 vec3 workshop(vec2 p, vec3 wall) {
     vec3 c = wall * boards(p);
-    vec2 lit = vec2(5.0, 9.0); // the lamp throws shadows of what hangs on the wall
-    float thing = min(tools(p), shelves(p));
-    float shade = min(tools(p - lit), shelves(p - lit));
+    float thing = things(p);
+    float shade = things(p - FALL);
     c *= 1.0 - 0.16 * (1.0 - smoothstep(-5.0, 7.0, shade));
-    c = mix(c, wall * 0.60 + vec3(0.004, 0.003, 0.0), 0.85 * soft(thing));
+    c = mix(c, wall * 0.62, 0.8 * soft(thing));
     // The lamp: a cone that widens and dies away.
-    vec2 bulb = vec2(360, 116);
-    float down = p.y - bulb.y;
-    float across = abs(p.x - bulb.x) / (34.0 + 0.62 * max(down, 0.0));
-    float cone = (1.0 - smoothstep(0.35, 1.0, across)) * smoothstep(-4.0, 14.0, down) * exp(-down / 260.0);
-    float halo = exp(-length(p - bulb) / 70.0);
+    vec2 q = p - BULB;
+    float across = abs(q.x) / (34.0 + 0.62 * max(q.y, 0.0));
+    float cone = (1.0 - smoothstep(0.25, 1.0, across)) * smoothstep(-4.0, 14.0, q.y) * exp(-q.y / 300.0);
+    float halo = exp(-length(q) / 70.0);
     c += (0.085 * cone + 0.10 * halo) * vec3(1.0, 0.74, 0.42);
-    float shade_ = min(rod(p, vec2(360, 0), vec2(360, 84), 1.5), max(box(p, vec2(360, 98), vec2(44, 15), 3.0), abs(p.x - 360.0) - 12.0 - 1.05 * (p.y - 82.0)));
-    c = mix(c, vec3(0.055, 0.06, 0.10), 0.9 * soft(shade_ + 1.0));
-    c = mix(c, vec3(0.62, 0.47, 0.29), 0.8 * soft(max(disc(p, vec2(360, 112), 13.0), 112.0 - p.y)));
-    return c;
+    float cord = rod(q, vec2(0.0, -120.0), vec2(0.0, -32.0), 1.5);
+    float hood = max(box(q, vec2(0.0, -18.0), vec2(44.0, 15.0), 3.0), abs(q.x) - 12.0 - 1.05 * (q.y + 34.0));
+    c = mix(c, vec3(0.055, 0.06, 0.10), 0.9 * soft(min(cord, hood) + 1.0));
+    return mix(c, vec3(0.62, 0.47, 0.29), 0.8 * soft(max(disc(q, vec2(0.0, -4.0), 13.0), -4.0 - q.y)));
 }
 
 void main() {

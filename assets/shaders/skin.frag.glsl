@@ -90,7 +90,7 @@ vec3 rubber() {
 }
 
 vec3 wood() {
-    float wave = detailed == 1 ? noise(vec2(4.0, 12.0)) : 0.5;
+    float wave = noise(vec2(4.0, 12.0));
     float ring = 0.5 + 0.5 * sin(2.0 * 3.14159265 * 15.0 * place.y + 7.0 * wave);
     float fibre = grain(vec2(16.0, 220.0));
     vec3 c = mix(vec3(0.765, 0.505, 0.275), vec3(0.585, 0.355, 0.175), ring * ring);

@@ -11,6 +11,10 @@ final class DotBatch {
     private static final double RIVET = 0.045;
     private static final double RIVET_INSET = 0.11;
     private static final double RIVET_IN_DISC = 0.25;
+
+    /** A rivet that is smaller is a stray pixel, px. */
+    private static final double LEAST_RIVET = 1.5;
+
     private static final Color RIVET_SHADE = Color.of(0x1E232D);
     private static final Color RIVET_COLOR = Color.of(0x8A94A6);
     private static final Color RIVET_GLINT = Color.of(0xC4CCD8);
@@ -48,6 +52,9 @@ final class DotBatch {
 
     /** A head with a shadow below and the lamp's glint above. */
     private void rivet(OnScreen at, double localX, double localY, double radius) {
+        if (radius * at.scale() < LEAST_RIVET) {
+            return;
+        }
         double upX = at.alongX(0, 1);
         double upY = at.alongY(0, 1);
         double aside = 0.3 * radius;

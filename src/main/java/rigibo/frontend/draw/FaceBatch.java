@@ -9,13 +9,13 @@ final class FaceBatch {
     private static final int TEXELS = 128;
 
     /** A face that is smaller does not show, px to its unit. */
-    private static final double LEAST = 5;
+    private static final double LEAST = 6.5;
 
     /** The unit is half of a square body's side, a little more on long ones, and no more, m. */
-    private static final double MOST = 0.5;
+    private static final double MOST = 0.46;
 
     private static final double OF_WIDTH = 1.2;
-    private static final double OF_HEIGHT = 1.35;
+    private static final double OF_HEIGHT = 1.9;
 
     /** How far the sheet reaches from a face's middle; the shader that bakes it agrees. */
     private static final double REACH = 0.7;
