@@ -242,7 +242,7 @@ public final class Display implements Director {
     }
 
     private void renderDisplay() {
-        window.render(settings.detail(), curtain.rise());
+        window.render(settings().detail(), curtain.rise());
         companion.afterDrawing(this, scene);
     }
 
@@ -255,7 +255,7 @@ public final class Display implements Director {
     /** Destroys the present window and opens the next, where another scene is wanted. */
     private void change() {
         if (wanted != null && !isOver) {
-            boolean fades = settings.motion() == Settings.Motion.FULL;
+            boolean fades = settings().motion() == Settings.Motion.FULL;
             if (window != null && fades) {
                 fadeOut();
             }
@@ -271,7 +271,7 @@ public final class Display implements Director {
 
     private void fadeOut() {
         for (int frame = 1; frame <= Curtain.FRAMES; frame++) {
-            window.render(settings.detail(), Curtain.fallen(frame));
+            window.render(settings().detail(), Curtain.fallen(frame));
             window.swap();
             clock.awaitTurn();
         }
