@@ -78,7 +78,7 @@ final class Spectacle {
         burst();
         splinters.step();
         dust.step();
-        ring.step(game.held());
+        ring.step(game.outcome() == Outcome.LOST ? 0 : game.held());
         judge(game);
     }
 

@@ -53,6 +53,15 @@ public final class RecordingCanvas implements Canvas {
     private final List<Mark> frames = new ArrayList<>();
     private Camera camera = Camera.ofPuzzle();
     private final List<double[]> bodies = new ArrayList<>();
+    private final List<Mood> moods = new ArrayList<>();
+    private final List<Color> particles = new ArrayList<>();
+    private final List<Ring> rings = new ArrayList<>();
+    private int puffs;
+    private int glows;
+    private double veil;
+
+    /** A ring: how much of it is there, 0 to 1. */
+    public record Ring(double radius, double fraction, Color color) {}
 
     /** What a scene draws now. */
     public static RecordingCanvas of(Scene scene) {
@@ -112,6 +121,36 @@ public final class RecordingCanvas implements Canvas {
         return bodies;
     }
 
+    /** The moods of the bodies of a frame, in the order they were drawn. */
+    public List<Mood> moods() {
+        return moods;
+    }
+
+    /** The colours of the small squares of a frame. */
+    public List<Color> particles() {
+        return particles;
+    }
+
+    /** The rings of a frame. */
+    public List<Ring> rings() {
+        return rings;
+    }
+
+    /** How many puffs there are in a frame. */
+    public int puffs() {
+        return puffs;
+    }
+
+    /** How many glows there are in a frame. */
+    public int glows() {
+        return glows;
+    }
+
+    /** How grey the world is, 0 to 1. */
+    public double veil() {
+        return veil;
+    }
+
     /** Whether a point of the screen lies on a panel. */
     public boolean isUnderPanel(double x, double y) {
         Mark point = point(new double[] {x, y});
@@ -129,19 +168,28 @@ public final class RecordingCanvas implements Canvas {
     @Override
     public void body(Shape shape, double x, double y, double angle, Skin skin, Mood mood) {
         bodies.add(new double[] {camera.screenX(x), camera.screenY(y)});
+        moods.add(mood);
     }
 
     @Override
-    public void particle(double x, double y, double size, double angle, Color color) {}
+    public void particle(double x, double y, double size, double angle, Color color) {
+        particles.add(color);
+    }
 
     @Override
-    public void puff(double x, double y, double size, Color color) {}
+    public void puff(double x, double y, double size, Color color) {
+        puffs++;
+    }
 
     @Override
-    public void glow(double x, double y, double size, Color color) {}
+    public void glow(double x, double y, double size, Color color) {
+        glows++;
+    }
 
     @Override
-    public void veil(double share) {}
+    public void veil(double share) {
+        veil = share;
+    }
 
     @Override
     public void line(double x1, double y1, double x2, double y2, double width, Color color) {}
@@ -151,7 +199,9 @@ public final class RecordingCanvas implements Canvas {
 
     @Override
     public void ring(
-            double x, double y, double radius, double width, double fraction, Color color) {}
+            double x, double y, double radius, double width, double fraction, Color color) {
+        rings.add(new Ring(radius, fraction, color));
+    }
 
     @Override
     public void panel(double x, double y, double width, double height, double corner, Color color) {

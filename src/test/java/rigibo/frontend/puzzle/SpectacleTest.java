@@ -1,0 +1,100 @@
+package rigibo.frontend.puzzle;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.Test;
+
+import rigibo.backend.setup.Accuracy;
+import rigibo.frontend.puzzle.level.LevelTexts;
+import rigibo.frontend.puzzle.rules.Outcome;
+import rigibo.frontend.puzzle.rules.PuzzleGame;
+import rigibo.frontend.scene.Camera;
+import rigibo.frontend.scene.Canvas.Mood;
+import rigibo.frontend.scene.RecordingCanvas;
+import rigibo.frontend.scene.Settings.Motion;
+
+/** What is for the eye follows the game, whoever plays it. */
+class SpectacleTest {
+
+    /** The fall and the hold of 3 s are over by then, in turns. */
+    private static final int LONG_ENOUGH = 8 * 60;
+
+    private final Spectacle spectacle = new Spectacle();
+    private PuzzleGame game = new PuzzleGame(LevelTexts.sound(), Accuracy.GAME);
+
+    private void turns(int count) {
+        for (int i = 0; i < count; i++) {
+            game.step();
+            spectacle.step(game);
+        }
+    }
+
+    private RecordingCanvas drawn(Motion motion) {
+        RecordingCanvas canvas = new RecordingCanvas();
+        spectacle.draw(canvas, Camera.ofPuzzle(), motion);
+        return canvas;
+    }
+
+    private int particles() {
+        return drawn(Motion.FULL).particles().size();
+    }
+
+    private void deleteTheBox() {
+        game.click(4.5, 1.85);
+    }
+
+    @Test
+    void aDeletedBoxIsSquashedForAMomentAndBurstsThen() {
+        turns(1);
+        int still = particles();
+        deleteTheBox();
+        turns(1);
+        assertThat(drawn(Motion.FULL).moods()).containsExactly(Mood.HOVERED);
+        assertThat(particles()).isEqualTo(still);
+        // 80 ms are five turns of 1/60 s.
+        turns(5);
+        assertThat(drawn(Motion.FULL).moods()).isEmpty();
+        assertThat(particles()).isGreaterThan(still);
+    }
+
+    @Test
+    void anotherAttemptBeginsWithClearAir() {
+        turns(1);
+        int still = particles();
+        deleteTheBox();
+        turns(10);
+        game = new PuzzleGame(LevelTexts.sound(), Accuracy.GAME);
+        turns(1);
+        assertThat(particles()).isEqualTo(still);
+        assertThat(drawn(Motion.FULL).puffs()).isZero();
+    }
+
+    @Test
+    void theBallGlowsWhileItIsHeldAndConfettiFliesWhenThatIsDone() {
+        turns(1);
+        assertThat(drawn(Motion.FULL).glows()).isZero();
+        deleteTheBox();
+        while (game.outcome() == Outcome.RUNNING && game.steps() < LONG_ENOUGH) {
+            turns(1);
+        }
+        assertThat(game.isSolved()).isTrue();
+        assertThat(drawn(Motion.FULL).glows()).isOne();
+        assertThat(particles()).isGreaterThan(100);
+        assertThat(spectacle.mood(game.pieces().get(1))).isEqualTo(Mood.CHEERING);
+    }
+
+    @Test
+    void aLostWorldTurnsGreySlowlyOrAtOnceWhereLessIsToMove() {
+        turns(1);
+        assertThat(drawn(Motion.FULL).veil()).isZero();
+        game.ball().velocity(-30, 0);
+        while (game.outcome() == Outcome.RUNNING && game.steps() < LONG_ENOUGH) {
+            turns(1);
+        }
+        assertThat(game.outcome()).isEqualTo(Outcome.LOST);
+        assertThat(drawn(Motion.FULL).veil()).isStrictlyBetween(0.0, 0.5);
+        assertThat(drawn(Motion.REDUCED).veil()).isOne();
+        turns(60);
+        assertThat(drawn(Motion.FULL).veil()).isOne();
+    }
+}
