@@ -11,12 +11,10 @@ import rigibo.frontend.scene.Skin;
  * What is left of a deleted body: how it looked where it was last seen.
  *
  * @param shape its outline
- * @param x m
- * @param y m
- * @param angle rad
+ * @param pose where it was
  * @param skin what it was made of
  */
-record Remains(Shape shape, double x, double y, double angle, Skin skin) {
+record Remains(Shape shape, Pose pose, Skin skin) {
 
     /** How flat it gets, and how much wider. */
     private static final double FLATTER = 0.7;
@@ -41,13 +39,14 @@ record Remains(Shape shape, double x, double y, double angle, Skin skin) {
 
     /** Draws it squashed towards what is below it, from 0, not yet, to 1. */
     void draw(Canvas canvas, double squashed) {
-        boolean isUpright = Math.abs(Math.cos(angle)) > Math.abs(Math.sin(angle));
+        boolean isUpright = Math.abs(Math.cos(pose.angle())) > Math.abs(Math.sin(pose.angle()));
         double flat = 1 - FLATTER * squashed;
         double wide = 1 + WIDER * squashed;
         double across = isUpright ? wide : flat;
         double along = isUpright ? flat : wide;
         double sunk = (isUpright ? height() : width()) / 2 * (1 - flat);
-        canvas.body(scaled(across, along), x, y - sunk, angle, skin, Canvas.Mood.HOVERED);
+        Shape flattened = scaled(across, along);
+        canvas.body(flattened, pose.x(), pose.y() - sunk, pose.angle(), skin, Canvas.Mood.HOVERED);
     }
 
     private Shape scaled(double across, double along) {

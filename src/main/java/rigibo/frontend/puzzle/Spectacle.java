@@ -5,7 +5,6 @@ import rigibo.frontend.puzzle.level.Platform;
 import rigibo.frontend.puzzle.rules.Outcome;
 import rigibo.frontend.puzzle.rules.Piece;
 import rigibo.frontend.puzzle.rules.PuzzleGame;
-import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Settings.Motion;
@@ -45,14 +44,13 @@ final class Spectacle {
 
     private final Splinters splinters = new Splinters();
     private final Dust dust = new Dust();
-    private final HoldRing ring = new HoldRing();
     private final List<Squashed> squashed = new ArrayList<>();
     private final List<Optional<Remains>> last = new ArrayList<>();
+    private final Session session;
     private PuzzleGame watched;
     private int steps;
     private int grey;
     private int flash;
-    private boolean isCelebrated;
 
     /** A body on its way out. */
     private static final class Squashed {
@@ -64,12 +62,18 @@ final class Spectacle {
         }
     }
 
-    /** One turn of the loop, after the game's. */
-    void step(PuzzleGame game) {
+    Spectacle(Session session) {
+        this.session = session;
+        begin(session.game());
+    }
+
+    /** One frame of 1/60 s, after the session's. */
+    void frame() {
+        PuzzleGame game = session.game();
         if (game != watched) {
             begin(game);
         }
-        watchPieces(game);
+        watchPieces();
         if (game.steps() != steps) {
             dust.raise(game.pool());
             steps = game.steps();
@@ -78,8 +82,8 @@ final class Spectacle {
         burst();
         splinters.step();
         dust.step();
-        ring.step(game.outcome() == Outcome.LOST ? 0 : game.held());
-        judge(game);
+        grey = game.outcome() == Outcome.LOST ? Math.min(GREYING_TURNS, grey + 1) : 0;
+        flash = Math.max(0, flash - 1);
     }
 
     /** A new attempt, or one taken back: nothing of the old one is left in the air. */
@@ -88,16 +92,14 @@ final class Spectacle {
         steps = game.steps();
         splinters.clear();
         dust.clear();
-        ring.clear();
         squashed.clear();
         last.clear();
         grey = 0;
         flash = 0;
-        isCelebrated = false;
     }
 
-    private void watchPieces(PuzzleGame game) {
-        List<Piece> pieces = game.pieces();
+    private void watchPieces() {
+        List<Piece> pieces = watched.pieces();
         for (int i = 0; i < pieces.size(); i++) {
             Optional<Remains> now = seen(pieces.get(i));
             if (i == last.size()) {
@@ -110,12 +112,10 @@ final class Spectacle {
         }
     }
 
-    private static Optional<Remains> seen(Piece piece) {
+    private Optional<Remains> seen(Piece piece) {
         RigidBody body = piece.body();
         return body.isAlive()
-                ? Optional.of(
-                        new Remains(
-                                body.shape(), body.x(), body.y(), body.angle(), Looks.of(piece)))
+                ? Optional.of(new Remains(body.shape(), session.pose(body), Skins.of(piece.definition().substance())))
                 : Optional.empty();
     }
 
@@ -129,20 +129,15 @@ final class Spectacle {
         }
     }
 
-    private void judge(PuzzleGame game) {
-        grey = game.outcome() == Outcome.LOST ? Math.min(GREYING_TURNS, grey + 1) : 0;
-        flash = Math.max(0, flash - 1);
-        if (game.isSolved() && !isCelebrated) {
-            isCelebrated = true;
-            flash = FLASH_TURNS;
-            splinters.celebrate(game.ball().x(), game.ball().y());
-        }
+    /** Confetti, and a flash of the ball's glow. */
+    void celebrate() {
+        flash = FLASH_TURNS;
+        splinters.celebrate(watched.ball().x(), watched.ball().y());
     }
 
     /** How a piece looks that nobody points at. */
     Canvas.Mood mood(Piece piece) {
-        Outcome outcome = watched == null ? Outcome.RUNNING : watched.outcome();
-        return switch (outcome) {
+        return switch (watched.outcome()) {
             case WON -> Canvas.Mood.CHEERING;
             case LOST -> Canvas.Mood.WORRIED;
             case RUNNING ->
@@ -150,11 +145,8 @@ final class Spectacle {
         };
     }
 
-    /** Draws it above the bodies, and the ring round the ball above all. */
-    void draw(Canvas canvas, Camera camera, Motion motion) {
-        if (watched == null) {
-            return;
-        }
+    /** Draws it above the bodies. */
+    void draw(Canvas canvas, Motion motion) {
         boolean isFull = motion == Motion.FULL;
         canvas.veil(isFull ? grey / (double) GREYING_TURNS : grey > 0 ? 1 : 0);
         for (Squashed body : squashed) {
@@ -164,9 +156,6 @@ final class Spectacle {
         dust.draw(canvas);
         glow(canvas, isFull ? flash / (double) FLASH_TURNS : 0);
         splinters.draw(canvas);
-        RigidBody ball = watched.ball();
-        double radius = ball.shape().boundingRadius() * camera.scale();
-        ring.draw(canvas, camera.screenX(ball.x()), camera.screenY(ball.y()), radius, isFull);
     }
 
     /** Diamonds of brass tell the platform from other wood. */
@@ -189,8 +178,8 @@ final class Spectacle {
     private void glow(Canvas canvas, double flashing) {
         double held = watched.held();
         if (held > 0 && watched.outcome() != Outcome.LOST) {
-            RigidBody ball = watched.ball();
-            double radius = ball.shape().boundingRadius();
+            Pose ball = session.pose(watched.ball());
+            double radius = watched.ball().shape().boundingRadius();
             double strength = 0.08 + 0.24 * held * held + 0.3 * flashing;
             double size = GLOW * radius * (1 + 0.6 * flashing);
             canvas.glow(ball.x(), ball.y(), size, Color.BRASS.alpha(Math.min(1, strength)));

@@ -48,18 +48,19 @@ final class Splinters {
 
     /** A body bursts where it was, in its own colour. */
     void burst(Remains remains) {
+        Pose from = remains.pose();
         double width = remains.width();
         double height = remains.height();
         int count = (int) Math.max(LEAST, Math.min(MOST, PER_AREA * width * height));
-        double cos = Math.cos(remains.angle());
-        double sin = Math.sin(remains.angle());
+        double cos = Math.cos(from.angle());
+        double sin = Math.sin(from.angle());
         for (int i = 0; i < count; i++) {
             double along = between(-width, width) / 2;
             double up = between(-height, height) / 2;
             Splinter splinter =
-                    fly(remains.x() + cos * along - sin * up, remains.y() + sin * along + cos * up);
-            splinter.velocityX = 1.5 * (splinter.x - remains.x()) + between(-1.2, 1.2);
-            splinter.velocityY = 1.6 * (splinter.y - remains.y()) + between(0.2, 3.2);
+                    fly(from.x() + cos * along - sin * up, from.y() + sin * along + cos * up);
+            splinter.velocityX = 1.5 * (splinter.x - from.x()) + between(-1.2, 1.2);
+            splinter.velocityY = 1.6 * (splinter.y - from.y()) + between(0.2, 3.2);
             splinter.size = between(0.04, 0.13);
             splinter.left = between(0.45, 1.1);
             splinter.color = shade(remains.skin().color, between(0.7, 1.2));

@@ -30,7 +30,7 @@ final class Stage {
     }
 
     /** All bodies; the one that is meant is lifted where a click would delete it. */
-    void draw(Canvas canvas, Optional<Piece> meant) {
+    void draw(Canvas canvas, Optional<Piece> meant, Spectacle spectacle) {
         PuzzleGame game = session.game();
         Pose ball = session.pose(game.ball());
         canvas.camera(camera);
@@ -39,8 +39,8 @@ final class Stage {
         for (Piece piece : game.pieces()) {
             if (piece.body().isAlive()) {
                 boolean isMeant = piece.isDeletable() && meant.filter(piece::equals).isPresent();
-                Canvas.Mood mood = isMeant ? Canvas.Mood.HOVERED : Canvas.Mood.PLAIN;
-                body(canvas, piece.body(), skin(piece), mood);
+                Canvas.Mood mood = isMeant ? Canvas.Mood.HOVERED : spectacle.mood(piece);
+                body(canvas, piece.body(), Skins.of(piece.definition().substance()), mood);
             }
         }
         body(canvas, game.ball(), Skin.BALL, Canvas.Mood.PLAIN);
@@ -59,7 +59,7 @@ final class Stage {
                 pose.x() + aside / camera.scale(),
                 pose.y(),
                 pose.angle(),
-                skin(piece),
+                Skins.of(piece.definition().substance()),
                 Canvas.Mood.GHOST);
     }
 
@@ -81,9 +81,5 @@ final class Stage {
     private static void corner(Canvas canvas, double x, double y, double across, double down) {
         canvas.line(x, y, x + across, y, 3, Color.TEXT);
         canvas.line(x, y, x, y + down, 3, Color.TEXT);
-    }
-
-    private static Skin skin(Piece piece) {
-        return Skins.of(piece.definition().substance());
     }
 }

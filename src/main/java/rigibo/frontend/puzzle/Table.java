@@ -2,14 +2,11 @@ package rigibo.frontend.puzzle;
 
 import rigibo.frontend.puzzle.rules.ClickResult;
 import rigibo.frontend.puzzle.rules.Deletion;
-import rigibo.frontend.puzzle.rules.Outcome;
 import rigibo.frontend.puzzle.rules.Piece;
 import rigibo.frontend.puzzle.rules.PuzzleGame;
 import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Canvas;
-import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Key;
-import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Settings.Motion;
 
 import java.util.List;
@@ -21,9 +18,6 @@ final class Table {
     /** From the ball to its ring, px. */
     private static final double RING_GAP = 8;
 
-    /** How dim all is once it is lost. */
-    private static final double VEIL = 0.6;
-
     private final Session session;
     private final Camera camera;
     private final Noises noises;
@@ -31,7 +25,7 @@ final class Table {
     private final Cursor cursor;
     private final HoldRing ring;
     private final Refusal refusal = new Refusal();
-    private final Splinters splinters = new Splinters();
+    private final Spectacle spectacle;
     private ShownPointer shownPointer;
 
     /** The game that was on the screen in the last frame. */
@@ -43,6 +37,7 @@ final class Table {
         this.noises = noises;
         seen = session.game();
         stage = new Stage(session, camera);
+        spectacle = new Spectacle(session);
         cursor = new Cursor(camera);
         ring = new HoldRing(seen.level().limits().hold());
         shownPointer = new ShownPointer(camera);
@@ -63,7 +58,7 @@ final class Table {
         }
         ring.turn();
         refusal.turn();
-        splinters.step();
+        spectacle.frame();
         shownPointer.turn();
     }
 
@@ -85,37 +80,28 @@ final class Table {
                     .forEach(
                             piece -> {
                                 Pose pose = session.lastPose(piece.body());
-                                burst(piece, pose);
+                                noises.deleted();
                                 shownPointer.clicked(pose.x(), pose.y());
                             });
         }
     }
 
-    /** The body is gone by now; its last place is told. */
-    private void burst(Piece piece, Pose pose) {
-        noises.deleted();
-        splinters.burst(pose.x(), pose.y(), piece.definition().shape().smallestWidth());
-    }
-
     /** Confetti, where nothing is against it. */
     void celebrate(Motion motion) {
         if (motion == Motion.FULL) {
-            splinters.celebrate(seen.ball().x(), seen.ball().y());
+            spectacle.celebrate();
         }
     }
 
     void draw(Canvas canvas, Motion motion) {
         PuzzleGame game = session.game();
         boolean isOwn = !session.isShowing();
-        stage.draw(canvas, isOwn ? cursor.under(game) : Optional.empty());
+        stage.draw(canvas, isOwn ? cursor.under(game) : Optional.empty(), spectacle);
         drawRefused(canvas, game, motion);
-        splinters.draw(canvas);
+        spectacle.draw(canvas, motion);
         Pose ball = session.pose(game.ball());
         double radius = game.ball().shape().boundingRadius() * camera.scale() + RING_GAP;
         ring.draw(canvas, camera.screenX(ball.x()), camera.screenY(ball.y()), radius, motion);
-        if (game.outcome() == Outcome.LOST) {
-            canvas.panel(0, 0, Scene.WIDTH, Scene.HEIGHT, 0, Color.DUSK_TOP.alpha(VEIL));
-        }
         cursor.chosen(game).ifPresent(piece -> stage.drawChosen(canvas, piece));
         session.show().ifPresent(show -> shownPointer.draw(canvas, show));
     }
@@ -147,12 +133,10 @@ final class Table {
         }
         double worldX = camera.worldX(x);
         double worldY = camera.worldY(y);
-        Optional<Piece> under = game.pieceAt(worldX, worldY);
-        Optional<Pose> pose = under.map(piece -> session.pose(piece.body()));
         ClickResult result = game.click(worldX, worldY);
         answer(result, x, y);
         if (result == ClickResult.DELETED) {
-            burst(under.orElseThrow(), pose.orElseThrow());
+            noises.deleted();
         }
     }
 
@@ -162,13 +146,12 @@ final class Table {
         if (session.isShowing() || chosen.isEmpty()) {
             return false;
         }
-        Pose pose = session.pose(chosen.get().body());
         double x = cursor.x(session.game());
         double y = cursor.y(session.game());
         ClickResult result = session.game().delete(chosen.get().definition().id());
         answer(result, x, y);
         if (result == ClickResult.DELETED) {
-            burst(chosen.get(), pose);
+            noises.deleted();
             cursor.point(x, y);
         }
         return true;

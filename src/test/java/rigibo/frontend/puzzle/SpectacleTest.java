@@ -8,7 +8,6 @@ import rigibo.backend.setup.Accuracy;
 import rigibo.frontend.puzzle.level.LevelTexts;
 import rigibo.frontend.puzzle.rules.Outcome;
 import rigibo.frontend.puzzle.rules.PuzzleGame;
-import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Canvas.Mood;
 import rigibo.frontend.scene.RecordingCanvas;
 import rigibo.frontend.scene.Settings.Motion;
@@ -19,19 +18,19 @@ class SpectacleTest {
     /** The fall and the hold of 3 s are over by then, in turns. */
     private static final int LONG_ENOUGH = 8 * 60;
 
-    private final Spectacle spectacle = new Spectacle();
-    private PuzzleGame game = new PuzzleGame(LevelTexts.sound(), Accuracy.GAME);
+    private final Session session = new Session(LevelTexts.sound(), Accuracy.GAME);
+    private final Spectacle spectacle = new Spectacle(session);
 
     private void turns(int count) {
         for (int i = 0; i < count; i++) {
-            game.step();
-            spectacle.step(game);
+            session.frame();
+            spectacle.frame();
         }
     }
 
     private RecordingCanvas drawn(Motion motion) {
         RecordingCanvas canvas = new RecordingCanvas();
-        spectacle.draw(canvas, Camera.ofPuzzle(), motion);
+        spectacle.draw(canvas, motion);
         return canvas;
     }
 
@@ -40,7 +39,7 @@ class SpectacleTest {
     }
 
     private void deleteTheBox() {
-        game.click(4.5, 1.85);
+        session.game().click(4.5, 1.85);
     }
 
     @Test
@@ -63,7 +62,7 @@ class SpectacleTest {
         int still = particles();
         deleteTheBox();
         turns(10);
-        game = new PuzzleGame(LevelTexts.sound(), Accuracy.GAME);
+        session.restart();
         turns(1);
         assertThat(particles()).isEqualTo(still);
         assertThat(drawn(Motion.FULL).puffs()).isZero();
@@ -71,6 +70,7 @@ class SpectacleTest {
 
     @Test
     void theBallGlowsWhileItIsHeldAndConfettiFliesWhenThatIsDone() {
+        PuzzleGame game = session.game();
         turns(1);
         assertThat(drawn(Motion.FULL).glows()).isZero();
         deleteTheBox();
@@ -79,12 +79,15 @@ class SpectacleTest {
         }
         assertThat(game.isSolved()).isTrue();
         assertThat(drawn(Motion.FULL).glows()).isOne();
-        assertThat(particles()).isGreaterThan(100);
+        int still = particles();
+        spectacle.celebrate();
+        assertThat(particles()).isGreaterThan(still + 100);
         assertThat(spectacle.mood(game.pieces().get(1))).isEqualTo(Mood.CHEERING);
     }
 
     @Test
     void aLostWorldTurnsGreySlowlyOrAtOnceWhereLessIsToMove() {
+        PuzzleGame game = session.game();
         turns(1);
         assertThat(drawn(Motion.FULL).veil()).isZero();
         game.ball().velocity(-30, 0);
