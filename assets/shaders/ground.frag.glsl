@@ -9,6 +9,7 @@ const vec2 WINDOW = vec2(720.0, 800.0);
 const vec3 TOP = vec3(0.106, 0.122, 0.200);
 const vec3 BOTTOM = vec3(0.290, 0.247, 0.400);
 const float FOCUS = 2.5;          // how far an outline is smeared
+const float FAR = 12.0;           // farther away than any smear reaches
 const vec2 FALL = vec2(5.0, 9.0); // where shadows on the wall fall to
 const vec2 BULB = vec2(598.0, 116.0);
 
@@ -90,9 +91,21 @@ float shelves(vec2 p) {
     return min(min(upper, lower), min(stays, min(above, below)));
 }
 
-/** What hangs on the wall: tools under the lamp, shelves on the other side. */
+/**
+ * What hangs on the wall: tools under the lamp, shelves on the other side. Most of the wall is far
+ * from either: software OpenGL takes both sides of a branch, but no turns of an empty loop.
+ */
 float things(vec2 p) {
-    return min(tools(p - vec2(452, 78)), shelves(p + vec2(470, 0)));
+    float nearest = FAR;
+    int turns = box(p, vec2(124, 292), vec2(104, 112), 0.0) < FAR ? 1 : 0;
+    for (int i = 0; i < turns; i++) {
+        nearest = min(nearest, shelves(p + vec2(470, 0)));
+    }
+    turns = box(p, vec2(600, 312), vec2(90, 88), 0.0) < FAR ? 1 : 0;
+    for (int i = 0; i < turns; i++) {
+        nearest = min(nearest, tools(p - vec2(452, 78)));
+    }
+    return nearest;
 }
 
 /** The wall's boards: each a little lighter or darker, with a gap between. */

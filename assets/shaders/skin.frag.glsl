@@ -28,12 +28,16 @@ float grain(vec2 cells) {
     return detailed == 1 ? noise(cells) - 0.5 : 0.0;
 }
 
-/** Distance to the nearest of points thrown at random, and to the next but one, in cells. */
+/**
+ * Distance to the nearest of points thrown at random, and to the next, in cells. Only stone and ice
+ * ask for it: software OpenGL takes both sides of a branch, but no turns of an empty loop.
+ */
 vec2 scattered(float cells) {
     vec2 p = place * cells;
     vec2 i = floor(p);
     vec2 nearest = vec2(9.0);
-    for (int y = -1; y <= 1; y++) {
+    int last = layer == STONE || layer == ICE ? 1 : -2;
+    for (int y = -1; y <= last; y++) {
         for (int x = -1; x <= 1; x++) {
             vec2 at = i + vec2(x, y);
             vec2 own = mod(at, cells);
@@ -59,8 +63,7 @@ vec3 rigibo() {
 }
 
 /** Granite: speckles, light and dark. */
-vec3 stone() {
-    float speck = scattered(60.0).x;
+vec3 stone(float speck) {
     float kind = hash(floor(place * 60.0) + 7.0);
     vec3 c = vec3(0.424, 0.455, 0.525) * (1.0 + 0.22 * grain(vec2(14.0)) + 0.16 * grain(vec2(50.0)));
     float size = 0.10 + 0.14 * kind;
@@ -73,9 +76,7 @@ vec3 iron() {
 }
 
 /** Cracks run where two of the scattered points are equally far. */
-vec3 ice() {
-    vec2 far = scattered(9.0);
-    float crack = far.y - far.x;
+vec3 ice(float crack) {
     float light = 0.5 + grain(vec2(8.0));
     vec3 c = mix(vec3(0.600, 0.820, 0.915), vec3(0.760, 0.915, 0.975), light);
     c *= 1.0 - 0.10 * (1.0 - smoothstep(0.02, 0.16, crack));
@@ -98,17 +99,18 @@ vec3 wood() {
 }
 
 vec3 skin() {
+    vec2 far = scattered(layer == STONE ? 60.0 : 9.0);
     if (layer == RIGIBO) {
         return rigibo();
     }
     if (layer == STONE) {
-        return stone();
+        return stone(far.x);
     }
     if (layer == IRON) {
         return iron();
     }
     if (layer == ICE) {
-        return ice();
+        return ice(far.y - far.x);
     }
     if (layer == RUBBER) {
         return rubber();

@@ -15,7 +15,7 @@ public final class DetailChoice {
     private static final long LATE = 12_000_000;
 
     /** So many frames are looked at before it is decided, and if half of them are late, it is. */
-    private static final int FRAMES = 90;
+    private static final int FRAMES = 120;
 
     private static final String[] SOFTWARE = {"llvmpipe", "softpipe", "swrast", "swiftshader"};
 

@@ -3,7 +3,9 @@ package rigibo.frontend.draw;
 import rigibo.frontend.scene.Canvas.Mood;
 import rigibo.frontend.scene.Color;
 
-/** Faces of RigiBos, drawn by one call from a sheet of expressions; pupils are dots of their own. */
+/**
+ * Faces of RigiBos, drawn by one call from a sheet of expressions; pupils are dots of their own.
+ */
 final class FaceBatch {
 
     private static final int TEXELS = 128;

@@ -78,7 +78,9 @@ final class ShadowBatch {
         }
     }
 
-    /** Where the sides that meet in a corner do so when moved outwards: c + s·(n₁ + n₂)/(1 + n₁·n₂). */
+    /**
+     * Where the sides that meet in a corner do so when moved outwards: c + s·(n₁ + n₂)/(1 + n₁·n₂).
+     */
     private void corner(Polygon polygon, int i, double reach) {
         int before = (i + polygon.corners() - 1) % polygon.corners();
         double sumX = polygon.normalX(i) + polygon.normalX(before);
