@@ -1,7 +1,6 @@
 package rigibo.frontend.puzzle;
 
 import rigibo.backend.RigidBody;
-import rigibo.frontend.puzzle.level.Platform;
 import rigibo.frontend.puzzle.rules.Outcome;
 import rigibo.frontend.puzzle.rules.Piece;
 import rigibo.frontend.puzzle.rules.PuzzleGame;
@@ -35,12 +34,6 @@ final class Spectacle {
 
     /** A RigiBo that falls faster is afraid, m/s. */
     private static final double FEARED = 2.0;
-
-    /** Between the platform's diamonds, m, and how large they are, of its height. */
-    private static final double DIAMONDS_APART = 0.45;
-
-    private static final double DIAMOND = 0.36;
-    private static final Color INLAY_EDGE = Color.of(0x5C3A1E);
 
     private final Splinters splinters = new Splinters();
     private final Dust dust = new Dust();
@@ -152,26 +145,9 @@ final class Spectacle {
         for (Squashed body : squashed) {
             body.remains.draw(canvas, Math.min(1, body.turns / (double) SQUASH_TURNS));
         }
-        inlay(canvas);
         dust.draw(canvas);
         glow(canvas, isFull ? flash / (double) FLASH_TURNS : 0);
         splinters.draw(canvas);
-    }
-
-    /** Diamonds of brass tell the platform from other wood. */
-    private void inlay(Canvas canvas) {
-        RigidBody platform = watched.platform();
-        Platform stated = watched.level().platform();
-        int count = Math.max(1, (int) Math.round(stated.width() / DIAMONDS_APART) - 1);
-        double size = DIAMOND * stated.height();
-        Color brass = watched.outcome() == Outcome.LOST ? Color.EDGE : Color.BRASS;
-        for (int i = 0; i < count; i++) {
-            double along = (i - (count - 1) / 2.0) * DIAMONDS_APART;
-            double x = platform.x() + along * Math.cos(platform.angle());
-            double y = platform.y() + along * Math.sin(platform.angle());
-            canvas.particle(x, y, 1.35 * size, platform.angle() + Math.PI / 4, INLAY_EDGE);
-            canvas.particle(x, y, size, platform.angle() + Math.PI / 4, brass);
-        }
     }
 
     /** The ball glows the more the longer it is held, and flashes when that is done. */

@@ -36,6 +36,7 @@ final class Stage {
         canvas.camera(camera);
         canvas.gaze(ball.x(), ball.y());
         body(canvas, game.platform(), Skin.WOOD, Canvas.Mood.PLAIN);
+        Inlay.draw(canvas, game);
         for (Piece piece : game.pieces()) {
             if (piece.body().isAlive()) {
                 boolean isMeant = piece.isDeletable() && meant.filter(piece::equals).isPresent();
