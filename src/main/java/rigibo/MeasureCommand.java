@@ -7,6 +7,7 @@ import picocli.CommandLine.Spec;
 import rigibo.frontend.catalog.Catalog;
 import rigibo.frontend.display.DrawingTiming;
 import rigibo.frontend.display.LoopTiming;
+import rigibo.frontend.scene.Settings;
 import rigibo.lab.FloodFriction;
 import rigibo.lab.FloodTiming;
 
@@ -49,15 +50,24 @@ final class MeasureCommand implements Callable<Integer> {
                 friction.rowsWithout(),
                 friction.rows());
         for (int[] picture : PICTURES) {
-            double[] millis = DrawingTiming.millis(picture[0], picture[1]);
-            out.printf(
-                    "drawing %d bodies of %d px: median %.2f ms, p99 %.2f ms a frame%n",
-                    picture[0], picture[1], millis[0], millis[1]);
+            drawing(out, picture[0], picture[1], Settings.Detail.FULL);
+            drawing(out, picture[0], picture[1], Settings.Detail.LITE);
         }
         for (boolean vsync : new boolean[] {true, false}) {
             double seconds = LoopTiming.seconds(Catalog::menu, TURNS, vsync);
             out.printf("%d turns %s vsync: %.3f s%n", TURNS, vsync ? "with" : "without", seconds);
         }
         return 0;
+    }
+
+    private static void drawing(PrintWriter out, int bodies, int pixels, Settings.Detail detail) {
+        double[] millis = DrawingTiming.millis(bodies, pixels, detail);
+        out.printf(
+                "drawing %d bodies of %d px%s: median %.2f ms, p99 %.2f ms a frame%n",
+                bodies,
+                pixels,
+                detail == Settings.Detail.LITE ? " in less detail" : "",
+                millis[0],
+                millis[1]);
     }
 }

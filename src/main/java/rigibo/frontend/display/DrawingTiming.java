@@ -8,6 +8,7 @@ import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Director;
 import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.Settings;
 import rigibo.frontend.scene.Skin;
 
 import java.util.Arrays;
@@ -31,14 +32,16 @@ public final class DrawingTiming {
     }
 
     /**
-     * Draws some hundred frames with so many bodies of a width in px.
+     * Draws some hundred frames with so many bodies of a width in px, in so much detail.
      *
      * @return the time that half of the frames stayed below, and 99 % of them, ms
      * @throws DisplayException when no window can be opened
      */
-    public static double[] millis(int bodies, double pixels) {
+    public static double[] millis(int bodies, double pixels, Settings.Detail detail) {
         DrawingTiming timing = new DrawingTiming(bodies, pixels);
-        new Display(director -> timing.new Rows(director), false).run(null);
+        Display display = new Display(director -> timing.new Rows(director), false);
+        display.settings(display.settings().withDetail(detail));
+        display.run(null);
         Arrays.sort(timing.millis);
         return new double[] {
             timing.millis[TIMED_FRAMES / 2], timing.millis[TIMED_FRAMES * 99 / 100]

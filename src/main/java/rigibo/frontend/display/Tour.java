@@ -8,6 +8,7 @@ import rigibo.frontend.scene.Demonstration;
 import rigibo.frontend.scene.Director;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.SceneEntry;
+import rigibo.frontend.scene.Settings;
 
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -67,6 +68,8 @@ public final class Tour implements Display.Companion {
                     "cannot write pictures to " + folder + ": " + e.getMessage());
         }
         Display display = new Display(menu, true);
+        // Pictures show all there is, however slowly it is drawn.
+        display.settings(display.settings().withDetail(Settings.Detail.FULL));
         display.accompany(this);
         display.run(null);
         failures.addAll(display.troubles());
