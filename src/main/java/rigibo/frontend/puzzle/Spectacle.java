@@ -108,7 +108,11 @@ final class Spectacle {
     private Optional<Remains> seen(Piece piece) {
         RigidBody body = piece.body();
         return body.isAlive()
-                ? Optional.of(new Remains(body.shape(), session.pose(body), Skins.of(piece.definition().substance())))
+                ? Optional.of(
+                        new Remains(
+                                body.shape(),
+                                session.pose(body),
+                                Skins.of(piece.definition().substance())))
                 : Optional.empty();
     }
 
