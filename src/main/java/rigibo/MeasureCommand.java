@@ -7,6 +7,7 @@ import picocli.CommandLine.Spec;
 import rigibo.frontend.catalog.Catalog;
 import rigibo.frontend.display.DrawingTiming;
 import rigibo.frontend.display.LoopTiming;
+import rigibo.frontend.display.WindowTiming;
 import rigibo.frontend.scene.Settings;
 import rigibo.lab.FloodFriction;
 import rigibo.lab.FloodTiming;
@@ -17,7 +18,9 @@ import java.util.concurrent.Callable;
 /** Measures what the README claims about time. */
 @Command(
         name = "measure",
-        description = "Times the flood, drawing, and 600 turns of the loop with and without vsync.")
+        description =
+                "Times the start, changes of windows, the flood, drawing, and 600 turns of the loop"
+                        + " with and without vsync.")
 final class MeasureCommand implements Callable<Integer> {
 
     private static final int TURNS = 600;
@@ -31,6 +34,12 @@ final class MeasureCommand implements Callable<Integer> {
     @Override
     public Integer call() {
         PrintWriter out = spec.commandLine().getOut();
+        // First, for it is told from the start of the process.
+        WindowTiming.Result windows = WindowTiming.measure(Catalog::menu, Catalog.entries());
+        out.printf(
+                "the menu is seen %.0f ms after the start; a change of windows: median %.0f ms, at"
+                        + " most %.0f ms%n",
+                windows.startMillis(), windows.medianMillis(), windows.mostMillis());
         for (int bodies : FLOODS) {
             FloodTiming flood = FloodTiming.measure(bodies);
             out.printf(

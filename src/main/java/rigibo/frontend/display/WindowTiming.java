@@ -1,0 +1,82 @@
+package rigibo.frontend.display;
+
+import rigibo.frontend.scene.Director;
+import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.SceneEntry;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.Arrays;
+import java.util.List;
+import java.util.function.Function;
+
+/**
+ * Measures how long it takes until something is to be seen: the menu at first, then every scene.
+ */
+public final class WindowTiming implements Display.Companion {
+
+    private final List<SceneEntry> entries;
+    private final double[] changes;
+    private double startMillis = -1;
+    private Scene left;
+    private long asked;
+    private int done;
+
+    private WindowTiming(List<SceneEntry> entries) {
+        this.entries = entries;
+        changes = new double[2 * entries.size()];
+    }
+
+    /**
+     * What was measured.
+     *
+     * @param startMillis from the start of the process to the first picture of the menu, ms
+     * @param medianMillis of all changes from the menu to a scene and back, from the wish to the
+     *     first picture in the new window, ms
+     * @param mostMillis of the longest of them, ms
+     */
+    public record Result(double startMillis, double medianMillis, double mostMillis) {}
+
+    /**
+     * Opens the menu, goes to every scene and back.
+     *
+     * @throws DisplayException when no window can be opened
+     */
+    public static Result measure(Function<Director, Scene> menu, List<SceneEntry> entries) {
+        WindowTiming timing = new WindowTiming(entries);
+        Display display = new Display(menu, true);
+        display.accompany(timing);
+        display.run(null);
+        Arrays.sort(timing.changes);
+        int count = timing.changes.length;
+        return new Result(timing.startMillis, timing.changes[count / 2], timing.changes[count - 1]);
+    }
+
+    /** A turn in each window, then the next is asked for. */
+    @Override
+    public void beforeTurn(Display display, Scene scene) {
+        boolean isSeen = startMillis >= 0 && left == null;
+        if (isSeen && done == changes.length) {
+            display.quit();
+        } else if (isSeen) {
+            left = scene;
+            asked = System.nanoTime();
+            if (done % 2 == 0) {
+                display.show(entries.get(done / 2).open().apply(display));
+            } else {
+                display.showMenu();
+            }
+        }
+    }
+
+    @Override
+    public void afterDrawing(Display display, Scene scene) {
+        if (startMillis < 0) {
+            Instant started = ProcessHandle.current().info().startInstant().orElseThrow();
+            startMillis = Duration.between(started, Instant.now()).toNanos() / 1e6;
+        } else if (left != null && scene != left) {
+            changes[done++] = (System.nanoTime() - asked) / 1e6;
+            left = null;
+        }
+    }
+}
