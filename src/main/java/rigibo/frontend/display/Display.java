@@ -180,6 +180,11 @@ public final class Display implements Director {
     }
 
     @Override
+    public Optional<Path> levels() {
+        return player.levels();
+    }
+
+    @Override
     public Optional<Path> replays() {
         return player.replays();
     }

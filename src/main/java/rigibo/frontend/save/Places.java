@@ -29,6 +29,11 @@ public record Places(Path settings, Path data) {
         return data.resolve("replays");
     }
 
+    /** The folder of levels that the player makes. */
+    public Path levels() {
+        return data.resolve("levels");
+    }
+
     Path settingsFile() {
         return settings.resolve("settings.json");
     }

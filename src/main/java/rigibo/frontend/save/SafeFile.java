@@ -19,7 +19,17 @@ import java.nio.file.Path;
  *
  * @param file where it is
  */
-record SafeFile(Path file) {
+public record SafeFile(Path file) {
+
+    /**
+     * Puts bytes in the file's place, with no backup.
+     *
+     * @throws IOException when they cannot be written; what was there is still there
+     */
+    public void write(byte[] bytes) throws IOException {
+        prepare(bytes);
+        replace();
+    }
 
     Path backup() {
         return file.resolveSibling(file.getFileName() + ".backup");

@@ -31,6 +31,7 @@ public final class SavedPlayer implements Player, AutoCloseable {
     private final Kept<Settings> settings;
     private final Kept<Progress> progress;
     private final Path replays;
+    private final Path levels;
     private final List<String> told = new ArrayList<>();
     private final AtomicBoolean isDue = new AtomicBoolean();
     private final ScheduledExecutorService writer =
@@ -51,6 +52,7 @@ public final class SavedPlayer implements Player, AutoCloseable {
         settings = new Kept<>(places.settingsFile(), new SettingsFormat(initial));
         progress = new Kept<>(places.progressFile(), new ProgressFormat());
         replays = places.replays();
+        levels = places.levels();
     }
 
     @Override
@@ -93,6 +95,11 @@ public final class SavedPlayer implements Player, AutoCloseable {
     @Override
     public void tell(String notice) {
         told.add(notice);
+    }
+
+    @Override
+    public Optional<Path> levels() {
+        return Optional.of(levels);
     }
 
     @Override

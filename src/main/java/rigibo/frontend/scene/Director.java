@@ -37,6 +37,9 @@ public interface Director {
     /** Where solved runs are kept; nothing where none are. */
     Optional<Path> replays();
 
+    /** Where levels that the player makes are kept; nothing where none are. */
+    Optional<Path> levels();
+
     /** What the player should know about the files of all this, a sentence or two each. */
     List<String> notices();
 

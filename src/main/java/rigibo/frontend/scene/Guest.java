@@ -38,6 +38,11 @@ public final class Guest implements Player {
     }
 
     @Override
+    public Optional<Path> levels() {
+        return Optional.empty();
+    }
+
+    @Override
     public Optional<Path> replays() {
         return Optional.empty();
     }

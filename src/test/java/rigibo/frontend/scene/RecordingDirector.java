@@ -20,6 +20,9 @@ public final class RecordingDirector implements Director {
     /** Where solved runs are kept. */
     public Optional<Path> replays = Optional.empty();
 
+    /** Where levels that the player makes are kept. */
+    public Optional<Path> levels = Optional.empty();
+
     private final Player player;
 
     /** For a player who speaks English. */
@@ -84,6 +87,11 @@ public final class RecordingDirector implements Director {
     @Override
     public void tell(String notice) {
         notices.add(notice);
+    }
+
+    @Override
+    public Optional<Path> levels() {
+        return levels;
     }
 
     @Override
