@@ -2,6 +2,7 @@ package rigibo.frontend.puzzle;
 
 import rigibo.backend.setup.Accuracy;
 import rigibo.frontend.puzzle.level.Level;
+import rigibo.frontend.puzzle.level.Solution;
 import rigibo.frontend.puzzle.rules.Outcome;
 import rigibo.frontend.puzzle.rules.PuzzleGame;
 import rigibo.frontend.scene.Canvas;
@@ -29,6 +30,7 @@ public final class PuzzleScene implements Scene {
     private final Table table;
     private final Panels panels;
     private final Tally tally;
+    private Optional<Solution> solution = Optional.empty();
     private boolean isShiftHeld;
 
     /** One of some levels, to be played in their order. */
@@ -65,6 +67,7 @@ public final class PuzzleScene implements Scene {
         table.letGo();
         panels.end(game, number + 1 < levels.size());
         if (game.isSolved()) {
+            solution = Optional.of(game.replay().solution());
             table.celebrate(motion());
         }
     }
@@ -232,6 +235,11 @@ public final class PuzzleScene implements Scene {
             panels.shut();
             session.show(level.solutions().get(0));
         }
+    }
+
+    /** The clicks by which the player solved the level last; nothing before. */
+    public Optional<Solution> solution() {
+        return solution;
     }
 
     @Override

@@ -1,6 +1,7 @@
 package rigibo.frontend.puzzle.rules;
 
 import rigibo.backend.setup.Accuracy;
+import rigibo.frontend.puzzle.level.Click;
 import rigibo.frontend.puzzle.level.Level;
 import rigibo.frontend.puzzle.level.Solution;
 import rigibo.frontend.puzzle.level.Steps;
@@ -27,6 +28,14 @@ public record Replay(long levelHash, List<Deletion> deletions, Accuracy accuracy
                         .map(click -> new Deletion(Steps.of(click.seconds()), click.body()))
                         .toList();
         return new Replay(level.hash(), deletions, accuracy);
+    }
+
+    /** The deletions as a level file states them. */
+    public Solution solution() {
+        return new Solution(
+                deletions.stream()
+                        .map(deletion -> new Click(Steps.seconds(deletion.step()), deletion.body()))
+                        .toList());
     }
 
     /** The same without its last deletion. */
