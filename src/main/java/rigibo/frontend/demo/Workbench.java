@@ -149,9 +149,13 @@ final class Workbench {
         }
     }
 
-    /** Has the impacts of the last step heard. */
+    /**
+     * Has the impacts of the last step heard, if anybody listens: a flood has thousands of them.
+     */
     void tell(Sounds sounds) {
-        impacts.tell(pool.contactEvents(), skins::get, sounds);
+        if (sounds.isHeard()) {
+            impacts.tell(pool.contactEvents(), skins::get, sounds);
+        }
     }
 
     /**

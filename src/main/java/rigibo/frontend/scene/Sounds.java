@@ -32,4 +32,7 @@ public interface Sounds {
 
     /** A button was pressed in a menu. */
     void press();
+
+    /** Whether anything is heard at all; what takes time to find out need not be told if not. */
+    boolean isHeard();
 }

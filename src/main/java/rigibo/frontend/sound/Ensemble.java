@@ -23,7 +23,7 @@ final class Ensemble {
      * What knocks and signals may be of full scale, each for themselves, so that a signal is heard
      * in any noise; together with what rolls they are 1.
      */
-    private static final double MOST_KNOCKING = 0.5;
+    private static final double MOST_KNOCKING = 0.45;
 
     private static final double MOST_SIGNALLING = 1 - MOST_KNOCKING - Rolling.MOST;
 

@@ -6,7 +6,7 @@ import java.util.SplittableRandom;
 final class Rolling {
 
     /** The greatest gain. */
-    static final double MOST = 0.2;
+    static final double MOST = 0.15;
 
     /** At this speed it is as loud as it gets, m/s. */
     private static final double FAST = 6;

@@ -5,22 +5,22 @@ import java.util.List;
 /** What the game says by sound, besides the knocks of its bodies. */
 enum Signal {
     /** A box is gone: up like a bubble. */
-    POP(0.5, new Tone(0, 260, 820, 1, 0.05), Tone.steady(520, 0.2, 0.02)),
+    POP(0.8, new Tone(0, 260, 820, 1, 0.05), Tone.steady(520, 0.2, 0.02)),
     /** Not now: twice the same low note. */
-    REFUSE(0.4, Tone.steady(165, 1, 0.03), new Tone(0.11, 165, 165, 1, 0.04)),
+    REFUSE(0.7, Tone.steady(165, 1, 0.03), new Tone(0.11, 165, 165, 1, 0.04)),
     /** A bright dot, played higher the longer the hold has lasted. */
-    TICK(0.3, Tone.steady(880, 1, 0.025), Tone.steady(2640, 0.2, 0.01)),
+    TICK(0.5, Tone.steady(880, 1, 0.025), Tone.steady(2640, 0.2, 0.01)),
     /** C major, upwards. */
     CHORD(
-            0.7,
+            1,
             new Tone(0.00, 523.25, 523.25, 1, 0.22),
             new Tone(0.09, 659.26, 659.26, 1, 0.22),
             new Tone(0.18, 783.99, 783.99, 1, 0.22),
             new Tone(0.27, 1046.50, 1046.50, 1, 0.17)),
     /** Two notes that sink. */
-    FAIL(0.5, new Tone(0, 330, 262, 1, 0.10), new Tone(0.22, 247, 175, 1, 0.16)),
+    FAIL(0.8, new Tone(0, 330, 262, 1, 0.10), new Tone(0.22, 247, 175, 1, 0.16)),
     /** A dry click. */
-    PRESS(0.3, Tone.steady(640, 1, 0.012), Tone.steady(1910, 0.4, 0.006));
+    PRESS(0.5, Tone.steady(640, 1, 0.012), Tone.steady(1910, 0.4, 0.006));
 
     /** How loud it is played, a share of what signals may be together. */
     final double gain;

@@ -116,6 +116,11 @@ public final class Speaker implements Sounds {
         signal(Signal.PRESS, 1);
     }
 
+    @Override
+    public boolean isHeard() {
+        return volume > 0 && ensemble().isPresent();
+    }
+
     private void signal(Signal signal, double pitch) {
         ensemble().ifPresent(ensemble -> ensemble.signal(signal, pitch));
     }

@@ -60,4 +60,9 @@ public final class RecordingSounds implements Sounds {
     public void press() {
         signals.add("press");
     }
+
+    @Override
+    public boolean isHeard() {
+        return true;
+    }
 }

@@ -1,5 +1,6 @@
 package rigibo.frontend.sound;
 
+import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatCode;
 
 import org.junit.jupiter.api.Test;
@@ -28,6 +29,7 @@ class SpeakerTest {
     void takesEverythingUnplugged() {
         Speaker speaker = new Speaker();
         assertThatCode(() -> tellEverything(speaker)).doesNotThrowAnyException();
+        assertThat(speaker.isHeard()).isFalse();
         assertThatCode(speaker::close).doesNotThrowAnyException();
     }
 
