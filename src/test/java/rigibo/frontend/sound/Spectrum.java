@@ -5,17 +5,20 @@ final class Spectrum {
 
     private Spectrum() {}
 
-    /** The magnitude of the Fourier integral at a frequency, Hz, up to a factor. */
+    /**
+     * The magnitude of the Fourier sum at a frequency, Hz, by Goertzel's recurrence (An algorithm
+     * for the evaluation of finite trigonometric series, 1958).
+     */
     static double at(double frequency, Sample sample) {
-        double re = 0;
-        double im = 0;
-        short[] values = sample.values();
-        for (int i = 0; i < values.length; i++) {
-            double phase = 2 * Math.PI * frequency * i / Sample.RATE;
-            re += values[i] * Math.cos(phase);
-            im -= values[i] * Math.sin(phase);
+        double turn = 2 * Math.cos(2 * Math.PI * frequency / Sample.RATE);
+        double last = 0;
+        double secondLast = 0;
+        for (short value : sample.values()) {
+            double next = value + turn * last - secondLast;
+            secondLast = last;
+            last = next;
         }
-        return Math.hypot(re, im);
+        return Math.sqrt(last * last + secondLast * secondLast - turn * last * secondLast);
     }
 
     /** The strongest frequency in a range, Hz, to 1 Hz. */
