@@ -38,6 +38,12 @@ final class PlayCommand implements Callable<Integer> {
                             + " system keeps such files).")
     private Path home;
 
+    @Option(
+            names = "--edit",
+            paramLabel = "FILE.json",
+            description = "Opens the editor with this level; a new one where there is no file.")
+    private Path edited;
+
     @Parameters(
             paramLabel = "FILE",
             description =
@@ -67,6 +73,9 @@ final class PlayCommand implements Callable<Integer> {
 
     /** The scene asked for, or null for the menu. */
     private Function<Director, Scene> first() {
+        if (edited != null) {
+            return Catalog.edit(edited);
+        }
         if (!files.isEmpty()) {
             return Catalog.files(files);
         }

@@ -104,7 +104,7 @@ class ArchitectureTest {
                         new Room(sound, withScene),
                         new Room(FRONTEND + ".save", scene),
                         new Room(FRONTEND + ".display", plus(withScene, draw, sound)),
-                        new Room(editor, plus(withScene, puzzle)),
+                        new Room(editor, plus(withScene, puzzle, FRONTEND + ".save")),
                         new Room(FRONTEND + ".catalog", plus(plus(withScene, scenes), editor)),
                         new Room("rigibo.lab", PUBLIC_FACE)));
     }

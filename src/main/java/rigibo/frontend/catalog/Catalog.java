@@ -2,6 +2,7 @@ package rigibo.frontend.catalog;
 
 import rigibo.backend.effect.Effects;
 import rigibo.frontend.demo.Demos;
+import rigibo.frontend.editor.Editor;
 import rigibo.frontend.laboratory.Laboratory;
 import rigibo.frontend.menu.MenuScene;
 import rigibo.frontend.puzzle.Levels;
@@ -27,12 +28,22 @@ public final class Catalog {
         List<SceneEntry> entries = new ArrayList<>(Levels.entries());
         entries.addAll(Demos.entries());
         entries.add(Laboratory.entry());
+        entries.add(Editor.entry());
         return entries;
     }
 
     /** The scene of a name, for the command line. */
     public static Optional<SceneEntry> find(String name) {
         return entries().stream().filter(entry -> entry.name().equals(name)).findFirst();
+    }
+
+    /**
+     * The editor with a level file, or with a new level where there is none.
+     *
+     * @throws IllegalArgumentException when it is no level that can be edited, saying why
+     */
+    public static Function<Director, Scene> edit(Path file) {
+        return Editor.of(file);
     }
 
     /** What each demo declares, by its title, in the order of the menu. */

@@ -41,6 +41,21 @@ public final class Clicks {
         return NODES.objectNode().set("clicks", clicks);
     }
 
+    /** The draft with a body called otherwise wherever a solution clicks it. */
+    public static Draft renamed(Draft draft, String before, String after) {
+        Draft renamed = draft;
+        for (int i = 0; i < draft.at(POINTER).size(); i++) {
+            List<String> bodies = bodies(draft.at(POINTER).path(i));
+            for (int j = 0; j < bodies.size(); j++) {
+                if (bodies.get(j).equals(before)) {
+                    String pointer = POINTER + "/" + i + "/clicks/" + j + "/body";
+                    renamed = renamed.with(pointer, NODES.stringNode(after));
+                }
+            }
+        }
+        return renamed;
+    }
+
     /** The draft without any solution that clicks a body. */
     static Draft forget(Draft draft, String body) {
         ArrayNode kept = NODES.arrayNode();

@@ -18,6 +18,7 @@ public final class Draft {
 
     private static final JsonNodeFactory NODES = JsonNodeFactory.instance;
     private static final String BODIES = "/bodies";
+    static final String MORE_BALLS = "/moreBalls";
 
     private final ObjectNode root;
 
@@ -50,15 +51,16 @@ public final class Draft {
     public List<Item> items() {
         List<Item> items = new ArrayList<>();
         item("/platform").ifPresent(items::add);
-        for (int i = 0; i < bodies().size(); i++) {
-            item(BODIES + "/" + i).ifPresent(items::add);
-        }
+        addAll(items, BODIES);
+        addAll(items, MORE_BALLS);
         item("/ball").ifPresent(items::add);
         return items;
     }
 
-    private JsonNode bodies() {
-        return at(BODIES);
+    private void addAll(List<Item> items, String list) {
+        for (int i = 0; i < at(list).size(); i++) {
+            item(list + "/" + i).ifPresent(items::add);
+        }
     }
 
     /** What stands at a pointer, where that is something placed. */
@@ -116,22 +118,45 @@ public final class Draft {
 
     /** The same with one more body, under an id of its own, at the end of the bodies. */
     public Draft plus(ObjectNode body) {
-        ArrayNode more = NODES.arrayNode();
-        bodies().forEach(more::add);
         ObjectNode named = NODES.objectNode();
         named.put("id", Ids.free(this, body.path("material").asString("body")));
         body.properties().forEach(member -> named.putIfAbsent(member.getKey(), member.getValue()));
-        return with(BODIES, more.add(named));
+        return plus(BODIES, named);
     }
 
-    /** The pointer of the last body. */
-    public String lastBody() {
-        return BODIES + "/" + (bodies().size() - 1);
+    /** The same with one more ball, like the first one. */
+    public Draft plusBall(Point place) {
+        Item first = new Item("/ball", (ObjectNode) at("/ball"));
+        return plus(MORE_BALLS, first.at(place).node());
     }
 
-    /** The same without a body, and without the solutions that click it: they are none any more. */
-    public Draft withoutBody(Item body) {
-        return Clicks.forget(without(body.pointer()), body.id());
+    private Draft plus(String list, ObjectNode last) {
+        ArrayNode more = NODES.arrayNode();
+        at(list).forEach(more::add);
+        return with(list, more.add(last));
+    }
+
+    /** The last body. */
+    public Item lastBody() {
+        return last(BODIES);
+    }
+
+    /** The last of the further balls. */
+    public Item lastBall() {
+        return last(MORE_BALLS);
+    }
+
+    private Item last(String list) {
+        return item(list + "/" + (at(list).size() - 1)).orElseThrow();
+    }
+
+    /**
+     * The same without an item, and without the solutions that click it: they are none any more.
+     */
+    public Draft without(Item item) {
+        Draft rest = without(item.pointer());
+        boolean wasLastBall = item.isFurtherBall() && rest.at(MORE_BALLS).isEmpty();
+        return wasLastBall ? rest.without(MORE_BALLS) : Clicks.forget(rest, item.id());
     }
 
     @Override

@@ -82,6 +82,7 @@ public final class EffectUse {
         Map<String, Boolean> used = new LinkedHashMap<>();
         JsonNode gravity = draft.at("/world/gravity");
         used.put("gravity", gravity.path(0).asDouble(0) != 0 || gravity.path(1).asDouble(0) != 0);
+        used.put("buoyancy", draft.at("/world/water").isObject());
         List<Item> items = draft.items();
         for (Member member : MEMBERS) {
             used.put(member.effect, items.stream().anyMatch(member::isUsedBy));

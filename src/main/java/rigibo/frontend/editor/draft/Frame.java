@@ -12,7 +12,7 @@ final class Frame {
     private static final int FORMAT = 1;
     private static final List<String> OBJECTS =
             List.of("title", "hint", "world", "rules", "ball", "platform");
-    private static final List<String> LISTS = List.of("bodies", "solutions");
+    private static final List<String> LISTS = List.of("bodies", "solutions", "moreBalls");
 
     private Frame() {}
 
@@ -28,11 +28,6 @@ final class Frame {
         }
         for (String name : LISTS) {
             require(level, name, level.path(name).isArray());
-        }
-        for (JsonNode body : level.path("bodies")) {
-            if (!body.isObject()) {
-                throw new IllegalArgumentException("its bodies are not all objects");
-            }
         }
         return completed(level);
     }

@@ -30,10 +30,20 @@ public record Item(String pointer, ObjectNode node) {
 
     /** What it is. */
     public Kind kind() {
-        if (pointer.startsWith("/ball")) {
+        if (pointer.equals("/ball") || isFurtherBall()) {
             return Kind.BALL;
         }
         return pointer.equals("/platform") ? Kind.PLATFORM : Kind.BODY;
+    }
+
+    /** Whether it is a ball besides the one that every level has. */
+    public boolean isFurtherBall() {
+        return pointer.startsWith(Draft.MORE_BALLS);
+    }
+
+    /** Whether a level may be without it: it is a body or a further ball. */
+    public boolean isDispensable() {
+        return kind() == Kind.BODY || isFurtherBall();
     }
 
     /** The id of a body; empty for others. */
@@ -137,10 +147,5 @@ public record Item(String pointer, ObjectNode node) {
         changed.setAll(node);
         changed.set(name, value);
         return new Item(pointer, changed);
-    }
-
-    /** The same of the draft's place for it. */
-    Item in(String other) {
-        return new Item(other, node);
     }
 }

@@ -8,9 +8,9 @@ import rigibo.frontend.puzzle.level.Problem;
 import java.util.List;
 
 /** All that is wrong with a level's text, played through; takes seconds. */
-public final class Proof {
+public final class LevelProof {
 
-    private Proof() {}
+    private LevelProof() {}
 
     /**
      * What {@code levels check} tells of a text.

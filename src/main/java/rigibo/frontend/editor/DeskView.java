@@ -1,0 +1,122 @@
+package rigibo.frontend.editor;
+
+import rigibo.frontend.editor.desk.Desk;
+import rigibo.frontend.editor.desk.Finding;
+import rigibo.frontend.editor.draft.Draft;
+import rigibo.frontend.editor.draft.Grid;
+import rigibo.frontend.editor.draft.Item;
+import rigibo.frontend.editor.draft.Point;
+import rigibo.frontend.editor.pane.ProblemPane;
+import rigibo.frontend.editor.pane.Skins;
+import rigibo.frontend.editor.tool.Outlines;
+import rigibo.frontend.scene.Camera;
+import rigibo.frontend.scene.Canvas;
+import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Skin;
+
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+
+/** Draws the draft: its world, what is placed, what is chosen, what is wrong with what. */
+final class DeskView {
+
+    /** Lines nearer than this on the screen would hide the world, px. */
+    private static final double LEAST_PITCH = 14;
+
+    /** Pitches that lines may have, m: the finest that is not too near is drawn. */
+    private static final double[] PITCHES = {0.05, 0.25, 0.5, 1, 5};
+
+    private static final Color LINES = Color.TEXT.alpha(0.08);
+
+    private final Canvas canvas;
+    private final Desk desk;
+    private final Camera camera;
+
+    private DeskView(Canvas canvas, Desk desk) {
+        this.canvas = canvas;
+        this.desk = desk;
+        camera = desk.camera();
+    }
+
+    static void draw(Canvas canvas, Desk desk, List<Finding> findings) {
+        DeskView view = new DeskView(canvas, desk);
+        canvas.camera(view.camera);
+        view.drawItems();
+        view.drawWorld();
+        view.drawMarks(findings);
+    }
+
+    private void drawItems() {
+        Draft draft = desk.draft();
+        canvas.gaze(draft.at("/ball/x").asDouble(0), draft.at("/ball/y").asDouble(0));
+        for (Item item : draft.items()) {
+            Point at = item.toWorld(item.form().centre());
+            double angle = Math.toRadians(item.degrees());
+            Skin skin = Skins.of(item.substance());
+            item.form()
+                    .shape()
+                    .ifPresentOrElse(
+                            shape ->
+                                    canvas.body(
+                                            shape, at.x(), at.y(), angle, skin, Canvas.Mood.PLAIN),
+                            () -> Outlines.draw(canvas, camera, item, skin.color));
+        }
+    }
+
+    private void drawWorld() {
+        double width = desk.draft().at("/world/width").asDouble(0);
+        double height = desk.draft().at("/world/height").asDouble(0);
+        double left = camera.screenX(0);
+        double top = camera.screenY(height);
+        double right = camera.screenX(width);
+        double bottom = camera.screenY(0);
+        water(left, right, bottom);
+        if (desk.grid() == Grid.ON) {
+            double pitch = pitch();
+            for (int i = 1; i * pitch < width; i++) {
+                double x = camera.screenX(i * pitch);
+                canvas.line(x, top, x, bottom, 1, LINES);
+            }
+            for (int i = 1; i * pitch < height; i++) {
+                double y = camera.screenY(i * pitch);
+                canvas.line(left, y, right, y, 1, LINES);
+            }
+        }
+        canvas.frame(left, top, right - left, bottom - top, 0, Color.EDGE);
+    }
+
+    private void water(double left, double right, double bottom) {
+        double surface = desk.draft().at("/world/water/level").asDouble(0);
+        if (surface > 0) {
+            double y = camera.screenY(surface);
+            canvas.panel(left, y, right - left, bottom - y, 0, Color.ICE.alpha(0.22));
+        }
+    }
+
+    private double pitch() {
+        for (double pitch : PITCHES) {
+            if (pitch * camera.scale() >= LEAST_PITCH) {
+                return pitch;
+            }
+        }
+        return PITCHES[PITCHES.length - 1];
+    }
+
+    /** An outline and an icon where something is wrong; the chosen one's own outline above. */
+    private void drawMarks(List<Finding> findings) {
+        Map<String, Finding> worst = new HashMap<>();
+        findings.forEach(finding -> worst.putIfAbsent(finding.item(), finding));
+        for (Item item : desk.draft().items()) {
+            Finding finding = worst.get(item.pointer());
+            if (finding != null) {
+                Color color = finding.problem().isError() ? Color.BAD : Color.BRASS;
+                Outlines.draw(canvas, camera, item, color);
+                Point place = item.toWorld(item.form().centre());
+                ProblemPane.icon(
+                        canvas, camera.screenX(place.x()), camera.screenY(place.y()), finding);
+            }
+        }
+        desk.item().ifPresent(item -> Outlines.draw(canvas, camera, item, Color.TEXT));
+    }
+}

@@ -1,0 +1,124 @@
+package rigibo.frontend.editor;
+
+import rigibo.frontend.editor.draft.Draft;
+import rigibo.frontend.editor.file.DraftFile;
+import rigibo.frontend.editor.file.DraftFiles;
+import rigibo.frontend.editor.file.Unsaved;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+
+/** The file that the draft on the desk belongs to, and what was left unsaved before. */
+final class Drawer {
+
+    /** Where a player without files of their own saves: nowhere. */
+    private final Optional<Path> folder;
+
+    /** What the file holds; nothing where that is not known. */
+    private Optional<Draft> written;
+
+    private Optional<Path> file;
+    private Optional<Path> kept = Optional.empty();
+    private Optional<Unsaved.Left> offered = Optional.empty();
+    private Optional<String> trouble = Optional.empty();
+
+    Drawer(Optional<Path> folder, DraftFile first) {
+        this.folder = folder;
+        written = Optional.of(first.draft());
+        file = first.file();
+        try {
+            offered = folder.isPresent() ? unsaved().last() : Optional.empty();
+        } catch (IOException unreadable) {
+            trouble = Optional.of(unreadable.getMessage());
+        }
+    }
+
+    private Unsaved unsaved() {
+        return new Unsaved(folder.orElseThrow().resolve("unsaved"));
+    }
+
+    private DraftFiles own() {
+        return new DraftFiles(folder);
+    }
+
+    /** What went wrong at the start. */
+    Optional<String> trouble() {
+        return trouble;
+    }
+
+    /** The draft that was left unsaved last time. */
+    Optional<Unsaved.Left> offered() {
+        return offered;
+    }
+
+    /** The file that the draft belongs to. */
+    Optional<Path> file() {
+        return file;
+    }
+
+    boolean isSaved(Draft draft) {
+        return written.filter(draft::equals).isPresent();
+    }
+
+    List<Path> files() throws IOException {
+        return own().all();
+    }
+
+    DraftFile save(Draft draft) throws IOException {
+        DraftFile saved = own().save(new DraftFile(draft, file));
+        written = Optional.of(saved.draft());
+        file = saved.file();
+        if (kept.isPresent()) {
+            unsaved().forget(kept.get());
+            kept = Optional.empty();
+        }
+        return saved;
+    }
+
+    /** Keeps a draft that is not saved; returns what keeps it from that. */
+    Optional<String> put(Draft draft) {
+        if (folder.isEmpty() || isSaved(draft)) {
+            return Optional.empty();
+        }
+        try {
+            kept = Optional.of(unsaved().keep(new DraftFile(draft, file), kept));
+            return Optional.empty();
+        } catch (IOException full) {
+            return Optional.of(full.getMessage());
+        }
+    }
+
+    /** Another draft lies on the desk. */
+    void take(DraftFile other) {
+        written = Optional.of(other.draft());
+        file = other.file();
+        kept = Optional.empty();
+    }
+
+    /** The draft that was left lies on the desk; what its file holds is another matter. */
+    void takeUp() {
+        offered.ifPresent(
+                left -> {
+                    written = Optional.empty();
+                    file = left.left().file();
+                    kept = Optional.of(left.kept());
+                });
+        offered = Optional.empty();
+    }
+
+    /** The draft that was left is not wanted. */
+    Optional<String> refuse() {
+        Optional<Path> old = offered.map(Unsaved.Left::kept);
+        offered = Optional.empty();
+        try {
+            if (old.isPresent()) {
+                unsaved().forget(old.get());
+            }
+            return Optional.empty();
+        } catch (IOException locked) {
+            return Optional.of(locked.getMessage());
+        }
+    }
+}

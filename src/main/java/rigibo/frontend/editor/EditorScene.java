@@ -1,0 +1,201 @@
+package rigibo.frontend.editor;
+
+import rigibo.frontend.editor.desk.Finding;
+import rigibo.frontend.editor.draft.Draft;
+import rigibo.frontend.editor.draft.Point;
+import rigibo.frontend.editor.file.DraftFile;
+import rigibo.frontend.editor.pane.Pane;
+import rigibo.frontend.editor.pane.Spots;
+import rigibo.frontend.scene.Camera;
+import rigibo.frontend.scene.Canvas;
+import rigibo.frontend.scene.Director;
+import rigibo.frontend.scene.Key;
+import rigibo.frontend.scene.Modifier;
+import rigibo.frontend.scene.PointerButton;
+import rigibo.frontend.scene.Scene;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+
+/** The editor: the draft with its panes, and the draft as it is played. */
+final class EditorScene implements Scene {
+
+    private static final double ZOOM = 1.15;
+
+    private final Workshop shop;
+    private final Commands commands;
+    private final Spots spots = new Spots();
+    private double pointerX;
+    private double pointerY;
+    private boolean isPanning;
+
+    /** An editor with a draft on its desk. */
+    EditorScene(Director director, DraftFile first) {
+        shop = new Workshop(director, first);
+        commands = new Commands(shop);
+        shop.turn();
+    }
+
+    /** The draft as it stands. */
+    Draft draft() {
+        return shop.desk().draft();
+    }
+
+    /** The level as it is played, while it is. */
+    private Optional<Scene> played() {
+        return shop.test().map(TestRun::scene);
+    }
+
+    @Override
+    public String title() {
+        return "RigiBo – " + shop.words().of("editor.window");
+    }
+
+    @Override
+    public void step() {
+        played().ifPresent(Scene::step);
+        shop.turn();
+    }
+
+    @Override
+    public void draw(Canvas canvas) {
+        Optional<Scene> played = played();
+        if (played.isPresent()) {
+            played.get().draw(canvas);
+            return;
+        }
+        spots.clear();
+        List<Finding> findings = shop.inspection().findings();
+        DeskView.draw(canvas, shop.desk(), findings);
+        shop.tool().draw(canvas);
+        Pane pane = new Pane(canvas, spots, shop.words(), pointerX, pointerY);
+        Panes.draw(shop, pane, findings);
+    }
+
+    @Override
+    public void drawn(long nanos) {
+        played().ifPresent(scene -> scene.drawn(nanos));
+    }
+
+    @Override
+    public void paced(double share) {
+        played().ifPresent(scene -> scene.paced(share));
+    }
+
+    @Override
+    public void closed() {
+        shop.close();
+    }
+
+    @Override
+    public void pointerMoved(double x, double y) {
+        Camera camera = shop.desk().camera();
+        if (isPanning) {
+            camera.pan(x - pointerX, y - pointerY);
+        }
+        pointerX = x;
+        pointerY = y;
+        Optional<Scene> played = played();
+        if (played.isPresent()) {
+            played.get().pointerMoved(x, y);
+        } else if (!isPanning) {
+            shop.tool().moved(world(x, y));
+        }
+    }
+
+    private Point world(double x, double y) {
+        Camera camera = shop.desk().camera();
+        return new Point(camera.worldX(x), camera.worldY(y));
+    }
+
+    @Override
+    public void pointerPressed(PointerButton button, double x, double y) {
+        Optional<Scene> played = played();
+        if (played.isPresent()) {
+            played.get().pointerPressed(button, x, y);
+            return;
+        }
+        pointerX = x;
+        pointerY = y;
+        Optional<Spots.Spot> spot = spots.at(x, y);
+        if (spot.isPresent()) {
+            shop.typing().end();
+            spot.get().action().run();
+        } else if (button == PointerButton.LEFT) {
+            shop.typing().end();
+            shop.tool().pressed(world(x, y));
+        } else {
+            isPanning = true;
+        }
+    }
+
+    @Override
+    public void pointerReleased(PointerButton button, double x, double y) {
+        Optional<Scene> played = played();
+        if (played.isPresent()) {
+            played.get().pointerReleased(button, x, y);
+        } else if (button == PointerButton.LEFT) {
+            shop.tool().released(world(x, y));
+        }
+        isPanning = false;
+    }
+
+    @Override
+    public void scrolled(double notches, double x, double y) {
+        Optional<Scene> played = played();
+        if (played.isPresent()) {
+            played.get().scrolled(notches, x, y);
+        } else {
+            shop.desk().camera().zoom(Math.pow(ZOOM, notches), x, y);
+        }
+    }
+
+    @Override
+    public void held(Set<Modifier> modifiers) {
+        shop.desk().held(modifiers);
+        played().ifPresent(scene -> scene.held(modifiers));
+    }
+
+    @Override
+    public void typed(int codePoint) {
+        Optional<Scene> played = played();
+        if (played.isPresent()) {
+            played.get().typed(codePoint);
+        } else {
+            shop.typing().typed(codePoint);
+        }
+    }
+
+    @Override
+    public boolean isTyping() {
+        return played().map(Scene::isTyping).orElseGet(shop.typing()::isOn);
+    }
+
+    @Override
+    public void keyPressed(Key key) {
+        Optional<Scene> played = played();
+        if (played.isPresent() && key == Key.T) {
+            shop.endTest();
+        } else if (played.isPresent()) {
+            played.get().keyPressed(key);
+        } else {
+            commands.keyPressed(key);
+        }
+    }
+
+    /**
+     * Leaves what is nearest: a text, what is half drawn, a list, what is chosen; then the scene.
+     */
+    @Override
+    public boolean escaped() {
+        Optional<Scene> played = played();
+        if (played.isPresent()) {
+            if (!played.get().escaped()) {
+                shop.endTest();
+            }
+            return true;
+        }
+        return commands.escaped();
+    }
+}

@@ -1,0 +1,56 @@
+package rigibo.frontend.editor;
+
+import rigibo.frontend.editor.desk.Inspection;
+import rigibo.frontend.editor.draft.Draft;
+import rigibo.frontend.puzzle.check.LevelProof;
+import rigibo.frontend.puzzle.level.Problem;
+
+import java.util.List;
+import java.util.concurrent.ForkJoinPool;
+import java.util.concurrent.ForkJoinTask;
+
+/**
+ * Plays drafts through on a thread of its own, so that the window lives. The check's parallel
+ * streams run in the pool that they are started from: of one thread, below the window's priority.
+ */
+final class Proving {
+
+    private final ForkJoinPool thread =
+            new ForkJoinPool(
+                    1,
+                    pool -> {
+                        var worker =
+                                ForkJoinPool.defaultForkJoinWorkerThreadFactory.newThread(pool);
+                        worker.setPriority(Thread.MIN_PRIORITY);
+                        return worker;
+                    },
+                    null,
+                    false);
+    private Draft draft;
+    private ForkJoinTask<List<Problem>> task;
+
+    void start(Draft proved) {
+        if (!isBusy()) {
+            draft = proved;
+            task = thread.submit(() -> LevelProof.problems("draft", proved.toString()));
+        }
+    }
+
+    boolean isBusy() {
+        return task != null;
+    }
+
+    /** Hands over what was found, as soon as there is something; returns whether there was. */
+    boolean tell(Inspection inspection) {
+        boolean isDone = task != null && task.isDone();
+        if (isDone) {
+            inspection.played(draft, task.join());
+            task = null;
+        }
+        return isDone;
+    }
+
+    void close() {
+        thread.shutdownNow();
+    }
+}

@@ -1,0 +1,122 @@
+package rigibo.frontend.editor;
+
+import rigibo.frontend.puzzle.PuzzleScene;
+import rigibo.frontend.puzzle.level.Level;
+import rigibo.frontend.puzzle.level.Solution;
+import rigibo.frontend.scene.Director;
+import rigibo.frontend.scene.Progress;
+import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.Settings;
+import rigibo.frontend.scene.Sounds;
+import rigibo.frontend.scene.Words;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * A draft as it is played in the editor's window. Wherever the game would lead from here, it leads
+ * back to the editor; what is done here counts until then, for the level is not done yet.
+ */
+final class TestRun implements Director {
+
+    private final Director director;
+    private final PuzzleScene scene;
+    private Progress progress = Progress.none();
+    private boolean isLeft;
+
+    TestRun(Director director, Level level) {
+        this.director = director;
+        scene = new PuzzleScene(this, List.of(level), 0);
+    }
+
+    PuzzleScene scene() {
+        return scene;
+    }
+
+    boolean isLeft() {
+        return isLeft;
+    }
+
+    void leave() {
+        isLeft = true;
+    }
+
+    /** The clicks that won. */
+    Optional<Solution> solution() {
+        return scene.solution();
+    }
+
+    @Override
+    public void show(Scene other) {
+        leave();
+    }
+
+    @Override
+    public void showMenu() {
+        leave();
+    }
+
+    @Override
+    public void showLevels() {
+        leave();
+    }
+
+    @Override
+    public void quit() {
+        director.quit();
+    }
+
+    @Override
+    public Settings settings() {
+        return director.settings();
+    }
+
+    @Override
+    public void settings(Settings changed) {
+        director.settings(changed);
+    }
+
+    @Override
+    public Progress progress() {
+        return progress;
+    }
+
+    @Override
+    public void progress(Progress changed) {
+        progress = changed;
+    }
+
+    @Override
+    public Optional<Path> replays() {
+        return Optional.empty();
+    }
+
+    @Override
+    public Optional<Path> levels() {
+        return Optional.empty();
+    }
+
+    @Override
+    public List<String> notices() {
+        return List.of();
+    }
+
+    @Override
+    public void forgetNotices() {}
+
+    @Override
+    public void tell(String notice) {
+        director.tell(notice);
+    }
+
+    @Override
+    public Words words() {
+        return director.words();
+    }
+
+    @Override
+    public Sounds sounds() {
+        return director.sounds();
+    }
+}

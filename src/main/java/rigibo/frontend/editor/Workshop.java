@@ -1,0 +1,277 @@
+package rigibo.frontend.editor;
+
+import rigibo.frontend.editor.desk.Desk;
+import rigibo.frontend.editor.desk.Inspection;
+import rigibo.frontend.editor.desk.Typing;
+import rigibo.frontend.editor.draft.Draft;
+import rigibo.frontend.editor.draft.NewLevel;
+import rigibo.frontend.editor.file.DraftFile;
+import rigibo.frontend.editor.file.DraftFiles;
+import rigibo.frontend.editor.pane.Craft;
+import rigibo.frontend.editor.pane.ListPane;
+import rigibo.frontend.editor.tool.BallTool;
+import rigibo.frontend.editor.tool.CornersTool;
+import rigibo.frontend.editor.tool.DrawTool;
+import rigibo.frontend.editor.tool.SelectTool;
+import rigibo.frontend.editor.tool.Stencil;
+import rigibo.frontend.editor.tool.Tool;
+import rigibo.frontend.puzzle.level.Level;
+import rigibo.frontend.puzzle.level.Solution;
+import rigibo.frontend.scene.Director;
+import rigibo.frontend.scene.Words;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/** What an author can have done, whatever key or button asks for it. */
+final class Workshop {
+
+    private final Director director;
+    private final Desk desk;
+    private final Typing typing = new Typing();
+    private final Inspection inspection = new Inspection();
+    private final Proving proving = new Proving();
+    private final Drawer drawer;
+    private Craft craft = Craft.SELECT;
+    private Tool tool;
+    private Optional<TestRun> test = Optional.empty();
+    private Optional<Solution> won = Optional.empty();
+    private Optional<ListPane> list = Optional.empty();
+    private String remark = "";
+
+    Workshop(Director director, DraftFile first) {
+        this.director = director;
+        drawer = new Drawer(director.levels(), first);
+        desk = new Desk(first.draft(), View.camera(first.draft()));
+        tool = new SelectTool(desk);
+        drawer.trouble().ifPresent(this::trouble);
+    }
+
+    Desk desk() {
+        return desk;
+    }
+
+    Typing typing() {
+        return typing;
+    }
+
+    Inspection inspection() {
+        return inspection;
+    }
+
+    Drawer drawer() {
+        return drawer;
+    }
+
+    Words words() {
+        return director.words();
+    }
+
+    Tool tool() {
+        return tool;
+    }
+
+    Craft craft() {
+        return craft;
+    }
+
+    Optional<TestRun> test() {
+        return test;
+    }
+
+    Optional<Solution> won() {
+        return won;
+    }
+
+    Optional<ListPane> list() {
+        return list;
+    }
+
+    String remark() {
+        return remark;
+    }
+
+    boolean isProving() {
+        return proving.isBusy();
+    }
+
+    void take(Craft next) {
+        tool.cancelled();
+        craft = next;
+        tool =
+                switch (next) {
+                    case SELECT -> new SelectTool(desk);
+                    case BOX -> new DrawTool(desk, Stencil.BOX);
+                    case DISC -> new DrawTool(desk, Stencil.DISC);
+                    case CORNERS -> new CornersTool(desk);
+                    case REGULAR -> new DrawTool(desk, Stencil.REGULAR);
+                    case BALL -> new BallTool(desk);
+                };
+    }
+
+    /** One turn: looks at what has changed, and listens for what was played. */
+    void turn() {
+        if (!desk.history().isGesture()) {
+            inspection.look(desk.draft());
+        }
+        if (proving.tell(inspection)) {
+            say("checked", inspection.findings().size());
+        }
+        if (test.filter(TestRun::isLeft).isPresent()) {
+            endTest();
+        }
+    }
+
+    /** Plays the draft, or says why that cannot be. */
+    void startTest() {
+        typing.end();
+        inspection.look(desk.draft());
+        Optional<Level> level = inspection.level();
+        if (level.isPresent()) {
+            won = Optional.empty();
+            test = Optional.of(new TestRun(director, level.get()));
+            remark = "";
+        } else {
+            say("untestable", inspection.errors());
+        }
+    }
+
+    /** Back to the draft, as it was left. */
+    void endTest() {
+        won = test.flatMap(TestRun::solution);
+        test.ifPresent(run -> run.scene().closed());
+        test = Optional.empty();
+    }
+
+    void keepSolution() {
+        won.ifPresent(desk::keep);
+        won.ifPresent(solution -> say("kept", solution.clicks().size()));
+        won = Optional.empty();
+    }
+
+    /** Plays the draft in all the ways that {@code levels check} does. */
+    void check() {
+        typing.end();
+        inspection.look(desk.draft());
+        if (inspection.level().isPresent()) {
+            proving.start(desk.draft());
+            say("checking");
+        } else {
+            say("unplayable", inspection.errors());
+        }
+    }
+
+    void forgetSolution() {
+        won = Optional.empty();
+    }
+
+    void undo() {
+        typing.cancel();
+        desk.history().undo();
+    }
+
+    void redo() {
+        typing.cancel();
+        desk.history().redo();
+    }
+
+    void save() {
+        typing.end();
+        try {
+            DraftFile saved = drawer.save(desk.draft());
+            if (!saved.draft().equals(desk.draft())) {
+                desk.change(saved.draft());
+            }
+            inspection.look(desk.draft());
+            String file = saved.file().map(Path::toString).orElse("");
+            if (inspection.errors() > 0) {
+                say("saved.errors", file, inspection.errors());
+            } else {
+                say("saved", file);
+            }
+        } catch (IOException refused) {
+            trouble(refused.getMessage());
+        }
+    }
+
+    /** Begins another level; what was not saved is kept for later. */
+    void begin(DraftFile other) {
+        typing.cancel();
+        drawer.put(desk.draft()).ifPresent(this::trouble);
+        drawer.take(other);
+        desk.lay(other.draft());
+        View.home(desk.camera(), other.draft());
+        won = Optional.empty();
+        list = Optional.empty();
+        take(Craft.SELECT);
+    }
+
+    void beginNew() {
+        begin(new DraftFile(NewLevel.draft(), Optional.empty()));
+        remark = "";
+    }
+
+    /** Takes up the draft that was left, in place of this one. */
+    void takeUp() {
+        Draft present = desk.draft();
+        drawer.offered()
+                .ifPresent(
+                        left -> {
+                            drawer.put(present).ifPresent(this::trouble);
+                            drawer.takeUp();
+                            desk.lay(left.left().draft());
+                            View.home(desk.camera(), left.left().draft());
+                        });
+    }
+
+    /** The draft that was left is not wanted. */
+    void refuse() {
+        drawer.refuse().ifPresent(this::trouble);
+    }
+
+    void showFiles() {
+        typing.end();
+        try {
+            List<ListPane.Choice> choices = new ArrayList<>();
+            for (Path file : drawer.files()) {
+                choices.add(new ListPane.Choice(file.getFileName().toString(), () -> open(file)));
+            }
+            String heading = words().of("editor.open.heading");
+            list = Optional.of(new ListPane(heading, choices, this::closeList));
+        } catch (IOException unreadable) {
+            trouble(unreadable.getMessage());
+        }
+    }
+
+    private void open(Path file) {
+        try {
+            begin(DraftFiles.open(file));
+            say("opened", file.toString());
+        } catch (IOException unreadable) {
+            trouble(unreadable.getMessage());
+        }
+    }
+
+    void closeList() {
+        list = Optional.empty();
+    }
+
+    /** The scene is left: what is not saved is kept. */
+    void close() {
+        typing.end();
+        test.ifPresent(run -> run.scene().closed());
+        drawer.put(desk.draft());
+        proving.close();
+    }
+
+    private void trouble(String why) {
+        say("trouble", why);
+    }
+
+    private void say(String key, Object... values) {
+        remark = words().of("editor.say." + key, values);
+    }
+}

@@ -1,0 +1,37 @@
+package rigibo.frontend.editor.desk;
+
+import rigibo.frontend.puzzle.level.Problem;
+
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/**
+ * A problem as the editor shows it.
+ *
+ * @param problem as the loader or the check worded it
+ */
+public record Finding(Problem problem) {
+
+    private static final Pattern ITEM =
+            Pattern.compile("(/bodies/\\d+|/ball|/moreBalls/\\d+|/platform)(/.*)?");
+    private static final Pattern CODE = Pattern.compile("(E\\d{3}) .*", Pattern.DOTALL);
+
+    /** JSON pointer of the item it concerns; empty where that is the level as a whole. */
+    public String item() {
+        Matcher matcher = ITEM.matcher(problem.pointer());
+        return matcher.matches() ? matcher.group(1) : "";
+    }
+
+    /** E101 and so on; {@code schema} for what the schema found. */
+    public String code() {
+        Matcher matcher = CODE.matcher(problem.message());
+        return matcher.matches() ? matcher.group(1) : "schema";
+    }
+
+    /** All that is known of it, with its place in the document. */
+    public String words() {
+        return problem.pointer().isEmpty()
+                ? problem.message()
+                : problem.pointer() + ": " + problem.message();
+    }
+}

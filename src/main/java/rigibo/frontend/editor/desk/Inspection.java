@@ -1,0 +1,68 @@
+package rigibo.frontend.editor.desk;
+
+import rigibo.frontend.editor.draft.Draft;
+import rigibo.frontend.puzzle.level.Level;
+import rigibo.frontend.puzzle.level.LevelLoader;
+import rigibo.frontend.puzzle.level.LoadedLevel;
+import rigibo.frontend.puzzle.level.Problem;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+
+/** What is wrong with a draft: at once what reading it tells, and what playing it told last. */
+public final class Inspection {
+
+    private static final String NAME = "draft";
+
+    private final LevelLoader loader = new LevelLoader();
+    private Draft seen;
+    private LoadedLevel loaded;
+    private List<Problem> played = List.of();
+    private Draft playedDraft;
+
+    /** Looks at a draft, unless it is the one that was looked at last. */
+    public void look(Draft draft) {
+        if (draft != seen) {
+            seen = draft;
+            loaded = loader.parse(NAME, draft.toString());
+        }
+    }
+
+    /** Whether this draft is the one that was looked at last. */
+    public boolean hasSeen(Draft draft) {
+        return draft == seen;
+    }
+
+    /** What playing a draft told; it holds for that draft alone. */
+    public void played(Draft draft, List<Problem> found) {
+        playedDraft = draft;
+        played = List.copyOf(found);
+    }
+
+    /** Whether what playing tells is known of the draft looked at. */
+    public boolean isPlayed() {
+        return seen != null && seen.equals(playedDraft);
+    }
+
+    /** The level, where no error keeps it from being played. */
+    public Optional<Level> level() {
+        return loaded.level();
+    }
+
+    /** All that is wrong, errors first. */
+    public List<Finding> findings() {
+        Stream<Problem> more = isPlayed() ? played.stream() : Stream.empty();
+        List<Problem> all = Stream.concat(loaded.problems().stream(), more).distinct().toList();
+        return Stream.concat(
+                        all.stream().filter(Problem::isError),
+                        all.stream().filter(problem -> !problem.isError()))
+                .map(Finding::new)
+                .toList();
+    }
+
+    /** How many errors there are. */
+    public int errors() {
+        return (int) findings().stream().filter(finding -> finding.problem().isError()).count();
+    }
+}

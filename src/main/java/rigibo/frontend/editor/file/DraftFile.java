@@ -1,0 +1,14 @@
+package rigibo.frontend.editor.file;
+
+import rigibo.frontend.editor.draft.Draft;
+
+import java.nio.file.Path;
+import java.util.Optional;
+
+/**
+ * A draft and the file it belongs to.
+ *
+ * @param draft as it stands in the file
+ * @param file where; nothing for a draft that was never saved
+ */
+public record DraftFile(Draft draft, Optional<Path> file) {}

@@ -1,0 +1,138 @@
+package rigibo.frontend.editor.file;
+
+import rigibo.frontend.editor.draft.Draft;
+import rigibo.frontend.editor.draft.NewLevel;
+import rigibo.frontend.puzzle.level.LevelLoader;
+import rigibo.frontend.puzzle.level.LevelShelf;
+import rigibo.frontend.puzzle.level.LoadedLevel;
+import rigibo.frontend.save.SafeFile;
+
+import tools.jackson.databind.node.JsonNodeFactory;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.text.Normalizer;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.stream.Stream;
+
+/** The level files of a player. */
+public final class DraftFiles {
+
+    private static final String ENDING = ".json";
+
+    /** A level's id has 40 characters at most; this leaves room for a number. */
+    private static final int LONGEST = 36;
+
+    private final Optional<Path> folder;
+
+    /**
+     * Files that are saved into a folder, unless they have a place of their own.
+     *
+     * @param folder which need not exist yet; nothing for a player without files
+     */
+    public DraftFiles(Optional<Path> folder) {
+        this.folder = folder;
+    }
+
+    /**
+     * Opens a file; where there is none, a new level that will be saved there.
+     *
+     * @throws IOException when it is no level that can be edited, saying why
+     */
+    public static DraftFile open(Path file) throws IOException {
+        if (!Files.exists(file)) {
+            return new DraftFile(NewLevel.draft(), Optional.of(file));
+        }
+        LoadedLevel loaded = new LevelLoader().load(file);
+        String unread = loaded.problems().isEmpty() ? "" : loaded.problems().get(0).toString();
+        try {
+            Draft draft = Draft.of(loaded.document().orElseThrow(() -> new IOException(unread)));
+            return new DraftFile(draft, Optional.of(file));
+        } catch (IllegalArgumentException foreign) {
+            throw new IOException(file + ": " + foreign.getMessage());
+        }
+    }
+
+    /** The player's levels by name, then those of the game. */
+    public List<Path> all() throws IOException {
+        return Stream.concat(own().stream(), LevelShelf.files().stream()).toList();
+    }
+
+    private List<Path> own() throws IOException {
+        if (folder.isEmpty() || !Files.isDirectory(folder.get())) {
+            return List.of();
+        }
+        try (Stream<Path> files = Files.list(folder.get())) {
+            return files.filter(file -> file.toString().endsWith(ENDING)).sorted().toList();
+        }
+    }
+
+    /**
+     * Saves a draft into its file. A draft that has none, or that of a level of the game, gets one
+     * of its own, and an id with it.
+     *
+     * @throws IOException when it cannot be written; what was there before is still there
+     */
+    public DraftFile save(DraftFile from) throws IOException {
+        DraftFile into = hasOwn(from) ? from : named(from.draft());
+        byte[] text = into.draft().toString().getBytes(StandardCharsets.UTF_8);
+        new SafeFile(into.file().orElseThrow()).write(text);
+        return into;
+    }
+
+    private static boolean hasOwn(DraftFile from) throws IOException {
+        return from.file().isPresent() && !isOfTheGame(from.file().get());
+    }
+
+    /** Whether a file is a level of the game itself. */
+    public static boolean isOfTheGame(Path file) throws IOException {
+        for (Path level : LevelShelf.files()) {
+            boolean isSame =
+                    file.getFileSystem().equals(level.getFileSystem())
+                            && Files.exists(file)
+                            && Files.isSameFile(level, file);
+            if (isSame) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private DraftFile named(Draft draft) throws IOException {
+        Path shelf = folder.orElseThrow(() -> new IOException("this player keeps no files"));
+        String word = word(draft.at("/title/en").asString(NewLevel.ID));
+        String id = word;
+        int number = 2;
+        while (isTaken(shelf, id)) {
+            id = word + "-" + number++;
+        }
+        return new DraftFile(
+                draft.with("/id", JsonNodeFactory.instance.stringNode(id)),
+                Optional.of(shelf.resolve(id + ENDING)));
+    }
+
+    private static boolean isTaken(Path shelf, String id) {
+        return Files.exists(shelf.resolve(id + ENDING))
+                || LevelShelf.files().stream()
+                        .anyMatch(
+                                level ->
+                                        level.getFileName().toString().endsWith("-" + id + ENDING));
+    }
+
+    /** A title as an id: small letters and digits, with hyphens between them. */
+    static String word(String title) {
+        String plain = Normalizer.normalize(title.replace("ß", "ss"), Normalizer.Form.NFD);
+        String word =
+                plain.replaceAll("\\p{M}", "")
+                        .toLowerCase(Locale.ROOT)
+                        .replaceAll("[^a-z0-9]+", "-")
+                        .replaceAll("^-|-$", "");
+        String fitting = word.length() > LONGEST ? word.substring(0, LONGEST) : word;
+        String id = fitting.replaceAll("-$", "");
+        return id.isEmpty() ? NewLevel.ID : id;
+    }
+}

@@ -1,0 +1,34 @@
+package rigibo.frontend.editor.pane;
+
+/**
+ * A rectangle of the window.
+ *
+ * @param x of its left edge, px
+ * @param y of its upper edge, px
+ * @param width px
+ * @param height px
+ */
+public record Area(double x, double y, double width, double height) {
+
+    /** Whether a point lies in it, px. */
+    public boolean contains(double px, double py) {
+        return px >= x && px <= x + width && py >= y && py <= y + height;
+    }
+
+    double right() {
+        return x + width;
+    }
+
+    double middleX() {
+        return x + width / 2;
+    }
+
+    double middleY() {
+        return y + height / 2;
+    }
+
+    /** The same with a margin taken off all round, px. */
+    public Area inset(double by) {
+        return new Area(x + by, y + by, width - 2 * by, height - 2 * by);
+    }
+}

@@ -1,0 +1,94 @@
+package rigibo.frontend.editor.pane;
+
+import rigibo.frontend.scene.Canvas;
+import rigibo.frontend.scene.Color;
+
+import java.util.function.IntConsumer;
+
+/** Rows of fields, from the top of an area downwards. */
+final class Column {
+
+    static final double ROW = 29;
+
+    private static final double GAP = 3;
+    private static final double SIGN = 22;
+    private static final double VALUE = 66;
+
+    private final Pane pane;
+    private final Area area;
+    private double y;
+
+    Column(Pane pane, Area area) {
+        this.pane = pane;
+        this.area = area;
+        y = area.y();
+    }
+
+    private Area row() {
+        Area row = new Area(area.x(), y, area.width(), ROW - GAP);
+        y += ROW;
+        return row;
+    }
+
+    void heading(String words) {
+        pane.text(row(), words, Canvas.Align.LEFT, Color.BRASS);
+    }
+
+    void note(String words) {
+        pane.text(row(), words, Canvas.Align.LEFT, Color.TEXT_DIM);
+    }
+
+    /** A value between a minus and a plus; a press on it begins to type. */
+    void stepper(String words, Shown shown, Runnable type, IntConsumer nudge) {
+        Area row = row();
+        double left = row.right() - VALUE - 2 * SIGN;
+        Area label = new Area(row.x(), row.y(), left - row.x(), row.height());
+        pane.text(label, words, Canvas.Align.LEFT, Color.TEXT_DIM);
+        pane.button(
+                new Area(left, row.y(), SIGN, row.height()),
+                "–",
+                Color.PANEL_LIT,
+                words,
+                () -> nudge.accept(-1));
+        Area value = new Area(left + SIGN, row.y(), VALUE, row.height());
+        pane.value(value, shown.text(), shown.font(), shown.isTyped());
+        pane.spots().add(value, words, type);
+        pane.button(
+                new Area(row.right() - SIGN, row.y(), SIGN, row.height()),
+                "+",
+                Color.PANEL_LIT,
+                words,
+                () -> nudge.accept(1));
+    }
+
+    /** A text over a whole row; a press on it begins to type. */
+    void entry(String words, Shown shown, Runnable type) {
+        Area row = row();
+        pane.value(row, shown.text(), shown.font(), shown.isTyped());
+        pane.spots().add(row, words, type);
+    }
+
+    void toggle(String words, boolean isOn, String told, Runnable flip) {
+        Area row = row();
+        Area label = new Area(row.x(), row.y(), row.width() - 44, row.height());
+        pane.text(label, words, Canvas.Align.LEFT, pane.isHot(row) ? Color.TEXT : Color.TEXT_DIM);
+        double middle = row.middleY();
+        Color plate = isOn ? Color.GOOD : Color.PANEL_LIT;
+        pane.canvas().panel(row.right() - 40, middle - 10, 40, 20, 10, plate);
+        pane.canvas().disc(row.right() - (isOn ? 10 : 30), middle, 7, Color.TEXT);
+        pane.spots().add(row, told, flip);
+    }
+
+    void button(String words, String told, Runnable action) {
+        pane.button(row(), words, Color.PANEL_LIT, told, action);
+    }
+
+    /**
+     * What a field shows.
+     *
+     * @param text its value, or what is typed into it
+     * @param font words or numbers
+     * @param isTyped whether it is being typed into
+     */
+    record Shown(String text, Canvas.Font font, boolean isTyped) {}
+}

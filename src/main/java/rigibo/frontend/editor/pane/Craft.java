@@ -1,0 +1,71 @@
+package rigibo.frontend.editor.pane;
+
+import rigibo.frontend.scene.Canvas;
+import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Key;
+
+import java.util.Arrays;
+import java.util.Locale;
+import java.util.Optional;
+
+/** The tools by what they are for, each with its key and its icon. */
+public enum Craft {
+    SELECT(Key.V),
+    BOX(Key.B),
+    DISC(Key.C),
+    CORNERS(Key.P),
+    REGULAR(Key.N),
+    BALL(Key.O);
+
+    private static final double HALF = 11;
+    private static final double STROKE = 2.5;
+
+    private final Key shortcut;
+
+    Craft(Key shortcut) {
+        this.shortcut = shortcut;
+    }
+
+    /** The tool of a key. */
+    public static Optional<Craft> of(Key key) {
+        return Arrays.stream(values()).filter(craft -> craft.shortcut == key).findFirst();
+    }
+
+    String key() {
+        return name().toLowerCase(Locale.ROOT);
+    }
+
+    void draw(Canvas canvas, double x, double y, Color ink) {
+        switch (this) {
+            case SELECT -> arrow(canvas, x, y, ink);
+            case BOX -> canvas.frame(x - HALF, y - HALF + 2, 2 * HALF, 2 * HALF - 4, 2, ink);
+            case DISC -> canvas.ring(x, y, HALF, STROKE, 1, ink);
+            case CORNERS -> closed(canvas, ink, x - 11, y + 9, x + 11, y + 9, x + 5, y - 10);
+            case REGULAR -> hexagon(canvas, x, y, ink);
+            case BALL -> {
+                canvas.disc(x, y, HALF, ink);
+                canvas.ring(x, y, HALF - 4, 2, 1, Color.IRON);
+            }
+        }
+    }
+
+    private static void arrow(Canvas canvas, double x, double y, Color ink) {
+        closed(canvas, ink, x - 6, y - 11, x + 8, y + 3, x - 6, y + 7);
+        canvas.line(x, y + 4, x + 4, y + 12, STROKE, ink);
+    }
+
+    private static void hexagon(Canvas canvas, double x, double y, Color ink) {
+        double tall = HALF;
+        double half = HALF / 2;
+        closed(
+                canvas, ink, x - half, y - tall, x + half, y - tall, x + tall, y, x + half,
+                y + tall, x - half, y + tall, x - tall, y);
+    }
+
+    private static void closed(Canvas canvas, Color ink, double... xy) {
+        for (int i = 0; i < xy.length; i += 2) {
+            int next = (i + 2) % xy.length;
+            canvas.line(xy[i], xy[i + 1], xy[next], xy[next + 1], STROKE, ink);
+        }
+    }
+}

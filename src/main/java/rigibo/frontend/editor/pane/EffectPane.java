@@ -1,0 +1,54 @@
+package rigibo.frontend.editor.pane;
+
+import rigibo.frontend.editor.desk.Desk;
+import rigibo.frontend.editor.draft.EffectUse;
+import rigibo.frontend.scene.Color;
+
+import java.util.List;
+
+/** The effects as chips: bright where declared; a press declares one or takes it back. */
+public final class EffectPane {
+
+    private static final double CHIP = 25;
+    private static final double GAP = 5;
+
+    /** What a level may declare, what is common first. */
+    private static final List<String> EFFECTS =
+            List.of(
+                    "gravity",
+                    "contacts",
+                    "rotation",
+                    "friction",
+                    "restitution",
+                    "rolling-resistance",
+                    "surface-speed",
+                    "buoyancy",
+                    "drag",
+                    "continuous-impacts",
+                    "sleep");
+
+    private EffectPane() {}
+
+    /** Draws it in as many rows as it takes. */
+    public static void draw(Pane pane, Area area, Desk desk) {
+        List<String> declared = EffectUse.declared(desk.draft());
+        double x = area.x();
+        double y = area.y();
+        for (String effect : EFFECTS) {
+            String name = pane.words().of("editor.effect." + effect);
+            double width = pane.width(name);
+            if (x + width > area.right()) {
+                x = area.x();
+                y += CHIP + GAP;
+            }
+            boolean isDeclared = declared.contains(effect);
+            pane.button(
+                    new Area(x, y, width, CHIP),
+                    name,
+                    isDeclared ? Color.BRASS : Color.PANEL_LIT,
+                    pane.words().of(isDeclared ? "editor.declared" : "editor.undeclared", name),
+                    () -> desk.change(EffectUse.switched(desk.draft(), effect)));
+            x += width + GAP;
+        }
+    }
+}

@@ -1,0 +1,26 @@
+package rigibo.frontend.editor.pane;
+
+import rigibo.frontend.editor.desk.Desk;
+import rigibo.frontend.editor.desk.Typing;
+import rigibo.frontend.editor.draft.Item;
+
+import java.util.Optional;
+
+/** The fields at the right: of what is chosen, else of the level. */
+public final class FieldPane {
+
+    private FieldPane() {}
+
+    /** Draws it. */
+    public static void draw(Pane pane, Area area, Desk desk, Typing typing) {
+        pane.plate(area);
+        Column column = new Column(pane, area.inset(10));
+        Fields fields = new Fields(column, pane, desk, typing);
+        Optional<Item> item = desk.item();
+        if (item.isPresent()) {
+            ItemPane.draw(fields, item.get());
+        } else {
+            LevelPane.draw(fields);
+        }
+    }
+}

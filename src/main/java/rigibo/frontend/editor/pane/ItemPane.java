@@ -1,0 +1,103 @@
+package rigibo.frontend.editor.pane;
+
+import rigibo.frontend.editor.desk.Desk;
+import rigibo.frontend.editor.draft.Corners;
+import rigibo.frontend.editor.draft.Form;
+import rigibo.frontend.editor.draft.Item;
+import rigibo.frontend.puzzle.level.Substance;
+import rigibo.frontend.scene.Canvas;
+
+/** The fields of what is chosen. */
+final class ItemPane {
+
+    private static final Fields.Range PLACE = new Fields.Range(-1000, 1000, 0.05, 0);
+    private static final Fields.Range ANGLE = new Fields.Range(-360, 360, 1, 0);
+    private static final Fields.Range TILT = new Fields.Range(-45, 45, 1, 0);
+    private static final Fields.Range SIZE = new Fields.Range(0.05, 20, 0.05, 0.05);
+    private static final Fields.Range PLATFORM = new Fields.Range(0.2, 20, 0.05, 0.2);
+    private static final Fields.Range THICKNESS = new Fields.Range(0.05, 2, 0.05, 0.3);
+    private static final Fields.Range RADIUS = new Fields.Range(0.05, 5, 0.05, 0.05);
+    private static final Fields.Range BALL = new Fields.Range(0.05, 2, 0.05, 0.05);
+    private static final Fields.Range BELT = new Fields.Range(-20, 20, 0.1, 0);
+
+    private ItemPane() {}
+
+    static void draw(Fields fields, Item item) {
+        String at = item.pointer();
+        name(fields, item);
+        fields.number("x", at + "/x", PLACE);
+        fields.number("y", at + "/y", PLACE);
+        switch (item.kind()) {
+            case BALL -> fields.number("radius", at + "/radius", BALL);
+            case PLATFORM -> {
+                fields.number("angle", at + "/angle", TILT);
+                fields.number("width", at + "/w", PLATFORM);
+                fields.number("height", at + "/h", THICKNESS);
+            }
+            case BODY -> body(fields, item);
+        }
+        if (item.isDispensable()) {
+            Desk desk = fields.desk();
+            fields.column()
+                    .button(fields.words("remove"), fields.words("remove.told"), desk::remove);
+        }
+    }
+
+    private static void name(Fields fields, Item item) {
+        switch (item.kind()) {
+            case BALL -> fields.column().heading(fields.words("ball"));
+            case PLATFORM -> fields.column().heading(fields.words("platform"));
+            case BODY ->
+                    fields.text(
+                            item.pointer() + "/id",
+                            "name",
+                            item.id(),
+                            typed -> fields.desk().rename(item, typed.trim()));
+        }
+    }
+
+    private static void body(Fields fields, Item item) {
+        String at = item.pointer();
+        fields.number("angle", at + "/angle", ANGLE);
+        size(fields, item);
+        material(fields, item);
+        fields.flag("moves", at + "/dynamic", !item.isFixed());
+        fields.flag("deletable", at + "/deletable", item.isDeletable());
+        fields.number("belt", at + "/surfaceSpeed", BELT);
+        Desk desk = fields.desk();
+        fields.column().button(fields.words("copy"), fields.words("copy.told"), desk::duplicate);
+    }
+
+    private static void size(Fields fields, Item item) {
+        String shape = item.pointer() + "/shape";
+        Form form = item.form();
+        if (form instanceof Corners polygon) {
+            fields.column().note(fields.words("corners", polygon.corners().size()));
+        } else if (form.corners().isEmpty()) {
+            fields.number("radius", shape + "/r", RADIUS);
+        } else {
+            fields.number("width", shape + "/w", SIZE);
+            fields.number("height", shape + "/h", SIZE);
+        }
+    }
+
+    private static void material(Fields fields, Item item) {
+        Substance[] all = Substance.values();
+        Substance substance = item.substance();
+        fields.column()
+                .stepper(
+                        "",
+                        new Column.Shown(
+                                fields.words("material." + substance.title()),
+                                Canvas.Font.WORDS,
+                                false),
+                        () -> {},
+                        direction ->
+                                fields.desk()
+                                        .substance(
+                                                all[
+                                                        Math.floorMod(
+                                                                substance.ordinal() + direction,
+                                                                all.length)]));
+    }
+}

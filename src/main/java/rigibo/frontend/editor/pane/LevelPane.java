@@ -1,0 +1,95 @@
+package rigibo.frontend.editor.pane;
+
+import rigibo.frontend.editor.draft.Decimal;
+import rigibo.frontend.editor.draft.Draft;
+import rigibo.frontend.editor.draft.Grid;
+import rigibo.frontend.editor.draft.NewLevel;
+
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.node.JsonNodeFactory;
+
+/** The fields of the level as a whole; shown while nothing is chosen. */
+final class LevelPane {
+
+    private static final Fields.Range SIZE = new Fields.Range(1, 100, 0.5, 1);
+    private static final Fields.Range PULL = new Fields.Range(-100, 100, 0.1, 0);
+    private static final Fields.Range WATER = new Fields.Range(0, 100, 0.1, 0);
+    private static final Fields.Range PAR = new Fields.Range(1, 50, 1, 1);
+    private static final Fields.Range COOLDOWN = new Fields.Range(0, 10, 0.1, 0);
+    private static final Fields.Range HOLD = new Fields.Range(0.1, 30, 0.1, 0.1);
+    private static final Fields.Range CLICKS = new Fields.Range(0, 1000, 1, 0);
+
+    private LevelPane() {}
+
+    static void draw(Fields fields) {
+        Column column = fields.column();
+        Draft draft = fields.desk().draft();
+        wording(fields, "title");
+        wording(fields, "hint");
+        fields.number("width", "/world/width", SIZE);
+        fields.number("height", "/world/height", SIZE);
+        fields.number("pull.x", "/world/gravity/0", PULL);
+        fields.number("pull.y", "/world/gravity/1", PULL);
+        water(fields);
+        fields.count("par", "/rules/par", PAR);
+        fields.limit("clicks", "/rules/maxClicks", CLICKS);
+        fields.number("cooldown", "/rules/cooldown", COOLDOWN);
+        fields.number("hold", "/rules/hold", HOLD);
+        column.toggle(
+                fields.words("grid"),
+                fields.desk().grid() == Grid.ON,
+                fields.words("grid.told"),
+                fields.desk()::switchGrid);
+        int solutions = draft.at("/solutions").size();
+        if (solutions > 0) {
+            column.button(
+                    fields.words("forget", solutions),
+                    fields.words("forget.told"),
+                    () -> fields.desk().change(draft.without("/solutions")));
+        }
+    }
+
+    /** Level files state water with its surface, or none at all. */
+    private static void water(Fields fields) {
+        String pointer = "/world/water/level";
+        fields.number(
+                "water",
+                pointer,
+                WATER,
+                (draft, surface) ->
+                        surface > 0
+                                ? draft.with(pointer, Decimal.of(surface))
+                                : draft.without("/world/water"));
+    }
+
+    /** In the player's language; in English too as long as nothing else is there. */
+    private static void wording(Fields fields, String member) {
+        String language = fields.language();
+        String pointer = "/" + member + "/" + language;
+        String english = "/" + member + "/en";
+        String held = fields.desk().draft().at(pointer).asString(englishOf(fields, english));
+        fields.column().note(fields.words(member));
+        fields.text(
+                pointer,
+                member,
+                held,
+                typed -> {
+                    Draft draft = fields.desk().draft();
+                    if (typed.isBlank() || typed.equals(held)) {
+                        return;
+                    }
+                    String before = draft.at(english).asString("");
+                    boolean isUntold = before.isEmpty() || before.equals(NewLevel.TITLE);
+                    Draft worded = draft.with(pointer, text(typed));
+                    fields.desk().change(isUntold ? worded.with(english, text(typed)) : worded);
+                });
+    }
+
+    private static String englishOf(Fields fields, String pointer) {
+        return fields.desk().draft().at(pointer).asString("");
+    }
+
+    private static JsonNode text(String words) {
+        return JsonNodeFactory.instance.stringNode(words);
+    }
+}

@@ -1,0 +1,90 @@
+package rigibo.frontend.editor.pane;
+
+import rigibo.frontend.scene.Canvas;
+import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Words;
+
+/**
+ * What panes are drawn with: plates, texts that are shortened to their room, buttons.
+ *
+ * @param canvas what is drawn on
+ * @param spots what can be pressed
+ * @param words in the player's language
+ * @param pointerX px
+ * @param pointerY px
+ */
+public record Pane(Canvas canvas, Spots spots, Words words, double pointerX, double pointerY) {
+
+    static final double TEXT = 16;
+    static final double CORNER = 7;
+    private static final double PADDING = 8;
+
+    /** Opaque: the world goes on below. */
+    private static final Color PLATE = Color.PANEL.alpha(1);
+
+    /** A plate that takes presses off what lies below it. */
+    public void plate(Area area) {
+        canvas.panel(area.x(), area.y(), area.width(), area.height(), 12, PLATE);
+        spots.add(area, "", () -> {});
+    }
+
+    boolean isHot(Area area) {
+        return area.contains(pointerX, pointerY);
+    }
+
+    /** A button with its name on it. */
+    public void button(Area area, String name, Color plate, String told, Runnable action) {
+        Color lit = isHot(area) ? Color.EDGE : plate;
+        canvas.panel(area.x(), area.y(), area.width(), area.height(), CORNER, lit);
+        text(
+                area,
+                name,
+                Canvas.Align.CENTRE,
+                lit.equals(Color.BRASS) ? Color.DUSK_TOP : Color.TEXT);
+        spots.add(area, told, action);
+    }
+
+    /** Width of a button that a name fits on, px. */
+    double width(String name) {
+        return canvas.textWidth(name, TEXT, Canvas.Font.WORDS) + 2 * PADDING;
+    }
+
+    /** Words within an area, shortened at their end where they are too long. */
+    public void text(Area area, String line, Canvas.Align align, Color color) {
+        double x =
+                switch (align) {
+                    case LEFT -> area.x() + PADDING / 2;
+                    case CENTRE -> area.middleX();
+                    case RIGHT -> area.right() - PADDING / 2;
+                };
+        String fitting = fitted(line, area.width() - PADDING, Canvas.Font.WORDS);
+        canvas.text(fitting, x, area.middleY(), TEXT, Canvas.Font.WORDS, align, color);
+    }
+
+    /** A value in a box of its own; its end is shown where it is too long, for there one types. */
+    void value(Area area, String held, Canvas.Font font, boolean isTyped) {
+        canvas.panel(area.x(), area.y(), area.width(), area.height(), 5, Color.DUSK_TOP);
+        if (isTyped) {
+            canvas.frame(area.x(), area.y(), area.width(), area.height(), 5, Color.BRASS);
+        }
+        String end = ending(held, area.width() - PADDING, font);
+        canvas.text(
+                end, area.middleX(), area.middleY(), TEXT, font, Canvas.Align.CENTRE, Color.TEXT);
+    }
+
+    private String fitted(String line, double room, Canvas.Font font) {
+        String shown = line;
+        while (canvas.textWidth(shown, TEXT, font) > room && shown.length() > 1) {
+            shown = shown.substring(0, shown.length() - (shown.endsWith("…") ? 2 : 1)) + "…";
+        }
+        return shown;
+    }
+
+    private String ending(String line, double room, Canvas.Font font) {
+        String shown = line;
+        while (canvas.textWidth(shown, TEXT, font) > room && shown.length() > 1) {
+            shown = shown.substring(1);
+        }
+        return shown;
+    }
+}

@@ -1,0 +1,69 @@
+package rigibo.frontend.editor.pane;
+
+import rigibo.frontend.editor.desk.Finding;
+import rigibo.frontend.scene.Canvas;
+import rigibo.frontend.scene.Color;
+
+import java.util.List;
+import java.util.function.Consumer;
+
+/** What is wrong, a line each; a press chooses what it concerns. */
+public final class ProblemPane {
+
+    private static final double ROW = 24;
+    private static final double ICON = 22;
+
+    private ProblemPane() {}
+
+    /** Draws as many as there is room for, and how many more there are. */
+    public static void draw(Pane pane, Area area, List<Finding> findings, Consumer<String> choose) {
+        pane.plate(area);
+        Area inner = area.inset(8);
+        int rows = (int) (inner.height() / ROW) - 1;
+        boolean fits = findings.size() <= rows;
+        int shown = fits ? findings.size() : rows - 1;
+        String heading =
+                findings.isEmpty()
+                        ? pane.words().of("editor.sound")
+                        : pane.words().of("editor.problems", findings.size());
+        Color ink = findings.isEmpty() ? Color.GOOD : Color.BRASS;
+        pane.text(row(inner, 0), heading, Canvas.Align.LEFT, ink);
+        for (int i = 0; i < shown; i++) {
+            row(pane, row(inner, i + 1), findings.get(i), choose);
+        }
+        if (!fits) {
+            String more = pane.words().of("editor.more", findings.size() - shown);
+            pane.text(row(inner, rows), more, Canvas.Align.LEFT, Color.TEXT_DIM);
+        }
+    }
+
+    private static Area row(Area inner, int i) {
+        return new Area(inner.x(), inner.y() + i * ROW, inner.width(), ROW);
+    }
+
+    private static void row(Pane pane, Area row, Finding finding, Consumer<String> choose) {
+        icon(pane.canvas(), row.x() + ICON / 2, row.middleY(), finding);
+        Area words = new Area(row.x() + ICON, row.y(), row.width() - ICON, row.height());
+        Color ink = pane.isHot(row) ? Color.TEXT : Color.TEXT_DIM;
+        pane.text(words, name(pane, finding), Canvas.Align.LEFT, ink);
+        pane.spots().add(row, finding.words(), () -> choose.accept(finding.item()));
+    }
+
+    /** In the player's language; what lies behind it is told in the words of the check. */
+    public static String name(Pane pane, Finding finding) {
+        return pane.words().of("editor.problem." + finding.code());
+    }
+
+    /** A cross in a disc for an error, a bar in a ring for a warning: not by colour alone. */
+    public static void icon(Canvas canvas, double x, double y, Finding finding) {
+        if (finding.problem().isError()) {
+            canvas.disc(x, y, 9, Color.BAD);
+            canvas.line(x - 4, y - 4, x + 4, y + 4, 2.5, Color.DUSK_TOP);
+            canvas.line(x - 4, y + 4, x + 4, y - 4, 2.5, Color.DUSK_TOP);
+        } else {
+            canvas.disc(x, y, 9, Color.DUSK_TOP);
+            canvas.ring(x, y, 8, 2, 1, Color.BRASS);
+            canvas.line(x, y - 4, x, y + 4, 2.5, Color.BRASS);
+        }
+    }
+}

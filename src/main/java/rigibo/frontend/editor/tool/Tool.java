@@ -1,0 +1,31 @@
+package rigibo.frontend.editor.tool;
+
+import rigibo.frontend.editor.draft.Point;
+import rigibo.frontend.scene.Canvas;
+import rigibo.frontend.scene.Key;
+
+/** What the pointer does on the draft. Points are of the world, m. */
+public interface Tool {
+
+    /** The left button went down. */
+    void pressed(Point at);
+
+    /** The pointer moved, with the button held or not. */
+    default void moved(Point at) {}
+
+    /** The left button went up. */
+    default void released(Point at) {}
+
+    /** A key went down; returns whether the tool had a use for it. */
+    default boolean keyPressed(Key key) {
+        return false;
+    }
+
+    /** Leaves what is half done; returns whether there was something. */
+    default boolean cancelled() {
+        return false;
+    }
+
+    /** Draws what is half done. */
+    default void draw(Canvas canvas) {}
+}
