@@ -103,8 +103,9 @@ final class DeskView {
         return PITCHES[PITCHES.length - 1];
     }
 
-    /** An outline and an icon where something is wrong; the chosen one's own outline above. */
+    /** The outline of what is chosen; above it an outline and an icon where something is wrong. */
     private void drawMarks(List<Finding> findings) {
+        desk.item().ifPresent(item -> Outlines.draw(canvas, camera, item, Color.TEXT));
         Map<String, Finding> worst = new HashMap<>();
         findings.forEach(finding -> worst.putIfAbsent(finding.item(), finding));
         for (Item item : desk.draft().items()) {
@@ -117,6 +118,5 @@ final class DeskView {
                         canvas, camera.screenX(place.x()), camera.screenY(place.y()), finding);
             }
         }
-        desk.item().ifPresent(item -> Outlines.draw(canvas, camera, item, Color.TEXT));
     }
 }
