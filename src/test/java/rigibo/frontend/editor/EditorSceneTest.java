@@ -306,7 +306,8 @@ class EditorSceneTest {
         Path file = folder.resolve("mine.json");
         Author author = new Author(DraftFiles.open(file), Optional.empty(), "en");
         author.press("Save");
-        assertThat(Draft.of(json(file))).isEqualTo(NewLevel.draft());
+        assertThat(Draft.of(json(file)).without("/id")).isEqualTo(NewLevel.draft().without("/id"));
+        assertThat(json(file).at("/id").asString()).isEqualTo("mine");
     }
 
     @Test

@@ -2,6 +2,8 @@ package rigibo.frontend.editor.file;
 
 import rigibo.frontend.editor.draft.Draft;
 
+import tools.jackson.databind.node.JsonNodeFactory;
+
 import java.nio.file.Path;
 import java.util.Optional;
 
@@ -11,4 +13,10 @@ import java.util.Optional;
  * @param draft as it stands in the file
  * @param file where; nothing for a draft that was never saved
  */
-public record DraftFile(Draft draft, Optional<Path> file) {}
+public record DraftFile(Draft draft, Optional<Path> file) {
+
+    /** The same with the level's id. */
+    DraftFile called(String id) {
+        return new DraftFile(draft.with("/id", JsonNodeFactory.instance.stringNode(id)), file);
+    }
+}

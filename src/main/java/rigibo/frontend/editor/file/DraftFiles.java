@@ -7,8 +7,6 @@ import rigibo.frontend.puzzle.level.LevelShelf;
 import rigibo.frontend.puzzle.level.LoadedLevel;
 import rigibo.frontend.save.SafeFile;
 
-import tools.jackson.databind.node.JsonNodeFactory;
-
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -78,7 +76,7 @@ public final class DraftFiles {
      * @throws IOException when it cannot be written; what was there before is still there
      */
     public DraftFile save(DraftFile from) throws IOException {
-        DraftFile into = hasOwn(from) ? from : named(from.draft());
+        DraftFile into = hasOwn(from) ? identified(from) : named(from.draft());
         byte[] text = into.draft().toString().getBytes(StandardCharsets.UTF_8);
         new SafeFile(into.file().orElseThrow()).write(text);
         return into;
@@ -102,6 +100,13 @@ public final class DraftFiles {
         return false;
     }
 
+    /** Progress is kept by ids: two new levels must not share one. */
+    private static DraftFile identified(DraftFile from) {
+        boolean isNew = from.draft().at("/id").asString(NewLevel.ID).equals(NewLevel.ID);
+        String name = from.file().orElseThrow().getFileName().toString();
+        return isNew ? from.called(word(name.replaceFirst("\\.[^.]*$", ""))) : from;
+    }
+
     private DraftFile named(Draft draft) throws IOException {
         Path shelf = folder.orElseThrow(() -> new IOException("this player keeps no files"));
         String word = word(draft.at("/title/en").asString(NewLevel.ID));
@@ -110,9 +115,7 @@ public final class DraftFiles {
         while (isTaken(shelf, id)) {
             id = word + "-" + number++;
         }
-        return new DraftFile(
-                draft.with("/id", JsonNodeFactory.instance.stringNode(id)),
-                Optional.of(shelf.resolve(id + ENDING)));
+        return new DraftFile(draft, Optional.of(shelf.resolve(id + ENDING))).called(id);
     }
 
     private static boolean isTaken(Path shelf, String id) {
