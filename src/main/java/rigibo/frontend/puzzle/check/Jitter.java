@@ -1,19 +1,57 @@
 package rigibo.frontend.puzzle.check;
 
+import rigibo.backend.setup.Accuracy;
 import rigibo.frontend.puzzle.level.Level;
+import rigibo.frontend.puzzle.level.Solution;
+import rigibo.frontend.puzzle.level.Steps;
+import rigibo.frontend.puzzle.rules.Deletion;
+import rigibo.frontend.puzzle.rules.Replay;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.SplittableRandom;
 
-/** Levels whose bodies stand a little aside; the same seed gives the same level. */
+/**
+ * Levels whose bodies stand a little aside, and clicks that come a little late; the same seed gives
+ * the same. Seed 0 is what the file states.
+ */
 final class Jitter {
 
+    /** What the file states. */
+    static final int STATED = 0;
+
     /** How far a body may be moved, m. */
-    static final double MOST = 0.010;
+    private static final double MOST = 0.010;
+
+    /** How much later than stated after the click before it a click may come, steps. */
+    private static final int LATEST = Steps.of(0.1);
+
+    /** Keeps the clicks' numbers apart from the bodies', whose count the level decides. */
+    private static final long CLICKS = 1L << 32;
 
     private Jitter() {}
 
     static Level of(Level level, int seed) {
+        if (seed == STATED) {
+            return level;
+        }
         SplittableRandom random = new SplittableRandom(seed);
         return level.shiftedSideways(() -> random.nextDouble(-MOST, MOST));
+    }
+
+    /** A stored solution for a level moved by the same seed. */
+    static Replay of(Level moved, Solution solution, Accuracy accuracy, int seed) {
+        Replay stated = Replay.of(moved, solution, accuracy);
+        if (seed == STATED) {
+            return stated;
+        }
+        SplittableRandom random = new SplittableRandom(CLICKS + seed);
+        List<Deletion> late = new ArrayList<>();
+        int lateness = 0;
+        for (Deletion click : stated.deletions()) {
+            lateness += random.nextInt(LATEST + 1);
+            late.add(new Deletion(click.step() + lateness, click.body()));
+        }
+        return new Replay(stated.levelHash(), late, accuracy);
     }
 }

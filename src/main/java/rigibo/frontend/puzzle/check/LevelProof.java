@@ -1,9 +1,9 @@
 package rigibo.frontend.puzzle.check;
 
-import rigibo.backend.setup.Accuracy;
 import rigibo.frontend.puzzle.level.LevelLoader;
 import rigibo.frontend.puzzle.level.LoadedLevel;
 import rigibo.frontend.puzzle.level.Problem;
+import rigibo.frontend.scene.accuracy.Preset;
 
 import java.util.List;
 
@@ -13,13 +13,13 @@ public final class LevelProof {
     private LevelProof() {}
 
     /**
-     * What {@code levels check} tells of a text.
+     * What {@code levels check --accuracy GAME} tells of a text.
      *
      * @param name what messages call it
      */
     public static List<Problem> problems(String name, String text) {
         LoadedLevel loaded = new LevelLoader().parse(name, text);
-        loaded.level().ifPresent(level -> new LevelCheck(Accuracy.GAME).play(loaded, level));
+        loaded.level().ifPresent(level -> LevelCheck.play(loaded, level, List.of(Preset.GAME)));
         return loaded.problems();
     }
 }

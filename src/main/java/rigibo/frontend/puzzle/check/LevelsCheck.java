@@ -1,29 +1,27 @@
 package rigibo.frontend.puzzle.check;
 
-import rigibo.backend.setup.Accuracy;
-import rigibo.frontend.puzzle.level.Level;
 import rigibo.frontend.puzzle.level.LevelLoader;
 import rigibo.frontend.puzzle.level.LevelShelf;
 import rigibo.frontend.puzzle.level.LoadedLevel;
+import rigibo.frontend.scene.accuracy.Preset;
 
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Optional;
 
-/** {@code levels check}: one line per level, its problems below it, without a window. */
+/** {@code levels check}: a level, what was proved of it, its problems below; without a window. */
 public final class LevelsCheck {
 
     private static final int ALL_SOUND = 0;
     private static final int SOME_BROKEN = 1;
 
     private final LevelLoader loader = new LevelLoader();
-    private final Accuracy accuracy;
+    private final List<Preset> presets;
     private final PrintWriter out;
 
-    /** A check that simulates at this accuracy and writes to {@code out}. */
-    public LevelsCheck(Accuracy accuracy, PrintWriter out) {
-        this.accuracy = accuracy;
+    /** A check that simulates at each of these accuracies and writes to {@code out}. */
+    public LevelsCheck(List<Preset> presets, PrintWriter out) {
+        this.presets = List.copyOf(presets);
         this.out = out;
     }
 
@@ -46,10 +44,12 @@ public final class LevelsCheck {
 
     private boolean isSound(Path file) {
         LoadedLevel loaded = loader.load(file);
-        Optional<Level> level = loaded.level();
-        LevelCheck check = new LevelCheck(accuracy);
-        level.ifPresent(playable -> check.play(loaded, playable));
-        out.println(file + ": " + (loaded.hasErrors() ? "ERRORS" : "ok") + check.summary(level));
+        List<String> proved =
+                loaded.level()
+                        .map(level -> LevelCheck.play(loaded, level, presets))
+                        .orElse(List.of());
+        out.println(file + ": " + (loaded.hasErrors() ? "ERRORS" : "ok"));
+        proved.forEach(line -> out.println("  " + line));
         loaded.problems().forEach(out::println);
         out.flush();
         return !loaded.hasErrors();

@@ -1,12 +1,12 @@
 package rigibo.frontend.puzzle.check;
 
 import rigibo.backend.RigidBody;
-import rigibo.backend.setup.Accuracy;
 import rigibo.frontend.puzzle.level.Level;
 import rigibo.frontend.puzzle.level.LoadedLevel;
 import rigibo.frontend.puzzle.level.Steps;
 import rigibo.frontend.puzzle.rules.Piece;
 import rigibo.frontend.puzzle.rules.PuzzleGame;
+import rigibo.frontend.scene.accuracy.Preset;
 
 import java.util.List;
 import java.util.Locale;
@@ -24,8 +24,8 @@ final class RestCheck {
 
     private RestCheck() {}
 
-    static void check(LoadedLevel loaded, Level level, Accuracy accuracy) {
-        PuzzleGame game = new PuzzleGame(level, accuracy);
+    static void check(LoadedLevel loaded, Level level, Preset preset) {
+        PuzzleGame game = new PuzzleGame(level, preset.accuracy());
         for (int i = 0; i < LOOKING; i++) {
             game.step();
         }

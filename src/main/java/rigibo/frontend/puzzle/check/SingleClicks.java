@@ -1,50 +1,69 @@
 package rigibo.frontend.puzzle.check;
 
-import rigibo.backend.setup.Accuracy;
 import rigibo.frontend.puzzle.level.Level;
 import rigibo.frontend.puzzle.level.LevelBody;
 import rigibo.frontend.puzzle.level.Steps;
 import rigibo.frontend.puzzle.rules.Deletion;
 import rigibo.frontend.puzzle.rules.Replay;
+import rigibo.frontend.scene.accuracy.Preset;
 
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 
-/** Tries every level body that a click can delete, alone. */
+/**
+ * Every deletable body alone: on each preset asked for, where the file puts it and a little aside.
+ * The moment is always the same, for E160 proves that the level rests until the first click.
+ */
 final class SingleClicks {
 
-    /**
-     * When to click, s. A level at rest gives the same game at any of them, so a few prove it; what
-     * moves by itself is E160's to find.
-     */
-    private static final double[] MOMENTS = {0, 1, 2.5};
+    /** Jittered games for each body and preset; they differ from the stated one only by luck. */
+    private static final int SEEDS = 4;
 
-    private SingleClicks() {}
+    private static final int MOMENT = Steps.of(1);
 
-    static int count(Level level) {
-        return all(level).size();
+    private final Level level;
+    private final List<Preset> presets;
+
+    SingleClicks(Level level, List<Preset> presets) {
+        this.level = level;
+        this.presets = presets;
     }
 
-    /** The first single click that wins. */
-    static Optional<Deletion> winner(Level level, Accuracy accuracy) {
-        long hash = level.hash();
-        return all(level).parallelStream()
-                .filter(
-                        click ->
-                                Trial.play(level, new Replay(hash, List.of(click), accuracy))
-                                        .isWon())
-                .findFirst();
+    /** The first single click that wins, in words. */
+    Optional<String> winner() {
+        return bodies().flatMap(this::clicks).toList().parallelStream()
+                .filter(click -> Trial.play(click.level, click.replay).isWon())
+                .findFirst()
+                .map(Click::words);
     }
 
-    private static List<Deletion> all(Level level) {
-        return level.bodies().stream()
-                .filter(LevelBody::deletable)
-                .flatMap(
-                        body ->
-                                IntStream.range(0, MOMENTS.length)
-                                        .mapToObj(
-                                                i -> new Deletion(Steps.of(MOMENTS[i]), body.id())))
-                .toList();
+    /** One click in one game. */
+    private record Click(Level level, Replay replay, Preset preset, int seed) {
+
+        String words() {
+            return "one click on \""
+                    + replay.deletions().get(0).body()
+                    + "\" wins at "
+                    + preset
+                    + (seed == Jitter.STATED ? "" : " with seed " + seed);
+        }
+    }
+
+    private Stream<LevelBody> bodies() {
+        return level.bodies().stream().filter(LevelBody::deletable);
+    }
+
+    private Stream<Click> clicks(LevelBody body) {
+        return IntStream.rangeClosed(Jitter.STATED, SEEDS)
+                .boxed()
+                .flatMap(seed -> presets.stream().map(preset -> click(body.id(), preset, seed)));
+    }
+
+    private Click click(String body, Preset preset, int seed) {
+        Level moved = Jitter.of(level, seed);
+        List<Deletion> click = List.of(new Deletion(MOMENT, body));
+        return new Click(moved, new Replay(moved.hash(), click, preset.accuracy()), preset, seed);
     }
 }

@@ -1,46 +1,75 @@
 package rigibo.frontend.puzzle.check;
 
-import rigibo.backend.setup.Accuracy;
 import rigibo.frontend.puzzle.level.Level;
 import rigibo.frontend.puzzle.level.Solution;
-import rigibo.frontend.puzzle.rules.Replay;
+import rigibo.frontend.scene.accuracy.Preset;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.IntStream;
 
 /**
- * A stored solution played as the file states it and with everything a little aside.
+ * A stored solution played on every preset asked for, as the file states it and with everything a
+ * little aside and the clicks a little late.
  *
- * @param stated the level as it is
- * @param jittered by seed
+ * @param games all that were played, those as stated first
  */
-record SolutionTrials(Verdict stated, List<Verdict> jittered) {
+record SolutionTrials(List<Game> games) {
 
-    /** Seeds tried per solution. */
-    static final int SEEDS = 50;
+    /** Jittered games per preset. */
+    private static final int SEEDS = 40;
 
-    static SolutionTrials of(Level level, Solution solution, Accuracy accuracy) {
-        List<Verdict> jittered =
-                IntStream.range(0, SEEDS)
-                        .parallel()
-                        .mapToObj(seed -> play(Jitter.of(level, seed), solution, accuracy))
-                        .toList();
-        return new SolutionTrials(play(level, solution, accuracy), jittered);
+    /**
+     * One game.
+     *
+     * @param preset how exactly it was simulated
+     * @param seed of its jitter
+     * @param verdict how it went
+     */
+    record Game(Preset preset, int seed, Verdict verdict) {
+
+        boolean isWon() {
+            return verdict.isWon();
+        }
+
+        @Override
+        public String toString() {
+            return (seed == Jitter.STATED ? "" : "with seed " + seed + " ")
+                    + "at "
+                    + preset
+                    + ": "
+                    + verdict;
+        }
     }
 
-    private static Verdict play(Level level, Solution solution, Accuracy accuracy) {
-        return Trial.play(level, Replay.of(level, solution, accuracy));
+    static SolutionTrials of(Level level, Solution solution, List<Preset> presets) {
+        int count = (SEEDS + 1) * presets.size();
+        return new SolutionTrials(
+                IntStream.range(0, count)
+                        .parallel()
+                        .mapToObj(
+                                i ->
+                                        play(
+                                                level,
+                                                solution,
+                                                presets.get(i % presets.size()),
+                                                i / presets.size()))
+                        .toList());
+    }
+
+    private static Game play(Level level, Solution solution, Preset preset, int seed) {
+        Level moved = Jitter.of(level, seed);
+        return new Game(
+                preset,
+                seed,
+                Trial.play(moved, Jitter.of(moved, solution, preset.accuracy(), seed)));
     }
 
     int wins() {
-        return (int) jittered.stream().filter(Verdict::isWon).count();
+        return (int) games.stream().filter(Game::isWon).count();
     }
 
-    /** The first seed that does not win, or -1. */
-    int firstLostSeed() {
-        return IntStream.range(0, jittered.size())
-                .filter(seed -> !jittered.get(seed).isWon())
-                .findFirst()
-                .orElse(-1);
+    Optional<Game> firstLost() {
+        return games.stream().filter(game -> !game.isWon()).findFirst();
     }
 }

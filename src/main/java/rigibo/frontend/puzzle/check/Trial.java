@@ -41,8 +41,21 @@ final class Trial {
 
     private static Verdict verdict(Playback playback) {
         PuzzleGame game = playback.game();
-        boolean isWon = game.outcome() == Outcome.WON && playback.refusal().isEmpty();
-        return new Verdict(isWon, game.seconds(), isWon ? "" : why(playback));
+        Verdict.End end = end(playback);
+        String why = end == Verdict.End.WON ? "" : why(playback);
+        return new Verdict(end, game.steps(), game.steps() - game.stillSteps(), why);
+    }
+
+    private static Verdict.End end(Playback playback) {
+        PuzzleGame game = playback.game();
+        if (playback.refusal().isPresent()) {
+            return Verdict.End.REFUSED;
+        }
+        return switch (game.outcome()) {
+            case WON -> Verdict.End.WON;
+            case LOST -> Verdict.End.LOST;
+            case RUNNING -> game.isStuck() ? Verdict.End.STUCK : Verdict.End.LOST;
+        };
     }
 
     private static String why(Playback playback) {

@@ -185,6 +185,11 @@ public final class PuzzleGame {
         return rest.isAtRest() && !board.ballIsOnPlatform();
     }
 
+    /** How long nothing has moved, steps; 0 as soon as something does. */
+    public int stillSteps() {
+        return rest.stillSteps();
+    }
+
     public RigidBody ball() {
         return board.ball();
     }

@@ -29,6 +29,10 @@ final class RestWatch {
         stillSteps = 0;
     }
 
+    int stillSteps() {
+        return stillSteps;
+    }
+
     boolean isAtRest() {
         return stillSteps >= LONG_ENOUGH;
     }

@@ -1,0 +1,129 @@
+package rigibo.frontend.puzzle.check;
+
+import rigibo.backend.setup.Accuracy;
+import rigibo.frontend.puzzle.level.Level;
+import rigibo.frontend.puzzle.level.LevelBody;
+import rigibo.frontend.puzzle.level.Steps;
+import rigibo.frontend.puzzle.rules.Deletion;
+import rigibo.frontend.puzzle.rules.Replay;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Optional;
+import java.util.Random;
+import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+
+/**
+ * A search over orders and times of clicks, one click more in each round, up to par.
+ *
+ * <p>It covers every order of deletable bodies, each clicked at the cooldown's end, then every half
+ * second for as long as something moves. Where all rests the moment of a click does not matter, so
+ * one stands for all that follow; a game that is over is not searched further. A round with more
+ * games than {@link #MOST_GAMES} is a sample of them, drawn by a fixed seed.
+ */
+final class OrderSearch {
+
+    /** Time between the moments tried while something moves, steps. */
+    private static final int PERIOD = Steps.of(0.5);
+
+    /** Most games of a round: about three seconds of two cores. */
+    private static final int MOST_GAMES = 300;
+
+    private static final int SEED = 1;
+
+    private final Level level;
+    private final Accuracy accuracy;
+    private final int cooldown;
+
+    OrderSearch(Level level, Accuracy accuracy) {
+        this.level = level;
+        this.accuracy = accuracy;
+        cooldown = Steps.of(level.limits().cooldown());
+    }
+
+    /**
+     * What the search found.
+     *
+     * @param orders games of par clicks that were played
+     * @param wins how many of them were won
+     * @param isWhole whether no round was a sample
+     * @param shorter clicks that win with less than par, if there are any
+     */
+    record Found(int orders, int wins, boolean isWhole, Optional<List<Deletion>> shorter) {}
+
+    /** Some clicks and how they ended. */
+    private record Course(List<Deletion> clicks, Verdict verdict) {}
+
+    Found search() {
+        List<Course> round = List.of(play(List.of()));
+        boolean isWhole = true;
+        for (int clicks = 1; ; clicks++) {
+            List<List<Deletion>> all = new ArrayList<>();
+            round.forEach(course -> all.addAll(nexts(course)));
+            isWhole &= all.size() <= MOST_GAMES;
+            round = played(sample(all));
+            List<Course> won = round.stream().filter(course -> course.verdict.isWon()).toList();
+            if (clicks == level.limits().par()) {
+                return new Found(round.size(), won.size(), isWhole, Optional.empty());
+            }
+            if (!won.isEmpty()) {
+                return new Found(0, 0, isWhole, Optional.of(won.get(0).clicks));
+            }
+        }
+    }
+
+    private Course play(List<Deletion> clicks) {
+        return new Course(clicks, Trial.play(level, new Replay(level.hash(), clicks, accuracy)));
+    }
+
+    /** A click on what fell out of the world meanwhile is refused, and that is no game. */
+    private List<Course> played(List<List<Deletion>> games) {
+        return games.parallelStream()
+                .map(this::play)
+                .filter(course -> course.verdict.end() != Verdict.End.REFUSED)
+                .toList();
+    }
+
+    private static List<List<Deletion>> sample(List<List<Deletion>> all) {
+        Collections.shuffle(all, new Random(SEED));
+        return all.subList(0, Math.min(all.size(), MOST_GAMES));
+    }
+
+    /** The course's clicks and one more. */
+    private List<List<Deletion>> nexts(Course course) {
+        Set<String> gone = course.clicks.stream().map(Deletion::body).collect(Collectors.toSet());
+        List<String> left =
+                level.bodies().stream()
+                        .filter(LevelBody::deletable)
+                        .map(LevelBody::id)
+                        .filter(id -> !gone.contains(id))
+                        .toList();
+        return moments(course)
+                .boxed()
+                .flatMap(at -> left.stream().map(id -> with(course.clicks, new Deletion(at, id))))
+                .toList();
+    }
+
+    private static List<Deletion> with(List<Deletion> clicks, Deletion next) {
+        List<Deletion> longer = new ArrayList<>(clicks);
+        longer.add(next);
+        return longer;
+    }
+
+    /** When one more click may give another game, steps. */
+    private IntStream moments(Course course) {
+        int clicks = course.clicks.size();
+        int ready = clicks == 0 ? 0 : course.clicks.get(clicks - 1).step() + cooldown;
+        int last =
+                switch (course.verdict.end()) {
+                    case WON, REFUSED -> ready - 1;
+                    case LOST -> course.verdict.steps() - 1;
+                    // The first moment at rest stands for all that follow.
+                    case STUCK -> Math.max(ready, course.verdict.still() + PERIOD - 1);
+                };
+        return IntStream.iterate(ready, at -> at <= last, at -> at + PERIOD);
+    }
+}
