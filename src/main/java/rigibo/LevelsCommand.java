@@ -30,7 +30,7 @@ final class LevelsCommand implements Runnable {
             description = {
                 "Validates level files and plays them without a window, at every accuracy: stored",
                 "solutions must win, also with everything up to 10 mm aside, no fewer clicks than"
-                    + " par",
+                        + " par",
                 "may, and a search tells how often other orders of clicks do."
             })
     int check(
