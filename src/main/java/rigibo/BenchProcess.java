@@ -63,7 +63,7 @@ final class BenchProcess {
         List<BodyDefinition> bodies = new ArrayList<>();
         bodies.add(level.platform().definition());
         level.bodies().stream().map(LevelBody::definition).forEach(bodies::add);
-        bodies.add(level.ball().definition());
+        level.balls().forEach(ball -> bodies.add(ball.definition()));
         return new Scene(awake(level.world().effects()), bodies);
     }
 

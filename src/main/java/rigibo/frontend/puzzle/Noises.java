@@ -39,7 +39,7 @@ final class Noises {
         outcome = other.outcome();
         ticks = ticks(other);
         skins.clear();
-        skins.put(other.ball(), Skin.BALL);
+        other.balls().forEach(ball -> skins.put(ball, Skin.BALL));
         for (Piece piece : other.pieces()) {
             skins.put(piece.body(), Skins.of(piece.definition().substance()));
         }
@@ -56,17 +56,22 @@ final class Noises {
         }
         List<ContactEvent> contacts = game.pool().contactEvents();
         impacts.tell(contacts, skins::get, sounds);
-        if (contacts.stream().anyMatch(this::carriesBall)) {
-            RigidBody ball = game.ball();
-            sounds.roll(Math.abs(ball.angularVelocity()) * ball.shape().boundingRadius());
-        }
+        game.balls().stream()
+                .filter(ball -> contacts.stream().anyMatch(contact -> carries(contact, ball)))
+                .mapToDouble(ball -> Math.abs(ball.angularVelocity()) * rim(ball))
+                .max()
+                .ifPresent(sounds::roll);
         tellHold();
         tellOutcome();
     }
 
-    private boolean carriesBall(ContactEvent contact) {
+    private static double rim(RigidBody ball) {
+        return ball.shape().boundingRadius();
+    }
+
+    private static boolean carries(ContactEvent contact, RigidBody ball) {
         return contact.phase() != ContactEvent.Phase.END
-                && (contact.a() == game.ball() || contact.b() == game.ball());
+                && (contact.a() == ball || contact.b() == ball);
     }
 
     private void tellHold() {

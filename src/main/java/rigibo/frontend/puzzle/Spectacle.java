@@ -129,7 +129,7 @@ final class Spectacle {
     /** Confetti, and a flash of the ball's glow. */
     void celebrate() {
         flash = FLASH_TURNS;
-        splinters.celebrate(watched.ball().x(), watched.ball().y());
+        watched.balls().forEach(ball -> splinters.celebrate(ball.x(), ball.y()));
     }
 
     /** How a piece looks that nobody points at. */
@@ -154,15 +154,17 @@ final class Spectacle {
         splinters.draw(canvas);
     }
 
-    /** The ball glows the more the longer it is held, and flashes when that is done. */
+    /** Every ball glows the more the longer it is held, and flashes when that is done. */
     private void glow(Canvas canvas, double flashing) {
         double held = watched.held();
         if (held > 0 && watched.outcome() != Outcome.LOST) {
-            Pose ball = session.pose(watched.ball());
-            double radius = watched.ball().shape().boundingRadius();
             double strength = 0.08 + 0.24 * held * held + 0.3 * flashing;
-            double size = GLOW * radius * (1 + 0.6 * flashing);
-            canvas.glow(ball.x(), ball.y(), size, Color.BRASS.alpha(Math.min(1, strength)));
+            Color color = Color.BRASS.alpha(Math.min(1, strength));
+            for (RigidBody ball : watched.balls()) {
+                Pose pose = session.pose(ball);
+                double size = GLOW * ball.shape().boundingRadius() * (1 + 0.6 * flashing);
+                canvas.glow(pose.x(), pose.y(), size, color);
+            }
         }
     }
 }

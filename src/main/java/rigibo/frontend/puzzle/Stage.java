@@ -8,6 +8,7 @@ import rigibo.frontend.puzzle.rules.PuzzleGame;
 import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Skin;
 
 import java.util.Optional;
@@ -19,6 +20,11 @@ final class Stage {
     private static final double CORNER_GAP = 6;
 
     private static final double CORNER_LENGTH = 12;
+
+    /** How much water hides, and how much its surface. */
+    private static final double WATER = 0.22;
+
+    private static final double SURFACE = 0.7;
 
     private final Session session;
     private final Camera camera;
@@ -32,7 +38,7 @@ final class Stage {
     /** All bodies; the one that is meant is lifted where a click would delete it. */
     void draw(Canvas canvas, Optional<Piece> meant, Spectacle spectacle) {
         PuzzleGame game = session.game();
-        Pose ball = session.pose(game.ball());
+        Pose ball = session.pose(game.balls().get(0));
         canvas.camera(camera);
         canvas.gaze(ball.x(), ball.y());
         body(canvas, game.platform(), Skin.WOOD, Canvas.Mood.PLAIN);
@@ -44,7 +50,17 @@ final class Stage {
                 body(canvas, piece.body(), Skins.of(piece.definition().substance()), mood);
             }
         }
-        body(canvas, game.ball(), Skin.BALL, Canvas.Mood.PLAIN);
+        for (RigidBody each : game.balls()) {
+            body(canvas, each, Skin.BALL, Canvas.Mood.PLAIN);
+        }
+        game.level().world().waterLevel().ifPresent(level -> drawWater(canvas, level));
+    }
+
+    /** Over the bodies, so that what is under water looks it. */
+    private void drawWater(Canvas canvas, double level) {
+        double y = camera.screenY(level);
+        canvas.panel(0, y, Scene.WIDTH, Scene.HEIGHT - y, 0, Color.ICE.alpha(WATER));
+        canvas.line(0, y, Scene.WIDTH, y, 2, Color.ICE.alpha(SURFACE));
     }
 
     private void body(Canvas canvas, RigidBody body, Skin skin, Canvas.Mood mood) {

@@ -1,5 +1,6 @@
 package rigibo.frontend.puzzle;
 
+import rigibo.backend.RigidBody;
 import rigibo.frontend.puzzle.rules.ClickResult;
 import rigibo.frontend.puzzle.rules.Deletion;
 import rigibo.frontend.puzzle.rules.Piece;
@@ -99,11 +100,15 @@ final class Table {
         stage.draw(canvas, isOwn ? cursor.under(game) : Optional.empty(), spectacle);
         drawRefused(canvas, game, motion);
         spectacle.draw(canvas, motion);
-        Pose ball = session.pose(game.ball());
-        double radius = game.ball().shape().boundingRadius() * camera.scale() + RING_GAP;
-        ring.draw(canvas, camera.screenX(ball.x()), camera.screenY(ball.y()), radius, motion);
+        game.balls().forEach(ball -> drawHold(canvas, ball, motion));
         cursor.chosen(game).ifPresent(piece -> stage.drawChosen(canvas, piece));
         session.show().ifPresent(show -> shownPointer.draw(canvas, show));
+    }
+
+    private void drawHold(Canvas canvas, RigidBody ball, Motion motion) {
+        Pose pose = session.pose(ball);
+        double radius = ball.shape().boundingRadius() * camera.scale() + RING_GAP;
+        ring.draw(canvas, camera.screenX(pose.x()), camera.screenY(pose.y()), radius, motion);
     }
 
     /** The outline of what cannot be deleted shakes where the click was. */

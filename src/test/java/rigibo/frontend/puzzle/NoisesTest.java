@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
 
+import rigibo.backend.RigidBody;
 import rigibo.backend.setup.Accuracy;
 import rigibo.frontend.puzzle.level.LevelTexts;
 import rigibo.frontend.puzzle.rules.PuzzleGame;
@@ -73,8 +74,9 @@ class NoisesTest {
         play(game, SECOND);
         sounds.rolling.clear();
         double speed = 1.5;
-        game.ball().velocity(speed, 0);
-        game.ball().spin(-speed / game.ball().shape().boundingRadius());
+        RigidBody ball = game.balls().get(0);
+        ball.velocity(speed, 0);
+        ball.spin(-speed / ball.shape().boundingRadius());
         play(game, 5);
         assertThat(sounds.rolling)
                 .hasSize(5)

@@ -90,7 +90,7 @@ class SpectacleTest {
         PuzzleGame game = session.game();
         turns(1);
         assertThat(drawn(Motion.FULL).veil()).isZero();
-        game.ball().velocity(-30, 0);
+        game.balls().get(0).velocity(-30, 0);
         while (game.outcome() == Outcome.RUNNING && game.steps() < LONG_ENOUGH) {
             turns(1);
         }

@@ -1,6 +1,7 @@
 package rigibo.frontend.puzzle.check;
 
 import rigibo.backend.RigidBody;
+import rigibo.frontend.puzzle.level.Ball;
 import rigibo.frontend.puzzle.level.Level;
 import rigibo.frontend.puzzle.level.LoadedLevel;
 import rigibo.frontend.puzzle.level.Steps;
@@ -29,7 +30,11 @@ final class RestCheck {
         for (int i = 0; i < LOOKING; i++) {
             game.step();
         }
-        report(loaded, "/ball", "the ball", moved(game.ball(), level.ball().x(), level.ball().y()));
+        for (int i = 0; i < level.balls().size(); i++) {
+            Ball ball = level.balls().get(i);
+            double distance = moved(game.balls().get(i), ball.x(), ball.y());
+            report(loaded, i == 0 ? "/ball" : "/moreBalls/" + (i - 1), ball.name(), distance);
+        }
         List<Piece> pieces = game.pieces();
         for (int i = 0; i < pieces.size(); i++) {
             Piece piece = pieces.get(i);

@@ -4,18 +4,25 @@ import rigibo.backend.geometry.Circle;
 import rigibo.backend.setup.BodyDefinition;
 
 /**
- * The ball that has to get onto the platform.
+ * A ball that has to get onto the platform.
  *
+ * @param name in the pool and in messages; no body of a level may have it
  * @param x of its centre, m
  * @param y of its centre, m, up
  * @param radius m
  * @param substance what it is made of
  * @param motion at the start
  */
-public record Ball(double x, double y, double radius, Substance substance, Motion motion) {
+public record Ball(
+        String name, double x, double y, double radius, Substance substance, Motion motion) {
 
-    /** The ball's name in the pool; no body of a level may have it. */
-    public static final String NAME = "the ball";
+    /** The name of a level's first ball, and mostly its only one. */
+    public static final String FIRST = "the ball";
+
+    /** What the further ones are called, from 2; an id has no blank. */
+    static String named(int number) {
+        return "ball " + number;
+    }
 
     /** What the engine is told. */
     public BodyDefinition definition() {
@@ -24,10 +31,10 @@ public record Ball(double x, double y, double radius, Substance substance, Motio
                 .velocity(motion.x(), motion.y())
                 .spin(motion.spin())
                 .material(substance.material())
-                .name(NAME);
+                .name(name);
     }
 
     Ball shifted(double metres) {
-        return new Ball(x + metres, y, radius, substance, motion);
+        return new Ball(name, x + metres, y, radius, substance, motion);
     }
 }

@@ -41,13 +41,14 @@ final class EffectRules {
 
     static void check(LevelSketch sketch, Problems problems) {
         boolean isWhole = sketch.bodies().size() == sketch.json().node("/bodies").size();
-        if (sketch.world().isPresent() && sketch.ball().isPresent() && isWhole) {
+        if (sketch.world().isPresent() && !sketch.balls().isEmpty() && isWhole) {
             new EffectRules(sketch, sketch.world().get().part().effects(), problems).check();
         }
     }
 
     private void check() {
         gravity();
+        water();
         stated("friction", Friction.class, Material::friction);
         stated("restitution", Restitution.class, Material::elasticity);
         stated("rollingResistance", RollingResistance.class, Material::rollingResistance);
@@ -73,6 +74,27 @@ final class EffectRules {
         }
     }
 
+    private void water() {
+        boolean isThere = sketch.json().node("/world").has("water");
+        boolean isDeclared = names("buoyancy");
+        if (isDeclared && !isThere) {
+            unused("buoyancy");
+        }
+        if (isThere && !isDeclared) {
+            undeclared("buoyancy", "/world/water is there");
+        }
+    }
+
+    /** Also of an effect that could not be made, for want of its numbers. */
+    private boolean names(String title) {
+        for (JsonNode named : sketch.json().node(POINTER)) {
+            if (named.asString().equals(title)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
     private void stated(
             String member, Class<? extends Effect> effect, ToDoubleFunction<Material> amount) {
         String title = member.equals("spin") ? "rotation" : kebab(member);
@@ -92,14 +114,15 @@ final class EffectRules {
 
     private List<Material> materials() {
         List<Material> materials = new ArrayList<>();
-        sketch.ball().ifPresent(ball -> materials.add(ball.part().substance().material()));
+        sketch.balls().forEach(ball -> materials.add(ball.part().substance().material()));
         sketch.platform().ifPresent(platform -> materials.add(Substance.PLANK.material()));
         sketch.bodies().forEach(body -> materials.add(body.part().material()));
         return materials;
     }
 
     private List<String> parts() {
-        List<String> parts = new ArrayList<>(List.of("/ball"));
+        List<String> parts = new ArrayList<>();
+        sketch.balls().forEach(ball -> parts.add(ball.pointer()));
         sketch.bodies().forEach(body -> parts.add(body.pointer()));
         return parts;
     }

@@ -11,7 +11,7 @@ import java.util.function.DoubleSupplier;
  * @param hint shown on request; empty where there is none
  * @param world its space and effects
  * @param limits the numbers of its rules
- * @param ball what must reach the platform
+ * @param balls what must reach the platform, all of them; at least one
  * @param platform where it must stay
  * @param bodies everything else, in the file's order
  * @param solutions clicks known to win
@@ -22,12 +22,13 @@ public record Level(
         Wording hint,
         World world,
         Limits limits,
-        Ball ball,
+        List<Ball> balls,
         Platform platform,
         List<LevelBody> bodies,
         List<Solution> solutions) {
 
     public Level {
+        balls = List.copyOf(balls);
         bodies = List.copyOf(bodies);
         solutions = List.copyOf(solutions);
     }
@@ -53,7 +54,7 @@ public record Level(
                 hint,
                 world,
                 limits,
-                ball.shifted(metres.getAsDouble()),
+                balls.stream().map(ball -> ball.shifted(metres.getAsDouble())).toList(),
                 platform,
                 shifted,
                 solutions);

@@ -1,5 +1,6 @@
 package rigibo.frontend.puzzle.level;
 
+import rigibo.backend.effect.Buoyancy;
 import rigibo.backend.effect.Effect;
 import rigibo.backend.effect.Gravity;
 import rigibo.backend.geometry.Circle;
@@ -24,7 +25,7 @@ final class LevelHash {
         LevelHash hashing = new LevelHash();
         hashing.world(level.world());
         hashing.limits(level.limits());
-        hashing.ball(level.ball());
+        level.balls().forEach(hashing::ball);
         hashing.platform(level.platform());
         level.bodies().forEach(hashing::body);
         return hashing.hash;
@@ -36,6 +37,9 @@ final class LevelHash {
             text(effect.title());
         }
         world.effects().find(Gravity.class).ifPresent(g -> numbers(g.x(), g.y()));
+        world.effects()
+                .find(Buoyancy.class)
+                .ifPresent(water -> numbers(water.level(), water.density(), water.drag()));
     }
 
     private void limits(Limits limits) {

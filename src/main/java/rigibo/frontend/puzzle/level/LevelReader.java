@@ -1,5 +1,6 @@
 package rigibo.frontend.puzzle.level;
 
+import rigibo.backend.effect.Buoyancy;
 import rigibo.backend.effect.Contacts;
 import rigibo.backend.effect.ContinuousImpacts;
 import rigibo.backend.effect.Drag;
@@ -27,6 +28,9 @@ import java.util.OptionalInt;
 /** Turns parts of a document that the schema accepts into records; degrees become radians. */
 final class LevelReader {
 
+    /** Without numbers for its water the effect is left out, and told by E140. */
+    private static final String WATER = "buoyancy";
+
     private LevelReader() {}
 
     static Wording wording(JsonNode node) {
@@ -45,7 +49,9 @@ final class LevelReader {
     static World world(JsonNode node) {
         List<Effect> effects = new ArrayList<>();
         for (JsonNode title : node.path("effects")) {
-            effects.add(effect(title.asString(), node.path("gravity")));
+            if (!title.asString().equals(WATER) || node.has("water")) {
+                effects.add(effect(title.asString(), node));
+            }
         }
         return new World(
                 node.path("width").asDouble(),
@@ -53,9 +59,9 @@ final class LevelReader {
                 Effects.of(effects.toArray(Effect[]::new)));
     }
 
-    private static Effect effect(String title, JsonNode gravity) {
+    private static Effect effect(String title, JsonNode world) {
         return switch (title) {
-            case "gravity" -> new Gravity(gravity.path(0).asDouble(), gravity.path(1).asDouble());
+            case "gravity" -> gravity(world.path("gravity"));
             case "contacts" -> new Contacts();
             case "rotation" -> new Rotation();
             case "friction" -> new Friction();
@@ -63,11 +69,23 @@ final class LevelReader {
             case "rolling-resistance" -> new RollingResistance();
             case "surface-speed" -> new SurfaceSpeed();
             case "drag" -> new Drag();
+            case WATER -> water(world.path("water"));
             case "thrust" -> new Thrust();
             case "continuous-impacts" -> new ContinuousImpacts();
             case "sleep" -> new Sleep();
             default -> throw new IllegalArgumentException("no effect is called " + title);
         };
+    }
+
+    private static Gravity gravity(JsonNode node) {
+        return new Gravity(node.path(0).asDouble(), node.path(1).asDouble());
+    }
+
+    private static Buoyancy water(JsonNode node) {
+        return new Buoyancy(
+                node.path("level").asDouble(),
+                node.path("density").asDouble(World.USUAL_WATER),
+                node.path("drag").asDouble(World.USUAL_DRAG));
     }
 
     static Limits limits(JsonNode node) {
@@ -84,8 +102,9 @@ final class LevelReader {
                         : OptionalDouble.empty());
     }
 
-    static Ball ball(JsonNode node) {
+    static Ball ball(String name, JsonNode node) {
         return new Ball(
+                name,
                 node.path("x").asDouble(),
                 node.path("y").asDouble(),
                 node.path("radius").asDouble(),

@@ -14,7 +14,7 @@ import java.util.function.Function;
  * @param json the document
  * @param world where it is sound
  * @param limits where they are sound
- * @param ball where it is sound
+ * @param balls the sound ones
  * @param platform where it is sound
  * @param bodies the sound ones, in the file's order
  * @param solutions the sound ones, in the file's order
@@ -23,7 +23,7 @@ record LevelSketch(
         LocatedJson json,
         Optional<Located<World>> world,
         Optional<Located<Limits>> limits,
-        Optional<Located<Ball>> ball,
+        List<Located<Ball>> balls,
         Optional<Located<Platform>> platform,
         List<Located<LevelBody>> bodies,
         List<Located<Solution>> solutions) {
@@ -34,7 +34,7 @@ record LevelSketch(
                 json,
                 world(json, problems),
                 part(json, "/rules", problems, LevelReader::limits),
-                part(json, "/ball", problems, LevelReader::ball),
+                balls(json, problems),
                 part(json, "/platform", problems, LevelReader::platform),
                 bodies(json, problems),
                 solutions(json, problems));
@@ -49,7 +49,7 @@ record LevelSketch(
                 LevelReader.wording(root.path("hint")),
                 world.orElseThrow().part(),
                 limits.orElseThrow().part(),
-                ball.orElseThrow().part(),
+                balls.stream().map(Located::part).toList(),
                 platform.orElseThrow().part(),
                 bodies.stream().map(Located::part).toList(),
                 solutions.stream().map(Located::part).toList());
@@ -63,6 +63,18 @@ record LevelSketch(
             problems.error(json.at(pointer), pointer, refused.getMessage());
             return Optional.empty();
         }
+    }
+
+    private static List<Located<Ball>> balls(LocatedJson json, Problems problems) {
+        List<Located<Ball>> balls = new ArrayList<>();
+        part(json, "/ball", problems, node -> LevelReader.ball(Ball.FIRST, node))
+                .ifPresent(balls::add);
+        for (int i = 0; i < json.node("/moreBalls").size(); i++) {
+            String name = Ball.named(i + 2);
+            part(json, "/moreBalls/" + i, problems, node -> LevelReader.ball(name, node))
+                    .ifPresent(balls::add);
+        }
+        return balls;
     }
 
     private static List<Located<LevelBody>> bodies(LocatedJson json, Problems problems) {

@@ -24,15 +24,20 @@ final class StartRules {
                 requireApart(placed.get(j), placed.get(i), problems);
             }
         }
-        if (sketch.ball().isPresent() && sketch.world().isPresent()) {
-            requireInside(sketch.ball().get(), sketch.world().get().part(), problems);
-        }
+        sketch.world()
+                .ifPresent(
+                        world ->
+                                sketch.balls()
+                                        .forEach(
+                                                ball ->
+                                                        requireInside(
+                                                                ball, world.part(), problems)));
     }
 
     private static List<Located<BodyDefinition>> placed(LevelSketch sketch) {
         List<Located<BodyDefinition>> placed = new ArrayList<>();
         sketch.platform().ifPresent(p -> placed.add(located(p, p.part().definition())));
-        sketch.ball().ifPresent(b -> placed.add(located(b, b.part().definition())));
+        sketch.balls().forEach(b -> placed.add(located(b, b.part().definition())));
         for (Located<LevelBody> body : sketch.bodies()) {
             placed.add(located(body, body.part().definition()));
         }
@@ -61,7 +66,8 @@ final class StartRules {
     }
 
     private static String quoted(String name) {
-        return name.equals(Ball.NAME) || name.equals(Platform.NAME) ? name : "\"" + name + "\"";
+        // An id has no blank, and every other name has one.
+        return name.contains(" ") ? name : "\"" + name + "\"";
     }
 
     private static void requireInside(Located<Ball> at, World world, Problems problems) {
@@ -75,7 +81,9 @@ final class StartRules {
             problems.error(
                     at.place(),
                     at.pointer(),
-                    "E121 the ball starts outside the world: at ("
+                    "E121 "
+                            + ball.name()
+                            + " starts outside the world: at ("
                             + ball.x()
                             + ", "
                             + ball.y()

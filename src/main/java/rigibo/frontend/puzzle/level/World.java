@@ -1,12 +1,27 @@
 package rigibo.frontend.puzzle.level;
 
+import rigibo.backend.effect.Buoyancy;
 import rigibo.backend.effect.Effects;
+
+import java.util.OptionalDouble;
 
 /**
  * The space a level plays in, its origin at the bottom left, y up.
  *
  * @param width m
  * @param height m
- * @param effects what is simulated, gravity included
+ * @param effects what is simulated, gravity and water included
  */
-public record World(double width, double height, Effects effects) {}
+public record World(double width, double height, Effects effects) {
+
+    /** Of a plate of water 1 m deep, as the substances' densities are, kg/m². */
+    static final double USUAL_WATER = 1000;
+
+    /** Calms a floating box within a second or two, 1/s. */
+    static final double USUAL_DRAG = 2;
+
+    /** Where the water's surface is, m above the world's bottom; nothing where there is none. */
+    public OptionalDouble waterLevel() {
+        return effects.find(Buoyancy.class).stream().mapToDouble(Buoyancy::level).findFirst();
+    }
+}

@@ -13,12 +13,13 @@ import java.util.Optional;
  * A level's bodies in a pool.
  *
  * @param world its bounds
- * @param pool the bodies, in the order platform, level's bodies, ball
- * @param platform where the ball must stay
+ * @param pool the bodies, in the order platform, level's bodies, balls
+ * @param platform where the balls must stay
  * @param pieces the level's bodies in the file's order, also those that are gone
- * @param ball the ball; last, so that it is what a click on it finds
+ * @param balls the balls; last, so that they are what a click on them finds
  */
-record Board(World world, Pool pool, RigidBody platform, List<Piece> pieces, RigidBody ball) {
+record Board(
+        World world, Pool pool, RigidBody platform, List<Piece> pieces, List<RigidBody> balls) {
 
     /** How far outside the world a body is forgotten, m; the ball is judged at the edge itself. */
     private static final double STRAY = 3;
@@ -30,8 +31,9 @@ record Board(World world, Pool pool, RigidBody platform, List<Piece> pieces, Rig
                 level.bodies().stream()
                         .map(body -> new Piece(body, pool.add(body.definition())))
                         .toList();
-        return new Board(
-                level.world(), pool, platform, pieces, pool.add(level.ball().definition()));
+        List<RigidBody> balls =
+                level.balls().stream().map(ball -> pool.add(ball.definition())).toList();
+        return new Board(level.world(), pool, platform, pieces, balls);
     }
 
     Optional<Piece> pieceAt(double x, double y) {
@@ -50,12 +52,18 @@ record Board(World world, Pool pool, RigidBody platform, List<Piece> pieces, Rig
         return pieces.stream().anyMatch(Piece::isDeletable);
     }
 
-    boolean ballIsOnPlatform() {
-        return pool.touching(ball, platform);
+    /** Whether every ball touches the platform now. */
+    boolean ballsAreOnPlatform() {
+        return balls.stream().allMatch(ball -> pool.touching(ball, platform));
     }
 
-    /** The ball may fly above the world and come back; below and beside it there is no way back. */
+    /** Whether one of the balls is lost. */
     boolean ballHasLeft() {
+        return balls.stream().anyMatch(this::hasLeft);
+    }
+
+    /** A ball may fly above the world and come back; below and beside it there is no way back. */
+    private boolean hasLeft(RigidBody ball) {
         double radius = ball.shape().boundingRadius();
         return isOutside(ball, radius) || ball.y() > 2 * world.height() + radius;
     }

@@ -54,7 +54,7 @@ public final class PuzzleGame {
     }
 
     private void judge() {
-        hold.observe(steps, board.ballIsOnPlatform());
+        hold.observe(steps, board.ballsAreOnPlatform());
         if (hold.isHeld(steps)) {
             end(Outcome.WON, Optional.empty());
         } else if (board.ballHasLeft()) {
@@ -180,9 +180,9 @@ public final class PuzzleGame {
         return outcome == Outcome.WON ? 1 : hold.fraction(steps);
     }
 
-    /** Whether all is at rest and the ball is not on the platform: only a click helps. */
+    /** Whether all is at rest and not every ball is on the platform: only a click helps. */
     public boolean isStuck() {
-        return rest.isAtRest() && !board.ballIsOnPlatform();
+        return rest.isAtRest() && !board.ballsAreOnPlatform();
     }
 
     /** How long nothing has moved, steps; 0 as soon as something does. */
@@ -190,8 +190,9 @@ public final class PuzzleGame {
         return rest.stillSteps();
     }
 
-    public RigidBody ball() {
-        return board.ball();
+    /** The balls in the file's order; every one of them has to stay on the platform. */
+    public List<RigidBody> balls() {
+        return board.balls();
     }
 
     public RigidBody platform() {

@@ -22,7 +22,7 @@ class LevelReadingTest {
         Level level = LevelTexts.sound();
         assertThat(level.limits().contactGrace()).isEqualTo(0.25);
         assertThat(level.platform().height()).isEqualTo(0.3);
-        assertThat(level.ball().substance()).isEqualTo(Substance.BALL);
+        assertThat(level.balls().get(0).substance()).isEqualTo(Substance.BALL);
         assertThat(level.bodies().get(0).isDynamic()).isTrue();
         assertThat(level.bodies().get(1).deletable()).isFalse();
         assertThat(level.world().effects().find(Gravity.class)).contains(new Gravity(0, -9.81));
@@ -76,7 +76,7 @@ class LevelReadingTest {
         Level shifted = LevelTexts.sound().shiftedSideways(() -> 0.01);
         assertThat(shifted.bodies().get(0).x()).isEqualTo(4.51);
         assertThat(shifted.bodies().get(1).x()).isEqualTo(8);
-        assertThat(shifted.ball().x()).isEqualTo(4.51);
+        assertThat(shifted.balls().get(0).x()).isEqualTo(4.51);
         assertThat(shifted.platform()).isEqualTo(LevelTexts.sound().platform());
     }
 }
