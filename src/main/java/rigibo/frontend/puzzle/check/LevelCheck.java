@@ -41,7 +41,7 @@ final class LevelCheck {
     }
 
     private void play() {
-        presets.forEach(preset -> RestCheck.check(loaded, level, preset));
+        RestCheck.check(loaded, level, presets);
         for (int i = 0; i < level.solutions().size(); i++) {
             solution("/solutions/" + i, level.solutions().get(i));
         }

@@ -11,6 +11,7 @@ import rigibo.frontend.scene.accuracy.Preset;
 
 import java.util.List;
 import java.util.Locale;
+import java.util.function.ToDoubleFunction;
 
 /** E160: the level is not at rest before the first click. */
 final class RestCheck {
@@ -25,25 +26,39 @@ final class RestCheck {
 
     private RestCheck() {}
 
-    static void check(LoadedLevel loaded, Level level, Preset preset) {
+    /** What moves, and how far at the preset where it moves farthest. */
+    static void check(LoadedLevel loaded, Level level, List<Preset> presets) {
+        List<PuzzleGame> games = presets.stream().map(preset -> looked(level, preset)).toList();
+        for (int i = 0; i < level.balls().size(); i++) {
+            Ball ball = level.balls().get(i);
+            int at = i;
+            double distance =
+                    farthest(games, game -> moved(game.balls().get(at), ball.x(), ball.y()));
+            report(loaded, i == 0 ? "/ball" : "/moreBalls/" + (i - 1), ball.name(), distance);
+        }
+        for (int i = 0; i < level.bodies().size(); i++) {
+            int at = i;
+            double distance = farthest(games, game -> moved(game.pieces().get(at)));
+            report(loaded, "/bodies/" + i, "\"" + level.bodies().get(i).id() + "\"", distance);
+        }
+    }
+
+    private static PuzzleGame looked(Level level, Preset preset) {
         PuzzleGame game = new PuzzleGame(level, preset.accuracy());
         for (int i = 0; i < LOOKING; i++) {
             game.step();
         }
-        for (int i = 0; i < level.balls().size(); i++) {
-            Ball ball = level.balls().get(i);
-            double distance = moved(game.balls().get(i), ball.x(), ball.y());
-            report(loaded, i == 0 ? "/ball" : "/moreBalls/" + (i - 1), ball.name(), distance);
-        }
-        List<Piece> pieces = game.pieces();
-        for (int i = 0; i < pieces.size(); i++) {
-            Piece piece = pieces.get(i);
-            double distance =
-                    piece.body().isAlive()
-                            ? moved(piece.body(), piece.definition().x(), piece.definition().y())
-                            : Double.POSITIVE_INFINITY;
-            report(loaded, "/bodies/" + i, "\"" + piece.definition().id() + "\"", distance);
-        }
+        return game;
+    }
+
+    private static double farthest(List<PuzzleGame> games, ToDoubleFunction<PuzzleGame> moved) {
+        return games.stream().mapToDouble(moved).max().orElseThrow();
+    }
+
+    private static double moved(Piece piece) {
+        return piece.body().isAlive()
+                ? moved(piece.body(), piece.definition().x(), piece.definition().y())
+                : Double.POSITIVE_INFINITY;
     }
 
     private static double moved(RigidBody body, double x, double y) {

@@ -80,6 +80,26 @@ class LevelErrorsTest {
                         "a.json:7:16: /world/effects: warning: E140 the effect surface-speed"
                                 + " is not declared, but /bodies/1/surfaceSpeed is not zero"),
                 Arguments.of(
+                        "\"restitution\"]",
+                        "\"restitution\", \"buoyancy\"]",
+                        "a.json:7:16: /world/effects: warning: E140 the effect buoyancy is"
+                            + " declared, but nothing uses it"),
+                Arguments.of(
+                        "\"height\": 10,",
+                        "\"height\": 10, \"water\": {\"level\": 1},",
+                        "a.json:7:16: /world/effects: warning: E140 the effect buoyancy is not"
+                                + " declared, but /world/water is there"),
+                Arguments.of(
+                        "\"platform\"",
+                        "\"moreBalls\": [{\"x\": 4.6, \"y\": 3.3, \"radius\": 0.3}], \"platform\"",
+                        "a.json:11:18: /moreBalls/0: E120 overlaps the ball at the start by 41.7"
+                            + " mm"),
+                Arguments.of(
+                        "\"platform\"",
+                        "\"moreBalls\": [{\"x\": 0, \"y\": 3, \"radius\": 0.3}], \"platform\"",
+                        "a.json:11:18: /moreBalls/0: E121 ball 2 starts outside the world: at (0.0,"
+                                + " 3.0) with radius 0.3 in 9.0 × 10.0 m"),
+                Arguments.of(
                         "{\"t\": 1.0, \"body\": \"box\"}",
                         "{\"t\": 1.0, \"body\": \"box\"}, {\"t\": 1.98, \"body\": \"box\"}",
                         "a.json:19:50: /solutions/0/clicks/1/t: E150 clicks at 1.98 s, during the"

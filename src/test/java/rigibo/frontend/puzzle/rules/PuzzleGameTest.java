@@ -2,6 +2,7 @@ package rigibo.frontend.puzzle.rules;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
 
@@ -108,6 +109,56 @@ class PuzzleGameTest {
         assertThat(game.outcome()).isEqualTo(Outcome.WON);
         assertThat(game.seconds()).isEqualTo(seconds);
         assertThat(game.click(8, 2)).isEqualTo(ClickResult.OVER);
+    }
+
+    /** The second ball stands on a shelf beside the platform: the first alone does not count. */
+    @Test
+    void aLevelWithTwoBallsIsWonByBothOrNotAtAll() {
+        String aside =
+                LevelTexts.with(
+                        "\"platform\"",
+                        "\"moreBalls\": [{\"x\": 8, \"y\": 4.3, \"radius\": 0.3}], \"platform\"");
+        PuzzleGame lonely = game(LevelTexts.level(aside));
+        lonely.click(4.5, 1.85);
+        step(lonely, 300);
+        assertThat(lonely.balls()).hasSize(2);
+        assertThat(lonely.held()).isZero();
+        assertThat(lonely.outcome()).isNotEqualTo(Outcome.WON);
+
+        PuzzleGame together =
+                game(
+                        LevelTexts.level(
+                                aside.replace("\"x\": 8, \"y\": 4.3", "\"x\": 5.3, \"y\": 2.65")));
+        together.click(4.5, 1.85);
+        step(together, 300);
+        assertThat(together.outcome()).isEqualTo(Outcome.WON);
+    }
+
+    @Test
+    void oneOfTwoBallsThatLeavesTheWorldLosesTheGame() {
+        String text =
+                LevelTexts.with(
+                        "\"platform\"",
+                        "\"moreBalls\": [{\"x\": 1, \"y\": 2.7, \"radius\": 0.3}], \"platform\"");
+        PuzzleGame game = game(LevelTexts.level(text));
+        step(game, 120);
+        assertThat(game.loss()).contains(Loss.LEFT_THE_WORLD);
+    }
+
+    /**
+     * A box of 500 kg/m² in water of 1000 kg/m² floats half under (Archimedes): its middle comes to
+     * lie on the surface. A body floats still when its drag has eaten the bobbing of a second or
+     * so.
+     */
+    @Test
+    void aBoxFloatsWithItsMiddleOnTheSurface() {
+        String text =
+                LevelTexts.with("[0, -9.81],", "[0, -9.81], \"water\": {\"level\": 2.6},")
+                        .replace("\"restitution\"]", "\"restitution\", \"buoyancy\"]")
+                        .replace("\"x\": 4.5, \"y\": 2.7", "\"x\": 8, \"y\": 4.35");
+        PuzzleGame game = game(LevelTexts.level(text));
+        step(game, 900);
+        assertThat(game.pieces().get(0).body().y()).isCloseTo(2.6, within(0.001));
     }
 
     /** Free fall from y to below 0 takes √(2(y + r)/g) s; the ball starts beside everything. */
