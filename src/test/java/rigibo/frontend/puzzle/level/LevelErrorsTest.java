@@ -92,12 +92,12 @@ class LevelErrorsTest {
                 Arguments.of(
                         "\"platform\"",
                         "\"moreBalls\": [{\"x\": 4.6, \"y\": 3.3, \"radius\": 0.3}], \"platform\"",
-                        "a.json:11:18: /moreBalls/0: E120 overlaps the ball at the start by 41.7"
+                        "a.json:11:17: /moreBalls/0: E120 overlaps the ball at the start by 41.7"
                             + " mm"),
                 Arguments.of(
                         "\"platform\"",
                         "\"moreBalls\": [{\"x\": 0, \"y\": 3, \"radius\": 0.3}], \"platform\"",
-                        "a.json:11:18: /moreBalls/0: E121 ball 2 starts outside the world: at (0.0,"
+                        "a.json:11:17: /moreBalls/0: E121 ball 2 starts outside the world: at (0.0,"
                                 + " 3.0) with radius 0.3 in 9.0 × 10.0 m"),
                 Arguments.of(
                         "{\"t\": 1.0, \"body\": \"box\"}",
