@@ -9,6 +9,7 @@ import rigibo.frontend.scene.accuracy.Preset;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Collectors;
 
@@ -17,6 +18,8 @@ import java.util.stream.Collectors;
  * fewer clicks than par win; E160 the level moves by itself.
  */
 final class LevelCheck {
+
+    private static final double PERCENT = 100;
 
     private final LoadedLevel loaded;
     private final Level level;
@@ -104,13 +107,12 @@ final class LevelCheck {
 
     private String share(OrderSearch.Found found) {
         return String.format(
-                "%d of %s%d games with other orders and times of %d clicks win (%.0f %%)",
+                Locale.ROOT,
+                "%d of %s%d orders and times of %d clicks win (%.0f %%)",
                 found.wins(),
                 found.isWhole() ? "all " : "a sample of ",
                 found.orders(),
                 level.limits().par(),
                 PERCENT * found.wins() / Math.max(1, found.orders()));
     }
-
-    private static final double PERCENT = 100;
 }

@@ -6,9 +6,9 @@ import rigibo.frontend.puzzle.level.Solution;
 import rigibo.frontend.puzzle.rules.Replay;
 import rigibo.frontend.scene.accuracy.Preset;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.IntPredicate;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 
@@ -43,21 +43,25 @@ final class NeededClicks {
     }
 
     private static List<Solution> parts(Solution solution) {
-        int count = solution.clicks().size();
-        return IntStream.range(1, (1 << Math.min(count, 30)) - 1)
-                .filter(mask -> count <= LONGEST || Integer.bitCount(mask) == count - 1)
-                .mapToObj(mask -> part(solution, mask))
+        List<Click> clicks = solution.clicks();
+        return clicks.size() <= LONGEST ? allParts(clicks) : allButOne(clicks);
+    }
+
+    /** Every part but none and all: bit i of a mask keeps click i. */
+    private static List<Solution> allParts(List<Click> clicks) {
+        return IntStream.range(1, (1 << clicks.size()) - 1)
+                .mapToObj(mask -> kept(clicks, i -> (mask >> i & 1) == 1))
                 .toList();
     }
 
-    /** The clicks whose bits are set. */
-    private static Solution part(Solution solution, int mask) {
-        List<Click> clicks = new ArrayList<>();
-        for (int i = 0; i < solution.clicks().size(); i++) {
-            if ((mask >> i & 1) == 1) {
-                clicks.add(solution.clicks().get(i));
-            }
-        }
-        return new Solution(clicks);
+    private static List<Solution> allButOne(List<Click> clicks) {
+        return IntStream.range(0, clicks.size())
+                .mapToObj(left -> kept(clicks, i -> i != left))
+                .toList();
+    }
+
+    private static Solution kept(List<Click> clicks, IntPredicate isKept) {
+        return new Solution(
+                IntStream.range(0, clicks.size()).filter(isKept).mapToObj(clicks::get).toList());
     }
 }

@@ -83,7 +83,7 @@ class LevelErrorsTest {
                         "\"restitution\"]",
                         "\"restitution\", \"buoyancy\"]",
                         "a.json:7:16: /world/effects: warning: E140 the effect buoyancy is"
-                            + " declared, but nothing uses it"),
+                                + " declared, but nothing uses it"),
                 Arguments.of(
                         "\"height\": 10,",
                         "\"height\": 10, \"water\": {\"level\": 1},",
@@ -93,7 +93,7 @@ class LevelErrorsTest {
                         "\"platform\"",
                         "\"moreBalls\": [{\"x\": 4.6, \"y\": 3.3, \"radius\": 0.3}], \"platform\"",
                         "a.json:11:17: /moreBalls/0: E120 overlaps the ball at the start by 41.7"
-                            + " mm"),
+                                + " mm"),
                 Arguments.of(
                         "\"platform\"",
                         "\"moreBalls\": [{\"x\": 0, \"y\": 3, \"radius\": 0.3}], \"platform\"",

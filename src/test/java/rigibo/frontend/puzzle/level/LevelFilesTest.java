@@ -104,8 +104,18 @@ class LevelFilesTest {
     }
 
     @Test
+    void theGamesOwnLevelsHaveTitleHintAndSolution() {
+        for (Path file : LevelShelf.files()) {
+            Level level = loader.load(file).level().orElseThrow();
+            assertThat(level.title().byLanguage()).as(level.id()).containsKeys("en", "de");
+            assertThat(level.hint().byLanguage()).as(level.id()).containsKeys("en", "de");
+            assertThat(level.solutions()).as(level.id()).isNotEmpty();
+        }
+    }
+
+    @Test
     void theGamesOwnLevelsLoadWithoutAWarning() {
-        assertThat(LevelShelf.files()).hasSizeGreaterThanOrEqualTo(3);
+        assertThat(LevelShelf.files()).hasSizeGreaterThanOrEqualTo(12);
         for (Path file : LevelShelf.files()) {
             assertThat(loader.load(file).problems()).as(file.toString()).isEmpty();
         }
