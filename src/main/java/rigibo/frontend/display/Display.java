@@ -35,6 +35,8 @@ public final class Display implements Director {
     private final Curtain curtain = new Curtain();
     private final DetailChoice choice = new DetailChoice();
     private final Player player;
+    private final Toast toast = new Toast();
+    private final Gamepad gamepad = new Gamepad(button -> input().gamepad(button));
     private Optional<BiFunction<Director, List<Path>, Scene>> opener = Optional.empty();
     private Words words;
     private Window window;
@@ -147,6 +149,24 @@ public final class Display implements Director {
         player.settings(changed);
         speaker.settings(changed);
         words = new Words(changed.language());
+        if (window != null) {
+            window.fill(changed.isFullScreen());
+        }
+    }
+
+    /** Fills the screen, or no longer. */
+    void toggleFullScreen() {
+        settings(settings().withFullScreen(!settings().isFullScreen()));
+    }
+
+    /** Has sound, or none, and says so: silence could be anything. */
+    void toggleMute() {
+        settings(settings().withMuted(!settings().isMuted()));
+        toast.say(words.of(settings().isMuted() ? "toast.muted" : "toast.sounding"));
+    }
+
+    Toast toast() {
+        return toast;
     }
 
     @Override
@@ -231,6 +251,7 @@ public final class Display implements Director {
 
     private void inputListener() {
         glfwPollEvents();
+        GamepadDevices.poll(gamepad);
         companion.beforeTurn(this, scene);
         if (window.wantsToClose()) {
             if (isMenu) {
@@ -267,7 +288,7 @@ public final class Display implements Director {
             closeWindow();
             scene = wanted;
             wanted = null;
-            window = new Window(scene, troubles, choice, vsync, this::dropped);
+            window = new Window(scene, this, troubles, choice, vsync);
             if (fades) {
                 curtain.drop();
             }

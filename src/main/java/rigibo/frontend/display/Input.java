@@ -24,15 +24,17 @@ final class Input {
     private final Scene scene;
     private final Runnable close;
     private final Runnable fullScreen;
+    private final Runnable mute;
     private double x = -1;
     private double y = -1;
     private int windowWidth = Scene.WIDTH;
     private int windowHeight = Scene.HEIGHT;
 
-    Input(Scene scene, Runnable close, Runnable fullScreen) {
+    Input(Scene scene, Runnable close, Runnable fullScreen, Runnable mute) {
         this.scene = scene;
         this.close = close;
         this.fullScreen = fullScreen;
+        this.mute = mute;
     }
 
     /** The window's size in window coordinates, which need not be pixels. */
@@ -107,10 +109,26 @@ final class Input {
         if (key == GLFW_KEY_ESCAPE) {
             escape();
         } else if (key == GLFW_KEY_F11) {
-            fullScreen.run();
+            once(fullScreen, action);
+        } else if (key == GLFW_KEY_M && !scene.isTyping()) {
+            once(mute, action);
         } else if (KEYS.containsKey(key)) {
             scene.keyPressed(KEYS.get(key));
         }
+    }
+
+    /** A key that is held switches no further. */
+    private static void once(Runnable toggle, int action) {
+        if (action == GLFW_PRESS) {
+            toggle.run();
+        }
+    }
+
+    /** A gamepad's button went down, or repeats. */
+    void gamepad(GamepadButton button) {
+        modifiers(button.modifiers());
+        key(button.key(), GLFW_PRESS);
+        modifiers(0);
     }
 
     private static Map<Integer, Key> keys() {

@@ -28,6 +28,7 @@ final class Window {
 
     private final Scene scene;
     private final Input input;
+    private final Toast toast;
     private final Troubles troubles;
     private final long handle;
     private final Painter painter;
@@ -42,12 +43,9 @@ final class Window {
      * @throws DisplayException when there is no window or no OpenGL 3.3 to be had
      */
     Window(
-            Scene scene,
-            Troubles troubles,
-            DetailChoice choice,
-            boolean vsync,
-            Consumer<List<Path>> dropped) {
+            Scene scene, Display display, Troubles troubles, DetailChoice choice, boolean vsync) {
         this.scene = scene;
+        toast = display.toast();
         this.troubles = troubles;
         this.choice = choice;
         handle = create(scene.title());
@@ -56,9 +54,10 @@ final class Window {
         glfwSwapInterval(vsync ? 1 : 0);
         choice.renderer(glGetString(GL_RENDERER));
         painter = new Painter();
-        input = new Input(scene, this::close, this::toggleFullScreen);
+        input = new Input(scene, this::close, display::toggleFullScreen, display::toggleMute);
         listen();
-        listenToDrops(dropped);
+        listenToDrops(display::dropped);
+        fill(display.settings().isFullScreen());
         glfwShowWindow(handle);
     }
 
@@ -143,6 +142,7 @@ final class Window {
         glfwGetFramebufferSize(handle, width, height);
         painter.begin(width[0], height[0], glfwGetTime(), choice.detail(chosen));
         scene.draw(painter);
+        toast.draw(painter);
         painter.end(darkness);
         glFinish();
         long nanos = System.nanoTime() - begin;
@@ -182,13 +182,14 @@ final class Window {
         glfwDestroyWindow(handle);
     }
 
-    private void toggleFullScreen() {
+    /** Fills the screen or not; where there is no screen to be asked, the window stays. */
+    void fill(boolean wanted) {
         long monitor = glfwGetPrimaryMonitor();
         GLFWVidMode mode = monitor == 0 ? null : glfwGetVideoMode(monitor);
-        if (mode == null) {
+        if (mode == null || wanted == isFull) {
             return;
         }
-        isFull = !isFull;
+        isFull = wanted;
         if (isFull) {
             glfwSetWindowMonitor(
                     handle, monitor, 0, 0, mode.width(), mode.height(), mode.refreshRate());

@@ -20,6 +20,7 @@ class InputTest {
 
     private final List<String> told = new ArrayList<>();
     private boolean hasUseForEscape;
+    private boolean isTyping;
 
     private final Scene scene =
             new Scene() {
@@ -50,12 +51,22 @@ class InputTest {
                 }
 
                 @Override
+                public boolean isTyping() {
+                    return isTyping;
+                }
+
+                @Override
                 public boolean escaped() {
                     return hasUseForEscape;
                 }
             };
 
-    private final Input input = new Input(scene, () -> told.add("left"), () -> {});
+    private final Input input =
+            new Input(
+                    scene,
+                    () -> told.add("left"),
+                    () -> told.add("full screen"),
+                    () -> told.add("mute"));
 
     @Test
     void escapeLeavesOnlyASceneThatHasNoUseForIt() {
@@ -92,5 +103,40 @@ class InputTest {
         input.modifiers(0, GLFW_KEY_LEFT_SHIFT, GLFW_PRESS);
         input.modifiers(GLFW_MOD_SHIFT, GLFW_KEY_LEFT_SHIFT, GLFW_RELEASE);
         assertThat(told).containsExactly("held [SHIFT]", "held []");
+    }
+
+    @Test
+    void mutesAndFillsTheScreenOncePerPress() {
+        for (int key : new int[] {GLFW_KEY_M, GLFW_KEY_F11}) {
+            input.key(key, GLFW_PRESS);
+            input.key(key, GLFW_REPEAT);
+            input.key(key, GLFW_RELEASE);
+        }
+        assertThat(told).containsExactly("mute", "full screen");
+    }
+
+    @Test
+    void anMThatIsWrittenMutesNothing() {
+        isTyping = true;
+        input.key(GLFW_KEY_M, GLFW_PRESS);
+        assertThat(told).doesNotContain("mute");
+    }
+
+    @Test
+    void aGamepadsButtonsAreKeys() {
+        input.gamepad(GamepadButton.A);
+        input.gamepad(GamepadButton.LEFT_BUMPER);
+        input.gamepad(GamepadButton.B);
+        assertThat(told)
+                .containsExactly(
+                        "held []",
+                        "ENTER",
+                        "held []",
+                        "held [SHIFT]",
+                        "TAB",
+                        "held []",
+                        "held []",
+                        "left",
+                        "held []");
     }
 }

@@ -1,0 +1,74 @@
+package rigibo.frontend.display;
+
+import java.util.EnumSet;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.Consumer;
+
+/**
+ * Makes presses of what a gamepad's buttons and its left stick are at in each turn of the loop. The
+ * stick presses the buttons of the cross, of one direction at a time; a direction that is held
+ * repeats itself, as a key does.
+ */
+final class Gamepad {
+
+    /** Share of its way at which the stick counts, and from which on it no longer does. */
+    private static final double PUSHED = 0.6;
+
+    private static final double LET_GO = 0.4;
+
+    /** Until a held direction repeats itself the first time, and again, in turns of 1/60 s. */
+    private static final int FIRST_REPEAT = 24;
+
+    private static final int NEXT_REPEAT = 7;
+
+    private final Consumer<GamepadButton> presses;
+    private Set<GamepadButton> held = EnumSet.noneOf(GamepadButton.class);
+    private Optional<GamepadButton> stick = Optional.empty();
+    private int turnsHeld;
+
+    /** Tells every press. */
+    Gamepad(Consumer<GamepadButton> presses) {
+        this.presses = presses;
+    }
+
+    /**
+     * One turn of the loop.
+     *
+     * @param pressed the buttons that are down
+     * @param stickX of the left stick, −1 to 1, to the right
+     * @param stickY −1 to 1, downwards
+     */
+    void turn(Set<GamepadButton> pressed, double stickX, double stickY) {
+        stick = pushed(stickX, stickY);
+        Set<GamepadButton> down = EnumSet.noneOf(GamepadButton.class);
+        down.addAll(pressed);
+        stick.ifPresent(down::add);
+        turnsHeld = down.equals(held) ? turnsHeld + 1 : 0;
+        for (GamepadButton button : down) {
+            if (!held.contains(button) || button.isDirection() && isRepeated()) {
+                presses.accept(button);
+            }
+        }
+        held = down;
+    }
+
+    private boolean isRepeated() {
+        return turnsHeld >= FIRST_REPEAT && (turnsHeld - FIRST_REPEAT) % NEXT_REPEAT == 0;
+    }
+
+    /** Where the stick points, by its longer way; between two thresholds it stays as it was. */
+    private Optional<GamepadButton> pushed(double x, double y) {
+        double way = Math.max(Math.abs(x), Math.abs(y));
+        if (way < LET_GO) {
+            return Optional.empty();
+        }
+        if (way < PUSHED) {
+            return stick;
+        }
+        return Optional.of(
+                Math.abs(x) > Math.abs(y)
+                        ? x > 0 ? GamepadButton.RIGHT : GamepadButton.LEFT
+                        : y > 0 ? GamepadButton.DOWN : GamepadButton.UP);
+    }
+}

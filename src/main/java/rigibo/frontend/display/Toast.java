@@ -1,0 +1,44 @@
+package rigibo.frontend.display;
+
+import rigibo.frontend.scene.Canvas;
+import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Scene;
+
+/** A word about the window itself, above whatever scene there is, for a moment. */
+final class Toast {
+
+    /** How long it stands, in frames of 1/60 s. */
+    private static final int FRAMES = 90;
+
+    private static final double SIZE = 18;
+    private static final double HEIGHT = 40;
+    private static final double TOP = 70;
+    private static final double PADDING = 20;
+
+    private String words = "";
+    private int left;
+
+    /** Says something instead of what it said before. */
+    void say(String now) {
+        words = now;
+        left = FRAMES;
+    }
+
+    void draw(Canvas canvas) {
+        if (left == 0) {
+            return;
+        }
+        left--;
+        double width = canvas.textWidth(words, SIZE, Canvas.Font.WORDS) + 2 * PADDING;
+        double x = (Scene.WIDTH - width) / 2;
+        canvas.panel(x, TOP, width, HEIGHT, HEIGHT / 2, Color.PANEL_LIT);
+        canvas.text(
+                words,
+                Scene.WIDTH / 2.0,
+                TOP + HEIGHT / 2,
+                SIZE,
+                Canvas.Font.WORDS,
+                Canvas.Align.CENTRE,
+                Color.TEXT);
+    }
+}
