@@ -4,6 +4,7 @@ import rigibo.backend.effect.Effects;
 import rigibo.frontend.demo.Demos;
 import rigibo.frontend.editor.Editor;
 import rigibo.frontend.laboratory.Laboratory;
+import rigibo.frontend.menu.LevelsScene;
 import rigibo.frontend.menu.MenuScene;
 import rigibo.frontend.puzzle.Levels;
 import rigibo.frontend.puzzle.PlayerFiles;
@@ -73,6 +74,6 @@ public final class Catalog {
 
     /** The list of levels. */
     public static Scene levels(Director director) {
-        return menu(director);
+        return new LevelsScene(director, entries());
     }
 }

@@ -18,6 +18,7 @@ import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Key;
 import rigibo.frontend.scene.SceneEntry;
 import rigibo.frontend.scene.Skin;
+import rigibo.frontend.scene.Words;
 import rigibo.frontend.scene.effects.EffectReason;
 import rigibo.frontend.scene.widget.Button;
 import rigibo.frontend.scene.widget.Readout;
@@ -30,6 +31,8 @@ import java.util.Locale;
 
 /** Creation and motion of rigid bodies: crates that stack, tumble, rest and fly apart. */
 final class CrateDemo implements Demo {
+
+    private final Words words;
 
     private static final double BLAST_SPEED = 9;
     private static final double BLAST_RADIUS = 4;
@@ -46,19 +49,18 @@ final class CrateDemo implements Demo {
     private double ratio = 1;
     private double overhang = 0.4;
 
+    CrateDemo(Words words) {
+        this.words = words;
+    }
+
     /** How the menu lists it. */
     static SceneEntry entry() {
-        return new SceneEntry(
-                "crate",
-                "Crate",
-                "Stacks, blasts, a box on an edge",
-                SceneEntry.Kind.DEMO,
-                director -> new DemoScene(director, CrateDemo::new));
+        return SceneEntry.of("crate", director -> new DemoScene(director, CrateDemo::new));
     }
 
     @Override
     public String title() {
-        return "Crate";
+        return words.of("crate.title");
     }
 
     @Override
@@ -69,16 +71,14 @@ final class CrateDemo implements Demo {
     @Override
     public List<EffectReason> reasons() {
         return List.of(
-                new EffectReason(new Gravity(0, -9.81), "crates fall and press on what is below"),
-                new EffectReason(new Contacts(), "crates lie on each other and on the floor"),
-                new EffectReason(new Rotation(), "crates tumble, and the box tips off its edge"),
-                new EffectReason(new Friction(), "crates hold each other in the stack"),
-                new EffectReason(new Restitution(), "a crate that is thrown bounces a little"),
-                new EffectReason(
-                        new ContinuousImpacts(), "a flung crate cannot pass through another"),
-                new EffectReason(new Sleep(), "a stack at rest costs nothing until it is touched"),
-                new EffectReason(
-                        new SurfaceSpeed(), "the floor runs to the right and carries crates off"));
+                new EffectReason(new Gravity(0, -9.81), words.of("crate.gravity")),
+                new EffectReason(new Contacts(), words.of("crate.contacts")),
+                new EffectReason(new Rotation(), words.of("crate.rotation")),
+                new EffectReason(new Friction(), words.of("crate.friction-why")),
+                new EffectReason(new Restitution(), words.of("crate.restitution")),
+                new EffectReason(new ContinuousImpacts(), words.of("crate.impacts")),
+                new EffectReason(new Sleep(), words.of("crate.sleep")),
+                new EffectReason(new SurfaceSpeed(), words.of("crate.belt")));
     }
 
     @Override
@@ -152,23 +152,50 @@ final class CrateDemo implements Demo {
     @Override
     public List<Widget> widgets() {
         return List.of(
-                new Button("stack of 5", () -> stack(5)),
-                new Button("stack of 10", () -> stack(10)),
-                new Button("stack of 20", () -> stack(20)),
-                new Button("pyramid", this::pyramid),
-                new Button("blast (B)", () -> blast(2.4, 0.3)),
-                new Slider("size", "%.1f m", 0.3, 1, 0.1, () -> size, value -> size = value),
-                new Slider("mass", "%.0f kg", 1, 50, 1, () -> mass, value -> mass = value),
-                new Slider("top's mass", "%.0f ×", 1, 100, 1, () -> ratio, v -> ratio = v),
-                new Slider("over the edge", "%.2f", 0.1, 0.9, 0.02, () -> overhang, this::hang),
-                new Readout("predicted", () -> overhang < 0.5 ? "stays" : "tips"),
-                new Readout("seen", this::seen),
-                new Readout("bodies", () -> "" + bench.pool().report().bodies()),
-                new Readout("contacts", () -> "" + bench.pool().report().contacts()),
-                new Readout("asleep", this::asleep),
-                new Readout("overlap", () -> millis(bench.pool().report().deepestOverlap())),
-                new Readout("lean", () -> millis(lean())),
-                new Readout("energy", this::energy));
+                new Button(words.of("crate.stack", 5), () -> stack(5)),
+                new Button(words.of("crate.stack", 10), () -> stack(10)),
+                new Button(words.of("crate.stack", 20), () -> stack(20)),
+                new Button(words.of("crate.pyramid"), this::pyramid),
+                new Button(words.of("crate.blast"), () -> blast(2.4, 0.3)),
+                new Slider(
+                        words.of("crate.size"),
+                        "%.1f m",
+                        0.3,
+                        1,
+                        0.1,
+                        () -> size,
+                        value -> size = value),
+                new Slider(
+                        words.of("crate.mass"),
+                        "%.0f kg",
+                        1,
+                        50,
+                        1,
+                        () -> mass,
+                        value -> mass = value),
+                new Slider(
+                        words.of("crate.ratio"), "%.0f ×", 1, 100, 1, () -> ratio, v -> ratio = v),
+                new Slider(
+                        words.of("crate.overhang"),
+                        "%.2f",
+                        0.1,
+                        0.9,
+                        0.02,
+                        () -> overhang,
+                        this::hang),
+                new Readout(
+                        words.of("crate.predicted"),
+                        () -> overhang < 0.5 ? words.of("crate.stays") : words.of("crate.tips")),
+                new Readout(words.of("crate.seen"), this::seen),
+                new Readout(words.of("crate.bodies"), () -> "" + bench.pool().report().bodies()),
+                new Readout(
+                        words.of("crate.touching"), () -> "" + bench.pool().report().contacts()),
+                new Readout(words.of("crate.asleep"), this::asleep),
+                new Readout(
+                        words.of("crate.overlap"),
+                        () -> millis(bench.pool().report().deepestOverlap())),
+                new Readout(words.of("crate.lean"), () -> millis(lean())),
+                new Readout(words.of("crate.energy"), this::energy));
     }
 
     private void hang(double share) {
@@ -177,7 +204,9 @@ final class CrateDemo implements Demo {
     }
 
     private String seen() {
-        return edgeBox.isAlive() && edgeBox.y() > 1.3 ? "stays" : "tipped";
+        return edgeBox.isAlive() && edgeBox.y() > 1.3
+                ? words.of("crate.stays")
+                : words.of("crate.tipped");
     }
 
     private String asleep() {

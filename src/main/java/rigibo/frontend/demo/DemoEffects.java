@@ -3,6 +3,7 @@ package rigibo.frontend.demo;
 import rigibo.backend.Pool;
 import rigibo.backend.effect.Effect;
 import rigibo.backend.effect.Effects;
+import rigibo.frontend.scene.Words;
 import rigibo.frontend.scene.effects.EffectReason;
 import rigibo.frontend.scene.effects.SceneEffects;
 
@@ -13,15 +14,19 @@ import java.util.stream.Collectors;
 /** The effects of a demo on its workbench. */
 final class DemoEffects implements SceneEffects {
 
-    private static final String MARKING =
-            "an experiment: the framed effects are not as the scene calls for (R restarts)";
-
     private final Demo demo;
     private final Workbench bench;
+    private final Words words;
 
-    DemoEffects(Demo demo, Workbench bench) {
+    DemoEffects(Demo demo, Workbench bench, Words words) {
         this.demo = demo;
         this.bench = bench;
+        this.words = words;
+    }
+
+    @Override
+    public Words words() {
+        return words;
     }
 
     @Override
@@ -46,7 +51,9 @@ final class DemoEffects implements SceneEffects {
 
     @Override
     public String marking() {
-        return kinds(pool().effects()).equals(kinds(calledFor())) ? "" : MARKING;
+        return kinds(pool().effects()).equals(kinds(calledFor()))
+                ? ""
+                : words.of("demo.experiment");
     }
 
     private static Set<Class<?>> kinds(Effects effects) {

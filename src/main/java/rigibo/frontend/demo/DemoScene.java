@@ -6,6 +6,7 @@ import rigibo.frontend.scene.Director;
 import rigibo.frontend.scene.Key;
 import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.Words;
 import rigibo.frontend.scene.accuracy.AccuracyBar;
 import rigibo.frontend.scene.accuracy.AccuracyMeter;
 import rigibo.frontend.scene.accuracy.Preset;
@@ -14,7 +15,7 @@ import rigibo.frontend.scene.effects.EffectsBar;
 import rigibo.frontend.scene.trial.Trials;
 import rigibo.frontend.scene.widget.Panel;
 
-import java.util.function.Supplier;
+import java.util.function.Function;
 
 /** A demo on its workbench: panel, accuracy, effects, the step's time, and the shared keys. */
 final class DemoScene implements Scene {
@@ -29,7 +30,7 @@ final class DemoScene implements Scene {
     private static final double ZOOM = 1.15;
 
     private final Director director;
-    private final Supplier<Demo> maker;
+    private final Function<Words, Demo> maker;
     private Demo demo;
     private Workbench bench;
     private Panel panel;
@@ -46,21 +47,24 @@ final class DemoScene implements Scene {
     private double lastX;
     private double lastY;
 
-    DemoScene(Director director, Supplier<Demo> maker) {
+    DemoScene(Director director, Function<Words, Demo> maker) {
         this.director = director;
         this.maker = maker;
         restart();
     }
 
     private void restart() {
-        demo = maker.get();
+        demo = maker.apply(director.words());
         Camera camera = demo.camera();
         bench = new Workbench(demo.effects(), camera);
         demo.build(bench);
         panel = new Panel(8, BELOW_BAR, PANEL_WIDTH, demo.widgets());
-        side = side == null ? new SidePlate(bench, RIGHT, BELOW_BAR) : side.of(bench);
-        accuracy = new AccuracyBar(bench.pool(), errors, TOP);
-        effects = new EffectsBar(new DemoEffects(demo, bench), costs);
+        side =
+                side == null
+                        ? new SidePlate(bench, director.words(), RIGHT, BELOW_BAR)
+                        : side.of(bench);
+        accuracy = new AccuracyBar(bench.pool(), errors, director.words(), TOP);
+        effects = new EffectsBar(new DemoEffects(demo, bench, director.words()), costs);
     }
 
     @Override
@@ -99,7 +103,7 @@ final class DemoScene implements Scene {
         effects.draw(canvas, HEIGHT - 8 - EffectsBar.HEIGHT);
         side.draw(canvas);
         if (isHelping) {
-            HelpSheet.draw(bench.pool().plan(), canvas);
+            HelpSheet.draw(director.words(), bench.pool().plan(), canvas);
         }
     }
 

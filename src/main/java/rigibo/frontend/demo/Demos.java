@@ -4,6 +4,7 @@ import rigibo.backend.effect.Effects;
 import rigibo.frontend.scene.Director;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.SceneEntry;
+import rigibo.frontend.scene.Words;
 
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -20,11 +21,16 @@ public final class Demos {
                 CrateDemo.entry(), WheelDemo.entry(), FrictionDemo.entry(), FloodDemo.entry());
     }
 
-    /** What each of them declares, by its name. */
+    /** What each of them declares, by its English name. */
     public static Map<String, Effects> effects() {
         Map<String, Effects> effects = new LinkedHashMap<>();
+        Words words = new Words("en");
         for (Demo demo :
-                List.of(new CrateDemo(), new WheelDemo(), new FrictionDemo(), new FloodDemo())) {
+                List.of(
+                        new CrateDemo(words),
+                        new WheelDemo(words),
+                        new FrictionDemo(words),
+                        new FloodDemo(words))) {
             effects.put(demo.title(), demo.effects());
         }
         return effects;
@@ -34,7 +40,7 @@ public final class Demos {
     static Scene beside(String title, int direction, Director director) {
         List<SceneEntry> all = entries();
         int at = 0;
-        while (!title.equals(DemoScene.TITLE + all.get(at).title())) {
+        while (!title.equals(DemoScene.TITLE + all.get(at).title().apply(director.words()))) {
             at++;
         }
         int next = Math.floorMod(at + direction, all.size());

@@ -19,6 +19,7 @@ import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.SceneEntry;
 import rigibo.frontend.scene.Skin;
+import rigibo.frontend.scene.Words;
 import rigibo.frontend.scene.effects.EffectReason;
 import rigibo.frontend.scene.widget.Button;
 import rigibo.frontend.scene.widget.Readout;
@@ -34,6 +35,8 @@ import java.util.SplittableRandom;
 
 /** How many bodies the pool can handle, and elasticity: a trough that is poured full. */
 final class FloodDemo implements Demo {
+
+    private final Words words;
 
     /** The trough's inner sides, m; right of it the reference ball has a shaft of its own. */
     private static final double LEFT = -11;
@@ -71,19 +74,18 @@ final class FloodDemo implements Demo {
     private int heldDrawn;
     private int heldAlone;
 
+    FloodDemo(Words words) {
+        this.words = words;
+    }
+
     /** How the menu lists it. */
     static SceneEntry entry() {
-        return new SceneEntry(
-                "flood",
-                "Flood",
-                "How many bodies hold 60 Hz?",
-                SceneEntry.Kind.DEMO,
-                director -> new DemoScene(director, FloodDemo::new));
+        return SceneEntry.of("flood", director -> new DemoScene(director, FloodDemo::new));
     }
 
     @Override
     public String title() {
-        return "Flood";
+        return words.of("flood.title");
     }
 
     /** Rotation only while something would turn: discs without friction do not. */
@@ -107,16 +109,13 @@ final class FloodDemo implements Demo {
     @Override
     public List<EffectReason> reasons() {
         return List.of(
-                new EffectReason(new Gravity(0, -9.81), "drops fall and fill the trough"),
-                new EffectReason(new Contacts(), "drops lie on each other and on the walls"),
-                new EffectReason(new Rotation(), "drops that rub, and boxes, turn"),
-                new EffectReason(new Friction(), "drops hold each other and heap up"),
-                new EffectReason(
-                        new Restitution(), "drops bounce; the ball in the shaft tells how high"),
-                new EffectReason(
-                        new ContinuousImpacts(),
-                        "each impact comes at its own time, none is missed"),
-                new EffectReason(new Sleep(), "drops that have come to rest are not computed"));
+                new EffectReason(new Gravity(0, -9.81), words.of("flood.gravity")),
+                new EffectReason(new Contacts(), words.of("flood.contacts")),
+                new EffectReason(new Rotation(), words.of("flood.rotation")),
+                new EffectReason(new Friction(), words.of("flood.friction-why")),
+                new EffectReason(new Restitution(), words.of("flood.restitution")),
+                new EffectReason(new ContinuousImpacts(), words.of("flood.impacts")),
+                new EffectReason(new Sleep(), words.of("flood.sleep-why")));
     }
 
     @Override
@@ -149,25 +148,52 @@ final class FloodDemo implements Demo {
     @Override
     public List<Widget> widgets() {
         return List.of(
-                new Slider("count", "%.0f", 0, 4000, 100, () -> wanted, v -> wanted = v),
-                new Slider("elasticity", "%.2f", 0, 1, 0.05, () -> elasticity, v -> elasticity = v),
-                new Slider("size", "%.2f m", 0.1, 0.4, 0.02, () -> size, v -> size = v),
-                new Toggle("boxes", () -> isBoxes, () -> switchTo(isBoxes = !isBoxes)),
+                new Slider(
+                        words.of("flood.count"),
+                        "%.0f",
+                        0,
+                        4000,
+                        100,
+                        () -> wanted,
+                        v -> wanted = v),
+                new Slider(
+                        words.of("flood.elasticity"),
+                        "%.2f",
+                        0,
+                        1,
+                        0.05,
+                        () -> elasticity,
+                        v -> elasticity = v),
+                new Slider(
+                        words.of("flood.size"),
+                        "%.2f m",
+                        0.1,
+                        0.4,
+                        0.02,
+                        () -> size,
+                        v -> size = v),
                 new Toggle(
-                        "friction", () -> hasFriction, () -> switchTo(hasFriction = !hasFriction)),
-                new Toggle("sleep", () -> hasSleep, () -> switchTo(hasSleep = !hasSleep)),
-                new Toggle("hose at the pointer", () -> isHosing, () -> isHosing = !isHosing),
-                new Toggle("drain", () -> hatch == null, this::drain),
-                new Button("find my maximum", this::search),
-                new Readout("bodies", () -> "" + drops.size()),
-                new Readout("step p50", () -> millis(50)),
-                new Readout("step p95", () -> millis(95)),
-                new Readout("step p99", () -> millis(99)),
-                new Readout("60 Hz, drawn", () -> held(heldDrawn)),
-                new Readout("60 Hz, physics", () -> held(heldAlone)),
-                new Readout("overlap", this::overlap),
-                new Readout("ball should rise", reference::predictedWords),
-                new Readout("  seen", reference::seenWords));
+                        words.of("flood.boxes"), () -> isBoxes, () -> switchTo(isBoxes = !isBoxes)),
+                new Toggle(
+                        words.of("flood.friction"),
+                        () -> hasFriction,
+                        () -> switchTo(hasFriction = !hasFriction)),
+                new Toggle(
+                        words.of("flood.sleep"),
+                        () -> hasSleep,
+                        () -> switchTo(hasSleep = !hasSleep)),
+                new Toggle(words.of("flood.hose"), () -> isHosing, () -> isHosing = !isHosing),
+                new Toggle(words.of("flood.drain"), () -> hatch == null, this::drain),
+                new Button(words.of("flood.search"), this::search),
+                new Readout(words.of("flood.bodies"), () -> "" + drops.size()),
+                new Readout(words.of("flood.p50"), () -> millis(50)),
+                new Readout(words.of("flood.p95"), () -> millis(95)),
+                new Readout(words.of("flood.p99"), () -> millis(99)),
+                new Readout(words.of("flood.drawn"), () -> held(heldDrawn)),
+                new Readout(words.of("flood.alone"), () -> held(heldAlone)),
+                new Readout(words.of("flood.overlap"), this::overlap),
+                new Readout(words.of("flood.rise"), reference::predictedWords),
+                new Readout("  " + words.of("flood.seen"), reference::seenWords));
     }
 
     /** The toggles change what is simulated; the pool takes it from the next step on. */
@@ -269,7 +295,9 @@ final class FloodDemo implements Demo {
     }
 
     private String held(int bodies) {
-        return bodies == 0 ? "unknown" : bodies + (isSearching ? " so far" : "");
+        return bodies == 0
+                ? words.of("flood.unknown")
+                : isSearching ? words.of("flood.so-far", "" + bodies) : "" + bodies;
     }
 
     private String millis(int percent) {

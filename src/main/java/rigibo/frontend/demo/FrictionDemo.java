@@ -10,6 +10,7 @@ import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.SceneEntry;
 import rigibo.frontend.scene.Skin;
+import rigibo.frontend.scene.Words;
 import rigibo.frontend.scene.effects.EffectReason;
 import rigibo.frontend.scene.widget.Button;
 import rigibo.frontend.scene.widget.Readout;
@@ -22,6 +23,8 @@ import java.util.Locale;
 
 /** Three lanes of ice, wood and rubber: where a launched box stops, predicted and seen. */
 final class FrictionDemo implements Demo {
+
+    private final Words words;
 
     private static final double GRAVITY = 9.81;
     private static final double START = 2;
@@ -37,19 +40,18 @@ final class FrictionDemo implements Demo {
     private double speed = 5;
     private double mass = 10;
 
+    FrictionDemo(Words words) {
+        this.words = words;
+    }
+
     /** How the menu lists it. */
     static SceneEntry entry() {
-        return new SceneEntry(
-                "friction",
-                "Friction",
-                "Ice, wood, rubber: where it stops",
-                SceneEntry.Kind.DEMO,
-                director -> new DemoScene(director, FrictionDemo::new));
+        return SceneEntry.of("friction", director -> new DemoScene(director, FrictionDemo::new));
     }
 
     @Override
     public String title() {
-        return "Friction";
+        return words.of("friction.title");
     }
 
     @Override
@@ -60,12 +62,10 @@ final class FrictionDemo implements Demo {
     @Override
     public List<EffectReason> reasons() {
         return List.of(
-                new EffectReason(
-                        new Gravity(0, -GRAVITY),
-                        "presses the boxes on their lanes: no weight, no friction"),
-                new EffectReason(new Contacts(), "the lanes carry the boxes"),
-                new EffectReason(new Rotation(), "a box could tip; these are too low for it"),
-                new EffectReason(new Friction(), "stops each box, on ice late, on rubber soon"));
+                new EffectReason(new Gravity(0, -GRAVITY), words.of("friction.gravity")),
+                new EffectReason(new Contacts(), words.of("friction.contacts")),
+                new EffectReason(new Rotation(), words.of("friction.rotation")),
+                new EffectReason(new Friction(), words.of("friction.friction-why")));
     }
 
     @Override
@@ -91,18 +91,43 @@ final class FrictionDemo implements Demo {
     @Override
     public List<Widget> widgets() {
         List<Widget> widgets = new ArrayList<>();
-        widgets.add(new Slider("ramp", "%.0f°", 0, 60, 1, () -> slope, this::tilt));
-        widgets.add(new Slider("speed", "%.1f m/s", 1, 8, 0.5, () -> speed, v -> speed = v));
-        widgets.add(new Slider("mass", "%.0f kg", 1, 100, 1, () -> mass, v -> mass = v));
-        widgets.add(new Button("launch", this::launch));
+        widgets.add(
+                new Slider(words.of("friction.ramp"), "%.0f°", 0, 60, 1, () -> slope, this::tilt));
+        widgets.add(
+                new Slider(
+                        words.of("friction.speed"),
+                        "%.1f m/s",
+                        1,
+                        8,
+                        0.5,
+                        () -> speed,
+                        v -> speed = v));
+        widgets.add(
+                new Slider(
+                        words.of("friction.mass"),
+                        "%.0f kg",
+                        1,
+                        100,
+                        1,
+                        () -> mass,
+                        v -> mass = v));
+        widgets.add(new Button(words.of("friction.launch"), this::launch));
         for (Lane lane : lanes) {
-            widgets.add(new Readout(lane.name, () -> limit(lane)));
-            widgets.add(new Readout("  should reach", () -> metres(lane.predicted())));
-            widgets.add(new Readout("  has reached", () -> metres(lane.farthest())));
-            widgets.add(new Readout("  error", () -> error(lane)));
+            widgets.add(new Readout(name(lane), () -> limit(lane)));
+            widgets.add(
+                    new Readout(
+                            "  " + words.of("friction.predicted"), () -> metres(lane.predicted())));
+            widgets.add(
+                    new Readout(
+                            "  " + words.of("friction.reached"), () -> metres(lane.farthest())));
+            widgets.add(new Readout("  " + words.of("friction.error"), () -> error(lane)));
         }
-        widgets.add(new Readout("heat", this::heat));
+        widgets.add(new Readout(words.of("friction.heat"), this::heat));
         return widgets;
+    }
+
+    private String name(Lane lane) {
+        return words.of("friction." + lane.name);
     }
 
     private void tilt(double degrees) {
@@ -120,9 +145,11 @@ final class FrictionDemo implements Demo {
         return String.format(Locale.ROOT, "%.3f m", length);
     }
 
-    private static String error(Lane lane) {
+    private String error(Lane lane) {
         double millis = 1000 * (lane.farthest() - lane.predicted());
-        return lane.hasTurned() ? String.format(Locale.ROOT, "%+.3f mm", millis) : "on its way";
+        return lane.hasTurned()
+                ? String.format(Locale.ROOT, "%+.3f mm", millis)
+                : words.of("friction.going");
     }
 
     /** What friction has taken out of the launch. */
@@ -151,13 +178,14 @@ final class FrictionDemo implements Demo {
     }
 
     /** The lane's name below its start, and what the ramp does to a box that stopped. */
-    private static void drawSign(Camera camera, Canvas canvas, Lane lane) {
-        String words = lane.name + (lane.holds() ? " holds" : " lets slide back");
-        double width = canvas.textWidth(words, 16, Canvas.Font.WORDS);
+    private void drawSign(Camera camera, Canvas canvas, Lane lane) {
+        String key = lane.holds() ? "friction.holds" : "friction.slides";
+        String sign = words.of(key, name(lane));
+        double width = canvas.textWidth(sign, 16, Canvas.Font.WORDS);
         double x = camera.screenX(lane.floorX(0));
         double y = camera.screenY(lane.floorY(0)) + 36;
         canvas.panel(x - 8, y - 12, width + 16, 24, 8, Color.PANEL);
-        canvas.text(words, x, y, 16, Canvas.Font.WORDS, Canvas.Align.LEFT, Color.TEXT);
+        canvas.text(sign, x, y, 16, Canvas.Font.WORDS, Canvas.Align.LEFT, Color.TEXT);
     }
 
     List<Lane> lanes() {

@@ -3,6 +3,7 @@ package rigibo.frontend.demo;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.Words;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -10,15 +11,8 @@ import java.util.List;
 /** The keys of a demo, and the stages that a step of its scene was compiled into. */
 final class HelpSheet {
 
-    private static final List<String> KEYS =
-            List.of(
-                    "drag a body, let go to fling it",
-                    "Space  pause      .  one step",
-                    "R  restart      D  debug drawing",
-                    "wheel zoom, right drag pan, Home",
-                    "1 to 4  accuracy      N  energy      G  ghost",
-                    "[ ]  other demos",
-                    "Esc back to the menu");
+    /** Lines of keys, each with words of its own. */
+    private static final int KEYS = 7;
 
     private static final double TOP = 60;
     private static final double KEY_SIZE = 18;
@@ -34,13 +28,13 @@ final class HelpSheet {
     private HelpSheet() {}
 
     /** Draws the keys and a plan of lines. */
-    static void draw(String plan, Canvas canvas) {
+    static void draw(Words words, String plan, Canvas canvas) {
         // A veil over everything: words would shine through a panel.
         canvas.panel(0, 0, Scene.WIDTH, Scene.HEIGHT, 0, Color.DUSK_TOP.alpha(0.96));
-        for (int i = 0; i < KEYS.size(); i++) {
-            centred(KEYS.get(i), TOP + KEY_HEIGHT * i, Color.TEXT, canvas);
+        for (int i = 0; i < KEYS; i++) {
+            centred(words.of("help.keys." + i), TOP + KEY_HEIGHT * i, Color.TEXT, canvas);
         }
-        centred("a step of this scene", HEADING, Color.BRASS, canvas);
+        centred(words.of("help.plan"), HEADING, Color.BRASS, canvas);
         double y = HEADING + 2 * PLAN_HEIGHT;
         for (String line : wrapped(plan, canvas)) {
             canvas.text(

@@ -2,6 +2,7 @@ package rigibo.frontend.demo;
 
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Words;
 import rigibo.frontend.scene.accuracy.EnergyPlate;
 import rigibo.frontend.scene.ghost.GhostPlate;
 
@@ -20,38 +21,42 @@ final class SidePlate {
 
     private static final double TAB_WIDTH = (WIDTH - 2 * GAP) / 3;
 
-    /** The sides by the words on their tabs. */
+    /** The sides by the keys of the words on their tabs. */
     private enum Side {
-        FRAME("frame"),
-        ENERGY("energy"),
-        GHOST("ghost");
+        FRAME("side.frame"),
+        ENERGY("side.energy"),
+        GHOST("side.ghost");
 
-        private final String words;
+        private final String key;
 
-        Side(String words) {
-            this.words = words;
+        Side(String key) {
+            this.key = key;
         }
     }
 
     private final Workbench bench;
     private final double x;
     private final double y;
-    private final StageProfile profile = new StageProfile();
+    private final Words words;
+    private final StageProfile profile;
     private final EnergyPlate energy;
-    private final GhostPlate ghost = new GhostPlate();
+    private final GhostPlate ghost;
     private Side shown = Side.FRAME;
 
     /** A plate with its upper left corner at (x, y), px, its first side up. */
-    SidePlate(Workbench bench, double x, double y) {
+    SidePlate(Workbench bench, Words words, double x, double y) {
         this.bench = bench;
         this.x = x;
         this.y = y;
-        energy = new EnergyPlate(bench.pool());
+        this.words = words;
+        profile = new StageProfile(words);
+        energy = new EnergyPlate(bench.pool(), words);
+        ghost = new GhostPlate(words);
     }
 
     /** The same for another bench: a scene that restarts shows the side that it has shown. */
     SidePlate of(Workbench other) {
-        SidePlate next = new SidePlate(other, x, y);
+        SidePlate next = new SidePlate(other, words, x, y);
         next.show(shown);
         return next;
     }
@@ -87,7 +92,7 @@ final class SidePlate {
         Color plate = isLit ? Color.BRASS : Color.PANEL;
         canvas.panel(left(side), y, TAB_WIDTH, TAB_HEIGHT, 8, plate);
         canvas.text(
-                side.words,
+                words.of(side.key),
                 left(side) + TAB_WIDTH / 2,
                 y + TAB_HEIGHT / 2,
                 16,

@@ -4,6 +4,7 @@ import rigibo.backend.StepReport;
 import rigibo.backend.setup.StepStage;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Words;
 
 import java.util.Locale;
 
@@ -23,17 +24,17 @@ final class StageProfile {
 
     /** What is shown as one: drawing last, which no stage of the step counts. */
     private enum Part {
-        BROADPHASE("broadphase", Color.ICE),
-        COLLISION("collision", Color.RIGIBO),
-        SOLVER("solver", Color.RUBBER),
-        FLIGHT("flight", Color.GOOD),
-        DRAWING("drawing", Color.TEXT_DIM);
+        BROADPHASE("profile.broadphase", Color.ICE),
+        COLLISION("profile.collision", Color.RIGIBO),
+        SOLVER("profile.solver", Color.RUBBER),
+        FLIGHT("profile.flight", Color.GOOD),
+        DRAWING("profile.drawing", Color.TEXT_DIM);
 
-        private final String words;
+        private final String key;
         private final Color color;
 
-        Part(String words, Color color) {
-            this.words = words;
+        Part(String key, Color color) {
+            this.key = key;
             this.color = color;
         }
 
@@ -47,7 +48,12 @@ final class StageProfile {
         }
     }
 
+    private final Words words;
     private final double[] millis = new double[Part.values().length];
+
+    StageProfile(Words words) {
+        this.words = words;
+    }
 
     /** Takes the times of a step. */
     void step(StepReport report) {
@@ -73,13 +79,13 @@ final class StageProfile {
         for (double part : millis) {
             total += part;
         }
-        words(canvas, "in all", x + 12, y + 18);
+        words(canvas, words.of("profile.all"), x + 12, y + 18);
         number(canvas, total, x + WIDTH - 12, y + 18);
         bar(canvas, x + 12, y + 34, total);
         for (Part part : Part.values()) {
             double middle = y + 68 + 22 * part.ordinal();
             canvas.disc(x + 20, middle, 6, part.color);
-            words(canvas, part.words, x + 34, middle);
+            words(canvas, words.of(part.key), x + 34, middle);
             number(canvas, millis[part.ordinal()], x + WIDTH - 12, middle);
         }
     }

@@ -19,6 +19,7 @@ import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.SceneEntry;
 import rigibo.frontend.scene.Skin;
+import rigibo.frontend.scene.Words;
 import rigibo.frontend.scene.effects.EffectReason;
 import rigibo.frontend.scene.widget.Button;
 import rigibo.frontend.scene.widget.Readout;
@@ -31,6 +32,8 @@ import java.util.Locale;
 
 /** Rotation: a wheel on a ramp, driven, braked, rolling or slipping as the formula says. */
 final class WheelDemo implements Demo {
+
+    private final Words words;
 
     private static final double GRAVITY = 9.81;
     private static final double RADIUS = 0.45;
@@ -59,19 +62,18 @@ final class WheelDemo implements Demo {
     private double predicted;
     private double measured;
 
+    WheelDemo(Words words) {
+        this.words = words;
+    }
+
     /** How the menu lists it. */
     static SceneEntry entry() {
-        return new SceneEntry(
-                "wheel",
-                "Wheel",
-                "Rolling, slipping, torque and thrust",
-                SceneEntry.Kind.DEMO,
-                director -> new DemoScene(director, WheelDemo::new));
+        return SceneEntry.of("wheel", director -> new DemoScene(director, WheelDemo::new));
     }
 
     @Override
     public String title() {
-        return "Wheel";
+        return words.of("wheel.title");
     }
 
     @Override
@@ -89,18 +91,14 @@ final class WheelDemo implements Demo {
     @Override
     public List<EffectReason> reasons() {
         return List.of(
-                new EffectReason(new Gravity(0, -GRAVITY), "pulls the wheel down the ramp"),
-                new EffectReason(new Contacts(), "the ramp carries the wheel"),
-                new EffectReason(new Rotation(), "the wheel turns instead of sliding"),
-                new EffectReason(new Friction(), "the ramp turns the wheel and lets it push off"),
-                new EffectReason(
-                        new RollingResistance(), "the slider's lever c brakes the rolling wheel"),
-                new EffectReason(new Thrust(), "torque, thrust and brake act on the wheel"),
-                new EffectReason(
-                        new ContinuousImpacts(), "the wheel lands on the ramp, however fast it is"),
-                new EffectReason(
-                        new Restitution(),
-                        "the wheel would bounce; its elasticity is 0, so it does not"));
+                new EffectReason(new Gravity(0, -GRAVITY), words.of("wheel.gravity")),
+                new EffectReason(new Contacts(), words.of("wheel.contacts")),
+                new EffectReason(new Rotation(), words.of("wheel.rotation")),
+                new EffectReason(new Friction(), words.of("wheel.friction-why")),
+                new EffectReason(new RollingResistance(), words.of("wheel.rolling-why")),
+                new EffectReason(new Thrust(), words.of("wheel.thrust-why")),
+                new EffectReason(new ContinuousImpacts(), words.of("wheel.impacts")),
+                new EffectReason(new Restitution(), words.of("wheel.restitution")));
     }
 
     @Override
@@ -144,20 +142,41 @@ final class WheelDemo implements Demo {
     @Override
     public List<Widget> widgets() {
         return List.of(
-                new Slider("ramp", "%.0f°", 0, 45, 1, () -> slope, this::tilt),
-                new Slider("friction", "%.2f", 0, 1, 0.05, () -> friction, this::grip),
-                new Slider("rolling c", "%.0f mm", 0, 20, 1, () -> 1000 * lever, this::resist),
-                new Slider("torque", "%.0f Nm", -60, 60, 5, () -> torque, v -> torque = v),
-                new Slider("thrust", "%.0f N", -120, 120, 10, () -> thrust, v -> thrust = v),
-                new Toggle("brake", () -> isBraking, () -> isBraking = !isBraking),
-                new Toggle("hoop", () -> isHoop, this::flip),
-                new Button("again", this::lay),
-                new Readout("speed v", () -> metres(speed())),
-                new Readout("rim", () -> metres(rim())),
-                new Readout("slip", () -> metres(speed() - rim())),
-                new Readout("used of µN", this::share),
-                new Readout("a predicted", () -> acceleration(predicted)),
-                new Readout("a measured", () -> acceleration(measured)));
+                new Slider(words.of("wheel.ramp"), "%.0f°", 0, 45, 1, () -> slope, this::tilt),
+                new Slider(words.of("wheel.grip"), "%.2f", 0, 1, 0.05, () -> friction, this::grip),
+                new Slider(
+                        words.of("wheel.rolling"),
+                        "%.0f mm",
+                        0,
+                        20,
+                        1,
+                        () -> 1000 * lever,
+                        this::resist),
+                new Slider(
+                        words.of("wheel.torque"),
+                        "%.0f Nm",
+                        -60,
+                        60,
+                        5,
+                        () -> torque,
+                        v -> torque = v),
+                new Slider(
+                        words.of("wheel.thrust"),
+                        "%.0f N",
+                        -120,
+                        120,
+                        10,
+                        () -> thrust,
+                        v -> thrust = v),
+                new Toggle(words.of("wheel.brake"), () -> isBraking, () -> isBraking = !isBraking),
+                new Toggle(words.of("wheel.hoop"), () -> isHoop, this::flip),
+                new Button(words.of("wheel.again"), this::lay),
+                new Readout(words.of("wheel.speed"), () -> metres(speed())),
+                new Readout(words.of("wheel.rim"), () -> metres(rim())),
+                new Readout(words.of("wheel.slip"), () -> metres(speed() - rim())),
+                new Readout(words.of("wheel.used"), this::share),
+                new Readout(words.of("wheel.predicted"), () -> acceleration(predicted)),
+                new Readout(words.of("wheel.measured"), () -> acceleration(measured)));
     }
 
     private void tilt(double degrees) {

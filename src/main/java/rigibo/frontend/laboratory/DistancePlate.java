@@ -2,10 +2,10 @@ package rigibo.frontend.laboratory;
 
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Words;
 import rigibo.frontend.scene.ghost.DistanceCurve;
 import rigibo.frontend.scene.ghost.Divergence;
 import rigibo.frontend.scene.ghost.Metres;
-import rigibo.frontend.scene.ghost.Parting;
 
 /** The distance of the two halves, now and as a curve, and whether it has become chaos. */
 final class DistancePlate {
@@ -14,13 +14,15 @@ final class DistancePlate {
     private static final double LINE = 24;
 
     private final DistanceCurve curve = new DistanceCurve();
+    private final Words words;
     private final double x;
     private final double y;
     private final double width;
     private final double height;
 
     /** A plate with its upper left corner at (x, y), px. */
-    DistancePlate(double x, double y, double width, double height) {
+    DistancePlate(Words words, double x, double y, double width, double height) {
+        this.words = words;
         this.x = x;
         this.y = y;
         this.width = width;
@@ -33,7 +35,7 @@ final class DistancePlate {
         double left = x + PADDING;
         double right = x + width - PADDING;
         double upper = y + 4 + LINE / 2;
-        words(canvas, "distance between the two, rms over the bodies", left, upper, Color.TEXT_DIM);
+        words(canvas, words.of("laboratory.distance"), left, upper, Color.TEXT_DIM);
         canvas.text(
                 Metres.words(divergence.distance()),
                 right,
@@ -45,7 +47,7 @@ final class DistancePlate {
         double top = y + 4 + LINE;
         curve.draw(canvas, divergence, left, top, right - left, height - 2 * LINE - 10);
         double lower = y + height - 3 - LINE / 2;
-        String note = divergence.parting().map(Parting::words).orElse(question);
+        String note = divergence.parting().map(parting -> parting.in(words)).orElse(question);
         Color color = divergence.parting().isPresent() ? Color.BRASS : Color.TEXT;
         words(canvas, note, left, lower, color);
     }

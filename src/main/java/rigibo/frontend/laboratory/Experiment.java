@@ -7,9 +7,19 @@ import java.util.function.Consumer;
 /**
  * A scene of the laboratory.
  *
- * @param title on its button
- * @param question what to look for, a short sentence
+ * @param name by which its title and its question are found among the words
  * @param effects what is simulated
  * @param build puts its bodies into a room
  */
-record Experiment(String title, String question, Effects effects, Consumer<Room> build) {}
+record Experiment(String name, Effects effects, Consumer<Room> build) {
+
+    /** Of what is on its button. */
+    String titleKey() {
+        return "laboratory." + name;
+    }
+
+    /** Of what to look for, a short sentence. */
+    String questionKey() {
+        return titleKey() + ".question";
+    }
+}

@@ -14,15 +14,15 @@ final class ExperimentBar {
     private static final double PADDING = 6;
     private static final int NOTHING = -1;
 
-    private final List<Experiment> experiments;
+    private final List<String> titles;
     private final double x;
     private final double y;
     private final double width;
     private int hot = NOTHING;
 
     /** A bar with its upper left corner at (x, y), px. */
-    ExperimentBar(List<Experiment> experiments, double x, double y, double width) {
-        this.experiments = experiments;
+    ExperimentBar(List<String> titles, double x, double y, double width) {
+        this.titles = titles;
         this.x = x;
         this.y = y;
         this.width = width;
@@ -30,13 +30,13 @@ final class ExperimentBar {
 
     void draw(Canvas canvas, int chosen) {
         canvas.panel(x, y, width, HEIGHT, 12, Color.PANEL);
-        for (int i = 0; i < experiments.size(); i++) {
+        for (int i = 0; i < titles.size(); i++) {
             Color plate = i == chosen ? Color.BRASS : i == hot ? Color.EDGE : Color.PANEL_LIT;
             double left = x + PADDING + i * pitch();
             double wide = pitch() - PADDING;
             canvas.panel(left, y + PADDING, wide, HEIGHT - 2 * PADDING, 8, plate);
             canvas.text(
-                    experiments.get(i).title(),
+                    titles.get(i),
                     left + wide / 2,
                     y + HEIGHT / 2,
                     16,
@@ -47,12 +47,12 @@ final class ExperimentBar {
     }
 
     private double pitch() {
-        return (width - PADDING) / experiments.size();
+        return (width - PADDING) / titles.size();
     }
 
     void pointerMoved(double px, double py) {
         boolean isInside = py >= y && py <= y + HEIGHT && px >= x && px <= x + width;
-        int last = experiments.size() - 1;
+        int last = titles.size() - 1;
         hot = isInside ? (int) Math.min(last, Math.max(0, (px - x - PADDING) / pitch())) : NOTHING;
     }
 

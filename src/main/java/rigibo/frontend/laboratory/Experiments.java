@@ -52,8 +52,7 @@ final class Experiments {
 
     private static Experiment elasticBalls() {
         return new Experiment(
-                "elastic balls",
-                "Nothing takes energy: 100 % must stay.",
+                "balls",
                 Effects.of(GRAVITY, new Contacts(), new Restitution(), new ContinuousImpacts()),
                 Experiments::dropBalls);
     }
@@ -74,7 +73,6 @@ final class Experiments {
     private static Experiment stack() {
         return new Experiment(
                 "stack",
-                "Twenty boxes: the stack must stand.",
                 resting(),
                 room -> {
                     Material rough = new Material(1, 0.6, 0);
@@ -90,11 +88,7 @@ final class Experiments {
     }
 
     private static Experiment heavyOnLight() {
-        return new Experiment(
-                "heavy on light",
-                "1000 to 1: the light must carry the heavy.",
-                resting(),
-                Experiments::pile);
+        return new Experiment("heavy", resting(), Experiments::pile);
     }
 
     /** A heavy box on a light one, and heavy ones that fall upon a plank on light supports. */
@@ -123,7 +117,6 @@ final class Experiments {
     private static Experiment billiard() {
         return new Experiment(
                 "billiard",
-                "A break seen from above: who is where?",
                 Effects.of(new Contacts(), new Restitution(), new ContinuousImpacts()),
                 Experiments::rack);
     }

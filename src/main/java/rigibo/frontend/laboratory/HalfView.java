@@ -5,6 +5,7 @@ import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Skin;
+import rigibo.frontend.scene.Words;
 import rigibo.frontend.scene.accuracy.Preset;
 
 import java.util.List;
@@ -33,14 +34,16 @@ final class HalfView {
     private static final double SIZE = 16;
 
     private final Half half;
+    private final Words words;
     private final double x;
     private final double y;
     private final Camera camera;
     private boolean isHot;
 
     /** A view with its upper left corner at (x, y), px. */
-    HalfView(Half half, double x, double y) {
+    HalfView(Half half, Words words, double x, double y) {
         this.half = half;
+        this.words = words;
         this.x = x;
         this.y = y;
         double middleX = x + WIDTH / 2;
@@ -56,8 +59,14 @@ final class HalfView {
         double upper = y + PADDING + SWITCH_HEIGHT / 2;
         double lower = y + PLATE_HEIGHT - 15;
         double right = x + WIDTH - PADDING - 4;
-        number(canvas, millis() + " a step", right, upper);
-        words(canvas, "energy", x + PADDING + 4, lower, Canvas.Align.LEFT, Color.TEXT_DIM);
+        number(canvas, words.of("laboratory.step", millis()), right, upper);
+        words(
+                canvas,
+                words.of("side.energy"),
+                x + PADDING + 4,
+                lower,
+                Canvas.Align.LEFT,
+                Color.TEXT_DIM);
         number(canvas, energy(), right, lower);
     }
 
@@ -93,7 +102,7 @@ final class HalfView {
 
     private String energy() {
         double percent = 100 * half.energyShare();
-        return String.format(Locale.ROOT, "%.7f %% of the start", percent);
+        return words.of("laboratory.share", String.format(Locale.ROOT, "%.7f %%", percent));
     }
 
     private static void words(

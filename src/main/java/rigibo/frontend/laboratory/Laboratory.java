@@ -9,11 +9,6 @@ public final class Laboratory {
 
     /** How the menu lists it. */
     public static SceneEntry entry() {
-        return new SceneEntry(
-                "laboratory",
-                "Laboratory",
-                "Two accuracies side by side",
-                SceneEntry.Kind.DEMO,
-                director -> new LaboratoryScene());
+        return SceneEntry.of("laboratory", director -> new LaboratoryScene(director.words()));
     }
 }

@@ -5,6 +5,7 @@ import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Key;
 import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.Words;
 import rigibo.frontend.scene.accuracy.Badge;
 import rigibo.frontend.scene.accuracy.Preset;
 import rigibo.frontend.scene.ghost.Divergence;
@@ -22,15 +23,14 @@ final class LaboratoryScene implements Scene {
     private static final double STATUS_HEIGHT = 34;
     private static final double CURVE_TOP = STATUS_TOP + STATUS_HEIGHT + 6;
 
+    private final Words words;
     private final List<Experiment> experiments = Experiments.all();
     private final Half left = new Half(Preset.GAME);
     private final Half right = new Half(Preset.EXACT);
-    private final HalfView leftView = new HalfView(left, EDGE, HALVES_TOP);
-    private final HalfView rightView =
-            new HalfView(right, WIDTH - EDGE - HalfView.WIDTH, HALVES_TOP);
-    private final ExperimentBar bar = new ExperimentBar(experiments, EDGE, EDGE, PLATE_WIDTH);
-    private final DistancePlate plate =
-            new DistancePlate(EDGE, CURVE_TOP, PLATE_WIDTH, HEIGHT - EDGE - CURVE_TOP);
+    private final HalfView leftView;
+    private final HalfView rightView;
+    private final ExperimentBar bar;
+    private final DistancePlate plate;
     private Room room;
     private Divergence divergence;
     private int chosen;
@@ -41,7 +41,14 @@ final class LaboratoryScene implements Scene {
     private int turn;
     private boolean isPaused;
 
-    LaboratoryScene() {
+    LaboratoryScene(Words words) {
+        this.words = words;
+        leftView = new HalfView(left, words, EDGE, HALVES_TOP);
+        rightView = new HalfView(right, words, WIDTH - EDGE - HalfView.WIDTH, HALVES_TOP);
+        List<String> titles =
+                experiments.stream().map(experiment -> words.of(experiment.titleKey())).toList();
+        bar = new ExperimentBar(titles, EDGE, EDGE, PLATE_WIDTH);
+        plate = new DistancePlate(words, EDGE, CURVE_TOP, PLATE_WIDTH, HEIGHT - EDGE - CURVE_TOP);
         open(0);
     }
 
@@ -71,7 +78,7 @@ final class LaboratoryScene implements Scene {
 
     @Override
     public String title() {
-        return "RigiBo – Laboratory";
+        return "RigiBo – " + words.of("laboratory.title");
     }
 
     @Override
@@ -102,23 +109,19 @@ final class LaboratoryScene implements Scene {
         canvas.panel(EDGE, STATUS_TOP, PLATE_WIDTH, STATUS_HEIGHT, 12, Color.PANEL);
         double middle = STATUS_TOP + STATUS_HEIGHT / 2;
         text(canvas, ratio(), EDGE + 12, middle, Canvas.Align.LEFT, Color.TEXT);
-        String words = isPaused ? "paused" : Badge.pace(pace);
-        text(canvas, words, WIDTH - EDGE - 12, middle, Canvas.Align.RIGHT, Color.BRASS);
-        plate.draw(canvas, divergence, experiments.get(chosen).question());
+        String state = isPaused ? words.of("badge.paused") : new Badge(words).pace(pace);
+        text(canvas, state, WIDTH - EDGE - 12, middle, Canvas.Align.RIGHT, Color.BRASS);
+        plate.draw(canvas, divergence, words.of(experiments.get(chosen).questionKey()));
     }
 
     private String ratio() {
         double one = left.medianMillis();
         double other = right.medianMillis();
         if (one == 0 || other == 0) {
-            return "what does accuracy cost?";
+            return words.of("laboratory.ask");
         }
-        return String.format(
-                Locale.ROOT,
-                "a step of %s takes %.2f × that of %s",
-                right.preset(),
-                other / one,
-                left.preset());
+        String times = String.format(Locale.ROOT, "%.2f", other / one);
+        return words.of("laboratory.ratio", right.preset(), times, left.preset());
     }
 
     private static void text(

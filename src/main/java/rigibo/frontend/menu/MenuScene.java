@@ -1,12 +1,5 @@
 package rigibo.frontend.menu;
 
-import rigibo.backend.Pool;
-import rigibo.backend.RigidBody;
-import rigibo.backend.geometry.Circle;
-import rigibo.backend.geometry.Polygon;
-import rigibo.backend.setup.BodyDefinition;
-import rigibo.backend.setup.Material;
-import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Director;
@@ -14,75 +7,139 @@ import rigibo.frontend.scene.Key;
 import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.SceneEntry;
-import rigibo.frontend.scene.Skin;
+import rigibo.frontend.scene.Words;
+import rigibo.frontend.scene.widget.Lines;
 
 import java.util.ArrayList;
 import java.util.List;
 
 /**
- * The main menu: levels on the left, demos on the right, and a few RigiBos that watch the pointer.
+ * The main menu: on to the game, the levels, the settings, and everything else there is; at its
+ * foot a few RigiBos that watch the pointer.
  */
 public final class MenuScene implements Scene {
 
-    private static final double TOP = 292;
-    private static final double ROW = 62;
-    private static final double CARD_HEIGHT = 54;
-    private static final double CARD_WIDTH = 316;
-    private static final double LEFT = 32;
-    private static final double RIGHT = WIDTH - LEFT - CARD_WIDTH;
-    private static final double STEP = 1.0 / 60;
+    private static final double MIDDLE = WIDTH / 2.0;
+    private static final double GAP = 12;
+    private static final double BROAD = 480;
+    private static final double BROAD_LEFT = (WIDTH - BROAD) / 2;
+    private static final double PLAY_TOP = 190;
+    private static final double PLAY_HEIGHT = 84;
+    private static final double ROW_TOP = PLAY_TOP + PLAY_HEIGHT + GAP;
+    private static final double ROW_HEIGHT = 48;
+    private static final double HEADING = 374;
+    private static final double CARDS_TOP = 396;
+    private static final double CARD_HEIGHT = 58;
+    private static final double CARD_WIDTH = 320;
+    private static final double CARDS_LEFT = (WIDTH - 2 * CARD_WIDTH - GAP) / 2;
+    private static final double FOOT = HEIGHT - 20;
 
     private final Director director;
-    private final List<Card> cards = new ArrayList<>();
-    private final Camera camera = Camera.ofPuzzle();
-    private final Pool pool = new Pool();
-    private final List<RigidBody> boxes = new ArrayList<>();
-    private final RigidBody ball;
-    private int chosen;
-    private double pointerX = WIDTH / 2.0;
-    private double pointerY = HEIGHT / 2.0;
+    private final Words words;
+    private final LevelList levels;
+    private final Tiles tiles;
+    private final NoticePlate notice;
+    private final Playground playground = new Playground();
+    private double pointerX = MIDDLE;
+    private double pointerY = HEIGHT;
 
-    /** One thing to choose. */
-    private record Card(SceneEntry entry, double x, double y) {
-        boolean contains(double px, double py) {
-            return px >= x && px <= x + CARD_WIDTH && py >= y && py <= y + CARD_HEIGHT;
-        }
-    }
-
-    /** A menu of the catalog's entries. */
+    /** A menu of some entries: levels, and what else there is. */
     public MenuScene(Director director, List<SceneEntry> entries) {
         this.director = director;
-        layOut(entries, SceneEntry.Kind.LEVEL, LEFT);
-        layOut(entries, SceneEntry.Kind.DEMO, RIGHT);
-        pool.add(BodyDefinition.fixed(Polygon.box(9, 1)).at(4.5, -0.2));
-        for (int i = 0; i < 3; i++) {
-            boxes.add(box(0.8 + 0.9 * i, 0.7, 0.75));
+        words = director.words();
+        levels = LevelList.of(entries, director.progress());
+        notice = new NoticePlate(director);
+        List<Tile> laid = new ArrayList<>();
+        if (!levels.levels().isEmpty()) {
+            laid.add(play());
         }
-        boxes.add(box(1.25, 3, 0.75));
-        boxes.add(box(7.6, 2, 1.0));
-        ball =
-                pool.add(
-                        BodyDefinition.dynamic(new Circle(0.35))
-                                .at(5.2, 4)
-                                .velocity(0.4, 0)
-                                .material(new Material(1, 0.5, 0.75)));
+        laid.addAll(row());
+        laid.addAll(cards(entries.stream().filter(entry -> !entry.isLevel()).toList()));
+        tiles = new Tiles(laid, 0);
     }
 
-    private RigidBody box(double x, double y, double size) {
-        return pool.add(
-                BodyDefinition.dynamic(Polygon.box(size, size))
-                        .at(x, y)
-                        .material(new Material(1, 0.5, 0.3)));
+    private Tile play() {
+        SceneEntry next = levels.levels().get(levels.next());
+        return new Tile(BROAD_LEFT, PLAY_TOP, BROAD, PLAY_HEIGHT, this::drawPlay, () -> open(next));
     }
 
-    private void layOut(List<SceneEntry> entries, SceneEntry.Kind kind, double x) {
-        double y = TOP;
+    private void drawPlay(Canvas canvas, Tile tile, boolean isChosen) {
+        Color plate = isChosen ? Color.of(0xFFD98F) : Color.BRASS;
+        canvas.panel(tile.x(), tile.y(), tile.width(), tile.height(), 18, plate);
+        if (isChosen) {
+            canvas.frame(
+                    tile.x() - 4, tile.y() - 4, tile.width() + 8, tile.height() + 8, 22, plate);
+        }
+        String verb = words.of(levels.solved() == 0 ? "menu.play" : "menu.continue");
+        Print.centred(canvas, verb, tile.middleX(), tile.y() + 30, 34, Color.DUSK_TOP);
+        int next = levels.next();
+        String title = next + 1 + "  " + levels.levels().get(next).title().apply(words);
+        Print.centred(canvas, title, tile.middleX(), tile.y() + 64, 18, Color.DUSK_TOP);
+    }
+
+    private List<Tile> row() {
+        double width = (BROAD - 2 * GAP) / 3;
+        List<Tile> row = new ArrayList<>();
+        row.add(button(0, width, "menu.levels", director::showLevels));
+        row.add(
+                button(
+                        1,
+                        width,
+                        "menu.settings",
+                        () -> director.show(new SettingsScene(director))));
+        row.add(button(2, width, "menu.quit", director::quit));
+        return row;
+    }
+
+    private Tile button(int column, double width, String key, Runnable action) {
+        double x = BROAD_LEFT + column * (width + GAP);
+        return new Tile(
+                x,
+                ROW_TOP,
+                width,
+                ROW_HEIGHT,
+                (canvas, tile, isChosen) ->
+                        Print.button(canvas, tile, this.words.of(key), isChosen),
+                pressing(action));
+    }
+
+    private List<Tile> cards(List<SceneEntry> entries) {
+        List<Tile> cards = new ArrayList<>();
         for (SceneEntry entry : entries) {
-            if (entry.kind() == kind) {
-                cards.add(new Card(entry, x, y));
-                y += ROW;
-            }
+            int column = cards.size() % 2;
+            int row = cards.size() / 2;
+            cards.add(
+                    new Tile(
+                            CARDS_LEFT + column * (CARD_WIDTH + GAP),
+                            CARDS_TOP + row * (CARD_HEIGHT + GAP),
+                            CARD_WIDTH,
+                            CARD_HEIGHT,
+                            (canvas, tile, isChosen) -> drawCard(canvas, tile, entry, isChosen),
+                            () -> open(entry)));
         }
+        return cards;
+    }
+
+    private void drawCard(Canvas canvas, Tile tile, SceneEntry entry, boolean isChosen) {
+        Print.plate(canvas, tile, isChosen);
+        double left = tile.x() + 16;
+        double width = tile.width() - 32;
+        Print.left(canvas, entry.title().apply(words), left, tile.y() + 20, 20, Color.TEXT);
+        String about =
+                Lines.shortened(canvas, entry.words().apply(words), 16, Canvas.Font.WORDS, width);
+        Print.left(canvas, about, left, tile.y() + 42, 16, Color.TEXT_DIM);
+    }
+
+    private Runnable pressing(Runnable action) {
+        return () -> {
+            director.sounds().press();
+            action.run();
+        };
+    }
+
+    private void open(SceneEntry entry) {
+        director.sounds().press();
+        director.show(entry.open().apply(director));
     }
 
     @Override
@@ -92,130 +149,56 @@ public final class MenuScene implements Scene {
 
     @Override
     public void step() {
-        pool.step(STEP);
+        playground.step();
     }
 
     @Override
     public void draw(Canvas canvas) {
-        canvas.camera(camera);
-        canvas.gaze(camera.worldX(pointerX), camera.worldY(pointerY));
-        canvas.body(Polygon.box(9.4, 1), 4.5, -0.2, 0, Skin.WOOD, Canvas.Mood.PLAIN);
-        for (RigidBody box : boxes) {
-            canvas.body(box.shape(), box.x(), box.y(), box.angle(), Skin.RIGIBO, Canvas.Mood.PLAIN);
+        playground.draw(canvas, pointerX, pointerY);
+        Print.centred(canvas, "RigiBo", MIDDLE, 84, 92, Color.BRASS);
+        Print.centred(canvas, words.of("menu.tagline"), MIDDLE, 152, 20, Color.TEXT);
+        tiles.draw(canvas);
+        Print.left(canvas, words.of("menu.physics"), CARDS_LEFT + 6, HEADING, 20, Color.TEXT);
+        canvas.panel(CARDS_LEFT, FOOT - 14, WIDTH - 2 * CARDS_LEFT, 28, 10, Color.PANEL);
+        Print.centred(canvas, words.of("menu.keys"), MIDDLE, FOOT, 16, Color.TEXT);
+        if (notice.isShown()) {
+            notice.draw(canvas);
         }
-        canvas.body(ball.shape(), ball.x(), ball.y(), ball.angle(), Skin.BALL, Canvas.Mood.PLAIN);
-        drawTitle(canvas);
-        for (int i = 0; i < cards.size(); i++) {
-            drawCard(canvas, cards.get(i), i == chosen);
-        }
-    }
-
-    private void drawTitle(Canvas canvas) {
-        words(canvas, "RigiBo", WIDTH / 2.0, 104, 92, Canvas.Align.CENTRE, Color.BRASS);
-        words(
-                canvas,
-                "Delete boxes so that the ball comes to rest on the wood.",
-                WIDTH / 2.0,
-                172,
-                20,
-                Canvas.Align.CENTRE,
-                Color.TEXT);
-        words(canvas, "The puzzle", LEFT + 6, TOP - 26, 22, Canvas.Align.LEFT, Color.BRASS);
-        words(canvas, "The physics", RIGHT + 6, TOP - 26, 22, Canvas.Align.LEFT, Color.BRASS);
-        words(
-                canvas,
-                "Arrows and Enter, or the mouse. Esc leaves, F11 fills the screen.",
-                WIDTH / 2.0,
-                HEIGHT - 10,
-                16,
-                Canvas.Align.CENTRE,
-                Color.TEXT);
-    }
-
-    private void drawCard(Canvas canvas, Card card, boolean isChosen) {
-        Color plate = isChosen ? Color.PANEL_LIT : Color.PANEL;
-        canvas.panel(card.x(), card.y(), CARD_WIDTH, CARD_HEIGHT, 12, plate);
-        if (isChosen) {
-            canvas.frame(card.x(), card.y(), CARD_WIDTH, CARD_HEIGHT, 12, Color.BRASS);
-        }
-        double x = card.x() + 16;
-        words(canvas, card.entry().title(), x, card.y() + 18, 20, Canvas.Align.LEFT, Color.TEXT);
-        words(
-                canvas,
-                card.entry().words(),
-                x,
-                card.y() + 39,
-                16,
-                Canvas.Align.LEFT,
-                Color.TEXT_DIM);
-    }
-
-    private static void words(
-            Canvas canvas,
-            String words,
-            double x,
-            double y,
-            double size,
-            Canvas.Align align,
-            Color color) {
-        canvas.text(words, x, y, size, Canvas.Font.WORDS, align, color);
     }
 
     @Override
     public void pointerMoved(double x, double y) {
         pointerX = x;
         pointerY = y;
-        int under = cardAt(x, y);
-        chosen = under >= 0 ? under : chosen;
+        if (!notice.isShown()) {
+            tiles.pointerMoved(x, y);
+        }
     }
 
     @Override
     public void pointerPressed(PointerButton button, double x, double y) {
-        int under = cardAt(x, y);
-        if (under >= 0 && button == PointerButton.LEFT) {
-            open(under);
+        if (notice.isShown()) {
+            notice.dismiss();
+        } else {
+            tiles.pointerPressed(button, x, y);
         }
     }
 
     @Override
     public void keyPressed(Key key) {
-        if (cards.isEmpty()) {
-            return;
-        }
-        switch (key) {
-            case UP -> chosen = Math.floorMod(chosen - 1, cards.size());
-            case DOWN, TAB -> chosen = Math.floorMod(chosen + 1, cards.size());
-            case LEFT, RIGHT -> chosen = across();
-            case ENTER, SPACE -> open(chosen);
-            default -> {}
+        if (!notice.isShown()) {
+            tiles.keyPressed(key);
+        } else if (key == Key.ENTER || key == Key.SPACE) {
+            notice.dismiss();
         }
     }
 
-    /** The card of the other column nearest in height. */
-    private int across() {
-        Card from = cards.get(chosen);
-        int best = chosen;
-        double least = Double.POSITIVE_INFINITY;
-        for (int i = 0; i < cards.size(); i++) {
-            double distance = Math.abs(cards.get(i).y() - from.y());
-            if (cards.get(i).x() != from.x() && distance < least) {
-                least = distance;
-                best = i;
-            }
+    @Override
+    public boolean escaped() {
+        boolean isReading = notice.isShown();
+        if (isReading) {
+            notice.dismiss();
         }
-        return best;
-    }
-
-    private int cardAt(double x, double y) {
-        for (int i = 0; i < cards.size(); i++) {
-            if (cards.get(i).contains(x, y)) {
-                return i;
-            }
-        }
-        return -1;
-    }
-
-    private void open(int card) {
-        director.show(cards.get(card).entry().open().apply(director));
+        return isReading;
     }
 }

@@ -28,6 +28,11 @@ final class LevelEffects implements SceneEffects {
     }
 
     @Override
+    public Words words() {
+        return words;
+    }
+
+    @Override
     public Pool pool() {
         return session.game().pool();
     }

@@ -10,7 +10,7 @@ import rigibo.frontend.scene.SceneEntry;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
+import java.util.Optional;
 
 /** The levels as scenes: those of the game, or one file. */
 public final class Levels {
@@ -61,9 +61,11 @@ public final class Levels {
         Level level = levels.get(number);
         return new SceneEntry(
                 level.id(),
-                (number + 1) + "  " + level.title().in(Locale.getDefault()),
-                level.hint().in(Locale.getDefault()),
-                SceneEntry.Kind.LEVEL,
+                words -> level.title().in(words.locale()),
+                words -> level.hint().in(words.locale()),
+                Optional.of(
+                        new SceneEntry.Challenge(
+                                level.hash(), level.limits().par(), new LevelPicture(level))),
                 director -> new PuzzleScene(director, levels, number));
     }
 

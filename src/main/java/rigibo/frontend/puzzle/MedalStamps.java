@@ -64,12 +64,7 @@ final class MedalStamps {
     }
 
     private static void draw(Canvas canvas, Medal medal, double x, double y, double radius) {
-        Color metal =
-                switch (medal) {
-                    case GOLD -> Color.of(0xFFD24A);
-                    case SILVER -> Color.of(0xD5DAE3);
-                    case BRONZE -> Color.of(0xCD8E5C);
-                };
+        Color metal = medal.color();
         int rank = medal.ordinal() + 1;
         if (medal != Medal.BRONZE) {
             drawRays(canvas, x, y, radius, metal, medal == Medal.GOLD ? 12 : 6);

@@ -2,9 +2,20 @@ package rigibo.frontend.scene;
 
 /** What a solved level earns; time never counts. */
 public enum Medal {
-    GOLD,
-    SILVER,
-    BRONZE;
+    GOLD(Color.of(0xFFD24A)),
+    SILVER(Color.of(0xD5DAE3)),
+    BRONZE(Color.of(0xCD8E5C));
+
+    private final Color color;
+
+    Medal(Color color) {
+        this.color = color;
+    }
+
+    /** What it is made of. */
+    public Color color() {
+        return color;
+    }
 
     /**
      * For a number of clicks.

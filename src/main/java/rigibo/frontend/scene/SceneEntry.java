@@ -1,22 +1,60 @@
 package rigibo.frontend.scene;
 
+import java.util.Optional;
 import java.util.function.Function;
 
 /**
  * A scene that can be chosen.
  *
- * @param name for the command line, in kebab-case
- * @param title for people
+ * @param name for the command line, in kebab-case; of a level its id
+ * @param title for people, in their language
  * @param words what it is about, a short sentence
- * @param kind where the menu lists it
+ * @param challenge what there is to win, of a level
  * @param open makes the scene anew
  */
 public record SceneEntry(
-        String name, String title, String words, Kind kind, Function<Director, Scene> open) {
+        String name,
+        Function<Words, String> title,
+        Function<Words, String> words,
+        Optional<Challenge> challenge,
+        Function<Director, Scene> open) {
 
-    /** Where the menu lists a scene. */
-    public enum Kind {
-        LEVEL,
-        DEMO
+    /**
+     * What there is to win in a level, and what it looks like.
+     *
+     * @param hash of the level, as progress names it
+     * @param par clicks of a gold medal
+     * @param picture the level at its start
+     */
+    public record Challenge(long hash, int par, Picture picture) {
+
+        /** The best medal by what a player has done in the level; none before it is solved so. */
+        public Optional<Medal> medal(LevelProgress done) {
+            return done.fewestClicks().isPresent()
+                    ? Optional.of(Medal.of(done.fewestClicks().getAsInt(), par))
+                    : Optional.empty();
+        }
+    }
+
+    /** What a scene looks like before it is opened. */
+    public interface Picture {
+
+        /** Draws it into a rectangle of the screen, px. */
+        void draw(Canvas canvas, double x, double y, double width, double height);
+    }
+
+    /** A scene without a prize, with its texts at {@code name.title} and {@code name.words}. */
+    public static SceneEntry of(String name, Function<Director, Scene> open) {
+        return new SceneEntry(
+                name,
+                words -> words.of(name + ".title"),
+                words -> words.of(name + ".words"),
+                Optional.empty(),
+                open);
+    }
+
+    /** Whether it is a level. */
+    public boolean isLevel() {
+        return challenge.isPresent();
     }
 }

@@ -13,9 +13,10 @@ import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.RecordingCanvas;
 import rigibo.frontend.scene.RecordingDirector;
 import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.Words;
 
 import java.util.List;
-import java.util.function.Supplier;
+import java.util.function.Function;
 import java.util.stream.Stream;
 
 /** The effects bar of each demo. */
@@ -37,11 +38,11 @@ class DemoEffectsTest {
                     "air-drag",
                     "wind");
 
-    static Stream<Supplier<Demo>> demos() {
+    static Stream<Function<Words, Demo>> demos() {
         return Stream.of(CrateDemo::new, WheelDemo::new, FrictionDemo::new, FloodDemo::new);
     }
 
-    private static Scene open(Supplier<Demo> maker) {
+    private static Scene open(Function<Words, Demo> maker) {
         return new DemoScene(new RecordingDirector(), maker);
     }
 
@@ -56,8 +57,8 @@ class DemoEffectsTest {
                 .toList();
     }
 
-    private static List<String> declared(Supplier<Demo> maker) {
-        return maker.get().effects().all().stream().map(Effect::title).toList();
+    private static List<String> declared(Function<Words, Demo> maker) {
+        return maker.apply(new Words("en")).effects().all().stream().map(Effect::title).toList();
     }
 
     private static void click(Scene scene, String words) {
@@ -68,14 +69,14 @@ class DemoEffectsTest {
 
     @ParameterizedTest
     @MethodSource("demos")
-    void litIsWhatTheDemoDeclares(Supplier<Demo> maker) {
+    void litIsWhatTheDemoDeclares(Function<Words, Demo> maker) {
         assertThat(lit(open(maker))).hasSameElementsAs(declared(maker));
     }
 
     @ParameterizedTest
     @MethodSource("demos")
-    void saysInItsOwnWordsWhyItCallsForEach(Supplier<Demo> maker) {
-        Demo demo = maker.get();
+    void saysInItsOwnWordsWhyItCallsForEach(Function<Words, Demo> maker) {
+        Demo demo = maker.apply(new Words("en"));
         assertThat(demo.reasons())
                 .extracting(reason -> reason.effect().title())
                 .doesNotHaveDuplicates()
@@ -85,7 +86,7 @@ class DemoEffectsTest {
     /** Whatever is switched, the demo goes on, can be read, and R brings its own set back. */
     @ParameterizedTest
     @MethodSource("demos")
-    void everyEffectCanBeTriedAndRRestoresTheSet(Supplier<Demo> maker) {
+    void everyEffectCanBeTriedAndRRestoresTheSet(Function<Words, Demo> maker) {
         Scene scene = open(maker);
         for (String chip : chips(RecordingCanvas.of(scene))) {
             click(scene, chip);
@@ -100,7 +101,7 @@ class DemoEffectsTest {
 
     @ParameterizedTest
     @MethodSource("demos")
-    void aSwitchedEffectIsMarkedUntilItIsBack(Supplier<Demo> maker) {
+    void aSwitchedEffectIsMarkedUntilItIsBack(Function<Words, Demo> maker) {
         Scene scene = open(maker);
         click(scene, "gravity");
         scene.pointerMoved(-1, -1);

@@ -7,6 +7,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
+import rigibo.frontend.scene.Words;
 import rigibo.frontend.scene.widget.Slider;
 import rigibo.frontend.scene.widget.Toggle;
 import rigibo.frontend.scene.widget.Widget;
@@ -59,7 +60,7 @@ class DemoTruthTest {
     @ParameterizedTest
     @CsvSource({"0, 5", "0, 8", "1, 8", "20, 3", "30, 8", "43, 6", "60, 1", "60, 8"})
     void boxesComeAsFarAsCoulombsLawSays(double degrees, double speed) {
-        FrictionDemo demo = new FrictionDemo();
+        FrictionDemo demo = new FrictionDemo(new Words("en"));
         Workbench bench = open(demo);
         set(demo, "speed", speed);
         set(demo, "ramp", degrees);
@@ -75,7 +76,7 @@ class DemoTruthTest {
     /** All that a box that stays where it stopped had is heat, less what its height holds. */
     @Test
     void heatIsWhatTheLaunchLost() {
-        FrictionDemo demo = new FrictionDemo();
+        FrictionDemo demo = new FrictionDemo(new Words("en"));
         Workbench bench = open(demo);
         run(demo, bench, LONGEST);
         for (Lane lane : demo.lanes()) {
@@ -97,7 +98,7 @@ class DemoTruthTest {
             double torque,
             double thrust,
             boolean isHoop) {
-        WheelDemo demo = new WheelDemo();
+        WheelDemo demo = new WheelDemo(new Words("en"));
         Workbench bench = open(demo);
         set(demo, "ramp", ramp);
         set(demo, "friction", friction);
@@ -122,7 +123,7 @@ class DemoTruthTest {
      */
     @Test
     void brakeStopsAndHoldsTheWheel() {
-        WheelDemo demo = new WheelDemo();
+        WheelDemo demo = new WheelDemo(new Words("en"));
         Workbench bench = open(demo);
         run(demo, bench, 60);
         flip(demo, "brake");

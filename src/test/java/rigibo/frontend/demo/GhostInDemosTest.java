@@ -13,11 +13,12 @@ import rigibo.frontend.scene.Legibility;
 import rigibo.frontend.scene.RecordingCanvas;
 import rigibo.frontend.scene.RecordingDirector;
 import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.Words;
 import rigibo.frontend.scene.accuracy.Preset;
 import rigibo.frontend.scene.ghost.Ghost;
 import rigibo.frontend.scene.widget.Slider;
 
-import java.util.function.Supplier;
+import java.util.function.Function;
 import java.util.stream.Stream;
 
 /** A ghost goes along with a demo, whatever is done to that, and changes nothing in it. */
@@ -26,7 +27,7 @@ class GhostInDemosTest {
     private static final double STEP = 1.0 / 60;
     private static final int STEPS = 300;
 
-    static Stream<Supplier<Demo>> demos() {
+    static Stream<Function<Words, Demo>> demos() {
         return Stream.of(CrateDemo::new, WheelDemo::new, FrictionDemo::new, FloodDemo::new);
     }
 
@@ -36,8 +37,8 @@ class GhostInDemosTest {
      */
     @ParameterizedTest
     @MethodSource("demos")
-    void ghostAtTheSameAccuracyStaysInTheScene(Supplier<Demo> maker) {
-        Demo demo = maker.get();
+    void ghostAtTheSameAccuracyStaysInTheScene(Function<Words, Demo> maker) {
+        Demo demo = maker.apply(new Words("en"));
         Workbench bench = built(demo);
         bench.haunt(new Ghost(bench.pool(), Preset.GAME));
         drive(demo, bench);
@@ -47,7 +48,7 @@ class GhostInDemosTest {
     /** And at another one it is not, in the end. */
     @Test
     void ghostAtAnotherAccuracyParts() {
-        Demo demo = new CrateDemo();
+        Demo demo = new CrateDemo(new Words("en"));
         Workbench bench = built(demo);
         bench.haunt(true);
         drive(demo, bench);
@@ -57,11 +58,11 @@ class GhostInDemosTest {
 
     @ParameterizedTest
     @MethodSource("demos")
-    void sceneDoesNotFeelItsGhost(Supplier<Demo> maker) {
-        Demo plain = maker.get();
+    void sceneDoesNotFeelItsGhost(Function<Words, Demo> maker) {
+        Demo plain = maker.apply(new Words("en"));
         Workbench alone = built(plain);
         drive(plain, alone);
-        Demo haunted = maker.get();
+        Demo haunted = maker.apply(new Words("en"));
         Workbench bench = built(haunted);
         bench.haunt(true);
         drive(haunted, bench);
@@ -71,7 +72,7 @@ class GhostInDemosTest {
     /** G turns up the ghost's side; the dial begins another ghost; G again ends it. */
     @ParameterizedTest
     @MethodSource("demos")
-    void ghostIsTurnedUpByKeyAndCanBeRead(Supplier<Demo> maker) {
+    void ghostIsTurnedUpByKeyAndCanBeRead(Function<Words, Demo> maker) {
         Scene scene = new DemoScene(new RecordingDirector(), maker);
         scene.keyPressed(Key.G);
         for (int second = 0; second < 3; second++) {

@@ -17,9 +17,10 @@ import rigibo.backend.effect.Friction;
 import rigibo.backend.effect.Sleep;
 import rigibo.backend.effect.SurfaceSpeed;
 import rigibo.backend.effect.Thrust;
+import rigibo.frontend.scene.Words;
 
 import java.util.List;
-import java.util.function.Supplier;
+import java.util.function.Function;
 import java.util.stream.Stream;
 
 /** What no demo calls for changes nothing in any of them, as long as it does nothing. */
@@ -39,7 +40,7 @@ class NeutralInDemosTest {
                     new Buoyancy(-1e4, 1000, 5),
                     new Field(at -> at.push(0, 0)));
 
-    static Stream<Supplier<Demo>> demos() {
+    static Stream<Function<Words, Demo>> demos() {
         return Stream.of(CrateDemo::new, WheelDemo::new, FrictionDemo::new, FloodDemo::new);
     }
 
@@ -57,13 +58,13 @@ class NeutralInDemosTest {
 
     @ParameterizedTest
     @MethodSource("demos")
-    void neutralEffectsLeaveTheHashOfADemo(Supplier<Demo> demo) {
-        Effects called = demo.get().effects();
-        long plain = run(demo.get(), called).stateHash();
+    void neutralEffectsLeaveTheHashOfADemo(Function<Words, Demo> demo) {
+        Effects called = demo.apply(new Words("en")).effects();
+        long plain = run(demo.apply(new Words("en")), called).stateHash();
         for (Effect effect : NEUTRAL) {
-            if (isForeign(effect, called) && !isStated(effect, demo.get())) {
-                assertThat(run(demo.get(), called.with(effect)).stateHash())
-                        .as("%s in %s", effect.title(), demo.get().title())
+            if (isForeign(effect, called) && !isStated(effect, demo.apply(new Words("en")))) {
+                assertThat(run(demo.apply(new Words("en")), called.with(effect)).stateHash())
+                        .as("%s in %s", effect.title(), demo.apply(new Words("en")).title())
                         .isEqualTo(plain);
             }
         }

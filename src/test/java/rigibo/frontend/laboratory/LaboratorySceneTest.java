@@ -12,16 +12,17 @@ import rigibo.frontend.scene.Key;
 import rigibo.frontend.scene.Legibility;
 import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.RecordingCanvas;
+import rigibo.frontend.scene.Words;
 import rigibo.frontend.scene.accuracy.Preset;
 import rigibo.frontend.scene.ghost.Parting;
 
 /** Two accuracies side by side are the same scene, and tell the truth about each other. */
 class LaboratorySceneTest {
 
-    private static final String[] TITLES = {"elastic balls", "stack", "heavy on light", "billiard"};
+    private static final Key[] EXPERIMENTS = {Key.DIGIT_1, Key.DIGIT_2, Key.DIGIT_3, Key.DIGIT_4};
 
     private static LaboratoryScene open(String experiment) {
-        LaboratoryScene scene = new LaboratoryScene();
+        LaboratoryScene scene = new LaboratoryScene(new Words("en"));
         click(scene, experiment);
         return scene;
     }
@@ -130,14 +131,16 @@ class LaboratorySceneTest {
         assertThat(scene.left().pool().stateHash()).isNotEqualTo(state);
     }
 
-    @Test
-    void everythingCanBeReadAtAnyTime() {
-        for (String title : TITLES) {
+    @ParameterizedTest
+    @ValueSource(strings = {"en", "de"})
+    void everythingCanBeReadAtAnyTime(String language) {
+        for (Key experiment : EXPERIMENTS) {
             for (Preset preset : Preset.values()) {
-                LaboratoryScene scene = open(title);
+                LaboratoryScene scene = new LaboratoryScene(new Words(language));
+                scene.keyPressed(experiment);
                 scene.left().choose(preset);
                 for (int second = 0; second < 10; second += 2) {
-                    assertThat(Legibility.faults(scene)).as(title + " " + preset).isEmpty();
+                    assertThat(Legibility.faults(scene)).as(experiment + " " + preset).isEmpty();
                     run(scene, 120);
                 }
             }

@@ -14,6 +14,9 @@ public final class RecordingDirector implements Director {
     /** What was to be heard. */
     public final RecordingSounds sounds = new RecordingSounds();
 
+    /** What else was asked for: menu, levels, quit. */
+    public final List<String> asked = new ArrayList<>();
+
     /** What the player is told. */
     public final List<String> notices = new ArrayList<>();
 
@@ -41,13 +44,19 @@ public final class RecordingDirector implements Director {
     }
 
     @Override
-    public void showMenu() {}
+    public void showMenu() {
+        asked.add("menu");
+    }
 
     @Override
-    public void showLevels() {}
+    public void showLevels() {
+        asked.add("levels");
+    }
 
     @Override
-    public void quit() {}
+    public void quit() {
+        asked.add("quit");
+    }
 
     @Override
     public Settings settings() {

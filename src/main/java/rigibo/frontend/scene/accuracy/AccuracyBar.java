@@ -5,6 +5,7 @@ import rigibo.backend.setup.Accuracy;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.Words;
 
 import java.util.Optional;
 
@@ -28,6 +29,8 @@ public final class AccuracyBar {
 
     private final Pool pool;
     private final AccuracyMeter meter;
+    private final Words words;
+    private final Badge badge;
     private final Dial dial;
     private final StepTimes times = new StepTimes();
     private final double top;
@@ -35,9 +38,13 @@ public final class AccuracyBar {
     private double pointerY = -1;
     private double pace = 1;
 
-    /** A bar of a pool with its upper edge at y, px, with prices and errors from a meter. */
-    public AccuracyBar(Pool pool, AccuracyMeter meter, double y) {
+    /**
+     * A bar of a pool with its upper edge at y, px, with prices and errors from a meter, in words.
+     */
+    public AccuracyBar(Pool pool, AccuracyMeter meter, Words words, double y) {
         this.pool = pool;
+        this.words = words;
+        badge = new Badge(words);
         this.meter = meter;
         top = y;
         dial = new Dial(pool, LEFT + PADDING, top + PADDING);
@@ -63,10 +70,12 @@ public final class AccuracyBar {
         canvas.panel(LEFT, top, WIDTH, HEIGHT, 12, Color.PANEL);
         dial.draw(canvas);
         Optional<Preset> hot = dial.at(pointerX, pointerY);
-        String words = hot.map(Preset::help).orElse(isHelping() ? help() : badge(isPaused));
+        String said =
+                hot.map(preset -> preset.help(words))
+                        .orElse(isHelping() ? help() : numbers(isPaused));
         boolean isLate = pace < IN_TIME && !isPaused;
         canvas.text(
-                words,
+                said,
                 WORDS_LEFT,
                 top + HEIGHT / 2,
                 16,
@@ -83,25 +92,25 @@ public final class AccuracyBar {
     private String help() {
         boolean isWhole = meter.last().map(AccuracyTrial.Result::isWhole).orElse(true);
         int steps = meter.last().map(AccuracyTrial.Result::steps).orElse(AccuracyTrial.STEPS);
-        String after = isWhole ? "half a second" : steps + " steps";
-        return "error: rms distance to EXACT, left alone for " + after;
+        String after = isWhole ? words.of("badge.half-second") : words.of("badge.steps", steps);
+        return words.of("badge.help", after);
     }
 
     /** The numbers that belong to the lit position. */
-    private String badge(boolean isPaused) {
+    private String numbers(boolean isPaused) {
         return String.join(
                 " · ",
-                Badge.step(times.median()),
-                meter.last().map(last -> Badge.price(meter.price())).orElse(Badge.unknownPrice()),
+                badge.step(times.median()),
+                meter.last().map(last -> badge.price(meter.price())).orElse(badge.unknownPrice()),
                 error(),
-                isPaused ? "paused" : Badge.pace(pace >= IN_TIME ? 1 : pace));
+                isPaused ? words.of("badge.paused") : badge.pace(pace >= IN_TIME ? 1 : pace));
     }
 
     /** EXACT has no error to itself, which does not mean that it has none. */
     private String error() {
         return pool.accuracy().equals(Accuracy.EXACT)
-                ? "the reference"
-                : meter.last().map(last -> Badge.error(last.error())).orElse(Badge.unknownError());
+                ? words.of("badge.reference")
+                : meter.last().map(last -> badge.error(last.error())).orElse(badge.unknownError());
     }
 
     /** Whether a point lies on the bar. */

@@ -1,42 +1,46 @@
 package rigibo.frontend.scene.accuracy;
 
+import rigibo.frontend.scene.Words;
+
 import java.util.Locale;
 
-/** What accuracy costs and brings, in few words; what is not known yet is "…". */
-public final class Badge {
+/**
+ * What accuracy costs and brings, in few words; what is not known yet is "…".
+ *
+ * @param words the player's
+ */
+public record Badge(Words words) {
 
     private static final String UNKNOWN = "…";
 
     /** From here on an error is told in metres, below in powers of ten. */
     private static final double PLAIN = 0.01;
 
-    private Badge() {}
-
     /** What a step takes, ns; 0 while unknown. */
-    static String step(double nanos) {
+    String step(double nanos) {
         String time =
                 nanos <= 0
                         ? UNKNOWN + " ms"
                         : nanos < 1e5 ? digits(nanos / 1e3) + " µs" : digits(nanos / 1e6) + " ms";
-        return time + "/step";
+        return words.of("badge.step", time);
     }
 
     /** Times the time of a step at DRAFT. */
-    static String price(double times) {
+    String price(double times) {
         return (times > 0 ? digits(times) : UNKNOWN) + " × DRAFT";
     }
 
-    static String unknownPrice() {
+    String unknownPrice() {
         return price(0);
     }
 
     /** A distance to where EXACT has the bodies, m. */
-    static String error(double metres) {
-        return "error " + metres(metres);
+    String error(double metres) {
+        return words.of("badge.error", metres(metres));
     }
 
-    static String unknownError() {
-        return "error " + UNKNOWN;
+    String unknownError() {
+        return words.of("badge.error", UNKNOWN);
     }
 
     private static String metres(double metres) {
@@ -49,8 +53,8 @@ public final class Badge {
     }
 
     /** Share of real time, 1 or less. */
-    public static String pace(double share) {
-        return digits(share) + " × real time";
+    public String pace(double share) {
+        return words.of("badge.pace", digits(share));
     }
 
     /** Two digits that count, and never less than a unit's place. */

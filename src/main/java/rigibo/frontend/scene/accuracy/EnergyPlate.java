@@ -3,6 +3,7 @@ package rigibo.frontend.scene.accuracy;
 import rigibo.backend.Pool;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Words;
 
 /**
  * The energy of a scene: its parts beside what was lost by design, and its drift over the last 10
@@ -22,13 +23,15 @@ public final class EnergyPlate {
     private static final double GRAPH_HEIGHT = 38;
 
     private final Pool pool;
+    private final Words words;
     private final EnergyBook book = new EnergyBook();
     private final double[] curve = new double[EnergyBook.WINDOW];
     private double lowestPotential = Double.POSITIVE_INFINITY;
 
-    /** A plate for a pool. */
-    public EnergyPlate(Pool pool) {
+    /** A plate for a pool, in a player's words. */
+    public EnergyPlate(Pool pool, Words words) {
         this.pool = pool;
+        this.words = words;
     }
 
     /** Call before each step: sees whether the scene was edited. */
@@ -52,27 +55,54 @@ public final class EnergyPlate {
         double left = x + MARGIN;
         double right = x + width - MARGIN;
         canvas.panel(x, y, width, HEIGHT, 12, Color.PANEL);
-        words(canvas, "in all", left, y + 18, Color.TEXT);
+        words(canvas, words.of("energy.all"), left, y + 18, Color.TEXT);
         number(canvas, energy.total(), right, y + 18, Color.TEXT);
         bar(canvas, energy, book.lost(kind), left, y + 40, right - left);
-        row(canvas, "potential", energy.potential(), Color.ICE, left, right, y + FIRST_ROW);
+        row(
+                canvas,
+                words.of("energy.potential"),
+                energy.potential(),
+                Color.ICE,
+                left,
+                right,
+                y + FIRST_ROW);
         double second = y + FIRST_ROW + ROW;
-        row(canvas, "translational", energy.translational(), Color.RIGIBO, left, right, second);
-        row(canvas, "rotational", energy.rotational(), Color.GOOD, left, right, second + ROW);
+        row(
+                canvas,
+                words.of("energy.translational"),
+                energy.translational(),
+                Color.RIGIBO,
+                left,
+                right,
+                second);
+        row(
+                canvas,
+                words.of("energy.rotational"),
+                energy.rotational(),
+                Color.GOOD,
+                left,
+                right,
+                second + ROW);
         double account = second + 2 * ROW;
         switch (kind) {
-            case CONSERVED -> row(canvas, "lost by design", 0, Color.RUBBER, left, right, account);
+            case CONSERVED ->
+                    row(canvas, words.of("energy.lost"), 0, Color.RUBBER, left, right, account);
             case LOSING -> {
                 // Nobody can tell a loss from drift downwards, and the words say so.
-                String words = "lost, with drift";
-                row(canvas, words, book.lost(kind), Color.RUBBER, left, right, account);
+                String name = words.of("energy.losing");
+                row(canvas, name, book.lost(kind), Color.RUBBER, left, right, account);
             }
-            case WORKED -> words(canvas, "work is done here", left, account, Color.TEXT);
+            case WORKED -> words(canvas, words.of("energy.worked"), left, account, Color.TEXT);
         }
         boolean isWorked = kind == EnergyKind.WORKED;
         double change = isWorked ? book.work(kind) : book.drift(kind);
-        String words = isWorked ? "change" : kind == EnergyKind.LOSING ? "drift up" : "drift";
-        words(canvas, words, left, account + ROW, Color.BRASS);
+        String name =
+                isWorked
+                        ? words.of("energy.change")
+                        : kind == EnergyKind.LOSING
+                                ? words.of("energy.rise")
+                                : words.of("energy.drift");
+        words(canvas, name, left, account + ROW, Color.BRASS);
         number(canvas, change, right, account + ROW, Color.BRASS);
         graph(canvas, kind, left, y + GRAPH_TOP, right - left);
     }

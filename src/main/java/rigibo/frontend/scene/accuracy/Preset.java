@@ -1,24 +1,24 @@
 package rigibo.frontend.scene.accuracy;
 
 import rigibo.backend.setup.Accuracy;
+import rigibo.frontend.scene.Words;
 
 import java.util.Arrays;
+import java.util.Locale;
 import java.util.Optional;
 
 /** The positions of the dial, from the fastest to the most accurate. */
 public enum Preset {
-    DRAFT(Accuracy.DRAFT, "fast and plausible", "1 mm"),
-    GAME(Accuracy.GAME, "the game's", "0.1 mm"),
-    FINE(Accuracy.FINE, "measurable", "1 µm"),
-    EXACT(Accuracy.EXACT, "as good as doubles get", "1 nm");
+    DRAFT(Accuracy.DRAFT, "1 mm"),
+    GAME(Accuracy.GAME, "0.1 mm"),
+    FINE(Accuracy.FINE, "1 µm"),
+    EXACT(Accuracy.EXACT, "1 nm");
 
     private final Accuracy accuracy;
-    private final String purpose;
     private final String tolerance;
 
-    Preset(Accuracy accuracy, String purpose, String tolerance) {
+    Preset(Accuracy accuracy, String tolerance) {
         this.accuracy = accuracy;
-        this.purpose = purpose;
         this.tolerance = tolerance;
     }
 
@@ -38,8 +38,8 @@ public enum Preset {
     }
 
     /** What it is, in a line. */
-    String help() {
-        String substeps = accuracy.substeps() == 1 ? " substep" : " substeps";
-        return purpose + ": " + accuracy.substeps() + substeps + ", impacts within " + tolerance;
+    String help(Words words) {
+        String purpose = words.of("preset." + name().toLowerCase(Locale.ROOT));
+        return words.of("preset.help", purpose, accuracy.substeps(), tolerance);
     }
 }

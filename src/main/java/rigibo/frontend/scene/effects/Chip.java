@@ -8,11 +8,12 @@ import rigibo.frontend.scene.Color;
  * An effect's place in the bar.
  *
  * @param reason the effect and what it does
+ * @param title the player's name of it
  * @param x left edge, logical px
  * @param y upper edge
  * @param width px
  */
-record Chip(EffectReason reason, double x, double y, double width) {
+record Chip(EffectReason reason, String title, double x, double y, double width) {
 
     /** px. */
     static final double HEIGHT = 30;
@@ -23,17 +24,13 @@ record Chip(EffectReason reason, double x, double y, double width) {
         return reason.effect();
     }
 
-    String title() {
-        return effect().title();
-    }
-
     boolean holds(double px, double py) {
         return px >= x && px <= x + width && py >= y && py <= y + HEIGHT;
     }
 
     /** The same chip elsewhere, px. */
     Chip movedBy(double dx, double dy) {
-        return new Chip(reason, x + dx, y + dy, width);
+        return new Chip(reason, title, x + dx, y + dy, width);
     }
 
     /** Lit when simulated, with a line as long as its share of a step; framed when switched. */
@@ -49,7 +46,7 @@ record Chip(EffectReason reason, double x, double y, double width) {
             canvas.frame(x - 1, y - 1, width + 2, HEIGHT + 2, HEIGHT / 2 + 1, Color.BAD);
         }
         canvas.text(
-                title(),
+                title,
                 x + width / 2,
                 y + HEIGHT / 2 - 1,
                 16,

@@ -2,6 +2,7 @@ package rigibo.frontend.scene.effects;
 
 import rigibo.backend.effect.Effects;
 import rigibo.frontend.scene.Canvas;
+import rigibo.frontend.scene.Words;
 
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -29,6 +30,7 @@ final class ChipLayout {
 
     private static final double CROWDED_GAP = 4;
 
+    private final Words words;
     private final Canvas canvas;
     private final double width;
     private final boolean isCrowded;
@@ -36,7 +38,8 @@ final class ChipLayout {
     private final double[] ends = new double[ROWS];
     private int row;
 
-    private ChipLayout(Canvas canvas, double width, boolean isCrowded) {
+    private ChipLayout(Words words, Canvas canvas, double width, boolean isCrowded) {
+        this.words = words;
         this.canvas = canvas;
         this.width = width;
         this.isCrowded = isCrowded;
@@ -44,11 +47,11 @@ final class ChipLayout {
 
     /** The chips of a scene in rows of a width in px, the first of them at (0, 0). */
     static List<Chip> of(SceneEffects scene, Canvas canvas, double width) {
-        Map<Boolean, List<EffectReason>> shown = shown(scene.calledFor(), scene.reasons());
+        Map<Boolean, List<EffectReason>> shown = shown(scene);
         List<EffectReason> called = shown.get(true);
-        ChipLayout layout = new ChipLayout(canvas, width, false);
+        ChipLayout layout = new ChipLayout(scene.words(), canvas, width, false);
         if (!called.stream().allMatch(layout::place)) {
-            layout = new ChipLayout(canvas, width, true);
+            layout = new ChipLayout(scene.words(), canvas, width, true);
             called.forEach(layout::place);
         }
         shown.get(false).forEach(layout::place);
@@ -56,10 +59,11 @@ final class ChipLayout {
     }
 
     /** By whether the scene calls for them. */
-    private static Map<Boolean, List<EffectReason>> shown(
-            Effects calledFor, List<EffectReason> reasons) {
+    private static Map<Boolean, List<EffectReason>> shown(SceneEffects scene) {
+        Effects calledFor = scene.calledFor();
+        List<EffectReason> reasons = scene.reasons();
         return Arrays.stream(KnownEffect.values())
-                .map(known -> known.in(calledFor, reasons))
+                .map(known -> known.in(calledFor, reasons, scene.words()))
                 .flatMap(Optional::stream)
                 .collect(
                         Collectors.partitioningBy(
@@ -69,11 +73,11 @@ final class ChipLayout {
     /** Adds a chip behind the last, in a crowd wherever there is room; whether there was. */
     private boolean place(EffectReason reason) {
         double margin = isCrowded ? CROWDED_MARGIN : MARGIN;
-        double words = canvas.textWidth(reason.effect().title(), 16, Canvas.Font.WORDS);
-        double needed = words + 2 * margin;
+        String title = words.of("effect." + reason.effect().title());
+        double needed = canvas.textWidth(title, 16, Canvas.Font.WORDS) + 2 * margin;
         for (int i = isCrowded ? 0 : row; i < ROWS; i++) {
             if (ends[i] + needed <= width) {
-                chips.add(new Chip(reason, ends[i], i * (Chip.HEIGHT + GAP), needed));
+                chips.add(new Chip(reason, title, ends[i], i * (Chip.HEIGHT + GAP), needed));
                 ends[i] += needed + (isCrowded ? CROWDED_GAP : GAP);
                 row = i;
                 return true;

@@ -1,40 +1,41 @@
 package rigibo.frontend.scene.effects;
 
+import rigibo.frontend.scene.Words;
+
 import java.util.Locale;
 
-/** What was measured, in words that claim no more than that. */
-final class CostWords {
+/**
+ * What was measured, in words that claim no more than that.
+ *
+ * @param words the player's
+ */
+record CostWords(Words words) {
 
     private static final double MICROSECOND = 1e3;
     private static final double MILLISECOND = 1e6;
 
-    private CostWords() {}
-
     /** What an effect that is simulated costs of a step. */
-    static String ofLit(Estimate cost) {
-        if (!cost.isKnown()) {
-            return "costs …";
-        }
-        return isWithinNoise(cost)
-                ? "costs less than the noise of " + time(bound(cost))
-                : (cost.mean() > 0 ? "costs " : "saves ") + sure(cost);
+    String ofLit(Estimate cost) {
+        return of("cost.lit", cost);
     }
 
     /** What an effect that is not simulated would cost. */
-    static String ofUnlit(Estimate cost) {
+    String ofUnlit(Estimate cost) {
+        return of("cost.unlit", cost);
+    }
+
+    private String of(String key, Estimate cost) {
         if (!cost.isKnown()) {
-            return "would cost … more";
+            return words.of(key + ".unknown");
         }
         return isWithinNoise(cost)
-                ? "would cost less than the noise of " + time(bound(cost))
-                : (cost.mean() > 0
-                        ? "would cost " + sure(cost) + " more"
-                        : "would save " + sure(cost));
+                ? words.of(key + ".noise", time(bound(cost)))
+                : words.of(key + (cost.mean() > 0 ? ".more" : ".less"), sure(cost));
     }
 
     /** What a step takes, ns, 0 where it is unknown. */
-    static String ofStep(double nanos) {
-        return "a step takes " + (nanos > 0 ? time(nanos) : "…");
+    String ofStep(double nanos) {
+        return words.of("cost.step", nanos > 0 ? time(nanos) : "…");
     }
 
     private static boolean isWithinNoise(Estimate cost) {

@@ -6,9 +6,11 @@ import rigibo.backend.effect.Sleep;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.Words;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Collectors;
 
 /**
  * The effects of a scene as chips, lit when simulated. Under the pointer a chip says what it does
@@ -31,6 +33,8 @@ public final class EffectsBar {
     public static final double HEIGHT = PADDING + ROWS + 6 + 2 * LINE + 6;
 
     private final SceneEffects scene;
+    private final Words words;
+    private final CostWords said;
     private final CostMeter meter;
     private List<Chip> chips = List.of();
     private double top;
@@ -43,6 +47,8 @@ public final class EffectsBar {
     /** The bar of a scene, with costs from a meter. */
     public EffectsBar(SceneEffects scene, CostMeter meter) {
         this.scene = scene;
+        words = scene.words();
+        said = new CostWords(words);
         this.meter = meter;
     }
 
@@ -66,11 +72,11 @@ public final class EffectsBar {
         }
         Effects calledFor = scene.calledFor();
         chips.forEach(chip -> draw(canvas, chip, calledFor));
-        double words = top + PADDING + ROWS + 6 + LINE / 2;
-        words(canvas, what(), words, refusal.isEmpty() ? Color.TEXT : Color.BAD);
-        words(canvas, cost(), words + LINE, Color.BRASS);
+        double line = top + PADDING + ROWS + 6 + LINE / 2;
+        words(canvas, what(), line, refusal.isEmpty() ? Color.TEXT : Color.BAD);
+        words(canvas, cost(), line + LINE, Color.BRASS);
         if (isExperiment && hot().isPresent()) {
-            drawMark(canvas, words + LINE);
+            drawMark(canvas, line + LINE);
         }
     }
 
@@ -84,9 +90,9 @@ public final class EffectsBar {
     }
 
     /** While a chip is explained, the experiment stays marked in a corner. */
-    private static void drawMark(Canvas canvas, double y) {
+    private void drawMark(Canvas canvas, double y) {
         canvas.text(
-                "experiment",
+                words.of("effect.experiment"),
                 LEFT + WIDTH - PADDING - 4,
                 y,
                 16,
@@ -111,39 +117,49 @@ public final class EffectsBar {
         if (!refusal.isEmpty()) {
             return refusal;
         }
-        String idle =
-                scene.marking().isEmpty()
-                        ? "simulated is what is lit; click to switch, point to see what it costs"
-                        : scene.marking();
+        String idle = scene.marking().isEmpty() ? words.of("effect.idle") : scene.marking();
         return hot().map(this::what).orElse(idle);
     }
 
     private String what(Chip chip) {
-        String state =
+        String key =
                 isCalledFor(chip)
-                        ? isLit(chip) ? "" : ", left out"
-                        : isLit(chip) ? ", tried out" : ", if it were on";
-        return chip.title() + state + ": " + chip.reason().words();
+                        ? isLit(chip) ? "effect.called" : "effect.left-out"
+                        : isLit(chip) ? "effect.tried" : "effect.offered";
+        return words.of(key, chip.title(), chip.reason().words());
     }
 
     private String cost() {
-        String step = CostWords.ofStep(meter.step());
+        String step = said.ofStep(meter.step());
         if (!refusal.isEmpty()) {
             return step;
         }
-        return hot().map(chip -> cost(chip) + "; " + step)
-                .orElse(step + "; the line in a chip is its share of it");
+        return hot().map(chip -> cost(chip) + "; " + step).orElse(words.of("cost.share", step));
     }
 
     private String cost(Chip chip) {
         Estimate cost = meter.cost(chip.effect());
         Switching switching = Switching.of(scene.pool().effects(), chip.effect());
         if (switching.effects().isEmpty()) {
-            return switching.refusal();
+            return refusal(switching);
         }
-        String words = isLit(chip) ? CostWords.ofLit(cost) : CostWords.ofUnlit(cost);
+        String price = isLit(chip) ? said.ofLit(cost) : said.ofUnlit(cost);
         boolean isOfWoken = meter.hasWoken() && !(chip.effect() instanceof Sleep);
-        return isOfWoken ? words + ", all awake" : words;
+        return isOfWoken ? words.of("cost.awake", price) : price;
+    }
+
+    private String refusal(Switching switching) {
+        return switching.lack().map(this::refusal).orElse("");
+    }
+
+    private String refusal(Switching.Lack lack) {
+        String or = words.of("effect.or");
+        String needed = lack.needed().stream().map(this::title).collect(Collectors.joining(or));
+        return words.of("effect.refusal", title(lack.needing()), needed);
+    }
+
+    private String title(String effect) {
+        return words.of("effect." + effect);
     }
 
     private Optional<Chip> hot() {
@@ -177,6 +193,6 @@ public final class EffectsBar {
         Switching switching = Switching.of(scene.pool().effects(), effect);
         Optional<Effects> next = switching.effects();
         next.ifPresent(scene::experiment);
-        refusal = switching.refusal();
+        refusal = refusal(switching);
     }
 }

@@ -18,6 +18,7 @@ import rigibo.backend.effect.Sleep;
 import rigibo.backend.effect.SurfaceSpeed;
 import rigibo.backend.effect.Thrust;
 import rigibo.backend.effect.Wind;
+import rigibo.frontend.scene.Words;
 
 import java.util.List;
 import java.util.Optional;
@@ -28,40 +29,38 @@ import java.util.Optional;
  * the materials' or the place's, only where a scene has them.
  */
 enum KnownEffect {
-    GRAVITY(new Gravity(0, -9.81), "everything falls"),
-    CONTACTS(new Contacts(), "bodies lie on each other instead of passing through"),
-    ROTATION(new Rotation(), "bodies turn and tip over"),
-    FRICTION(new Friction(), "surfaces hold each other, by a share of the load"),
-    RESTITUTION(new Restitution(), "what hits bounces, as elastic as it is"),
-    ROLLING_RESISTANCE(RollingResistance.class, "what rolls slows down"),
-    SURFACE_SPEED(SurfaceSpeed.class, "running surfaces carry what lies on them"),
-    DRAG(Drag.class, "motion dies away, as in syrup"),
-    BUOYANCY(Buoyancy.class, "water lifts what is in it"),
-    CENTRAL_FORCE(CentralForce.class, "everything is pulled to one point"),
-    FIELD(Field.class, "a force of the scene's own acts everywhere"),
-    THRUST(Thrust.class, "what is driven is pushed and turned"),
-    CONTINUOUS_IMPACTS(new ContinuousImpacts(), "what is fast cannot pass through a wall"),
-    SLEEP(new Sleep(), "what rests is not computed until it is disturbed"),
+    GRAVITY(new Gravity(0, -9.81)),
+    CONTACTS(new Contacts()),
+    ROTATION(new Rotation()),
+    FRICTION(new Friction()),
+    RESTITUTION(new Restitution()),
+    ROLLING_RESISTANCE(RollingResistance.class),
+    SURFACE_SPEED(SurfaceSpeed.class),
+    DRAG(Drag.class),
+    BUOYANCY(Buoyancy.class),
+    CENTRAL_FORCE(CentralForce.class),
+    FIELD(Field.class),
+    THRUST(Thrust.class),
+    CONTINUOUS_IMPACTS(new ContinuousImpacts()),
+    SLEEP(new Sleep()),
     /** Air at sea level round discs. */
-    AIR_DRAG(new AirDrag(1.2, 1.1), "the air slows what is fast"),
-    WIND(new Wind(10, 0), "the air blows to the right");
+    AIR_DRAG(new AirDrag(1.2, 1.1)),
+    WIND(new Wind(10, 0));
 
     private final Class<? extends Effect> kind;
     private final Optional<Effect> offer;
-    private final String words;
 
-    KnownEffect(Effect offer, String words) {
-        this(offer.getClass(), Optional.of(offer), words);
+    KnownEffect(Effect offer) {
+        this(offer.getClass(), Optional.of(offer));
     }
 
-    KnownEffect(Class<? extends Effect> kind, String words) {
-        this(kind, Optional.empty(), words);
+    KnownEffect(Class<? extends Effect> kind) {
+        this(kind, Optional.empty());
     }
 
-    KnownEffect(Class<? extends Effect> kind, Optional<Effect> offer, String words) {
+    KnownEffect(Class<? extends Effect> kind, Optional<Effect> offer) {
         this.kind = kind;
         this.offer = offer;
-        this.words = words;
     }
 
     /**
@@ -70,13 +69,24 @@ enum KnownEffect {
      *
      * @param calledFor what the scene calls for
      * @param reasons the scene's own words
+     * @param words the player's
      */
-    Optional<EffectReason> in(Effects calledFor, List<EffectReason> reasons) {
+    Optional<EffectReason> in(Effects calledFor, List<EffectReason> reasons, Words words) {
         Optional<EffectReason> own =
                 reasons.stream().filter(reason -> kind.isInstance(reason.effect())).findFirst();
         Optional<Effect> effect = calledFor.find(kind).map(Effect.class::cast);
         return effect.or(() -> own.map(EffectReason::effect))
                 .or(() -> offer)
-                .map(shown -> new EffectReason(shown, own.map(EffectReason::words).orElse(words)));
+                .map(
+                        shown ->
+                                new EffectReason(
+                                        shown,
+                                        own.map(EffectReason::words)
+                                                .orElse(general(shown, words))));
+    }
+
+    /** What an effect does wherever bodies are. */
+    private static String general(Effect effect, Words words) {
+        return words.of("effect." + effect.title() + ".words");
     }
 }

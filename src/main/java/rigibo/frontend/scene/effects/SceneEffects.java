@@ -2,11 +2,15 @@ package rigibo.frontend.scene.effects;
 
 import rigibo.backend.Pool;
 import rigibo.backend.effect.Effects;
+import rigibo.frontend.scene.Words;
 
 import java.util.List;
 
 /** A scene as the effects bar sees it. */
 public interface SceneEffects {
+
+    /** The player's. */
+    Words words();
 
     /** What is simulated now; a scene that begins anew may answer another. */
     Pool pool();

@@ -2,6 +2,7 @@ package rigibo.frontend.scene.ghost;
 
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Words;
 import rigibo.frontend.scene.widget.Lines;
 
 /** How far a ghost has come from its scene: a number, a curve, and what it means. */
@@ -16,9 +17,14 @@ public final class GhostPlate {
     private static final double HEAD = 18;
     private static final double CURVE_TOP = 52;
     private static final double CURVE_HEIGHT = 126;
-    private static final String OPEN = "the outlines: the same scene at that accuracy";
 
+    private final Words words;
     private final DistanceCurve curve = new DistanceCurve();
+
+    /** A plate in a player's words. */
+    public GhostPlate(Words words) {
+        this.words = words;
+    }
 
     /** Draws it with its upper left corner at (x, y), px. */
     public void draw(Canvas canvas, Ghost ghost, double x, double y, double width) {
@@ -26,8 +32,8 @@ public final class GhostPlate {
         double left = x + MARGIN;
         double right = x + width - MARGIN;
         canvas.panel(x, y, width, HEIGHT, 12, Color.PANEL);
-        words(canvas, "from " + ghost.preset(), left, y + HEAD, Color.TEXT);
-        words(canvas, "rms over the bodies", left, y + HEAD + LINE, Color.TEXT_DIM);
+        words(canvas, words.of("ghost.from", ghost.preset()), left, y + HEAD, Color.TEXT);
+        words(canvas, words.of("ghost.rms"), left, y + HEAD + LINE, Color.TEXT_DIM);
         canvas.text(
                 Metres.words(divergence.distance()),
                 right,
@@ -38,7 +44,11 @@ public final class GhostPlate {
                 Color.TEXT);
         curve.draw(canvas, divergence, left, y + CURVE_TOP, right - left, CURVE_HEIGHT);
         boolean isParted = divergence.parting().isPresent();
-        String note = divergence.parting().map(Parting::brief).orElse(OPEN);
+        String note =
+                divergence
+                        .parting()
+                        .map(parting -> parting.briefIn(words))
+                        .orElse(words.of("ghost.open"));
         double line = y + CURVE_TOP + CURVE_HEIGHT + 8 + LINE / 2;
         for (String part : Lines.of(canvas, note, SIZE, Canvas.Font.WORDS, right - left)) {
             words(canvas, part, left, line, isParted ? Color.BRASS : Color.TEXT);

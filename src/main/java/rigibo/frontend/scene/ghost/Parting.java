@@ -1,5 +1,7 @@
 package rigibo.frontend.scene.ghost;
 
+import rigibo.frontend.scene.Words;
+
 import java.util.Locale;
 
 /**
@@ -11,21 +13,16 @@ import java.util.Locale;
 public record Parting(double seconds, boolean isChaotic) {
 
     /** What it means, in a line. */
-    public String words() {
-        String words =
-                isChaotic
-                        ? "chaotic: after %.1f s the two are different worlds,"
-                                + " compare distributions, not paths"
-                        : "after %.1f s the two are different worlds, by errors and not by chaos";
-        return String.format(Locale.ROOT, words, seconds);
+    public String in(Words words) {
+        return words.of(isChaotic ? "parting.chaotic" : "parting.apart", time());
     }
 
     /** The same where there is little room. */
-    String brief() {
-        String words =
-                isChaotic
-                        ? "chaos: another world after %.1f s"
-                        : "apart after %.1f s, not by chaos";
-        return String.format(Locale.ROOT, words, seconds);
+    String briefIn(Words words) {
+        return words.of(isChaotic ? "parting.chaotic.brief" : "parting.apart.brief", time());
+    }
+
+    private String time() {
+        return String.format(Locale.ROOT, "%.1f s", seconds);
     }
 }

@@ -13,7 +13,7 @@ public record Button(String words, Runnable action) implements Widget {
 
     @Override
     public void draw(Canvas canvas, double x, double y, double width, boolean isHot) {
-        canvas.panel(x, y + 2, width, ROW - 4, 7, isHot ? Color.EDGE : Color.PANEL_LIT);
+        canvas.panel(x, y + 2, width, ROW - 4, 7, Color.PANEL_LIT);
         canvas.text(
                 words,
                 x + width / 2,

@@ -8,6 +8,8 @@ import java.util.List;
 /** Texts in lines of a width. */
 public final class Lines {
 
+    private static final String MORE = "…";
+
     private Lines() {}
 
     /**
@@ -46,5 +48,23 @@ public final class Lines {
             letters++;
         }
         return letters;
+    }
+
+    /**
+     * As much of a text as there is room for.
+     *
+     * @param size of the text, px
+     * @param width of the room, px
+     */
+    public static String shortened(
+            Canvas canvas, String text, double size, Canvas.Font font, double width) {
+        if (canvas.textWidth(text, size, font) <= width) {
+            return text;
+        }
+        int end = text.length();
+        while (end > 0 && canvas.textWidth(text.substring(0, end) + MORE, size, font) > width) {
+            end--;
+        }
+        return text.substring(0, end).stripTrailing() + MORE;
     }
 }

@@ -27,6 +27,14 @@ public final class Panel {
         this.widgets = List.copyOf(widgets);
     }
 
+    /** The same with other widgets, and the one in the same row chosen or held. */
+    public Panel with(List<Widget> others) {
+        Panel panel = new Panel(x, y, width, others);
+        panel.hot = hot;
+        panel.dragged = dragged;
+        return panel;
+    }
+
     /** Height with its padding, px. */
     public double height() {
         return widgets.size() * Widget.ROW + 2 * PADDING;
@@ -38,6 +46,9 @@ public final class Panel {
         for (int i = 0; i < widgets.size(); i++) {
             double top = y + PADDING + i * Widget.ROW;
             widgets.get(i).draw(canvas, x + PADDING, top, width - 2 * PADDING, i == hot);
+            if (i == hot) {
+                canvas.frame(x + 4, top - 1, width - 8, Widget.ROW + 2, 9, Color.BRASS);
+            }
         }
     }
 
@@ -60,8 +71,9 @@ public final class Panel {
     public boolean pointerPressed(double px, double py) {
         pointerMoved(px, py);
         if (hot != NOTHING) {
-            widgets.get(hot).press(share(px));
+            // First, for the press may put another panel in this one's place.
             dragged = widgets.get(hot).isDragged() ? hot : NOTHING;
+            widgets.get(hot).press(share(px));
         }
         return contains(px, py);
     }

@@ -3,7 +3,7 @@ package rigibo.frontend.scene.widget;
 import rigibo.frontend.scene.Canvas;
 
 /** One control or readout in a {@link Panel}, a row of it. */
-public sealed interface Widget permits Button, Slider, Toggle, Readout {
+public sealed interface Widget permits Button, Choice, Slider, Toggle, Readout {
 
     /** Height of a row, px. */
     double ROW = 30;

@@ -18,6 +18,7 @@ import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.BodyDefinition;
+import rigibo.frontend.scene.Words;
 import rigibo.frontend.scene.trial.Trials;
 
 import java.util.ArrayDeque;
@@ -106,9 +107,10 @@ class CostMeterTest {
     void saysNothingBeforeItKnows() {
         measure(Estimate.FEWEST - 1, List.of(field), Optional.empty());
         assertThat(meter.cost(field).isKnown()).isFalse();
-        assertThat(CostWords.ofLit(meter.cost(field))).isEqualTo("costs …");
-        assertThat(CostWords.ofUnlit(meter.cost(field))).isEqualTo("would cost … more");
-        assertThat(CostWords.ofStep(meter.step())).isEqualTo("a step takes …");
+        assertThat(new CostWords(new Words("en")).ofLit(meter.cost(field))).isEqualTo("costs …");
+        assertThat(new CostWords(new Words("en")).ofUnlit(meter.cost(field)))
+                .isEqualTo("would cost … more");
+        assertThat(new CostWords(new Words("en")).ofStep(meter.step())).isEqualTo("a step takes …");
     }
 
     @Test

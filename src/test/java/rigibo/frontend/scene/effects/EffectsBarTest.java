@@ -3,6 +3,8 @@ package rigibo.frontend.scene.effects;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 import rigibo.backend.effect.AirDrag;
 import rigibo.backend.effect.Buoyancy;
@@ -26,6 +28,7 @@ import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.RecordingCanvas;
 import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.Words;
 import rigibo.frontend.scene.trial.Trials;
 
 import java.util.List;
@@ -123,7 +126,7 @@ class EffectsBarTest {
         click(bar, "contacts");
 
         assertThat(scene.pool().effects()).isEqualTo(scene.calledFor());
-        String refusal = "Friction needs Contacts, which is not declared";
+        String refusal = "friction needs contacts first";
         assertThat(drawn(bar).texts()).containsOnlyOnce(refusal).contains("a step takes …");
         leave(bar);
         assertThat(drawn(bar).texts()).doesNotContain(refusal);
@@ -134,8 +137,7 @@ class EffectsBarTest {
         Trough scene = new Trough(Effects.of(new Gravity(0, -9.81)));
         EffectsBar bar = bar(scene);
         click(bar, "wind");
-        assertThat(drawn(bar).texts())
-                .contains("Wind needs Drag or AirDrag, neither of which is declared");
+        assertThat(drawn(bar).texts()).contains("wind needs drag or air-drag first");
         click(bar, "air-drag");
         click(bar, "wind");
         assertThat(scene.pool().effects().declares(Wind.class)).isTrue();
@@ -170,21 +172,26 @@ class EffectsBarTest {
     }
 
     /** The longest that can be said of each, beside the mark of an experiment. */
-    @Test
-    void whatIsSaidFitsIntoTheBar() {
+    @ParameterizedTest
+    @ValueSource(strings = {"en", "de"})
+    void whatIsSaidFitsIntoTheBar(String language) {
+        Words words = new Words(language);
         RecordingCanvas canvas = new RecordingCanvas();
         double room = Scene.WIDTH - 2 * 22;
         for (KnownEffect known : KnownEffect.values()) {
-            EffectReason reason = known.in(ALL, List.of()).orElseThrow();
-            String words = reason.effect().title() + ", if it were on: " + reason.words();
-            assertThat(canvas.textWidth(words, 16, Canvas.Font.WORDS)).isLessThan(room);
+            EffectReason reason = known.in(ALL, List.of(), words).orElseThrow();
+            String title = words.of("effect." + reason.effect().title());
+            String said = words.of("effect.offered", title, reason.words());
+            assertThat(canvas.textWidth(said, 16, Canvas.Font.WORDS)).as(said).isLessThan(room);
         }
         Estimate unsure = new Estimate();
         unsure.add(-500_000);
         unsure.add(500_000);
         unsure.add(600_000);
-        String longest = CostWords.ofUnlit(unsure) + ", all awake; " + CostWords.ofStep(9.99e6);
-        double mark = canvas.textWidth("experiment", 16, Canvas.Font.WORDS);
+        CostWords costs = new CostWords(words);
+        String longest =
+                words.of("cost.awake", costs.ofUnlit(unsure)) + "; " + costs.ofStep(9.99e6);
+        double mark = canvas.textWidth(words.of("effect.experiment"), 16, Canvas.Font.WORDS);
         assertThat(canvas.textWidth(longest, 16, Canvas.Font.WORDS) + mark).isLessThan(room);
     }
 

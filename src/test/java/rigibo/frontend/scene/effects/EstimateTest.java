@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
 
+import rigibo.frontend.scene.Words;
+
 class EstimateTest {
 
     private static Estimate of(double... rounds) {
@@ -38,12 +40,14 @@ class EstimateTest {
 
     @Test
     void wordsClaimNoMoreThanWasMeasured() {
-        assertThat(CostWords.ofLit(of(14000, 14000, 14000))).isEqualTo("costs 14.0 µs ± 0.00 µs");
-        assertThat(CostWords.ofLit(of(-14000, -14000, -14000))).startsWith("saves 14.0 µs");
-        assertThat(CostWords.ofLit(of(-900, 100, 1100)))
+        assertThat(new CostWords(new Words("en")).ofLit(of(14000, 14000, 14000)))
+                .isEqualTo("costs 14.0 µs ± 0.00 µs");
+        assertThat(new CostWords(new Words("en")).ofLit(of(-14000, -14000, -14000)))
+                .startsWith("saves 14.0 µs");
+        assertThat(new CostWords(new Words("en")).ofLit(of(-900, 100, 1100)))
                 .as("100 ns within ± %s", CostWords.time(of(-900, 100, 1100).noise()))
                 .isEqualTo("costs less than the noise of 1.43 µs");
-        assertThat(CostWords.ofUnlit(of(2e6, 2e6, 2e6)))
+        assertThat(new CostWords(new Words("en")).ofUnlit(of(2e6, 2e6, 2e6)))
                 .isEqualTo("would cost 2.00 ms ± 0.00 µs more");
     }
 

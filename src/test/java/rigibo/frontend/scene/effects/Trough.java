@@ -3,6 +3,7 @@ package rigibo.frontend.scene.effects;
 import rigibo.backend.Pool;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.setup.Accuracy;
+import rigibo.frontend.scene.Words;
 
 import java.util.List;
 
@@ -19,6 +20,11 @@ final class Trough implements SceneEffects {
         this.calledFor = calledFor;
         this.reasons = List.of(reasons);
         pool = new Pool(calledFor, Accuracy.GAME);
+    }
+
+    @Override
+    public Words words() {
+        return new Words("en");
     }
 
     @Override

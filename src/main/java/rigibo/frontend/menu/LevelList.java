@@ -1,0 +1,67 @@
+package rigibo.frontend.menu;
+
+import rigibo.frontend.scene.LevelProgress;
+import rigibo.frontend.scene.Medal;
+import rigibo.frontend.scene.Progress;
+import rigibo.frontend.scene.SceneEntry;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.IntStream;
+
+/**
+ * The levels, and what a player has done of them.
+ *
+ * @param levels in their order
+ * @param progress the player's
+ */
+record LevelList(List<SceneEntry> levels, Progress progress) {
+
+    /** So many levels are open from the start. */
+    private static final int OPEN_AT_FIRST = 3;
+
+    /** The levels among some entries. */
+    static LevelList of(List<SceneEntry> entries, Progress progress) {
+        return new LevelList(entries.stream().filter(SceneEntry::isLevel).toList(), progress);
+    }
+
+    private SceneEntry.Challenge challenge(int level) {
+        return levels.get(level).challenge().orElseThrow();
+    }
+
+    LevelProgress done(int level) {
+        return progress.of(levels.get(level).name(), challenge(level).hash());
+    }
+
+    boolean isSolved(int level) {
+        return done(level).isSolved();
+    }
+
+    /** What was solved once stays open, whatever levels came between. */
+    boolean isOpen(int level) {
+        return level < OPEN_AT_FIRST || isSolved(level - 1) || isSolved(level);
+    }
+
+    Optional<Medal> medal(int level) {
+        return challenge(level).medal(done(level));
+    }
+
+    long solved() {
+        return IntStream.range(0, levels.size()).filter(this::isSolved).count();
+    }
+
+    /** The first open level that is not solved, else the first without gold, else the first. */
+    int next() {
+        return IntStream.range(0, levels.size())
+                .filter(level -> isOpen(level) && !isSolved(level))
+                .findFirst()
+                .orElseGet(this::firstWithoutGold);
+    }
+
+    private int firstWithoutGold() {
+        return IntStream.range(0, levels.size())
+                .filter(level -> isOpen(level) && medal(level).filter(Medal.GOLD::equals).isEmpty())
+                .findFirst()
+                .orElse(0);
+    }
+}

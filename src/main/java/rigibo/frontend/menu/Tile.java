@@ -1,0 +1,39 @@
+package rigibo.frontend.menu;
+
+import rigibo.frontend.scene.Canvas;
+
+/**
+ * Something to choose, at a place on the screen.
+ *
+ * @param x left edge, logical px
+ * @param y upper edge
+ * @param width px
+ * @param height px
+ * @param look draws it
+ * @param action what choosing it does
+ */
+record Tile(double x, double y, double width, double height, Look look, Runnable action) {
+
+    /** What a tile looks like. */
+    interface Look {
+
+        /** Draws a tile, {@code isChosen} under the pointer or by keys. */
+        void draw(Canvas canvas, Tile tile, boolean isChosen);
+    }
+
+    double middleX() {
+        return x + width / 2;
+    }
+
+    double middleY() {
+        return y + height / 2;
+    }
+
+    boolean contains(double px, double py) {
+        return px >= x && px <= x + width && py >= y && py <= y + height;
+    }
+
+    void draw(Canvas canvas, boolean isChosen) {
+        look.draw(canvas, this, isChosen);
+    }
+}

@@ -1,0 +1,85 @@
+package rigibo.frontend.menu;
+
+import rigibo.frontend.scene.Canvas;
+import rigibo.frontend.scene.Key;
+import rigibo.frontend.scene.PointerButton;
+
+import java.util.List;
+
+/** Tiles of which one is chosen, by the pointer, by arrows or by Tab. */
+final class Tiles {
+
+    /** A tile aside of an arrow's way is as far as one so many times farther along it. */
+    private static final double ASIDE = 3;
+
+    private final List<Tile> tiles;
+    private int chosen;
+
+    Tiles(List<Tile> tiles, int chosen) {
+        this.tiles = List.copyOf(tiles);
+        this.chosen = chosen;
+    }
+
+    void draw(Canvas canvas) {
+        for (int i = 0; i < tiles.size(); i++) {
+            tiles.get(i).draw(canvas, i == chosen);
+        }
+    }
+
+    int chosen() {
+        return chosen;
+    }
+
+    void pointerMoved(double x, double y) {
+        int under = at(x, y);
+        chosen = under < 0 ? chosen : under;
+    }
+
+    void pointerPressed(PointerButton button, double x, double y) {
+        int under = at(x, y);
+        if (under >= 0 && button == PointerButton.LEFT) {
+            chosen = under;
+            tiles.get(under).action().run();
+        }
+    }
+
+    private int at(double x, double y) {
+        for (int i = 0; i < tiles.size(); i++) {
+            if (tiles.get(i).contains(x, y)) {
+                return i;
+            }
+        }
+        return -1;
+    }
+
+    void keyPressed(Key key) {
+        switch (key) {
+            case UP -> chosen = towards(0, -1);
+            case DOWN -> chosen = towards(0, 1);
+            case LEFT -> chosen = towards(-1, 0);
+            case RIGHT -> chosen = towards(1, 0);
+            case TAB -> chosen = (chosen + 1) % tiles.size();
+            case ENTER, SPACE -> tiles.get(chosen).action().run();
+            default -> {}
+        }
+    }
+
+    /** The nearest tile in a direction, or the present one where there is none. */
+    private int towards(int right, int down) {
+        Tile from = tiles.get(chosen);
+        int nearest = chosen;
+        double least = Double.POSITIVE_INFINITY;
+        for (int i = 0; i < tiles.size(); i++) {
+            double dx = tiles.get(i).middleX() - from.middleX();
+            double dy = tiles.get(i).middleY() - from.middleY();
+            double along = dx * right + dy * down;
+            double aside = Math.abs(dx * down) + Math.abs(dy * right);
+            double distance = along + ASIDE * aside;
+            if (along > 1 && distance < least) {
+                least = distance;
+                nearest = i;
+            }
+        }
+        return nearest;
+    }
+}

@@ -1,0 +1,88 @@
+package rigibo.frontend.puzzle;
+
+import rigibo.backend.geometry.Aabb;
+import rigibo.backend.geometry.Circle;
+import rigibo.backend.geometry.Polygon;
+import rigibo.backend.geometry.Shape;
+import rigibo.frontend.puzzle.level.Ball;
+import rigibo.frontend.puzzle.level.Level;
+import rigibo.frontend.puzzle.level.Platform;
+import rigibo.frontend.scene.Camera;
+import rigibo.frontend.scene.Canvas;
+import rigibo.frontend.scene.SceneEntry;
+import rigibo.frontend.scene.Skin;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** A level as it looks at its start, as large as fits. */
+final class LevelPicture implements SceneEntry.Picture {
+
+    /** A level of few and small bodies is not blown up further, px per m. */
+    private static final double MOST_SCALE = 22;
+
+    private final List<Part> parts = new ArrayList<>();
+    private final Ball ball;
+
+    /** What the parts fill, m. */
+    private final Aabb whole = new Aabb();
+
+    private record Part(Shape shape, double x, double y, double angle, Skin skin) {
+
+        void bounds(Aabb out) {
+            shape.bounds(x, y, Math.cos(angle), Math.sin(angle), out);
+        }
+    }
+
+    LevelPicture(Level level) {
+        ball = level.ball();
+        Platform platform = level.platform();
+        Polygon plank = Polygon.box(platform.width(), platform.height());
+        parts.add(new Part(plank, platform.x(), platform.y(), platform.angle(), Skin.WOOD));
+        level.bodies()
+                .forEach(
+                        body ->
+                                parts.add(
+                                        new Part(
+                                                body.shape(),
+                                                body.x(),
+                                                body.y(),
+                                                body.angle(),
+                                                Skins.of(body.substance()))));
+        parts.add(new Part(new Circle(ball.radius()), ball.x(), ball.y(), 0, Skin.BALL));
+        measure();
+    }
+
+    private void measure() {
+        Aabb own = new Aabb();
+        parts.get(0).bounds(whole);
+        for (Part part : parts) {
+            part.bounds(own);
+            whole.minX = Math.min(whole.minX, own.minX);
+            whole.minY = Math.min(whole.minY, own.minY);
+            whole.maxX = Math.max(whole.maxX, own.maxX);
+            whole.maxY = Math.max(whole.maxY, own.maxY);
+        }
+    }
+
+    @Override
+    public void draw(Canvas canvas, double x, double y, double width, double height) {
+        canvas.camera(camera(x, y, width, height));
+        canvas.gaze(ball.x(), ball.y());
+        for (Part part : parts) {
+            canvas.body(part.shape, part.x, part.y, part.angle, part.skin, Canvas.Mood.PLAIN);
+        }
+    }
+
+    /** Has the middle of the level in the middle of a rectangle, px. */
+    private Camera camera(double x, double y, double width, double height) {
+        double fitting =
+                Math.min(width / (whole.maxX - whole.minX), height / (whole.maxY - whole.minY));
+        double scale = Math.min(MOST_SCALE, fitting);
+        Camera plain = new Camera(0, 0, scale);
+        return new Camera(
+                (whole.minX + whole.maxX) / 2 - plain.worldX(x + width / 2),
+                (whole.minY + whole.maxY) / 2 - plain.worldY(y + height / 2),
+                scale);
+    }
+}

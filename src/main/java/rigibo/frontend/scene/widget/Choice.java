@@ -1,0 +1,73 @@
+package rigibo.frontend.scene.widget;
+
+import rigibo.frontend.scene.Canvas;
+import rigibo.frontend.scene.Color;
+
+import java.util.List;
+import java.util.function.IntConsumer;
+import java.util.function.IntSupplier;
+
+/**
+ * One of a few, round and round.
+ *
+ * @param words what is chosen
+ * @param options what there is
+ * @param value which of them it is, from 0
+ * @param change sets it
+ */
+public record Choice(String words, List<String> options, IntSupplier value, IntConsumer change)
+        implements Widget {
+
+    /** From here on, as a share of the width, a press goes on, before it goes back. */
+    private static final double MIDDLE = 0.7;
+
+    public Choice {
+        options = List.copyOf(options);
+    }
+
+    @Override
+    public void draw(Canvas canvas, double x, double y, double width, boolean isHot) {
+        double middle = y + ROW / 2;
+        Color ink = isHot ? Color.TEXT : Color.TEXT_DIM;
+        canvas.text(words, x, middle, 16, Canvas.Font.WORDS, Canvas.Align.LEFT, ink);
+        double centre = x + MIDDLE * width;
+        double right = x + width;
+        double left = 2 * centre - right;
+        canvas.panel(left, y + 2, right - left, ROW - 4, 7, Color.PANEL_LIT);
+        canvas.text(
+                options.get(value.getAsInt()),
+                centre,
+                middle,
+                16,
+                Canvas.Font.WORDS,
+                Canvas.Align.CENTRE,
+                Color.TEXT);
+        arrow(canvas, left + 14, middle, -1);
+        arrow(canvas, right - 14, middle, 1);
+    }
+
+    private static void arrow(Canvas canvas, double x, double y, int direction) {
+        canvas.line(x - 3 * direction, y - 6, x + 3 * direction, y, 2, Color.BRASS);
+        canvas.line(x + 3 * direction, y, x - 3 * direction, y + 6, 2, Color.BRASS);
+    }
+
+    @Override
+    public void press(double share) {
+        nudge(share < MIDDLE ? -1 : 1);
+    }
+
+    @Override
+    public boolean isDragged() {
+        return false;
+    }
+
+    @Override
+    public boolean isControl() {
+        return true;
+    }
+
+    @Override
+    public void nudge(int direction) {
+        change.accept(Math.floorMod(value.getAsInt() + direction, options.size()));
+    }
+}

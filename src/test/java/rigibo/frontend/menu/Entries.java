@@ -1,0 +1,58 @@
+package rigibo.frontend.menu;
+
+import rigibo.frontend.scene.Canvas;
+import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.SceneEntry;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.IntStream;
+
+/** What a menu lists, with scenes that only have names. */
+final class Entries {
+
+    static final long HASH = 17;
+    static final int PAR = 2;
+
+    private Entries() {}
+
+    /** Levels of the ids level0, level1 … with titles that are longer than a card is wide. */
+    static List<SceneEntry> levels(int count) {
+        return IntStream.range(0, count).mapToObj(Entries::level).toList();
+    }
+
+    private static SceneEntry level(int number) {
+        return new SceneEntry(
+                "level" + number,
+                words -> "A level of a very long title, " + number,
+                words -> "hint",
+                Optional.of(
+                        new SceneEntry.Challenge(
+                                HASH,
+                                PAR,
+                                (canvas, x, y, width, height) ->
+                                        canvas.frame(x, y, width, height, 0, Color.EDGE))),
+                director -> new Named("level" + number));
+    }
+
+    /** Some levels, and all else that the game has. */
+    static List<SceneEntry> all(int levels) {
+        List<SceneEntry> entries = new ArrayList<>(levels(levels));
+        for (String name : List.of("crate", "wheel", "friction", "flood", "laboratory")) {
+            entries.add(SceneEntry.of(name, director -> new Named(name)));
+        }
+        return entries;
+    }
+
+    /** A scene that only has a name. */
+    record Named(String title) implements Scene {
+
+        @Override
+        public void step() {}
+
+        @Override
+        public void draw(Canvas canvas) {}
+    }
+}

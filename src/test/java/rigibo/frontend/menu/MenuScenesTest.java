@@ -1,0 +1,210 @@
+package rigibo.frontend.menu;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+import rigibo.frontend.scene.Key;
+import rigibo.frontend.scene.Legibility;
+import rigibo.frontend.scene.PointerButton;
+import rigibo.frontend.scene.Progress;
+import rigibo.frontend.scene.RecordingCanvas;
+import rigibo.frontend.scene.RecordingDirector;
+import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.Settings;
+
+/** Menu, levels and settings, used as a player does, by what is drawn. */
+class MenuScenesTest {
+
+    private static final String NOTICE =
+            "progress.json was damaged. Folder: "
+                    + "/home/someone/with/a/very/long/name/of/a/home/directory/indeed/.local/share";
+
+    private final RecordingDirector director = new RecordingDirector();
+
+    private static void click(Scene scene, String words) {
+        double[] at = RecordingCanvas.of(scene).middleOf(words);
+        scene.pointerMoved(at[0], at[1]);
+        scene.pointerPressed(PointerButton.LEFT, at[0], at[1]);
+        scene.pointerReleased(PointerButton.LEFT, at[0], at[1]);
+    }
+
+    private static void press(Scene scene, Key... keys) {
+        for (Key key : keys) {
+            scene.keyPressed(key);
+        }
+    }
+
+    private String shown() {
+        return director.shown.get(director.shown.size() - 1).title();
+    }
+
+    private static void assertLegible(Scene scene) {
+        assertThat(Legibility.faults(scene)).as(scene.title()).isEmpty();
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"en", "de"})
+    void everythingCanBeRead(String language) {
+        RecordingDirector told = new RecordingDirector(language);
+        told.progress(
+                Progress.none()
+                        .solved("level0", Entries.HASH, 1)
+                        .solved("level1", Entries.HASH, 3)
+                        .solved("level2", Entries.HASH, 9)
+                        .solved("level3", 0, 1));
+        assertLegible(new MenuScene(told, Entries.all(15)));
+        assertLegible(new LevelsScene(told, Entries.all(15)));
+        assertLegible(new LevelsScene(told, Entries.all(40)));
+        assertLegible(new SettingsScene(told));
+        told.notices.add(NOTICE);
+        told.notices.add(NOTICE);
+        assertLegible(new MenuScene(told, Entries.all(15)));
+    }
+
+    @Test
+    void playGoesOnWithTheNextLevelByEnterAlone() {
+        press(new MenuScene(director, Entries.all(6)), Key.ENTER);
+        assertThat(shown()).isEqualTo("level0");
+        director.progress(Progress.none().solved("level0", Entries.HASH, 2));
+        MenuScene menu = new MenuScene(director, Entries.all(6));
+        click(menu, "Continue");
+        assertThat(shown()).isEqualTo("level1");
+    }
+
+    @Test
+    void everyTileOfTheMenuIsReachedByArrowsAndByTab() {
+        press(new MenuScene(director, Entries.all(6)), Key.DOWN, Key.DOWN, Key.DOWN, Key.ENTER);
+        assertThat(shown()).isIn("wheel", "crate", "friction", "flood");
+        press(new MenuScene(director, Entries.all(6)), Key.TAB, Key.TAB, Key.ENTER);
+        assertThat(shown()).isEqualTo("RigiBo – Settings");
+        press(new MenuScene(director, Entries.all(6)), Key.TAB, Key.ENTER);
+        assertThat(director.asked).containsExactly("levels");
+        press(new MenuScene(director, Entries.all(6)), Key.TAB, Key.TAB, Key.TAB, Key.ENTER);
+        assertThat(director.asked).containsExactly("levels", "quit");
+    }
+
+    @Test
+    void aClickOpensADemo() {
+        click(new MenuScene(director, Entries.all(6)), "Flood");
+        assertThat(shown()).isEqualTo("flood");
+    }
+
+    @Test
+    void withoutLevelsTheRestOfTheMenuWorks() {
+        click(new MenuScene(director, Entries.all(0)), "Crate");
+        assertThat(shown()).isEqualTo("crate");
+        press(new LevelsScene(director, Entries.all(0)), Key.DOWN, Key.ENTER);
+        assertThat(director.asked).containsExactly("menu");
+    }
+
+    @Test
+    void aNoticeStandsBeforeEverythingUntilItIsRead() {
+        director.notices.add(NOTICE);
+        MenuScene menu = new MenuScene(director, Entries.all(6));
+        assertThat(RecordingCanvas.of(menu).texts()).contains("Understood (Enter)");
+        press(menu, Key.DOWN, Key.ENTER);
+        assertThat(director.shown).isEmpty();
+        assertThat(director.notices).isEmpty();
+        assertThat(RecordingCanvas.of(menu).texts()).doesNotContain("Understood (Enter)");
+        press(menu, Key.ENTER);
+        assertThat(shown()).isEqualTo("level0");
+    }
+
+    @Test
+    void escReadsANoticeBeforeItLeaves() {
+        director.notices.add(NOTICE);
+        MenuScene menu = new MenuScene(director, Entries.all(6));
+        assertThat(menu.escaped()).isTrue();
+        assertThat(menu.escaped()).isFalse();
+    }
+
+    @Test
+    void arrowsGoThroughTheGridOfLevels() {
+        director.progress(allSolved(15));
+        LevelsScene levels = new LevelsScene(director, Entries.levels(15));
+        press(levels, Key.RIGHT, Key.DOWN, Key.ENTER);
+        assertThat(shown()).isEqualTo("level5");
+        press(levels, Key.LEFT, Key.UP, Key.UP, Key.ENTER);
+        assertThat(director.asked).containsExactly("menu");
+    }
+
+    private static Progress allSolved(int count) {
+        Progress progress = Progress.none();
+        for (int i = 0; i < count; i++) {
+            progress = progress.solved("level" + i, Entries.HASH, Entries.PAR);
+        }
+        return progress;
+    }
+
+    @Test
+    void aLockedLevelSaysWhatOpensItAndStaysClosed() {
+        LevelsScene levels = new LevelsScene(director, Entries.levels(15));
+        press(levels, Key.DOWN, Key.ENTER);
+        assertThat(director.shown).isEmpty();
+        assertThat(RecordingCanvas.of(levels).texts()).contains("Opens when level 4 is solved");
+    }
+
+    @Test
+    void theListMovesToTheChosenLevelWhenThereAreMoreThanFit() {
+        director.progress(allSolved(40));
+        LevelsScene levels = new LevelsScene(director, Entries.levels(40));
+        for (int i = 0; i < 9; i++) {
+            press(levels, Key.DOWN);
+        }
+        assertThat(RecordingCanvas.of(levels).texts()).contains("37").doesNotContain("5");
+        press(levels, Key.ENTER);
+        assertThat(shown()).isEqualTo("level36");
+        levels.scrolled(1, 0, 0);
+        levels.scrolled(1, 0, 0);
+        levels.scrolled(1, 0, 0);
+        assertThat(RecordingCanvas.of(levels).texts()).doesNotContain("37");
+    }
+
+    @Test
+    void aLanguageHoldsAtOnce() {
+        SettingsScene scene = new SettingsScene(director);
+        press(scene, Key.DOWN, Key.RIGHT);
+        assertThat(director.settings().language()).isEqualTo("de");
+        assertThat(RecordingCanvas.of(scene).texts())
+                .contains("Lautstärke")
+                .doesNotContain("Volume");
+        press(scene, Key.RIGHT);
+        assertThat(director.settings().language()).as("the same row is chosen").isEqualTo("en");
+    }
+
+    @Test
+    void everySettingIsChangedByKeysAlone() {
+        SettingsScene scene = new SettingsScene(director);
+        press(scene, Key.DOWN, Key.DOWN, Key.LEFT);
+        press(scene, Key.DOWN, Key.ENTER);
+        press(scene, Key.DOWN, Key.ENTER);
+        press(scene, Key.DOWN, Key.RIGHT);
+        press(scene, Key.DOWN, Key.ENTER);
+        Settings settings = director.settings();
+        assertThat(settings.volume()).isCloseTo(0.65, within(1e-12));
+        assertThat(settings.isMuted()).isTrue();
+        assertThat(settings.motion()).isEqualTo(Settings.Motion.REDUCED);
+        assertThat(settings.detail()).isEqualTo(Settings.Detail.FULL);
+        assertThat(settings.isFullScreen()).isTrue();
+        press(scene, Key.DOWN, Key.ENTER);
+        assertThat(director.asked).containsExactly("menu");
+    }
+
+    @Test
+    void theVolumeIsDragged() {
+        SettingsScene scene = new SettingsScene(director);
+        double[] at = RecordingCanvas.of(scene).middleOf("Volume");
+        scene.pointerPressed(PointerButton.LEFT, at[0], at[1]);
+        scene.pointerMoved(Scene.WIDTH, at[1]);
+        assertThat(director.settings().volume()).isEqualTo(1);
+        scene.pointerMoved(0, at[1]);
+        assertThat(director.settings().volume()).isZero();
+        scene.pointerReleased(PointerButton.LEFT, 0, at[1]);
+        scene.pointerMoved(Scene.WIDTH, at[1]);
+        assertThat(director.settings().volume()).isZero();
+    }
+}
