@@ -42,8 +42,7 @@ final class NoticePlate {
     void draw(Canvas canvas) {
         List<String> lines = new ArrayList<>();
         for (String notice : director.notices()) {
-            lines.addAll(
-                    Lines.of(canvas, notice, SIZE, Canvas.Font.WORDS, WIDTH - 2 * PADDING));
+            lines.addAll(Lines.of(canvas, notice, SIZE, Canvas.Font.WORDS, WIDTH - 2 * PADDING));
         }
         double height = 2 * PADDING + LINE * lines.size() + FOOT;
         double top = (Scene.HEIGHT - height) / 2;
