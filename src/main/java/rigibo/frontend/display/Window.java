@@ -42,8 +42,7 @@ final class Window {
      *
      * @throws DisplayException when there is no window or no OpenGL 3.3 to be had
      */
-    Window(
-            Scene scene, Display display, Troubles troubles, DetailChoice choice, boolean vsync) {
+    Window(Scene scene, Display display, Troubles troubles, DetailChoice choice, boolean vsync) {
         this.scene = scene;
         toast = display.toast();
         this.troubles = troubles;

@@ -27,7 +27,7 @@ public record Badge(Words words) {
 
     /** Times the time of a step at DRAFT. */
     String price(double times) {
-        return (times > 0 ? digits(times) : UNKNOWN) + " × DRAFT";
+        return (times > 0 ? digits(times) : UNKNOWN) + "× DRAFT";
     }
 
     String unknownPrice() {

@@ -12,7 +12,7 @@ public final class Dial {
     /** px. */
     public static final double HEIGHT = 26;
 
-    private static final double SEGMENT = 62;
+    private static final double SEGMENT = 56;
 
     /** px. */
     public static final double WIDTH = Preset.values().length * SEGMENT;
