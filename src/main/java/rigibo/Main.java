@@ -17,6 +17,7 @@ import java.io.PrintWriter;
             PlayCommand.class,
             TourCommand.class,
             MeasureCommand.class,
+            MonkeyCommand.class,
             LevelsCommand.class,
             ReplayCommand.class,
             CasesCommand.class,

@@ -231,6 +231,10 @@ public final class Display implements Director {
         return window.input();
     }
 
+    Window window() {
+        return window;
+    }
+
     void picture(Path file) {
         window.picture(file);
     }

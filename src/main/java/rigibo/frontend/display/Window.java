@@ -150,6 +150,17 @@ final class Window {
         troubles.askOpenGl("while drawing " + scene.title());
     }
 
+    /** As if the player had drawn at the window's edge; in screen coordinates. */
+    void resize(int newWidth, int newHeight) {
+        glfwSetWindowSize(handle, newWidth, newHeight);
+    }
+
+    /** As if the player had put it away and come back: the focus goes and comes. */
+    void hideAndShow() {
+        glfwHideWindow(handle);
+        glfwShowWindow(handle);
+    }
+
     /** Shows what was drawn. */
     void swap() {
         glfwSwapBuffers(handle);

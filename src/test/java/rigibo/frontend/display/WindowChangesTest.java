@@ -1,0 +1,65 @@
+package rigibo.frontend.display;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.Test;
+
+import rigibo.backend.geometry.Circle;
+import rigibo.frontend.scene.Canvas;
+import rigibo.frontend.scene.Director;
+import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.Skin;
+
+/** One window after the other. */
+class WindowChangesTest {
+
+    private static final int CHANGES = 50;
+
+    /** Of the heap in MB: a window's sheets alone are as large. */
+    private static final double MOST_GROWTH = 4;
+
+    /** Draws a little and asks for the next, until as many were shown. */
+    private record Passing(Director director, int left) implements Scene {
+
+        @Override
+        public String title() {
+            return left + " to go";
+        }
+
+        @Override
+        public void step() {
+            if (left > 0) {
+                director.show(new Passing(director, left - 1));
+            } else {
+                director.quit();
+            }
+        }
+
+        @Override
+        public void draw(Canvas canvas) {
+            canvas.body(new Circle(1), 4, 4, 0, Skin.BALL, Canvas.Mood.PLAIN);
+        }
+    }
+
+    private static double heap() {
+        System.gc();
+        Runtime runtime = Runtime.getRuntime();
+        return (runtime.totalMemory() - runtime.freeMemory()) / 1e6;
+    }
+
+    private static Display afterChanges(int changes) {
+        Display display = new Display(director -> new Passing(director, changes), false);
+        display.run(null);
+        return display;
+    }
+
+    @Test
+    void fiftyWindowsLeaveNothingBehind() {
+        // The first ones fill what is filled once.
+        afterChanges(CHANGES / 10);
+        double before = heap();
+        Display display = afterChanges(CHANGES);
+        assertThat(display.troubles()).isEmpty();
+        assertThat(heap() - before).isLessThan(MOST_GROWTH);
+    }
+}
