@@ -19,11 +19,8 @@ public final class Editor {
 
     /** The editor among the game's scenes, with a new level. */
     public static SceneEntry entry() {
-        return new SceneEntry(
+        return SceneEntry.of(
                 "editor",
-                "Editor",
-                "make levels of your own",
-                SceneEntry.Kind.DEMO,
                 director ->
                         new EditorScene(
                                 director, new DraftFile(NewLevel.draft(), Optional.empty())));
