@@ -22,7 +22,9 @@ final class LevelPicture implements SceneEntry.Picture {
     private static final double MOST_SCALE = 22;
 
     private final List<Part> parts = new ArrayList<>();
-    private final Ball ball;
+
+    /** Whom the faces look at. */
+    private final Ball first;
 
     /** What the parts fill, m. */
     private final Aabb whole = new Aabb();
@@ -35,7 +37,7 @@ final class LevelPicture implements SceneEntry.Picture {
     }
 
     LevelPicture(Level level) {
-        ball = level.ball();
+        first = level.balls().get(0);
         Platform platform = level.platform();
         Polygon plank = Polygon.box(platform.width(), platform.height());
         parts.add(new Part(plank, platform.x(), platform.y(), platform.angle(), Skin.WOOD));
@@ -49,7 +51,9 @@ final class LevelPicture implements SceneEntry.Picture {
                                                 body.y(),
                                                 body.angle(),
                                                 Skins.of(body.substance()))));
-        parts.add(new Part(new Circle(ball.radius()), ball.x(), ball.y(), 0, Skin.BALL));
+        for (Ball ball : level.balls()) {
+            parts.add(new Part(new Circle(ball.radius()), ball.x(), ball.y(), 0, Skin.BALL));
+        }
         measure();
     }
 
@@ -68,7 +72,7 @@ final class LevelPicture implements SceneEntry.Picture {
     @Override
     public void draw(Canvas canvas, double x, double y, double width, double height) {
         canvas.camera(camera(x, y, width, height));
-        canvas.gaze(ball.x(), ball.y());
+        canvas.gaze(first.x(), first.y());
         for (Part part : parts) {
             canvas.body(part.shape, part.x, part.y, part.angle, part.skin, Canvas.Mood.PLAIN);
         }
