@@ -131,6 +131,17 @@ final class Input {
         modifiers(0);
     }
 
+    /** Presses and lets go of the key that means something to scenes. */
+    void press(Key meant) {
+        KEYS.forEach(
+                (code, key) -> {
+                    if (key == meant && code != GLFW_KEY_KP_ENTER) {
+                        key(code, GLFW_PRESS);
+                        key(code, GLFW_RELEASE);
+                    }
+                });
+    }
+
     private static Map<Integer, Key> keys() {
         Map<Integer, Key> keys = new HashMap<>();
         keys.put(GLFW_KEY_ENTER, Key.ENTER);

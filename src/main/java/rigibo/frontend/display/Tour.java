@@ -78,7 +78,13 @@ public final class Tour implements Display.Companion {
 
     @Override
     public void beforeTurn(Display display, Scene scene) {
-        demonstration.flatMap(Demonstration::click).ifPresent(at -> click(display.input(), at));
+        demonstration.ifPresent(show -> play(show, display.input()));
+    }
+
+    private static void play(Demonstration show, Input input) {
+        show.pointer().ifPresent(at -> input.cursor(at.x(), at.y()));
+        show.key().ifPresent(input::press);
+        show.click().ifPresent(at -> click(input, at));
     }
 
     private static void click(Input input, Demonstration.Click at) {
@@ -97,6 +103,9 @@ public final class Tour implements Display.Companion {
         if (demonstration.isPresent() && overSince < 0 && turn == 2 * FrameClock.RATE) {
             display.picture(folder.resolve(name() + "-1.png"));
         }
+        demonstration
+                .flatMap(Demonstration::picture)
+                .ifPresent(state -> display.picture(folder.resolve(name() + "-" + state + ".png")));
         if (isDone()) {
             finish(display);
         }

@@ -242,10 +242,19 @@ public final class PuzzleScene implements Scene {
         return solution;
     }
 
+    /** The first level is shown in all its states. */
     @Override
     public Optional<Demonstration> demonstration() {
-        return level.solutions().isEmpty()
-                ? Optional.empty()
-                : Optional.of(new SolutionShow(session, view.camera(), level.solutions().get(0)));
+        if (level.solutions().isEmpty()) {
+            return Optional.empty();
+        }
+        return Optional.of(
+                number == 0 && levels.size() > 1
+                        ? new StatesShow(session, view.camera(), this::solving)
+                        : solving());
+    }
+
+    private Demonstration solving() {
+        return new SolutionShow(session, view.camera(), level.solutions().get(0));
     }
 }

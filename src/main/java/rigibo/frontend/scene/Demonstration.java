@@ -5,8 +5,25 @@ import java.util.Optional;
 /** How a scene plays itself: where the pointer goes and clicks, turn by turn. */
 public interface Demonstration {
 
+    /** Where the pointer goes before the next turn; asked once each turn, before key and click. */
+    default Optional<Click> pointer() {
+        return Optional.empty();
+    }
+
+    /** The key to press before the next turn; none on most turns. */
+    default Optional<Key> key() {
+        return Optional.empty();
+    }
+
     /** The click to make before the next turn, in logical pixels; none on most turns. */
     Optional<Click> click();
+
+    /**
+     * The name of the state that a picture is to be kept of after this turn; none on most turns.
+     */
+    default Optional<String> picture() {
+        return Optional.empty();
+    }
 
     /** Whether there is nothing more to show. */
     boolean isOver();
@@ -15,7 +32,7 @@ public interface Demonstration {
     boolean hasSucceeded();
 
     /**
-     * A click of the left button.
+     * A place of the pointer, or a click of its left button.
      *
      * @param x logical pixels from the left
      * @param y logical pixels from the top
