@@ -50,7 +50,6 @@ final class EndPanel {
                         : Optional.empty();
         ways = ways(hasNext);
         height = buttonsBelow() + ButtonRow.HEIGHT + PADDING;
-        place(View.BAR_FOOT);
     }
 
     /** From the panel's upper edge to its buttons, px. */
@@ -58,9 +57,15 @@ final class EndPanel {
         return stamps.isPresent() ? MEDALS + 60 : REASON + 24;
     }
 
-    /** Stands where the play begins, px. */
-    void place(double foot) {
-        top = foot + GAP;
+    /**
+     * Stands where the play begins, or above the keys where it would cover the ball.
+     *
+     * @param foot where the play begins, px
+     * @param ballY of the ball on the screen, px
+     */
+    void place(double foot, double ballY) {
+        boolean isInTheWay = ballY > foot && ballY < foot + height + 2 * GAP;
+        top = isInTheWay ? View.KEYS_TOP - GAP - height : foot + GAP;
         double inner = WIDTH - 2 * PADDING;
         buttons = new ButtonRow(LEFT + PADDING, top + buttonsBelow(), inner, ways);
     }

@@ -56,7 +56,11 @@ final class Panels {
     void toggle(Drawer drawer) {
         open = open == drawer ? Drawer.NONE : drawer;
         view.fitBelow(open.foot);
-        end.ifPresent(panel -> panel.place(open.foot));
+        end.ifPresent(this::place);
+    }
+
+    private void place(EndPanel panel) {
+        panel.place(open.foot, view.camera().screenY(session.game().ball().y()));
     }
 
     void shut() {
@@ -71,7 +75,7 @@ final class Panels {
     /** Says how a game ended, for as long as it is on the screen. */
     void end(PuzzleGame game, boolean hasNext) {
         end = Optional.of(new EndPanel(game, hasNext));
-        end.get().place(open.foot);
+        end.ifPresent(this::place);
     }
 
     /** After each frame. */

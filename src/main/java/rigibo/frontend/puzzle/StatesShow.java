@@ -26,6 +26,9 @@ final class StatesShow implements Demonstration {
     /** From the end of the try that is lost to its picture, and to the next try. */
     private static final int LOST_SEEN = 40;
 
+    /** From the victory to its picture: by then every medal is stamped. */
+    private static final int WON_SEEN = 57;
+
     /** What is left of the cooldown in its picture. */
     private static final double COOLING = 0.6;
 
@@ -37,6 +40,7 @@ final class StatesShow implements Demonstration {
     private Optional<Demonstration> solution = Optional.empty();
     private int turn;
     private int lostTurns;
+    private int wonTurns;
     private Optional<String> last = Optional.empty();
 
     StatesShow(Session session, Camera camera, Supplier<Demonstration> solving) {
@@ -103,9 +107,9 @@ final class StatesShow implements Demonstration {
         };
     }
 
-    private static Optional<String> solvingState(PuzzleGame game) {
+    private Optional<String> solvingState(PuzzleGame game) {
         if (game.outcome() == Outcome.WON) {
-            return Optional.of("won");
+            return ++wonTurns == WON_SEEN ? Optional.of("won") : Optional.empty();
         }
         if (game.held() > HELD) {
             return Optional.of("hold");

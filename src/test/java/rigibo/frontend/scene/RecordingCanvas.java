@@ -45,23 +45,27 @@ public final class RecordingCanvas implements Canvas {
         }
     }
 
+    /** A line on the screen, logical pixels. */
+    public record Line(double x1, double y1, double x2, double y2, Color color) {}
+
+    /** Part of a ring on the screen, logical pixels. */
+    public record Ring(double x, double y, double radius, double fraction, Color color) {}
+
     /** A panel with its colour. */
     private record Plate(Mark place, Color color) {}
 
     private final List<Mark> marks = new ArrayList<>();
     private final List<Plate> plates = new ArrayList<>();
     private final List<Mark> frames = new ArrayList<>();
+    private final List<Line> lines = new ArrayList<>();
+    private final List<Ring> rings = new ArrayList<>();
+    private final List<Mood> moods = new ArrayList<>();
     private Camera camera = Camera.ofPuzzle();
     private final List<double[]> bodies = new ArrayList<>();
-    private final List<Mood> moods = new ArrayList<>();
     private final List<Color> particles = new ArrayList<>();
-    private final List<Ring> rings = new ArrayList<>();
     private int puffs;
     private int glows;
     private double veil;
-
-    /** A ring: how much of it is there, 0 to 1. */
-    public record Ring(double radius, double fraction, Color color) {}
 
     /** What a scene draws now. */
     public static RecordingCanvas of(Scene scene) {
@@ -96,9 +100,22 @@ public final class RecordingCanvas implements Canvas {
         return new double[] {(text.left + text.right) / 2, (text.top + text.bottom) / 2};
     }
 
+    /** The middle of a text, of the first that was drawn of several, logical pixels: x, y. */
+    public double[] firstMiddleOf(String words) {
+        Mark text =
+                marks.stream().filter(mark -> mark.words().equals(words)).findFirst().orElseThrow();
+        return new double[] {(text.left + text.right) / 2, (text.top + text.bottom) / 2};
+    }
+
     /** The colour of the uppermost panel under the middle of a text. */
     public Color plateOf(String words) {
-        Mark middle = point(middleOf(words));
+        double[] at = middleOf(words);
+        return plateAt(at[0], at[1]);
+    }
+
+    /** The colour of the uppermost panel at a point, logical pixels. */
+    public Color plateAt(double x, double y) {
+        Mark middle = point(new double[] {x, y});
         return plates.stream()
                 .filter(plate -> plate.place.contains(middle))
                 .reduce((below, above) -> above)
@@ -121,7 +138,7 @@ public final class RecordingCanvas implements Canvas {
         return bodies;
     }
 
-    /** The moods of the bodies of a frame, in the order they were drawn. */
+    /** How the bodies of a frame look, in the order of {@link #bodies()}. */
     public List<Mood> moods() {
         return moods;
     }
@@ -129,6 +146,11 @@ public final class RecordingCanvas implements Canvas {
     /** The colours of the small squares of a frame. */
     public List<Color> particles() {
         return particles;
+    }
+
+    /** The lines of a frame. */
+    public List<Line> lines() {
+        return lines;
     }
 
     /** The rings of a frame. */
@@ -192,7 +214,9 @@ public final class RecordingCanvas implements Canvas {
     }
 
     @Override
-    public void line(double x1, double y1, double x2, double y2, double width, Color color) {}
+    public void line(double x1, double y1, double x2, double y2, double width, Color color) {
+        lines.add(new Line(x1, y1, x2, y2, color));
+    }
 
     @Override
     public void disc(double x, double y, double radius, Color color) {}
@@ -200,7 +224,7 @@ public final class RecordingCanvas implements Canvas {
     @Override
     public void ring(
             double x, double y, double radius, double width, double fraction, Color color) {
-        rings.add(new Ring(radius, fraction, color));
+        rings.add(new Ring(x, y, radius, fraction, color));
     }
 
     @Override

@@ -1,0 +1,129 @@
+package rigibo.frontend.puzzle;
+
+import rigibo.frontend.puzzle.level.Level;
+import rigibo.frontend.puzzle.level.LevelTexts;
+import rigibo.frontend.scene.Key;
+import rigibo.frontend.scene.LevelProgress;
+import rigibo.frontend.scene.Modifier;
+import rigibo.frontend.scene.PointerButton;
+import rigibo.frontend.scene.RecordingCanvas;
+import rigibo.frontend.scene.RecordingDirector;
+import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.Settings.Motion;
+
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Set;
+
+/** A level with someone at the mouse and the keys, without a window. */
+final class PlayedLevel {
+
+    private static final String WALL = "\"material\": \"stone\", \"dynamic\": false";
+    private static final String HINT = "\"title\"";
+
+    /** Click, fall and hold are over by then, turns. */
+    static final int LONG_ENOUGH = 8 * 60;
+
+    /** Of the world on the screen while nothing is open above it, px per m. */
+    private static final double SCALE = 80;
+
+    final RecordingDirector director = new RecordingDirector();
+    final Level level;
+    final Scene scene;
+
+    PlayedLevel(Level level) {
+        this(level, "en", Motion.FULL);
+    }
+
+    PlayedLevel(Level level, String language, Motion motion) {
+        this.level = level;
+        director.settings(director.settings().withLanguage(language).withMotion(motion));
+        scene = new PuzzleScene(director, List.of(level, level), 0);
+    }
+
+    /**
+     * The ball stands on "box", the box on the platform, and "wall" beside them can be deleted too.
+     */
+    static Level twoBoxes() {
+        return LevelTexts.level(
+                LevelTexts.with(WALL, WALL + ", \"deletable\": true")
+                        .replace(HINT, "\"hint\": {\"en\": \"Look below.\"}, " + HINT));
+    }
+
+    /** The ball rolls over the platform's edge and is lost, whatever is clicked. */
+    static Level rollingOff() {
+        return LevelTexts.level(
+                LevelTexts.with(
+                                "\"y\": 2.7, \"radius\": 0.35",
+                                "\"y\": 1.71, \"radius\": 0.35, \"vx\": 4")
+                        .replace(
+                                "\"w\": 2, \"h\": 1}, \"x\": 4.5",
+                                "\"w\": 1, \"h\": 1}, \"x\": 3.2"));
+    }
+
+    PlayedLevel turns(int count) {
+        for (int i = 0; i < count; i++) {
+            scene.step();
+        }
+        return this;
+    }
+
+    /** A click at a place of the world, m, while nothing is open above it. */
+    PlayedLevel click(double x, double y) {
+        scene.pointerPressed(PointerButton.LEFT, x * SCALE, Scene.HEIGHT - y * SCALE);
+        return this;
+    }
+
+    PlayedLevel clickBox() {
+        return click(4.5, 1.85);
+    }
+
+    PlayedLevel clickWall() {
+        return click(8, 2);
+    }
+
+    /** A click on the button that says so. */
+    PlayedLevel press(String words) {
+        double[] at = canvas().middleOf(words);
+        scene.pointerPressed(PointerButton.LEFT, at[0], at[1]);
+        return this;
+    }
+
+    PlayedLevel keys(Key... keys) {
+        for (Key key : keys) {
+            scene.keyPressed(key);
+        }
+        return this;
+    }
+
+    PlayedLevel shiftTab() {
+        scene.held(EnumSet.of(Modifier.SHIFT));
+        scene.keyPressed(Key.TAB);
+        scene.held(Set.of());
+        return this;
+    }
+
+    PlayedLevel solve() {
+        return clickBox().turns(LONG_ENOUGH);
+    }
+
+    RecordingCanvas canvas() {
+        return RecordingCanvas.of(scene);
+    }
+
+    List<String> texts() {
+        return canvas().texts();
+    }
+
+    /** The bar's counts: clicks of par, and time. */
+    String counts() {
+        return texts().stream()
+                .filter(words -> words.contains(" clicks "))
+                .findFirst()
+                .orElseThrow();
+    }
+
+    LevelProgress progress() {
+        return director.progress().of(level.id(), level.hash());
+    }
+}
