@@ -7,6 +7,7 @@ import org.junit.jupiter.api.Test;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Key;
 import rigibo.frontend.scene.PointerButton;
+import rigibo.frontend.scene.RecordingCanvas;
 import rigibo.frontend.scene.Scene;
 
 import java.util.List;
@@ -105,8 +106,9 @@ class PauseTest {
     @Test
     void coversNoneOfThePlay() {
         played.keys(Key.P);
+        RecordingCanvas canvas = played.canvas();
         for (double y = View.BAR_FOOT + 1; y < View.KEYS_TOP; y++) {
-            assertThat(played.canvas().isUnderPanel(Scene.WIDTH / 2.0, y)).as("at %s", y).isFalse();
+            assertThat(canvas.isUnderPanel(Scene.WIDTH / 2.0, y)).as("at %s", y).isFalse();
         }
     }
 

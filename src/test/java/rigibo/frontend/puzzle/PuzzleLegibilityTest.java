@@ -9,28 +9,50 @@ import rigibo.frontend.scene.Demonstration;
 import rigibo.frontend.scene.Key;
 import rigibo.frontend.scene.Legibility;
 import rigibo.frontend.scene.PointerButton;
+import rigibo.frontend.scene.RecordingCanvas;
 import rigibo.frontend.scene.RecordingDirector;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.SceneEntry;
+import rigibo.frontend.scene.Settings;
 
 import java.util.stream.Stream;
 
-/** Whatever a level shows can be read, from its start to its end. */
+/** Whatever a level shows can be read, in every language, and covers none of the play. */
 class PuzzleLegibilityTest {
 
     /** Longer than any stored solution takes, in turns of 1/60 s. */
     private static final int LONGEST = 60 * 60;
 
-    static Stream<SceneEntry> levels() {
-        return Levels.entries().stream();
+    /** A level in a language. */
+    private record Case(SceneEntry level, String language) {
+
+        Scene open(RecordingDirector director) {
+            director.settings(director.settings().withLanguage(language));
+            return level.open().apply(director);
+        }
+
+        @Override
+        public String toString() {
+            return level.name() + " in " + language;
+        }
+    }
+
+    static Stream<Case> cases() {
+        return Levels.entries().stream()
+                .flatMap(
+                        level ->
+                                Settings.LANGUAGES.stream()
+                                        .map(language -> new Case(level, language)));
     }
 
     @ParameterizedTest
-    @MethodSource("levels")
-    void isLegibleFromTheStartToTheVictory(SceneEntry level) {
-        Scene scene = open(level);
+    @MethodSource("cases")
+    void fromTheStartToTheVictory(Case level) {
+        Scene scene = level.open(new RecordingDirector());
         Demonstration show = scene.demonstration().orElseThrow();
         for (int turn = 0; turn < LONGEST && !show.isOver(); turn++) {
+            show.pointer().ifPresent(at -> scene.pointerMoved(at.x(), at.y()));
+            show.key().ifPresent(scene::keyPressed);
             show.click().ifPresent(at -> scene.pointerPressed(PointerButton.LEFT, at.x(), at.y()));
             scene.step();
             if (turn % 60 == 0) {
@@ -38,25 +60,59 @@ class PuzzleLegibilityTest {
             }
         }
         assertThat(show.hasSucceeded()).isTrue();
+        scene.step();
+        assertLegible(scene);
+        scene.keyPressed(Key.LEFT);
+        scene.keyPressed(Key.LEFT);
+        scene.keyPressed(Key.ENTER);
+        scene.step();
         assertLegible(scene);
     }
 
     @ParameterizedTest
-    @MethodSource("levels")
-    void isLegiblePausedAndSlowed(SceneEntry level) {
-        for (Key key : new Key[] {Key.P, Key.S}) {
-            Scene scene = open(level);
+    @MethodSource("cases")
+    void pausedSlowedRefusedAndChosenByKeys(Case level) {
+        Scene scene = level.open(new RecordingDirector());
+        for (Key key : new Key[] {Key.S, Key.S, Key.P, Key.TAB, Key.P, Key.BACKSPACE, Key.H}) {
             scene.keyPressed(key);
             scene.step();
             assertLegible(scene);
+            assertPlayIsUncovered(scene);
         }
+        scene.pointerPressed(PointerButton.LEFT, 5, 100);
+        assertLegible(scene);
+        assertPlayIsUncovered(scene);
     }
 
-    private static Scene open(SceneEntry level) {
-        return level.open().apply(new RecordingDirector());
+    @ParameterizedTest
+    @MethodSource("cases")
+    void withItsHintAndItsSolution(Case level) {
+        RecordingDirector director = new RecordingDirector();
+        Scene scene = level.open(director);
+        while (!RecordingCanvas.of(scene).texts().contains(director.words().of("puzzle.command.hint"))) {
+            scene.keyPressed(Key.TAB);
+            scene.keyPressed(Key.ENTER);
+            scene.keyPressed(Key.R);
+            scene.step();
+        }
+        assertLegible(scene);
+        scene.keyPressed(Key.H);
+        scene.step();
+        assertLegible(scene);
+        scene.keyPressed(Key.V);
+        scene.step();
+        assertLegible(scene);
+        assertPlayIsUncovered(scene);
     }
 
     private static void assertLegible(Scene scene) {
         assertThat(Legibility.faults(scene)).as(scene.title()).isEmpty();
+    }
+
+    private static void assertPlayIsUncovered(Scene scene) {
+        RecordingCanvas canvas = RecordingCanvas.of(scene);
+        for (double y = View.BAR_FOOT + 1; y < View.KEYS_TOP; y += 4) {
+            assertThat(canvas.isUnderPanel(Scene.WIDTH / 2.0, y)).as("at %s", y).isFalse();
+        }
     }
 }

@@ -1,0 +1,137 @@
+package rigibo.frontend.puzzle;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+
+import rigibo.frontend.puzzle.rules.Loss;
+import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Key;
+import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.Settings;
+import rigibo.frontend.scene.Words;
+
+/** What is said when a try is won or lost, and what can be done then. */
+class EndOfATryTest {
+
+    private final PlayedLevel played = new PlayedLevel(PlayedLevel.twoBoxes());
+
+    private PlayedLevel lost() {
+        return new PlayedLevel(PlayedLevel.rollingOff()).turns(PlayedLevel.LONG_ENOUGH);
+    }
+
+    /** Until the moment of victory. */
+    private void win() {
+        played.clickBox();
+        while (!played.texts().contains("Solved!")) {
+            played.turns(1);
+        }
+    }
+
+    /** Each stamped medal shows its rank. */
+    private String ranks() {
+        return String.join(
+                "", played.texts().stream().filter(words -> words.matches("[123]")).toList());
+    }
+
+    @Test
+    void medalsAreStampedOneByOneUpToTheOneEarned() {
+        win();
+        assertThat(ranks()).isEmpty();
+        assertThat(played.turns(18).texts()).contains("bronze: solved", "silver: 2 clicks");
+        assertThat(ranks()).isEqualTo("3");
+        played.turns(18);
+        assertThat(ranks()).isEqualTo("32");
+        played.turns(18);
+        assertThat(ranks()).isEqualTo("321");
+    }
+
+    @Test
+    void oneClickMoreThanParIsSilver() {
+        played.clickWall().turns(60).solve();
+        assertThat(ranks()).isEqualTo("32");
+        assertThat(played.progress().fewestClicks()).hasValue(2);
+    }
+
+    @Test
+    void theFewestClicksAreKept() {
+        played.clickWall().turns(60).solve().keys(Key.R).turns(1).solve();
+        assertThat(played.progress().fewestClicks()).hasValue(1);
+        played.keys(Key.R).turns(1).clickWall().turns(60).solve();
+        assertThat(played.progress().fewestClicks()).hasValue(1);
+    }
+
+    @Test
+    void enterGoesOnToTheNextLevel() {
+        played.solve().keys(Key.ENTER);
+        assertThat(played.director.shown).hasSize(1);
+    }
+
+    @Test
+    void theOtherWaysAreChosenByArrowsOrClicked() {
+        played.solve();
+        assertThat(played.texts()).containsSubsequence("Next level", "Restart", "Watch replay", "Levels");
+        played.keys(Key.LEFT, Key.ENTER);
+        assertThat(played.director.asked).containsExactly("levels");
+        played.press("Next level");
+        assertThat(played.director.shown).hasSize(1);
+    }
+
+    @Test
+    void aLossSaysWhyAndDimsTheWorld() {
+        PlayedLevel lost = lost();
+        assertThat(lost.texts()).contains("Lost", "The ball rolled off.");
+        assertThat(lost.canvas().isUnderPanel(2, Scene.HEIGHT / 2.0)).isTrue();
+        assertThat(lost.canvas().plateAt(2, Scene.HEIGHT / 2.0).alpha())
+                .isCloseTo(0.6f, within(1e-6f));
+        assertThat(lost.canvas().rings()).anyMatch(ring -> ring.color().equals(Color.BAD));
+    }
+
+    @ParameterizedTest
+    @EnumSource(Loss.class)
+    void everyLossHasWordsInEveryLanguage(Loss loss) {
+        for (String language : Settings.LANGUAGES) {
+            assertThat(new Words(language).of("puzzle.loss." + Command.key(loss))).isNotBlank();
+        }
+    }
+
+    @Test
+    void restartBeginsAtOnceInTheSameWindow() {
+        PlayedLevel lost = lost();
+        lost.keys(Key.R);
+        assertThat(lost.counts()).isEqualTo("0/1 clicks 0.0 s");
+        assertThat(lost.turns(1).texts()).doesNotContain("Lost");
+        assertThat(lost.director.shown).isEmpty();
+    }
+
+    @Test
+    void aLossIsTakenBackWithItsClick() {
+        played.clickWall().turns(60).clickBox().turns(2);
+        assertThat(played.counts()).startsWith("2/1");
+        played.keys(Key.BACKSPACE);
+        assertThat(played.counts()).isEqualTo("1/1 clicks 1.0 s");
+        played.turns(1).press("Undo");
+        assertThat(played.counts()).isEqualTo("0/1 clicks 0.0 s");
+    }
+
+    @Test
+    void anEndIsTakenBackToo() {
+        played.solve().keys(Key.BACKSPACE).turns(1);
+        assertThat(played.texts()).doesNotContain("Solved!");
+        assertThat(played.counts()).startsWith("0/1");
+    }
+
+    @Test
+    void withReducedMotionThereIsNoConfetti() {
+        PlayedLevel calm =
+                new PlayedLevel(PlayedLevel.twoBoxes(), "en", Settings.Motion.REDUCED);
+        win();
+        played.turns(1);
+        calm.solve();
+        assertThat(played.canvas().particles()).isNotEmpty();
+        assertThat(calm.canvas().particles()).isEmpty();
+    }
+}

@@ -1,0 +1,105 @@
+package rigibo.frontend.puzzle;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+
+import rigibo.backend.setup.Accuracy;
+import rigibo.frontend.puzzle.level.Level;
+import rigibo.frontend.scene.Key;
+
+/** Slow motion shows more pictures of the same steps. */
+class SlowMotionTest {
+
+    private final Level level = PlayedLevel.twoBoxes();
+
+    private Session falling(Pace pace) {
+        Session session = new Session(level, Accuracy.GAME);
+        session.game().delete("box");
+        session.pace(pace);
+        return session;
+    }
+
+    @ParameterizedTest
+    @EnumSource(Pace.class)
+    void theSameStepsGiveTheSameBits(Pace pace) {
+        Session full = falling(Pace.FULL);
+        Session slow = falling(pace);
+        for (int step = 0; step < 60; step++) {
+            full.frame();
+            for (int frame = 0; frame < pace.framesPerStep(); frame++) {
+                slow.frame();
+            }
+        }
+        assertThat(slow.game().pool().stateHash()).isEqualTo(full.game().pool().stateHash());
+    }
+
+    @Test
+    void atFullSpeedThePictureIsThatOfTheLastStep() {
+        Session session = falling(Pace.FULL);
+        for (int frame = 0; frame < 20; frame++) {
+            session.frame();
+            assertThat(session.pose(session.game().ball())).isEqualTo(Pose.of(session.game().ball()));
+        }
+    }
+
+    @Test
+    void betweenStepsBodiesAreOnTheirWay() {
+        Session session = falling(Pace.QUARTER);
+        for (int frame = 0; frame < 40; frame++) {
+            session.frame();
+        }
+        double before = session.pose(session.game().ball()).y();
+        session.frame();
+        double way = session.game().ball().y() - before;
+        assertThat(way).as("falls").isNegative();
+        for (int quarter = 1; quarter <= 4; quarter++) {
+            double seen = session.pose(session.game().ball()).y();
+            assertThat(seen).isCloseTo(before + quarter * way / 4, within(1e-12));
+            session.frame();
+        }
+    }
+
+    @Test
+    void changingTheSpeedMovesNothing() {
+        Session session = falling(Pace.FULL);
+        for (int frame = 0; frame < 20; frame++) {
+            session.frame();
+        }
+        Pose seen = session.pose(session.game().ball());
+        session.pace(Pace.HALF);
+        assertThat(session.pose(session.game().ball())).isEqualTo(seen);
+    }
+
+    @Test
+    void isSlowedAndQuickenedByKeysAndSaysSo() {
+        PlayedLevel played = new PlayedLevel(level);
+        played.keys(Key.S);
+        assertThat(played.texts()).contains("half speed");
+        assertThat(played.turns(60).counts()).endsWith(" 0.5 s");
+        played.keys(Key.S);
+        assertThat(played.texts()).contains("quarter speed");
+        assertThat(played.turns(48).counts()).endsWith(" 0.7 s");
+        played.keys(Key.N, Key.N);
+        assertThat(played.turns(18).counts()).endsWith(" 1.0 s");
+    }
+
+    @Test
+    void theButtonGoesRoundAllSpeeds() {
+        PlayedLevel played = new PlayedLevel(level);
+        played.press("Slow motion").press("Slow motion");
+        assertThat(played.texts()).contains("quarter speed");
+        played.press("Slow motion");
+        assertThat(played.texts()).noneMatch(words -> words.endsWith(" speed"));
+    }
+
+    @Test
+    void boxesAreDeletedMeanwhile() {
+        PlayedLevel played = new PlayedLevel(level);
+        played.keys(Key.S, Key.S).turns(8).clickBox();
+        assertThat(played.counts()).startsWith("1/1");
+    }
+}
