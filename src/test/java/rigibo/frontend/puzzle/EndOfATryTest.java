@@ -73,7 +73,8 @@ class EndOfATryTest {
     @Test
     void theOtherWaysAreChosenByArrowsOrClicked() {
         played.solve();
-        assertThat(played.texts()).containsSubsequence("Next level", "Restart", "Watch replay", "Levels");
+        assertThat(played.texts())
+                .containsSubsequence("Next level", "Restart", "Watch replay", "Levels");
         played.keys(Key.LEFT, Key.ENTER);
         assertThat(played.director.asked).containsExactly("levels");
         played.press("Next level");
@@ -126,8 +127,7 @@ class EndOfATryTest {
 
     @Test
     void withReducedMotionThereIsNoConfetti() {
-        PlayedLevel calm =
-                new PlayedLevel(PlayedLevel.twoBoxes(), "en", Settings.Motion.REDUCED);
+        PlayedLevel calm = new PlayedLevel(PlayedLevel.twoBoxes(), "en", Settings.Motion.REDUCED);
         win();
         played.turns(1);
         calm.solve();

@@ -89,7 +89,9 @@ class PuzzleLegibilityTest {
     void withItsHintAndItsSolution(Case level) {
         RecordingDirector director = new RecordingDirector();
         Scene scene = level.open(director);
-        while (!RecordingCanvas.of(scene).texts().contains(director.words().of("puzzle.command.hint"))) {
+        while (!RecordingCanvas.of(scene)
+                .texts()
+                .contains(director.words().of("puzzle.command.hint"))) {
             scene.keyPressed(Key.TAB);
             scene.keyPressed(Key.ENTER);
             scene.keyPressed(Key.R);

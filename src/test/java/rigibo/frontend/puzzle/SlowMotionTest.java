@@ -42,7 +42,8 @@ class SlowMotionTest {
         Session session = falling(Pace.FULL);
         for (int frame = 0; frame < 20; frame++) {
             session.frame();
-            assertThat(session.pose(session.game().ball())).isEqualTo(Pose.of(session.game().ball()));
+            assertThat(session.pose(session.game().ball()))
+                    .isEqualTo(Pose.of(session.game().ball()));
         }
     }
 

@@ -10,7 +10,9 @@ import rigibo.frontend.puzzle.level.LevelTexts;
 import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Scene;
 
-/** Whatever is open, the play of a level is between its foot and the keys, and inside the window. */
+/**
+ * Whatever is open, the play of a level is between its foot and the keys, and inside the window.
+ */
 class ViewTest {
 
     private static final double SKY = 0.7;
