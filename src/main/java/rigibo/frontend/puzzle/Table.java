@@ -46,6 +46,7 @@ final class Table {
 
     /** One frame of 1/60 s. */
     void frame() {
+        ring.turn();
         int clicks = session.game().clicks();
         boolean isStep = session.frame();
         if (isStep) {
@@ -57,7 +58,6 @@ final class Table {
             ring.observe(seen);
             showDeletions(clicks);
         }
-        ring.turn();
         refusal.turn();
         spectacle.frame();
         shownPointer.turn();
