@@ -58,13 +58,13 @@ final class EndPanel {
     }
 
     /**
-     * Stands where the play begins, or above the keys where it would cover the ball.
+     * Stands where the play begins, or above the keys where it would cover a ball.
      *
      * @param foot where the play begins, px
-     * @param ballY of the ball on the screen, px
+     * @param highestBall on the screen, px
      */
-    void place(double foot, double ballY) {
-        boolean isInTheWay = ballY > foot && ballY < foot + height + 2 * GAP;
+    void place(double foot, double highestBall) {
+        boolean isInTheWay = highestBall < foot + height + 2 * GAP;
         top = isInTheWay ? View.KEYS_TOP - GAP - height : foot + GAP;
         double inner = WIDTH - 2 * PADDING;
         buttons = new ButtonRow(LEFT + PADDING, top + buttonsBelow(), inner, ways);

@@ -60,7 +60,13 @@ final class Panels {
     }
 
     private void place(EndPanel panel) {
-        panel.place(open.foot, view.camera().screenY(session.game().ball().y()));
+        double highest =
+                session.game().balls().stream()
+                        .mapToDouble(ball -> view.camera().screenY(ball.y()))
+                        .filter(y -> y > open.foot)
+                        .min()
+                        .orElse(Scene.HEIGHT);
+        panel.place(open.foot, highest);
     }
 
     void shut() {

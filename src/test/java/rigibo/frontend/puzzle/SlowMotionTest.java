@@ -7,6 +7,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
+import rigibo.backend.RigidBody;
 import rigibo.backend.setup.Accuracy;
 import rigibo.frontend.puzzle.level.Level;
 import rigibo.frontend.scene.Key;
@@ -15,6 +16,10 @@ import rigibo.frontend.scene.Key;
 class SlowMotionTest {
 
     private final Level level = PlayedLevel.twoBoxes();
+
+    private static RigidBody ball(Session session) {
+        return session.game().balls().get(0);
+    }
 
     private Session falling(Pace pace) {
         Session session = new Session(level, Accuracy.GAME);
@@ -42,8 +47,8 @@ class SlowMotionTest {
         Session session = falling(Pace.FULL);
         for (int frame = 0; frame < 20; frame++) {
             session.frame();
-            assertThat(session.pose(session.game().ball()))
-                    .isEqualTo(Pose.of(session.game().ball()));
+            assertThat(session.pose(ball(session)))
+                    .isEqualTo(Pose.of(ball(session)));
         }
     }
 
@@ -53,12 +58,12 @@ class SlowMotionTest {
         for (int frame = 0; frame < 40; frame++) {
             session.frame();
         }
-        double before = session.pose(session.game().ball()).y();
+        double before = session.pose(ball(session)).y();
         session.frame();
-        double way = session.game().ball().y() - before;
+        double way = ball(session).y() - before;
         assertThat(way).as("falls").isNegative();
         for (int quarter = 1; quarter <= 4; quarter++) {
-            double seen = session.pose(session.game().ball()).y();
+            double seen = session.pose(ball(session)).y();
             assertThat(seen).isCloseTo(before + quarter * way / 4, within(1e-12));
             session.frame();
         }
@@ -70,9 +75,9 @@ class SlowMotionTest {
         for (int frame = 0; frame < 20; frame++) {
             session.frame();
         }
-        Pose seen = session.pose(session.game().ball());
+        Pose seen = session.pose(ball(session));
         session.pace(Pace.HALF);
-        assertThat(session.pose(session.game().ball())).isEqualTo(seen);
+        assertThat(session.pose(ball(session))).isEqualTo(seen);
     }
 
     @Test
