@@ -48,10 +48,18 @@ public final class SupportLoss {
         bodies.awake[going] = true;
         for (int p = bodies.firstPairOf(going); p != Pairs.NONE; p = pairs.nextOf(p, going)) {
             int other = pairs.other(p, going);
-            boolean sleeps = bodies.isDynamic(other) && !bodies.awake[other];
-            if (pairs.touching[p] && sleeps && !(isUnder(p, other) && isSteady(other))) {
-                waking.wake(other);
+            if (pairs.touching[p] && bodies.isDynamic(other)) {
+                loseNeighbour(p, other);
             }
+        }
+    }
+
+    private void loseNeighbour(int pair, int slot) {
+        if (bodies.awake[slot]) {
+            // It was about to sleep, perhaps: what it does now has to be seen first.
+            bodies.restartStillness(slot);
+        } else if (!(isUnder(pair, slot) && isSteady(slot))) {
+            waking.wake(slot);
         }
     }
 
