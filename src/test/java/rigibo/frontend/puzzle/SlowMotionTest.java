@@ -47,8 +47,7 @@ class SlowMotionTest {
         Session session = falling(Pace.FULL);
         for (int frame = 0; frame < 20; frame++) {
             session.frame();
-            assertThat(session.pose(ball(session)))
-                    .isEqualTo(Pose.of(ball(session)));
+            assertThat(session.pose(ball(session))).isEqualTo(Pose.of(ball(session)));
         }
     }
 

@@ -11,6 +11,9 @@ public final class RecordingCanvas implements Canvas {
     /** Below this opacity a panel lets what is under it shine through. */
     private static final double COVERING = 0.95;
 
+    /** Below this opacity a panel hardly dims what is under it. */
+    private static final double DIMMING = 0.5;
+
     /** A panel, or a text as wide as it is drawn and as high as its size, in logical pixels. */
     record Mark(String words, Typeface face, double left, double top, double right, double bottom) {
 
@@ -173,10 +176,11 @@ public final class RecordingCanvas implements Canvas {
         return veil;
     }
 
-    /** Whether a point of the screen lies on a panel. */
+    /** Whether a point of the screen lies under a panel; water is none, one sees through it. */
     public boolean isUnderPanel(double x, double y) {
         Mark point = point(new double[] {x, y});
-        return marks.stream().anyMatch(mark -> !mark.isText() && mark.contains(point));
+        return plates.stream()
+                .anyMatch(plate -> plate.color.alpha() >= DIMMING && plate.place.contains(point));
     }
 
     @Override
