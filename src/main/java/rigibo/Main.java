@@ -20,6 +20,7 @@ import java.io.PrintWriter;
             MonkeyCommand.class,
             LevelsCommand.class,
             ReplayCommand.class,
+            RecordCommand.class,
             CasesCommand.class,
             LabCommand.class,
             BenchCommand.class,

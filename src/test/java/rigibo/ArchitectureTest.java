@@ -106,6 +106,7 @@ class ArchitectureTest {
                         new Room(FRONTEND + ".display", plus(withScene, draw, sound)),
                         new Room(editor, plus(withScene, puzzle, FRONTEND + ".save")),
                         new Room(FRONTEND + ".catalog", plus(plus(withScene, scenes), editor)),
+                        new Room("rigibo.film", scene, FRONTEND + ".display"),
                         new Room("rigibo.lab", PUBLIC_FACE)));
     }
 
@@ -246,13 +247,13 @@ class ArchitectureTest {
     }
 
     @Test
-    void onlyPlotsUseAwt() {
+    void onlyPlotsAndFilmsUseAwt() {
         noClasses()
                 .that()
-                .resideOutsideOfPackage("rigibo.lab.plot..")
+                .resideOutsideOfPackages("rigibo.lab.plot..", "rigibo.film..")
                 .should()
                 .dependOnClassesThat()
-                .resideInAnyPackage("java.awt..", "javax.swing..", "org.knowm.xchart..")
+                .resideInAnyPackage("java.awt..", "javax.imageio..", "javax.swing..", "org.knowm.xchart..")
                 .check(CLASSES);
     }
 

@@ -27,7 +27,7 @@ class MainTest {
                         "play",
                         "tour",
                         "levels",
-                        "replay",
+                        "replay", "record",
                         "cases",
                         "lab",
                         "bench",

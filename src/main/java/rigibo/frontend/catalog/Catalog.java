@@ -6,6 +6,7 @@ import rigibo.frontend.editor.Editor;
 import rigibo.frontend.laboratory.Laboratory;
 import rigibo.frontend.menu.LevelsScene;
 import rigibo.frontend.menu.MenuScene;
+import rigibo.frontend.puzzle.Films;
 import rigibo.frontend.puzzle.Levels;
 import rigibo.frontend.puzzle.PlayerFiles;
 import rigibo.frontend.scene.Director;
@@ -60,6 +61,19 @@ public final class Catalog {
      */
     public static Function<Director, Scene> files(List<Path> files) {
         return PlayerFiles.read(files).sound();
+    }
+
+    /**
+     * What is filmed: a level of the game by its name, or a level or replay by its file, as it plays
+     * by itself.
+     *
+     * @throws IllegalArgumentException when there is no such level, or with all that is wrong with
+     *     the file
+     */
+    public static Function<Director, Scene> film(String levelOrFile) {
+        return levelOrFile.endsWith(".json")
+                ? PlayerFiles.read(List.of(Path.of(levelOrFile))).film()
+                : Films.of(levelOrFile);
     }
 
     /** The scene of files that were dropped on a window; what is wrong with them is shown. */

@@ -47,7 +47,7 @@ final class Window {
         toast = display.toast();
         this.troubles = troubles;
         this.choice = choice;
-        handle = create(scene.title());
+        handle = GlWindow.create(scene.title(), Scene.WIDTH, Scene.HEIGHT, troubles);
         glfwMakeContextCurrent(handle);
         GL.createCapabilities();
         glfwSwapInterval(vsync ? 1 : 0);
@@ -58,23 +58,6 @@ final class Window {
         listenToDrops(display::dropped);
         fill(display.settings().isFullScreen());
         glfwShowWindow(handle);
-    }
-
-    private long create(String title) {
-        glfwDefaultWindowHints();
-        glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
-        glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
-        glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
-        glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-        glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
-        glfwWindowHint(GLFW_STENCIL_BITS, 8);
-        glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
-        long created = glfwCreateWindow(Scene.WIDTH, Scene.HEIGHT, title, 0, 0);
-        if (created == 0) {
-            throw new DisplayException(
-                    "RigiBo needs OpenGL 3.3, found none (" + troubles.last() + ")");
-        }
-        return created;
     }
 
     private void listen() {

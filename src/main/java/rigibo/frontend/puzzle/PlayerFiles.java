@@ -70,13 +70,25 @@ public final class PlayerFiles {
         return this::scene;
     }
 
+    /**
+     * A film of the replay, or of how the first level can be solved.
+     *
+     * @throws IllegalArgumentException with all that is wrong with the files, or when the level has
+     *     no solution
+     */
+    public Function<Director, Scene> film() {
+        sound();
+        return recording.map(Films::of).orElseGet(() -> Films.of(levels.get(0)));
+    }
+
     /** What they are for, or what is wrong with them. */
     public Scene scene(Director director) {
         if (!errors.isEmpty()) {
             return new ProblemsScene(director, errors);
         }
         return recording
-                .<Scene>map(watched -> new ReplayScene(director, watched))
+                .<Scene>map(
+                        watched -> new ReplayScene(director, watched, ReplayScene.Audience.PLAYER))
                 .orElseGet(() -> new PuzzleScene(director, levels, 0));
     }
 }

@@ -1,27 +1,40 @@
 package rigibo.frontend.puzzle;
 
 import rigibo.frontend.puzzle.replay.Recording;
+import rigibo.frontend.puzzle.replay.Verdict;
 import rigibo.frontend.puzzle.rules.PuzzleGame;
 import rigibo.frontend.scene.Canvas;
+import rigibo.frontend.scene.Demonstration;
 import rigibo.frontend.scene.Director;
 import rigibo.frontend.scene.Key;
 import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Settings.Motion;
 
+import java.util.Optional;
+
 /** A solved run as it is watched, and at its end whether it was the same to the last bit. */
 final class ReplayScene implements Scene {
 
     private final Director director;
     private final Recording recording;
+    private final Audience audience;
     private final View view;
     private final ReplayBar bar;
     private Screening screening;
     private ReplaySpeed speed = ReplaySpeed.FULL;
     private boolean isPaused;
 
-    ReplayScene(Director director, Recording recording) {
+    /** For whom a recording is shown. */
+    enum Audience {
+        PLAYER,
+        /** Nobody is there to press a key: none is named. */
+        FILM
+    }
+
+    ReplayScene(Director director, Recording recording, Audience audience) {
         this.director = director;
+        this.audience = audience;
         this.recording = recording;
         view = new View(recording.level().world());
         bar = new ReplayBar(recording);
@@ -58,7 +71,9 @@ final class ReplayScene implements Scene {
         screening
                 .verdict()
                 .ifPresent(verdict -> bar.drawVerdict(canvas, director.words(), verdict));
-        bar.drawKeys(canvas, director.words());
+        if (audience == Audience.PLAYER) {
+            bar.drawKeys(canvas, director.words());
+        }
     }
 
     private String state() {
@@ -81,6 +96,30 @@ final class ReplayScene implements Scene {
             case RIGHT, N -> speed = speed.faster();
             case R -> begin();
             default -> {}
+        }
+    }
+
+    @Override
+    public Optional<Demonstration> demonstration() {
+        return Optional.of(new Performance());
+    }
+
+    /** Plays by itself; over when there is a verdict, and as it should be when that is good. */
+    private final class Performance implements Demonstration {
+
+        @Override
+        public Optional<Click> click() {
+            return Optional.empty();
+        }
+
+        @Override
+        public boolean isOver() {
+            return screening.verdict().isPresent();
+        }
+
+        @Override
+        public boolean hasSucceeded() {
+            return screening.verdict().filter(Verdict::isSame).isPresent();
         }
     }
 

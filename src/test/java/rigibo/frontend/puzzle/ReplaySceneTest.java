@@ -37,7 +37,12 @@ class ReplaySceneTest {
     }
 
     private ReplayScene scene() {
-        return new ReplayScene(new RecordingDirector(), recording);
+        return scene("en", recording);
+    }
+
+    private static ReplayScene scene(String language, Recording shown) {
+        return new ReplayScene(
+                new RecordingDirector(language), shown, ReplayScene.Audience.PLAYER);
     }
 
     @Test
@@ -94,7 +99,7 @@ class ReplaySceneTest {
         changed.set(3, new Checkpoint(changed.get(3).step(), 1));
         Recording other = new Recording(recording.level(), recording.replay(), changed);
         for (Recording one : List.of(recording, other)) {
-            ReplayScene scene = new ReplayScene(new RecordingDirector(language), one);
+            ReplayScene scene = scene(language, one);
             assertThat(Legibility.faults(scene)).isEmpty();
             turn(scene, 100);
             scene.keyPressed(Key.SPACE);

@@ -1,0 +1,32 @@
+package rigibo.frontend.display;
+
+import static org.lwjgl.glfw.GLFW.*;
+
+/** Makes windows that OpenGL 3.3 can draw in, hidden at first. */
+final class GlWindow {
+
+    private GlWindow() {}
+
+    /**
+     * A window of a size in px.
+     *
+     * @return GLFW's handle
+     * @throws DisplayException when there is no window or no OpenGL 3.3 to be had
+     */
+    static long create(String title, int width, int height, Troubles troubles) {
+        glfwDefaultWindowHints();
+        glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
+        glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+        glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+        glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+        glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+        glfwWindowHint(GLFW_STENCIL_BITS, 8);
+        glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+        long created = glfwCreateWindow(width, height, title, 0, 0);
+        if (created == 0) {
+            throw new DisplayException(
+                    "RigiBo needs OpenGL 3.3, found none (" + troubles.last() + ")");
+        }
+        return created;
+    }
+}
