@@ -253,7 +253,8 @@ class ArchitectureTest {
                 .resideOutsideOfPackages("rigibo.lab.plot..", "rigibo.film..")
                 .should()
                 .dependOnClassesThat()
-                .resideInAnyPackage("java.awt..", "javax.imageio..", "javax.swing..", "org.knowm.xchart..")
+                .resideInAnyPackage(
+                        "java.awt..", "javax.imageio..", "javax.swing..", "org.knowm.xchart..")
                 .check(CLASSES);
     }
 

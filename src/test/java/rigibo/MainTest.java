@@ -27,7 +27,8 @@ class MainTest {
                         "play",
                         "tour",
                         "levels",
-                        "replay", "record",
+                        "replay",
+                        "record",
                         "cases",
                         "lab",
                         "bench",
@@ -41,7 +42,18 @@ class MainTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"play --jump", "tour --out", "levels", "levels dance", "cases --only"})
+    @ValueSource(
+            strings = {
+                "play --jump",
+                "tour --out",
+                "levels",
+                "levels dance",
+                "cases --only",
+                "record",
+                "record tilt",
+                "record tilt --out a.gif --width 5",
+                "replay"
+            })
     void halfACommandIsRefused(String typed) {
         assertThat(run(typed.split(" "))).isEqualTo(2);
         assertThat(err.toString()).contains("Usage: rigibo");

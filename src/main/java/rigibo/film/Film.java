@@ -26,9 +26,9 @@ public final class Film {
     private static final int HUNDREDTHS = 5;
 
     /** How long the end is still watched, and how long its last picture stands. */
-    private static final int CURTAIN = 2 * STEPS_PER_SECOND / STEPS_PER_FRAME;
+    private static final int CURTAIN = 3 * STEPS_PER_SECOND / STEPS_PER_FRAME;
 
-    private static final int STANDING_HUNDREDTHS = 200;
+    private static final int STANDING_HUNDREDTHS = 100;
 
     /** A film that does not end by then never will, frames. */
     private static final int MOST_FRAMES = 120 * STEPS_PER_SECOND / STEPS_PER_FRAME;

@@ -28,7 +28,11 @@ record Frame(int width, int height, int[] colors) {
             for (int x = 0; x < halfWidth; x++) {
                 int at = 2 * y * width + 2 * x;
                 means[y * halfWidth + x] =
-                        mean(colors[at], colors[at + 1], colors[at + width], colors[at + width + 1]);
+                        mean(
+                                colors[at],
+                                colors[at + 1],
+                                colors[at + width],
+                                colors[at + width + 1]);
             }
         }
         return new Frame(halfWidth, halfHeight, means);

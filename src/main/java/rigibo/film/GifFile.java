@@ -91,8 +91,7 @@ final class GifFile implements AutoCloseable {
 
     private BufferedImage image(byte[] entries, int width, Rectangle part) {
         BufferedImage image =
-                new BufferedImage(
-                        part.width, part.height, BufferedImage.TYPE_BYTE_INDEXED, model);
+                new BufferedImage(part.width, part.height, BufferedImage.TYPE_BYTE_INDEXED, model);
         byte[] row = new byte[part.width];
         for (int y = 0; y < part.height; y++) {
             for (int x = 0; x < part.width; x++) {
@@ -109,8 +108,7 @@ final class GifFile implements AutoCloseable {
             BufferedImage image, Rectangle part, int hundredths, boolean isFirst)
             throws IIOInvalidTreeException {
         // Not createFromRenderedImage: that answers with the library's own colours for all indexed.
-        IIOMetadata metadata =
-                writer.getDefaultImageMetadata(new ImageTypeSpecifier(image), null);
+        IIOMetadata metadata = writer.getDefaultImageMetadata(new ImageTypeSpecifier(image), null);
         IIOMetadataNode root = new IIOMetadataNode(TREE);
         IIOMetadataNode place = child(root, "ImageDescriptor");
         place.setAttribute("imageLeftPosition", Integer.toString(part.x));

@@ -1,12 +1,12 @@
 package rigibo.film;
 
 /**
- * How often colours occur, in bins of 64 steps a channel: finer differences are not seen, and more
+ * How often colours occur, in bins of 128 steps a channel: finer differences are not seen, and more
  * bins would only take longer.
  */
 final class Histogram {
 
-    static final int BITS = 6;
+    static final int BITS = 7;
     static final int BINS = 1 << 3 * BITS;
     private static final int DROPPED = 8 - BITS;
     private static final int MASK = (1 << BITS) - 1;

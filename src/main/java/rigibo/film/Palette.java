@@ -74,12 +74,6 @@ final class Palette {
     /** As AWT has it. */
     IndexColorModel model() {
         return new IndexColorModel(
-                8,
-                SIZE,
-                Arrays.copyOf(colors, SIZE),
-                0,
-                false,
-                UNCHANGED,
-                DataBuffer.TYPE_BYTE);
+                8, SIZE, Arrays.copyOf(colors, SIZE), 0, false, UNCHANGED, DataBuffer.TYPE_BYTE);
     }
 }

@@ -64,8 +64,8 @@ public final class Catalog {
     }
 
     /**
-     * What is filmed: a level of the game by its name, or a level or replay by its file, as it plays
-     * by itself.
+     * What is filmed: a level of the game by its name, or a level or replay by its file, as it
+     * plays by itself.
      *
      * @throws IllegalArgumentException when there is no such level, or with all that is wrong with
      *     the file

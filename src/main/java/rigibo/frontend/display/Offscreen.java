@@ -14,8 +14,8 @@ import java.nio.ByteBuffer;
 import java.util.List;
 
 /**
- * Pictures of scenes that nobody sees on a screen. They are drawn into a framebuffer of our own, for
- * what a hidden window holds is nobody's promise.
+ * Pictures of scenes that nobody sees on a screen. They are drawn into a framebuffer of our own,
+ * for what a hidden window holds is nobody's promise.
  */
 public final class Offscreen implements AutoCloseable {
 

@@ -108,6 +108,34 @@ class DisplayTest {
     }
 
     @Test
+    void showsWhatIsMadeOfDroppedFiles() {
+        List<String> made = new ArrayList<>();
+        List<Scene> shown = new ArrayList<>();
+        Display display = display(new Everything());
+        Everything ofFiles = new Everything();
+        display.opensFilesBy(
+                (director, files) -> {
+                    files.forEach(file -> made.add(file.toString()));
+                    return ofFiles;
+                });
+        display.accompany(
+                new Display.Companion() {
+                    @Override
+                    public void beforeTurn(Display of, Scene scene) {
+                        shown.add(scene);
+                        if (scene == ofFiles) {
+                            of.quit();
+                        } else if (shown.size() == 1) {
+                            of.dropped(List.of(Path.of("a.json"), Path.of("b.replay.json")));
+                        }
+                    }
+                });
+        display.run(null);
+        assertThat(made).containsExactly("a.json", "b.replay.json");
+        assertThat(shown.get(shown.size() - 1)).isSameAs(ofFiles);
+    }
+
+    @Test
     void destroysEachWindowBeforeTheNextOpens() {
         List<Everything> shown = new ArrayList<>();
         Display display = display(new Everything());

@@ -41,8 +41,7 @@ class ReplaySceneTest {
     }
 
     private static ReplayScene scene(String language, Recording shown) {
-        return new ReplayScene(
-                new RecordingDirector(language), shown, ReplayScene.Audience.PLAYER);
+        return new ReplayScene(new RecordingDirector(language), shown, ReplayScene.Audience.PLAYER);
     }
 
     @Test
