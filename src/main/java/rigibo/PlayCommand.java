@@ -20,6 +20,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
+import java.util.concurrent.CompletableFuture;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 
@@ -58,6 +59,8 @@ final class PlayCommand implements Callable<Integer> {
         try (SavedPlayer player = new SavedPlayer(places(), Locale.getDefault().getLanguage())) {
             Display display = new Display(Catalog::menu, Catalog::levels, player);
             display.plugIn();
+            // While the window's library starts.
+            CompletableFuture.runAsync(Catalog::entries);
             display.opensFilesBy(Catalog::dropped);
             display.run(first());
             return 0;

@@ -60,7 +60,7 @@ final class CrateDemo implements Demo {
 
     @Override
     public String title() {
-        return words.of("crate.title");
+        return words.of("scene.crate");
     }
 
     @Override

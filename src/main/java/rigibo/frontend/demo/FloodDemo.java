@@ -85,7 +85,7 @@ final class FloodDemo implements Demo {
 
     @Override
     public String title() {
-        return words.of("flood.title");
+        return words.of("scene.flood");
     }
 
     /** Rotation only while something would turn: discs without friction do not. */

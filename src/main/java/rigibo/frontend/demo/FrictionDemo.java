@@ -51,7 +51,7 @@ final class FrictionDemo implements Demo {
 
     @Override
     public String title() {
-        return words.of("friction.title");
+        return words.of("scene.friction");
     }
 
     @Override

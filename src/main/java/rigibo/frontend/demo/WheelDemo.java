@@ -73,7 +73,7 @@ final class WheelDemo implements Demo {
 
     @Override
     public String title() {
-        return words.of("wheel.title");
+        return words.of("scene.wheel");
     }
 
     @Override

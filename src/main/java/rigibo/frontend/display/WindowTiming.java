@@ -9,22 +9,23 @@ import java.time.Instant;
 import java.util.Arrays;
 import java.util.List;
 import java.util.function.Function;
+import java.util.function.Supplier;
 
 /**
  * Measures how long it takes until something is to be seen: the menu at first, then every scene.
  */
 public final class WindowTiming implements Display.Companion {
 
-    private final List<SceneEntry> entries;
-    private final double[] changes;
+    private final Supplier<List<SceneEntry>> scenes;
+    private List<SceneEntry> entries = List.of();
+    private double[] changes = {};
     private double startMillis = -1;
     private Scene left;
     private long asked;
     private int done;
 
-    private WindowTiming(List<SceneEntry> entries) {
-        this.entries = entries;
-        changes = new double[2 * entries.size()];
+    private WindowTiming(Supplier<List<SceneEntry>> scenes) {
+        this.scenes = scenes;
     }
 
     /**
@@ -42,8 +43,9 @@ public final class WindowTiming implements Display.Companion {
      *
      * @throws DisplayException when no window can be opened
      */
-    public static Result measure(Function<Director, Scene> menu, List<SceneEntry> entries) {
-        WindowTiming timing = new WindowTiming(entries);
+    public static Result measure(
+            Function<Director, Scene> menu, Supplier<List<SceneEntry>> scenes) {
+        WindowTiming timing = new WindowTiming(scenes);
         Display display = new Display(menu, true);
         display.accompany(timing);
         display.run(null);
@@ -74,6 +76,8 @@ public final class WindowTiming implements Display.Companion {
         if (startMillis < 0) {
             Instant started = ProcessHandle.current().info().startInstant().orElseThrow();
             startMillis = Duration.between(started, Instant.now()).toNanos() / 1e6;
+            entries = scenes.get();
+            changes = new double[2 * entries.size()];
         } else if (left != null && scene != left) {
             changes[done++] = (System.nanoTime() - asked) / 1e6;
             left = null;

@@ -78,7 +78,7 @@ final class LaboratoryScene implements Scene {
 
     @Override
     public String title() {
-        return "RigiBo – " + words.of("laboratory.title");
+        return "RigiBo – " + words.of("scene.laboratory");
     }
 
     @Override

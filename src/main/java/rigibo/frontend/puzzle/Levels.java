@@ -29,12 +29,20 @@ public final class Levels {
 
     /** The levels of the game that can be played, in the order of their files. */
     static List<Level> all() {
-        LevelLoader loader = new LevelLoader();
-        List<Level> levels = new ArrayList<>();
-        for (Path file : LevelShelf.files()) {
-            loader.load(file).level().ifPresent(levels::add);
+        return OfTheGame.LEVELS;
+    }
+
+    /** Read once, when they are first asked for: validating them all takes longer than a frame. */
+    private static final class OfTheGame {
+
+        static final List<Level> LEVELS = read();
+
+        private static List<Level> read() {
+            LevelLoader loader = new LevelLoader();
+            return LevelShelf.files().stream()
+                    .flatMap(file -> loader.load(file).level().stream())
+                    .toList();
         }
-        return levels;
     }
 
     /**

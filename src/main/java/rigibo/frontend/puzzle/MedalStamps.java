@@ -23,7 +23,7 @@ final class MedalStamps {
     private static final double COLUMN = 150;
 
     /** From a medal's middle to the middle of its words, px. */
-    private static final double WORDS_BELOW = 42;
+    private static final double WORDS_BELOW = 46;
 
     /** How much larger a stamp is when it begins to fall. */
     private static final double HEIGHT = 1.5;

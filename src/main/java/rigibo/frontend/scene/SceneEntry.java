@@ -43,12 +43,14 @@ public record SceneEntry(
         void draw(Canvas canvas, double x, double y, double width, double height);
     }
 
-    /** A scene without a prize, with its texts at {@code name.title} and {@code name.words}. */
+    /**
+     * A scene without a prize, with its texts at {@code scene.name} and {@code scene.name.words}.
+     */
     public static SceneEntry of(String name, Function<Director, Scene> open) {
         return new SceneEntry(
                 name,
-                words -> words.of(name + ".title"),
-                words -> words.of(name + ".words"),
+                words -> words.of("scene." + name),
+                words -> words.of("scene." + name + ".words"),
                 Optional.empty(),
                 open);
     }

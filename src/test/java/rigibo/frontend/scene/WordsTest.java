@@ -3,11 +3,15 @@ package rigibo.frontend.scene;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 import java.io.IOException;
+import java.io.InputStream;
 import java.io.InputStreamReader;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
+import java.util.List;
 import java.util.Locale;
 import java.util.Properties;
 import java.util.ResourceBundle;
@@ -45,5 +49,20 @@ class WordsTest {
     void speaksTheLanguageAskedForWhateverTheSystemSpeaks() {
         assertThat(new Words("de").of("puzzle.won")).isEqualTo("Gelöst!");
         assertThat(new Words("en").of("puzzle.won")).isEqualTo("Solved!");
+    }
+
+    /** The second of two lines would win without a word. */
+    @ParameterizedTest
+    @ValueSource(strings = {"/rigibo/words.properties", "/rigibo/words_de.properties"})
+    void noKeyIsWrittenTwice(String file) throws IOException {
+        try (InputStream in = WordsTest.class.getResourceAsStream(file)) {
+            String text = new String(in.readAllBytes(), StandardCharsets.UTF_8);
+            List<String> keys =
+                    text.lines()
+                            .filter(line -> line.contains("=") && !line.startsWith("#"))
+                            .map(line -> line.substring(0, line.indexOf('=')))
+                            .toList();
+            assertThat(keys).isNotEmpty().doesNotHaveDuplicates();
+        }
     }
 }
