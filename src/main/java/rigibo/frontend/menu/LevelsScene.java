@@ -11,6 +11,7 @@ import rigibo.frontend.scene.Words;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalInt;
 
 /** All levels as cards with their pictures: which are open, which solved, and how well. */
@@ -24,11 +25,25 @@ public final class LevelsScene implements Scene {
     private static final double PITCH_X = LevelCard.WIDTH + GAP;
     private static final double PITCH_Y = LevelCard.HEIGHT + GAP;
     private static final double FOOT_TOP = HEIGHT - 58;
+    private static final double FOOT_HEIGHT = 40;
+    private static final double WATCH_WIDTH = 200;
 
     private final Director director;
     private final Words words;
     private final LevelList levels;
+    private final Tile watch =
+            new Tile(
+                    WIDTH - EDGE - WATCH_WIDTH,
+                    FOOT_TOP,
+                    WATCH_WIDTH,
+                    FOOT_HEIGHT,
+                    this::drawWatch,
+                    this::watch);
     private int firstRow;
+
+    /** Whether the level's best run was asked for, and there is none. */
+    private boolean isMissed;
+
     private Tiles tiles;
 
     /** A list of the levels among some entries; the one to go on with is chosen. */
@@ -117,14 +132,40 @@ public final class LevelsScene implements Scene {
         String count = words.of("menu.solved", levels.solved(), levels.levels().size());
         Print.right(canvas, count, WIDTH - EDGE, 46, 18, Color.TEXT);
         tiles.draw(canvas);
-        canvas.panel(EDGE, FOOT_TOP, WIDTH - 2 * EDGE, 40, 12, Color.PANEL);
-        Print.centred(canvas, about(), WIDTH / 2.0, FOOT_TOP + 20, 18, Color.TEXT);
+        double foot = WIDTH - 2 * EDGE - (canWatch() ? WATCH_WIDTH + GAP : 0);
+        canvas.panel(EDGE, FOOT_TOP, foot, FOOT_HEIGHT, 12, Color.PANEL);
+        double middle = FOOT_TOP + FOOT_HEIGHT / 2;
+        Print.centred(canvas, about(), EDGE + foot / 2, middle, 18, Color.TEXT);
+        if (canWatch()) {
+            watch.draw(canvas, false);
+        }
+    }
+
+    /** A level that was solved as it is now may have a run that was kept. */
+    private boolean canWatch() {
+        OptionalInt chosen = chosenLevel();
+        return chosen.isPresent() && levels.medal(chosen.getAsInt()).isPresent();
+    }
+
+    private void drawWatch(Canvas canvas, Tile tile, boolean isChosen) {
+        Print.button(canvas, tile, words.of("replay.watch-best"), isChosen);
+    }
+
+    private void watch() {
+        int level = chosenLevel().orElseThrow();
+        Optional<Scene> best =
+                levels.levels().get(level).challenge().orElseThrow().watch().apply(director);
+        best.ifPresent(director::show);
+        isMissed = best.isEmpty();
     }
 
     private String about() {
         OptionalInt chosen = chosenLevel();
         if (chosen.isEmpty()) {
             return words.of("menu.choose");
+        }
+        if (isMissed) {
+            return words.of("replay.none-kept");
         }
         int level = chosen.getAsInt();
         if (!levels.isOpen(level)) {
@@ -140,6 +181,7 @@ public final class LevelsScene implements Scene {
     @Override
     public void pointerMoved(double x, double y) {
         if (y < FOOT_TOP) {
+            isMissed = false;
             tiles.pointerMoved(x, y);
         }
     }
@@ -148,6 +190,8 @@ public final class LevelsScene implements Scene {
     public void pointerPressed(PointerButton button, double x, double y) {
         if (y < FOOT_TOP) {
             tiles.pointerPressed(button, x, y);
+        } else if (button == PointerButton.LEFT && canWatch() && watch.contains(x, y)) {
+            watch();
         }
     }
 
@@ -158,6 +202,11 @@ public final class LevelsScene implements Scene {
 
     @Override
     public void keyPressed(Key key) {
+        isMissed = false;
+        if (key == Key.V && canWatch()) {
+            watch();
+            return;
+        }
         tiles.keyPressed(key);
         bringIntoSight();
     }

@@ -73,7 +73,10 @@ public final class Levels {
                 words -> level.hint().in(words.locale()),
                 Optional.of(
                         new SceneEntry.Challenge(
-                                level.hash(), level.limits().par(), new LevelPicture(level))),
+                                level.hash(),
+                                level.limits().par(),
+                                new LevelPicture(level),
+                                director -> Replays.best(director, level))),
                 director -> new PuzzleScene(director, levels, number));
     }
 

@@ -3,9 +3,13 @@ package rigibo.frontend.puzzle;
 import rigibo.frontend.puzzle.level.Level;
 import rigibo.frontend.puzzle.replay.LoadedReplay;
 import rigibo.frontend.puzzle.replay.ReplayLoader;
+import rigibo.frontend.puzzle.replay.ReplayShelf;
+import rigibo.frontend.scene.Director;
+import rigibo.frontend.scene.Scene;
 
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 
 /** Solved runs from files, of the levels of the game or of one level. */
 public final class Replays {
@@ -28,6 +32,13 @@ public final class Replays {
      */
     public static Replays of(Path level) {
         return new Replays(List.of(Levels.level(level)));
+    }
+
+    /** The player's best run of a level, as it is watched; nothing where none was kept. */
+    static Optional<Scene> best(Director director, Level level) {
+        return director.replays()
+                .flatMap(folder -> new ReplayShelf(folder, level).watchable())
+                .map(run -> new ReplayScene(director, run, ReplayScene.Audience.PLAYER));
     }
 
     /** Reads a replay file; what is wrong with it is told all at once. */

@@ -25,8 +25,10 @@ public record SceneEntry(
      * @param hash of the level, as progress names it
      * @param par clicks of a gold medal
      * @param picture the level at its start
+     * @param watch the player's best run that was kept, as it is watched; nothing where none was
      */
-    public record Challenge(long hash, int par, Picture picture) {
+    public record Challenge(
+            long hash, int par, Picture picture, Function<Director, Optional<Scene>> watch) {
 
         /** The best medal by what a player has done in the level; none before it is solved so. */
         public Optional<Medal> medal(LevelProgress done) {

@@ -33,8 +33,14 @@ final class Entries {
                                 HASH,
                                 PAR,
                                 (canvas, x, y, width, height) ->
-                                        canvas.frame(x, y, width, height, 0, Color.EDGE))),
+                                        canvas.frame(x, y, width, height, 0, Color.EDGE),
+                                director -> kept(number))),
                 director -> new Named("level" + number));
+    }
+
+    /** Of the first level a run was kept. */
+    private static Optional<Scene> kept(int number) {
+        return number == 0 ? Optional.of(new Named("run of level0")) : Optional.empty();
     }
 
     /** Some levels, and all else that the game has. */

@@ -42,6 +42,27 @@ class MenuScenesTest {
         return director.shown.get(director.shown.size() - 1).title();
     }
 
+    @Test
+    void theBestRunOfASolvedLevelCanBeWatched() {
+        director.progress(Progress.none().solved("level0", Entries.HASH, 1));
+        LevelsScene scene = new LevelsScene(director, Entries.levels(3));
+        assertThat(RecordingCanvas.of(scene).texts()).doesNotContain("Watch your best (V)");
+        press(scene, Key.LEFT);
+        click(scene, "Watch your best (V)");
+        assertThat(shown()).isEqualTo("run of level0");
+        assertLegible(scene);
+    }
+
+    @Test
+    void whereNoRunWasKeptTheListSaysSo() {
+        director.progress(Progress.none().solved("level1", Entries.HASH, 1));
+        LevelsScene scene = new LevelsScene(director, Entries.levels(3));
+        press(scene, Key.RIGHT, Key.V);
+        assertThat(RecordingCanvas.of(scene).texts()).contains("No run of it was kept");
+        assertThat(director.shown).isEmpty();
+        assertLegible(scene);
+    }
+
     private static void assertLegible(Scene scene) {
         assertThat(Legibility.faults(scene)).as(scene.title()).isEmpty();
     }
