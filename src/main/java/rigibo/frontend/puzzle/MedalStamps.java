@@ -14,7 +14,7 @@ import rigibo.frontend.scene.Words;
 final class MedalStamps {
 
     /** From one stamp to the next. */
-    private static final int APART = Steps.of(0.3);
+    private static final int APART = Steps.of(0.25);
 
     /** How long a stamp falls. */
     private static final int FALL = Steps.of(0.15);
