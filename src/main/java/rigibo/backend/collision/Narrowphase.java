@@ -113,16 +113,6 @@ public final class Narrowphase {
         }
     }
 
-    /** Fills one pair's manifold at the bodies' present poses and notes the pair as active. */
-    public void collidePair(int pair, double dt) {
-        pairs.activate(pair);
-        begin(pair);
-        measure(pair, dt, reach(pair, dt));
-        // Within a step nobody knows where bodies were when it began.
-        pairs.reach[pair] = Double.NaN;
-        finish(pair);
-    }
-
     private void begin(int pair) {
         pairs.touchedBefore[pair] = pairs.touching[pair] || pairs.impacts[pair] > 0;
         pairs.impacts[pair] = 0;

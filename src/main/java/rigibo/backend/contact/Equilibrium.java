@@ -113,35 +113,25 @@ final class Equilibrium {
         double load1 = pairs.normalForce[2 * pair + 1];
         return (load0 == 0 || pairs.separation[2 * pair] <= touching)
                 && (load1 == 0 || pairs.separation[2 * pair + 1] <= touching)
-                && rubsWithin(pair, a, b, load0 + load1);
+                && rubsWithin(pair, load0 + load1);
     }
 
-    private boolean rubsWithin(int pair, int a, int b, double load) {
+    private boolean rubsWithin(int pair, double load) {
         boolean slides =
                 pairs.friction != null
-                        && Math.abs(rubbing(pair)) > (1 + UNHELD) * pairs.friction[pair] * load;
+                        && Math.abs(pairs.heldFriction(pair))
+                                > (1 + UNHELD) * pairs.friction[pair] * load;
         return !slides
                 && (bodies.rollingResistance == null
-                        || Math.abs(rolling(pair))
+                        || Math.abs(pairs.heldTorque(pair))
                                 <= (1 + UNHELD) * load * pairs.rollingLever(bodies, pair));
-    }
-
-    /** The friction that held, N: none where no load did. */
-    private double rubbing(int pair) {
-        boolean isAny = pairs.frictionForce != null && pairs.isLoaded(pair);
-        return isAny ? pairs.frictionForce[pair] : 0;
-    }
-
-    private double rolling(int pair) {
-        boolean isAny = pairs.rollingTorque != null && pairs.isLoaded(pair);
-        return isAny ? pairs.rollingTorque[pair] : 0;
     }
 
     private void addForces(int pair) {
         double nx = pairs.normalX[pair];
         double ny = pairs.normalY[pair];
         double load = pairs.normalForce[2 * pair] + pairs.normalForce[2 * pair + 1];
-        double along = rubbing(pair);
+        double along = pairs.heldFriction(pair);
         double fx = load * nx - along * ny;
         double fy = load * ny + along * nx;
         int a = pairs.bodyA[pair];
@@ -151,20 +141,23 @@ final class Equilibrium {
         leftX[b] += bodies.inverseMass[b] * fx;
         leftY[b] += bodies.inverseMass[b] * fy;
         if (bodies.turns() && load > 0) {
-            leftTurn[a] -= bodies.inverseInertia[a] * torque(pair, a, nx, ny, along);
-            leftTurn[b] += bodies.inverseInertia[b] * torque(pair, b, nx, ny, along);
+            double rubsAt = RowBuilder.rubsAt(pairs, pair, nx, ny);
+            leftTurn[a] -= bodies.inverseInertia[a] * torque(pair, a, along, rubsAt);
+            leftTurn[b] += bodies.inverseInertia[b] * torque(pair, b, along, rubsAt);
         }
     }
 
-    /** Σ r × F + τ about a body's centre, N·m, as B feels it. */
-    private double torque(int pair, int slot, double nx, double ny, double along) {
+    /** Σ r × F + τ about a body's centre, N·m, as B feels it, with the friction and its height. */
+    private double torque(int pair, int slot, double along, double rubsAt) {
+        double nx = pairs.normalX[pair];
+        double ny = pairs.normalY[pair];
         double x = bodies.x[slot];
         double y = bodies.y[slot];
-        double sum = rolling(pair);
+        double sum = pairs.heldTorque(pair);
         for (int point = 2 * pair; point < 2 * pair + pairs.points[pair]; point++) {
             double lever = (pairs.pointX[point] - x) * ny - (pairs.pointY[point] - y) * nx;
             sum += lever * pairs.normalForce[point];
         }
-        return sum + along * (RowBuilder.rubsAt(pairs, pair, nx, ny) - x * nx - y * ny);
+        return sum + along * (rubsAt - x * nx - y * ny);
     }
 }

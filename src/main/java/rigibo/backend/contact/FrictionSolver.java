@@ -11,8 +11,6 @@ import rigibo.backend.storage.Pairs;
 /** The friction rows |jₜ| ≤ μ·Σjₙ. A contact without friction is not on the list. */
 final class FrictionSolver implements Rubbing {
 
-    private static final double STIFFNESS = 1 / (1 + Rows.COMPLIANCE);
-
     private final Motions motions;
     private final Rows rows;
     private final Pairs pairs;
@@ -44,7 +42,7 @@ final class FrictionSolver implements Rubbing {
             if (friction > 0) {
                 int at = row * Rows.STRIDE;
                 rows.data[at + Rows.FRICTION] = friction;
-                rows.data[at + Rows.IMPULSE_T] = held(rows.pair[row]) * firstKick;
+                rows.data[at + Rows.IMPULSE_T] = pairs.heldFriction(rows.pair[row]) * firstKick;
                 rubbing[count++] = row;
                 if (rows.data[at + Rows.ROLLING] == 0) {
                     sliding[slidingCount++] = row;
@@ -52,11 +50,6 @@ final class FrictionSolver implements Rubbing {
             }
         }
         refresh();
-    }
-
-    /** The friction that held when the last step ended, N: none where no load did. */
-    private double held(int pair) {
-        return pairs.isLoaded(pair) ? pairs.frictionForce[pair] : 0;
     }
 
     @Override

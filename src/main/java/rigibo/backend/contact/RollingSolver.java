@@ -57,12 +57,7 @@ final class RollingSolver implements Rubbing {
         double ib = motions.data[rows.bodyB[row] + INVERSE_INERTIA];
         rows.data[at + Rows.ROLLING] = lever;
         rows.data[at + Rows.INERTIA_R] = ia + ib > 0 ? 1 / (ia + ib) : 0;
-        rows.data[at + Rows.IMPULSE_R] = held(rows.pair[row]) * firstKick;
-    }
-
-    /** The torque that held when the last step ended, N·m: none where no load did. */
-    private double held(int pair) {
-        return pairs.isLoaded(pair) ? pairs.rollingTorque[pair] : 0;
+        rows.data[at + Rows.IMPULSE_R] = pairs.heldTorque(rows.pair[row]) * firstKick;
     }
 
     @Override

@@ -222,6 +222,16 @@ public final class Pairs {
         return normalForce[2 * pair] != 0 || normalForce[2 * pair + 1] != 0;
     }
 
+    /** The friction that held when the last step ended, N: none where no load did. */
+    public double heldFriction(int pair) {
+        return frictionForce != null && isLoaded(pair) ? frictionForce[pair] : 0;
+    }
+
+    /** The rolling torque that held when the last step ended, N·m: none where no load did. */
+    public double heldTorque(int pair) {
+        return rollingTorque != null && isLoaded(pair) ? rollingTorque[pair] : 0;
+    }
+
     /** Mixes friction √(μaμb) and elasticity max(ea, eb) anew from the bodies' columns. */
     public void mix(Bodies bodies, int pair) {
         int a = bodyA[pair];
