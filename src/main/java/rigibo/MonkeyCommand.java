@@ -41,6 +41,9 @@ final class MonkeyCommand implements Callable<Integer> {
     /** The cause of the collections that only find out what is in use. */
     private static final String OURS = "System.gc()";
 
+    /** What collectors that work beside the game call their work, which is no pause. */
+    private static final String BESIDE = "Cycles";
+
     @Option(
             names = "--minutes",
             paramLabel = "M",
@@ -109,8 +112,10 @@ final class MonkeyCommand implements Callable<Integer> {
     /** Notes how long collections take that the game caused, ms. */
     private void listen() {
         for (GarbageCollectorMXBean collector : ManagementFactory.getGarbageCollectorMXBeans()) {
-            ((NotificationEmitter) collector)
-                    .addNotificationListener((told, nothing) -> note(told), null, null);
+            if (!collector.getName().endsWith(BESIDE)) {
+                ((NotificationEmitter) collector)
+                        .addNotificationListener((told, nothing) -> note(told), null, null);
+            }
         }
     }
 

@@ -4,8 +4,7 @@ import rigibo.frontend.scene.Director;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.SceneEntry;
 
-import java.time.Duration;
-import java.time.Instant;
+import java.lang.management.ManagementFactory;
 import java.util.Arrays;
 import java.util.List;
 import java.util.function.Function;
@@ -31,7 +30,7 @@ public final class WindowTiming implements Display.Companion {
     /**
      * What was measured.
      *
-     * @param startMillis from the start of the process to the first picture of the menu, ms
+     * @param startMillis from Java's start to the first picture of the menu, ms
      * @param medianMillis of all changes from the menu to a scene and back, from the wish to the
      *     first picture in the new window, ms
      * @param mostMillis of the longest of them, ms
@@ -74,8 +73,8 @@ public final class WindowTiming implements Display.Companion {
     @Override
     public void afterDrawing(Display display, Scene scene) {
         if (startMillis < 0) {
-            Instant started = ProcessHandle.current().info().startInstant().orElseThrow();
-            startMillis = Duration.between(started, Instant.now()).toNanos() / 1e6;
+            // The system's word for when a process began may be a second off.
+            startMillis = ManagementFactory.getRuntimeMXBean().getUptime();
             entries = scenes.get();
             changes = new double[2 * entries.size()];
         } else if (left != null && scene != left) {

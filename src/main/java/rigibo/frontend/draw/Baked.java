@@ -43,6 +43,10 @@ final class Baked {
             run(layer);
         }
         program.free();
+    }
+
+    /** Adds smaller sizes, for bodies that are small in the window. Costs more than the baking. */
+    void shrink() {
         glBindTexture(GL_TEXTURE_2D_ARRAY, texture);
         glGenerateMipmap(GL_TEXTURE_2D_ARRAY);
     }
@@ -58,7 +62,7 @@ final class Baked {
         glBindFramebuffer(GL_FRAMEBUFFER, 0);
     }
 
-    /** Makes it the texture that shaders read. */
+    /** Makes it the texture that shaders read, in all its sizes. */
     void bind() {
         glBindTexture(GL_TEXTURE_2D_ARRAY, texture);
     }

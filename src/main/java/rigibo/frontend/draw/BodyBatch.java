@@ -43,6 +43,7 @@ final class BodyBatch {
             detail = wanted;
             freeSkins();
             skins = new Baked("skin", TEXELS, TEXELS, Skin.values().length, wanted);
+            skins.shrink();
         }
     }
 

@@ -40,6 +40,10 @@ final class FaceBatch {
 
     private int count;
 
+    FaceBatch() {
+        sheet.shrink();
+    }
+
     /** A face on a body, looking in a direction of the body's frame. */
     void add(Figure figure, OnScreen at, Mood mood, Gaze gaze, DotBatch pupils) {
         double wide = Math.min(OF_WIDTH * figure.halfWidth, OF_HEIGHT * figure.halfHeight);
