@@ -1,17 +1,25 @@
 package rigibo;
 
+import static java.util.stream.Collectors.toCollection;
+
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
 import rigibo.frontend.catalog.Catalog;
 import rigibo.frontend.display.DisplayException;
 import rigibo.frontend.display.Tour;
+import rigibo.frontend.scene.SceneEntry;
+import rigibo.frontend.scene.Settings;
 
 import java.io.PrintWriter;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
 import java.util.concurrent.Callable;
 
 /** Lets the game play itself, every scene and level in turn, and keeps pictures of it. */
@@ -24,6 +32,33 @@ final class TourCommand implements Callable<Integer> {
             description = "Where the pictures go (default: ${DEFAULT-VALUE}).")
     private Path out;
 
+    @Option(
+            names = "--scale",
+            paramLabel = "S",
+            defaultValue = "1",
+            description = "Windows so many times their usual size, 0.5 to 3.")
+    private double scale;
+
+    @Option(names = "--full-screen", description = "Windows fill the screen.")
+    private boolean isFullScreen;
+
+    @Option(names = "--lite", description = "Draws in less detail, as on a slow machine.")
+    private boolean isLite;
+
+    @Option(
+            names = "--language",
+            paramLabel = "L",
+            defaultValue = "en",
+            description = "In this language: en or de.")
+    private String language;
+
+    @Option(
+            names = "--scenes",
+            paramLabel = "A,B",
+            split = ",",
+            description = "Only these, by the names of their pictures.")
+    private Set<String> scenes = Set.of();
+
     @Spec private CommandSpec spec;
 
     @Override
@@ -31,7 +66,7 @@ final class TourCommand implements Callable<Integer> {
         PrintWriter words = spec.commandLine().getOut();
         PrintWriter complaints = spec.commandLine().getErr();
         try {
-            List<String> failures = new Tour(Catalog.entries(), out, words).run(Catalog::menu);
+            List<String> failures = new Tour(stops(), settings(), scale(), out, words).run();
             failures.forEach(complaints::println);
             words.println("Pictures are in " + out);
             return failures.isEmpty() ? 0 : 1;
@@ -39,5 +74,45 @@ final class TourCommand implements Callable<Integer> {
             complaints.println(e.getMessage());
             return 1;
         }
+    }
+
+    /** The menus, then everything that they lead to. */
+    private List<Tour.Stop> stops() {
+        List<Tour.Stop> all = new ArrayList<>();
+        all.add(new Tour.Stop("menu", Catalog::menu, true));
+        all.add(new Tour.Stop("levels", Catalog::levels, true));
+        all.add(new Tour.Stop("settings", Catalog::settings, true));
+        for (SceneEntry entry : Catalog.entries()) {
+            all.add(new Tour.Stop(entry.name(), entry.open(), false));
+        }
+        Set<String> names = all.stream().map(Tour.Stop::name).collect(toCollection(TreeSet::new));
+        for (String wanted : scenes) {
+            if (!names.contains(wanted)) {
+                throw wrong("--scenes", "there is no '" + wanted + "', there are " + names);
+            }
+        }
+        return all.stream().filter(s -> scenes.isEmpty() || scenes.contains(s.name())).toList();
+    }
+
+    /** Pictures show all there is, however slowly it is drawn, unless less is asked for. */
+    private Settings settings() {
+        if (!Settings.LANGUAGES.contains(language)) {
+            throw wrong("--language", "must be one of " + Settings.LANGUAGES + ", was " + language);
+        }
+        return Settings.initial(language)
+                .withDetail(isLite ? Settings.Detail.LITE : Settings.Detail.FULL)
+                .withFullScreen(isFullScreen);
+    }
+
+    private double scale() {
+        if (!(scale >= 0.5 && scale <= 3)) {
+            throw wrong("--scale", "must be 0.5 to 3, was " + scale);
+        }
+        return scale;
+    }
+
+    private ParameterException wrong(String option, String what) {
+        return new ParameterException(
+                spec.commandLine(), "Invalid value for '" + option + "': " + what);
     }
 }

@@ -6,6 +6,7 @@ import rigibo.frontend.editor.Editor;
 import rigibo.frontend.laboratory.Laboratory;
 import rigibo.frontend.menu.LevelsScene;
 import rigibo.frontend.menu.MenuScene;
+import rigibo.frontend.menu.SettingsScene;
 import rigibo.frontend.puzzle.Films;
 import rigibo.frontend.puzzle.Levels;
 import rigibo.frontend.puzzle.PlayerFiles;
@@ -84,6 +85,11 @@ public final class Catalog {
     /** The main menu. */
     public static Scene menu(Director director) {
         return new MenuScene(director, entries());
+    }
+
+    /** What a player may choose for every scene. */
+    public static Scene settings(Director director) {
+        return new SettingsScene(director);
     }
 
     /** The list of levels. */

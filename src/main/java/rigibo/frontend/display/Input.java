@@ -50,6 +50,12 @@ final class Input {
         scene.pointerMoved(x, y);
     }
 
+    /** As if the cursor were where this is in the logical window. */
+    void point(double logicalX, double logicalY) {
+        Letterbox box = Letterbox.of(windowWidth, windowHeight);
+        cursor(box.framebufferX(logicalX), box.framebufferY(logicalY, windowHeight));
+    }
+
     void mouseButton(int button, int action) {
         PointerButton which =
                 switch (button) {

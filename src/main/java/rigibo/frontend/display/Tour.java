@@ -7,7 +7,6 @@ import static org.lwjgl.glfw.GLFW.GLFW_RELEASE;
 import rigibo.frontend.scene.Demonstration;
 import rigibo.frontend.scene.Director;
 import rigibo.frontend.scene.Scene;
-import rigibo.frontend.scene.SceneEntry;
 import rigibo.frontend.scene.Settings;
 
 import java.io.IOException;
@@ -28,8 +27,8 @@ public final class Tour implements Display.Companion {
     /** How long a scene that cannot play itself is watched, turns of 1/60 s. */
     private static final int WATCHED_TURNS = 6 * FrameClock.RATE;
 
-    /** How long the menu is watched. */
-    private static final int MENU_TURNS = 2 * FrameClock.RATE;
+    /** How long is watched what only waits for a choice. */
+    private static final int WAITING_TURNS = 2 * FrameClock.RATE;
 
     /** A level that is not over by then is lost. */
     private static final int MOST_TURNS = 60 * FrameClock.RATE;
@@ -37,18 +36,37 @@ public final class Tour implements Display.Companion {
     /** How long the end of a demonstration is watched, so that its last picture is at rest. */
     private static final int CURTAIN_TURNS = FrameClock.RATE;
 
-    private final List<SceneEntry> entries;
+    private final List<Stop> stops;
+    private final Settings settings;
+    private final double scale;
     private final Path folder;
     private final PrintWriter out;
     private final List<String> failures = new ArrayList<>();
-    private int next = -1;
+    private Scene seen;
+    private int current;
     private int turn;
     private int overSince = -1;
     private Optional<Demonstration> demonstration = Optional.empty();
 
-    /** A tour of scenes that writes PNG files to a folder and its progress to {@code out}. */
-    public Tour(List<SceneEntry> entries, Path folder, PrintWriter out) {
-        this.entries = entries;
+    /**
+     * A scene to be seen.
+     *
+     * @param name of its pictures
+     * @param open makes it
+     * @param isWaiting whether nothing happens in it but what the player chooses
+     */
+    public record Stop(String name, Function<Director, Scene> open, boolean isWaiting) {}
+
+    /**
+     * A tour that writes PNG files to a folder and its progress to {@code out}.
+     *
+     * @param settings what the player has chosen
+     * @param scale of the windows to their usual size
+     */
+    public Tour(List<Stop> stops, Settings settings, double scale, Path folder, PrintWriter out) {
+        this.stops = stops;
+        this.settings = settings;
+        this.scale = scale;
         this.folder = folder;
         this.out = out;
     }
@@ -60,16 +78,15 @@ public final class Tour implements Display.Companion {
      *     is well
      * @throws DisplayException when no window comes or a picture cannot be written
      */
-    public List<String> run(Function<Director, Scene> menu) {
+    public List<String> run() {
         try {
             Files.createDirectories(folder);
         } catch (IOException e) {
             throw new DisplayException(
                     "cannot write pictures to " + folder + ": " + e.getMessage());
         }
-        Display display = new Display(menu, true);
-        // Pictures show all there is, however slowly it is drawn.
-        display.settings(display.settings().withDetail(Settings.Detail.FULL));
+        Display display = new Display(stops.get(0).open(), true);
+        display.settings(settings);
         display.accompany(this);
         display.run(null);
         failures.addAll(display.troubles());
@@ -78,17 +95,29 @@ public final class Tour implements Display.Companion {
 
     @Override
     public void beforeTurn(Display display, Scene scene) {
+        if (scene != seen) {
+            seen = scene;
+            demonstration = scene.demonstration();
+            resize(display.window());
+        }
         demonstration.ifPresent(show -> play(show, display.input()));
     }
 
+    private void resize(Window window) {
+        if (!settings.isFullScreen()) {
+            int width = (int) Math.round(scale * Scene.WIDTH);
+            window.resize(width, (int) Math.round(scale * Scene.HEIGHT));
+        }
+    }
+
     private static void play(Demonstration show, Input input) {
-        show.pointer().ifPresent(at -> input.cursor(at.x(), at.y()));
+        show.pointer().ifPresent(at -> input.point(at.x(), at.y()));
         show.key().ifPresent(input::press);
         show.click().ifPresent(at -> click(input, at));
     }
 
     private static void click(Input input, Demonstration.Click at) {
-        input.cursor(at.x(), at.y());
+        input.point(at.x(), at.y());
         input.mouseButton(GLFW_MOUSE_BUTTON_LEFT, GLFW_PRESS);
         input.mouseButton(GLFW_MOUSE_BUTTON_LEFT, GLFW_RELEASE);
     }
@@ -96,28 +125,25 @@ public final class Tour implements Display.Companion {
     @Override
     public void afterDrawing(Display display, Scene scene) {
         turn++;
-        boolean isMiddle = turn == length() / 2 && demonstration.isEmpty();
-        if (isMiddle && next >= 0) {
-            display.picture(folder.resolve(name() + "-1.png"));
-        }
-        if (demonstration.isPresent() && overSince < 0 && turn == 2 * FrameClock.RATE) {
-            display.picture(folder.resolve(name() + "-1.png"));
+        Stop stop = stops.get(current);
+        if (!stop.isWaiting() && turn == middle()) {
+            picture(display, "-1");
         }
         demonstration
                 .flatMap(Demonstration::picture)
-                .ifPresent(state -> display.picture(folder.resolve(name() + "-" + state + ".png")));
+                .ifPresent(state -> picture(display, "-" + state));
         if (isDone()) {
             finish(display);
         }
     }
 
-    private int length() {
-        return next < 0 ? MENU_TURNS : WATCHED_TURNS;
+    private int middle() {
+        return demonstration.isPresent() ? WAITING_TURNS : WATCHED_TURNS / 2;
     }
 
     private boolean isDone() {
         if (demonstration.isEmpty()) {
-            return turn >= length();
+            return turn >= (stops.get(current).isWaiting() ? WAITING_TURNS : WATCHED_TURNS);
         }
         if (overSince < 0 && demonstration.get().isOver()) {
             overSince = turn;
@@ -125,27 +151,26 @@ public final class Tour implements Display.Companion {
         return turn >= MOST_TURNS || overSince >= 0 && turn >= overSince + CURTAIN_TURNS;
     }
 
-    private String name() {
-        return next < 0 ? "menu" : entries.get(next).name();
+    private void picture(Display display, String state) {
+        display.picture(folder.resolve(stops.get(current).name() + state + ".png"));
     }
 
     private void finish(Display display) {
-        display.picture(folder.resolve(name() + ".png"));
+        picture(display, "");
+        String name = stops.get(current).name();
         boolean isLost = demonstration.isPresent() && !demonstration.get().hasSucceeded();
         if (isLost) {
-            failures.add(name() + " was not won");
+            failures.add(name + " was not won");
         }
         String result = demonstration.isEmpty() ? "seen" : isLost ? "NOT WON" : "won";
-        out.printf("  %-24s %-8s %.0f %% of real time%n", name(), result, 100 * display.pace());
-        next++;
+        out.printf("  %-24s %-8s %.0f %% of real time%n", name, result, 100 * display.pace());
+        current++;
         turn = 0;
         overSince = -1;
-        if (next == entries.size()) {
+        if (current == stops.size()) {
             display.quit();
             return;
         }
-        Scene scene = entries.get(next).open().apply(display);
-        demonstration = scene.demonstration();
-        display.show(scene);
+        display.show(stops.get(current).open().apply(display));
     }
 }

@@ -34,4 +34,15 @@ public record Letterbox(int x, int y, int width, int height) {
         int top = framebufferHeight - y - height;
         return (framebufferY - top) * Scene.HEIGHT / height;
     }
+
+    /** The framebuffer x of a logical x. */
+    public double framebufferX(double logicalX) {
+        return x + logicalX * width / Scene.WIDTH;
+    }
+
+    /** The framebuffer y, counted from the top of a framebuffer of a height, of a logical y. */
+    public double framebufferY(double logicalY, int framebufferHeight) {
+        int top = framebufferHeight - y - height;
+        return top + logicalY * height / Scene.HEIGHT;
+    }
 }

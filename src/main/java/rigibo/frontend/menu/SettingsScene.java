@@ -20,7 +20,7 @@ import java.util.List;
 import java.util.Locale;
 
 /** What a player may choose; everything holds at once, and the next time. */
-final class SettingsScene implements Scene {
+public final class SettingsScene implements Scene {
 
     private static final double PANEL_WIDTH = 480;
     private static final double TOP = 190;
@@ -32,7 +32,7 @@ final class SettingsScene implements Scene {
     private double pointerX = WIDTH / 2.0;
     private double pointerY = HEIGHT;
 
-    SettingsScene(Director director) {
+    public SettingsScene(Director director) {
         this.director = director;
         panel = new Panel((WIDTH - PANEL_WIDTH) / 2, TOP, PANEL_WIDTH, widgets());
     }

@@ -27,6 +27,15 @@ class LetterboxTest {
     }
 
     @Test
+    void findsALogicalPlaceOnTheFramebuffer() {
+        // The reverse of the above, in a framebuffer that is too high: 400 at the top and below.
+        Letterbox box = Letterbox.of(720, 1600);
+        assertThat(box.framebufferX(90)).isEqualTo(90);
+        assertThat(box.framebufferY(0, 1600)).isEqualTo(400);
+        assertThat(box.logicalY(box.framebufferY(123, 1600), 1600)).isCloseTo(123, within(1e-9));
+    }
+
+    @Test
     void survivesAWindowOfNoSize() {
         assertThat(Letterbox.of(0, 0).width()).isPositive();
     }
