@@ -6,7 +6,6 @@ import rigibo.frontend.draw.DetailChoice;
 import rigibo.frontend.scene.Director;
 import rigibo.frontend.scene.Guest;
 import rigibo.frontend.scene.Player;
-import rigibo.frontend.scene.Progress;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Settings;
 import rigibo.frontend.scene.Sounds;
@@ -140,8 +139,8 @@ public final class Display implements Director {
     }
 
     @Override
-    public Settings settings() {
-        return player.settings();
+    public Player player() {
+        return player;
     }
 
     @Override
@@ -170,43 +169,8 @@ public final class Display implements Director {
     }
 
     @Override
-    public Progress progress() {
-        return player.progress();
-    }
-
-    @Override
-    public void progress(Progress changed) {
-        player.progress(changed);
-    }
-
-    @Override
     public Words words() {
         return words;
-    }
-
-    @Override
-    public List<String> notices() {
-        return player.notices(words);
-    }
-
-    @Override
-    public void forgetNotices() {
-        player.forgetNotices();
-    }
-
-    @Override
-    public void tell(String notice) {
-        player.tell(notice);
-    }
-
-    @Override
-    public Optional<Path> levels() {
-        return player.levels();
-    }
-
-    @Override
-    public Optional<Path> replays() {
-        return player.replays();
     }
 
     @Override

@@ -4,13 +4,13 @@ import rigibo.frontend.puzzle.PuzzleScene;
 import rigibo.frontend.puzzle.level.Level;
 import rigibo.frontend.puzzle.level.Solution;
 import rigibo.frontend.scene.Director;
-import rigibo.frontend.scene.Progress;
+import rigibo.frontend.scene.Guest;
+import rigibo.frontend.scene.Player;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Settings;
 import rigibo.frontend.scene.Sounds;
 import rigibo.frontend.scene.Words;
 
-import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 
@@ -21,12 +21,13 @@ import java.util.Optional;
 final class TestRun implements Director {
 
     private final Director director;
+    private final Player guest;
     private final PuzzleScene scene;
-    private Progress progress = Progress.none();
     private boolean isLeft;
 
     TestRun(Director director, Level level) {
         this.director = director;
+        guest = new Guest(director.settings());
         scene = new PuzzleScene(this, List.of(level), 0);
     }
 
@@ -67,6 +68,13 @@ final class TestRun implements Director {
         director.quit();
     }
 
+    /** Whose progress is forgotten with the try. */
+    @Override
+    public Player player() {
+        return guest;
+    }
+
+    /** Those of the editor's player, who may change them meanwhile. */
     @Override
     public Settings settings() {
         return director.settings();
@@ -76,34 +84,6 @@ final class TestRun implements Director {
     public void settings(Settings changed) {
         director.settings(changed);
     }
-
-    @Override
-    public Progress progress() {
-        return progress;
-    }
-
-    @Override
-    public void progress(Progress changed) {
-        progress = changed;
-    }
-
-    @Override
-    public Optional<Path> replays() {
-        return Optional.empty();
-    }
-
-    @Override
-    public Optional<Path> levels() {
-        return Optional.empty();
-    }
-
-    @Override
-    public List<String> notices() {
-        return List.of();
-    }
-
-    @Override
-    public void forgetNotices() {}
 
     @Override
     public void tell(String notice) {

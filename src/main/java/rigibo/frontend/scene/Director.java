@@ -22,32 +22,51 @@ public interface Director {
     /** Ends the game. */
     void quit();
 
+    /** Who plays, and what is remembered of it. */
+    Player player();
+
     /** What the player has chosen. */
-    Settings settings();
+    default Settings settings() {
+        return player().settings();
+    }
 
     /** Changes what the player has chosen, from now on and for the next time. */
     void settings(Settings changed);
 
     /** What the player has done so far. */
-    Progress progress();
+    default Progress progress() {
+        return player().progress();
+    }
 
     /** Changes what the player has done, from now on and for the next time. */
-    void progress(Progress changed);
+    default void progress(Progress changed) {
+        player().progress(changed);
+    }
 
     /** Where solved runs are kept; nothing where none are. */
-    Optional<Path> replays();
+    default Optional<Path> replays() {
+        return player().replays();
+    }
 
     /** Where levels that the player makes are kept; nothing where none are. */
-    Optional<Path> levels();
+    default Optional<Path> levels() {
+        return player().levels();
+    }
 
     /** What the player should know about the files of all this, a sentence or two each. */
-    List<String> notices();
+    default List<String> notices() {
+        return player().notices(words());
+    }
 
     /** The player has read them; what still holds will be told again. */
-    void forgetNotices();
+    default void forgetNotices() {
+        player().forgetNotices();
+    }
 
     /** Adds a sentence or two to what the player should know. */
-    void tell(String notice);
+    default void tell(String notice) {
+        player().tell(notice);
+    }
 
     /** The game's words in the player's language. */
     Words words();

@@ -81,8 +81,8 @@ class MenuScenesTest {
         assertLegible(new LevelsScene(told, Entries.all(15)));
         assertLegible(new LevelsScene(told, Entries.all(40)));
         assertLegible(new SettingsScene(told));
-        told.notices.add(NOTICE);
-        told.notices.add(NOTICE);
+        told.tell(NOTICE);
+        told.tell(NOTICE);
         assertLegible(new MenuScene(told, Entries.all(15)));
     }
 
@@ -124,12 +124,12 @@ class MenuScenesTest {
 
     @Test
     void aNoticeStandsBeforeEverythingUntilItIsRead() {
-        director.notices.add(NOTICE);
+        director.tell(NOTICE);
         MenuScene menu = new MenuScene(director, Entries.all(6));
         assertThat(RecordingCanvas.of(menu).texts()).contains("Understood (Enter)");
         press(menu, Key.DOWN, Key.ENTER);
         assertThat(director.shown).isEmpty();
-        assertThat(director.notices).isEmpty();
+        assertThat(director.notices()).isEmpty();
         assertThat(RecordingCanvas.of(menu).texts()).doesNotContain("Understood (Enter)");
         press(menu, Key.ENTER);
         assertThat(shown()).isEqualTo("level0");
@@ -137,7 +137,7 @@ class MenuScenesTest {
 
     @Test
     void escReadsANoticeBeforeItLeaves() {
-        director.notices.add(NOTICE);
+        director.tell(NOTICE);
         MenuScene menu = new MenuScene(director, Entries.all(6));
         assertThat(menu.escaped()).isTrue();
         assertThat(menu.escaped()).isFalse();

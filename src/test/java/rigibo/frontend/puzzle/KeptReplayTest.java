@@ -58,7 +58,7 @@ class KeptReplayTest {
         Path file = Files.writeString(folder.resolve("file"), "no folder");
         director.replays = Optional.of(file);
         new Tally(director, level).ended(won(new PuzzleGame(level, Accuracy.GAME)));
-        assertThat(director.notices)
+        assertThat(director.notices())
                 .singleElement()
                 .asString()
                 .startsWith("The replay of drop could not be kept: ");

@@ -17,9 +17,6 @@ public final class RecordingDirector implements Director {
     /** What else was asked for: menu, levels, quit. */
     public final List<String> asked = new ArrayList<>();
 
-    /** What the player is told. */
-    public final List<String> notices = new ArrayList<>();
-
     /** Where solved runs are kept. */
     public Optional<Path> replays = Optional.empty();
 
@@ -59,8 +56,8 @@ public final class RecordingDirector implements Director {
     }
 
     @Override
-    public Settings settings() {
-        return player.settings();
+    public Player player() {
+        return player;
     }
 
     @Override
@@ -69,33 +66,8 @@ public final class RecordingDirector implements Director {
     }
 
     @Override
-    public Progress progress() {
-        return player.progress();
-    }
-
-    @Override
-    public void progress(Progress changed) {
-        player.progress(changed);
-    }
-
-    @Override
     public Words words() {
         return new Words(settings().language());
-    }
-
-    @Override
-    public List<String> notices() {
-        return List.copyOf(notices);
-    }
-
-    @Override
-    public void forgetNotices() {
-        notices.clear();
-    }
-
-    @Override
-    public void tell(String notice) {
-        notices.add(notice);
     }
 
     @Override
