@@ -4,11 +4,12 @@ import rigibo.frontend.puzzle.level.Substance;
 import rigibo.frontend.scene.Skin;
 
 /** What the materials of levels look like, and sound like. */
-final class Skins {
+public final class Skins {
 
     private Skins() {}
 
-    static Skin of(Substance substance) {
+    /** The skin of a substance. */
+    public static Skin of(Substance substance) {
         return switch (substance) {
             case RIGIBO -> Skin.RIGIBO;
             case STONE -> Skin.STONE;

@@ -1,6 +1,7 @@
 package rigibo.frontend.editor.pane;
 
 import rigibo.frontend.editor.desk.Desk;
+import rigibo.frontend.puzzle.Skins;
 import rigibo.frontend.puzzle.level.Substance;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
