@@ -30,16 +30,6 @@ public record Button(String words, Runnable action) implements Widget {
     }
 
     @Override
-    public boolean isDragged() {
-        return false;
-    }
-
-    @Override
-    public boolean isControl() {
-        return true;
-    }
-
-    @Override
     public void nudge(int direction) {
         action.run();
     }

@@ -57,16 +57,6 @@ public record Choice(String words, List<String> options, IntSupplier value, IntC
     }
 
     @Override
-    public boolean isDragged() {
-        return false;
-    }
-
-    @Override
-    public boolean isControl() {
-        return true;
-    }
-
-    @Override
     public void nudge(int direction) {
         change.accept(Math.floorMod(value.getAsInt() + direction, options.size()));
     }

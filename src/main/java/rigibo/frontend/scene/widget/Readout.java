@@ -31,11 +31,6 @@ public record Readout(String words, Supplier<String> value) implements Widget {
     public void press(double share) {}
 
     @Override
-    public boolean isDragged() {
-        return false;
-    }
-
-    @Override
     public boolean isControl() {
         return false;
     }

@@ -56,11 +56,6 @@ public record Slider(
     }
 
     @Override
-    public boolean isControl() {
-        return true;
-    }
-
-    @Override
     public void nudge(int direction) {
         set(value.getAsDouble() + direction * notch);
     }

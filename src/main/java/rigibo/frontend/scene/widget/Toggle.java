@@ -36,16 +36,6 @@ public record Toggle(String words, BooleanSupplier isOn, Runnable flip) implemen
     }
 
     @Override
-    public boolean isDragged() {
-        return false;
-    }
-
-    @Override
-    public boolean isControl() {
-        return true;
-    }
-
-    @Override
     public void nudge(int direction) {
         flip.run();
     }

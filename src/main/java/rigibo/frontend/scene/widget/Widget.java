@@ -15,10 +15,14 @@ public sealed interface Widget permits Button, Choice, Slider, Toggle, Readout {
     void press(double share);
 
     /** Whether dragging goes on pressing. */
-    boolean isDragged();
+    default boolean isDragged() {
+        return false;
+    }
 
     /** Whether it can be chosen. */
-    boolean isControl();
+    default boolean isControl() {
+        return true;
+    }
 
     /** One notch less (−1) or more (+1), by keys. */
     void nudge(int direction);
