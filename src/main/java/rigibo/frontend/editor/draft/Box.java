@@ -40,11 +40,6 @@ public record Box(double width, double height) implements Form {
     }
 
     @Override
-    public Point centre() {
-        return new Point(0, 0);
-    }
-
-    @Override
     public ObjectNode node() {
         ObjectNode node = JsonNodeFactory.instance.objectNode();
         node.put("type", "box");

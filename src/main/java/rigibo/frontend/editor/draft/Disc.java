@@ -37,11 +37,6 @@ public record Disc(double radius) implements Form {
     }
 
     @Override
-    public Point centre() {
-        return new Point(0, 0);
-    }
-
-    @Override
     public ObjectNode node() {
         ObjectNode node = JsonNodeFactory.instance.objectNode();
         node.put("type", "circle");

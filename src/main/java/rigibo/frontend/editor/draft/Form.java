@@ -24,7 +24,9 @@ public sealed interface Form permits Box, Disc, Corners {
     Optional<Shape> shape();
 
     /** Where that shape has its centre, m. */
-    Point centre();
+    default Point centre() {
+        return new Point(0, 0);
+    }
 
     /** As a body's {@code shape} states it. */
     ObjectNode node();
