@@ -6,6 +6,7 @@ import rigibo.frontend.scene.Medal;
 import rigibo.frontend.scene.SceneEntry;
 import rigibo.frontend.scene.Words;
 import rigibo.frontend.scene.widget.Lines;
+import rigibo.frontend.scene.widget.Sign;
 
 /**
  * A level in the list: its picture, number and title, and a medal or a lock.
@@ -80,17 +81,14 @@ record LevelCard(LevelList levels, int level, Words words) {
         double y = tile.y() + 18;
         canvas.panel(x - 15, y - 12, 30, 24, 8, Color.PANEL);
         levels.medal(level)
-                .ifPresentOrElse(medal -> drawMedal(canvas, x, y, medal), () -> tick(canvas, x, y));
+                .ifPresentOrElse(
+                        medal -> drawMedal(canvas, x, y, medal),
+                        () -> Sign.tick(canvas, x, y, 6, 3, Color.GOOD));
     }
 
     private static void drawMedal(Canvas canvas, double x, double y, Medal medal) {
         canvas.disc(x, y, 10, medal.color());
         String rank = String.valueOf(medal.ordinal() + 1);
         Print.centred(canvas, rank, x, y, 16, Color.DUSK_TOP);
-    }
-
-    private static void tick(Canvas canvas, double x, double y) {
-        canvas.line(x - 6, y, x - 2, y + 5, 3, Color.GOOD);
-        canvas.line(x - 2, y + 5, x + 6, y - 5, 3, Color.GOOD);
     }
 }

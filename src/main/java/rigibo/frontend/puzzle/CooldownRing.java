@@ -4,6 +4,7 @@ import rigibo.frontend.puzzle.rules.PuzzleGame;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Settings.Motion;
+import rigibo.frontend.scene.widget.Sign;
 
 /** The cooldown as a ring that is full when the next click is allowed. */
 final class CooldownRing {
@@ -27,8 +28,7 @@ final class CooldownRing {
             Canvas canvas, double x, double y, PuzzleGame game, Refusal refusal, Motion motion) {
         draw(canvas, x + aside(refusal, motion), y, BAR_RADIUS, game);
         if (game.cooldownLeft() == 0) {
-            canvas.line(x - 5, y, x - 1, y + 4, 2.5, Color.GOOD);
-            canvas.line(x - 1, y + 4, x + 5, y - 4, 2.5, Color.GOOD);
+            Sign.tick(canvas, x, y, 5, 2.5, Color.GOOD);
         }
     }
 

@@ -9,6 +9,7 @@ import rigibo.frontend.scene.Medal;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Settings.Motion;
 import rigibo.frontend.scene.Words;
+import rigibo.frontend.scene.widget.Sign;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -132,11 +133,9 @@ final class EndPanel {
         double x = MIDDLE - half - 34;
         canvas.ring(x, y, 15, 4, 1, color);
         if (isWon) {
-            canvas.line(x - 7, y, x - 2, y + 6, 3, color);
-            canvas.line(x - 2, y + 6, x + 7, y - 6, 3, color);
+            Sign.tick(canvas, x, y, 7, 3, color);
         } else {
-            canvas.line(x - 6, y - 6, x + 6, y + 6, 3, color);
-            canvas.line(x - 6, y + 6, x + 6, y - 6, 3, color);
+            Sign.cross(canvas, x, y, 6, 3, color);
         }
     }
 

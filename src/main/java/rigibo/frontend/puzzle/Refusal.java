@@ -5,6 +5,7 @@ import rigibo.frontend.puzzle.rules.ClickResult;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Settings.Motion;
+import rigibo.frontend.scene.widget.Sign;
 
 import java.util.Optional;
 
@@ -94,14 +95,8 @@ final class Refusal {
     /** A small cross where it was refused. */
     void draw(Canvas canvas) {
         if (reason.isPresent()) {
-            cross(canvas, x, y, CROSS + 2, 6, Color.DUSK_TOP);
-            cross(canvas, x, y, CROSS, 3, Color.BAD);
+            Sign.cross(canvas, x, y, CROSS + 2, 6, Color.DUSK_TOP);
+            Sign.cross(canvas, x, y, CROSS, 3, Color.BAD);
         }
-    }
-
-    private static void cross(
-            Canvas canvas, double x, double y, double arm, double width, Color color) {
-        canvas.line(x - arm, y - arm, x + arm, y + arm, width, color);
-        canvas.line(x - arm, y + arm, x + arm, y - arm, width, color);
     }
 }

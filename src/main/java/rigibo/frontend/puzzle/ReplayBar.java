@@ -9,6 +9,7 @@ import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Words;
 import rigibo.frontend.scene.widget.Lines;
+import rigibo.frontend.scene.widget.Sign;
 
 import java.util.List;
 
@@ -103,11 +104,9 @@ final class ReplayBar {
     private static void drawIcon(Canvas canvas, double x, double y, boolean isGood, Color color) {
         canvas.ring(x, y, 11, 3, 1, color);
         if (isGood) {
-            canvas.line(x - 5, y, x - 1, y + 4, 3, color);
-            canvas.line(x - 1, y + 4, x + 5, y - 4, 3, color);
+            Sign.tick(canvas, x, y, 5, 3, color);
         } else {
-            canvas.line(x - 4, y - 4, x + 4, y + 4, 3, color);
-            canvas.line(x - 4, y + 4, x + 4, y - 4, 3, color);
+            Sign.cross(canvas, x, y, 4, 3, color);
         }
     }
 

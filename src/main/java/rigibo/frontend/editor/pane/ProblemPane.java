@@ -3,6 +3,7 @@ package rigibo.frontend.editor.pane;
 import rigibo.frontend.editor.desk.Finding;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.widget.Sign;
 
 import java.util.List;
 import java.util.function.Consumer;
@@ -58,8 +59,7 @@ public final class ProblemPane {
     public static void icon(Canvas canvas, double x, double y, Finding finding) {
         if (finding.problem().isError()) {
             canvas.disc(x, y, 9, Color.BAD);
-            canvas.line(x - 4, y - 4, x + 4, y + 4, 2.5, Color.DUSK_TOP);
-            canvas.line(x - 4, y + 4, x + 4, y - 4, 2.5, Color.DUSK_TOP);
+            Sign.cross(canvas, x, y, 4, 2.5, Color.DUSK_TOP);
         } else {
             canvas.disc(x, y, 9, Color.DUSK_TOP);
             canvas.ring(x, y, 8, 2, 1, Color.BRASS);
