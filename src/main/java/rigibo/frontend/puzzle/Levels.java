@@ -12,7 +12,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
-/** The levels as scenes: those of the game, or one file. */
+/** The levels: those of the game as scenes, and one by its file. */
 public final class Levels {
 
     private Levels() {}
@@ -43,15 +43,6 @@ public final class Levels {
                     .flatMap(file -> loader.load(file).level().stream())
                     .toList();
         }
-    }
-
-    /**
-     * The scene of a level file.
-     *
-     * @throws IllegalArgumentException with all that is wrong with the file, a line each
-     */
-    public static SceneEntry entry(Path file) {
-        return entry(List.of(level(file)), 0);
     }
 
     /**

@@ -13,7 +13,6 @@ public record Color(float red, float green, float blue, float alpha) {
     /** The palette: a workshop at dusk, warm things on a cool, dim ground. */
     public static final Color DUSK_TOP = of(0x1B1F33);
 
-    public static final Color DUSK_BOTTOM = of(0x4A3F66);
     public static final Color NIGHT = of(0x0C0E18);
     public static final Color PANEL = of(0x14172A).alpha(0.86f);
     public static final Color PANEL_LIT = of(0x2B3050);

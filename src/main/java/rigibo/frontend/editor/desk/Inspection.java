@@ -29,11 +29,6 @@ public final class Inspection {
         }
     }
 
-    /** Whether this draft is the one that was looked at last. */
-    public boolean hasSeen(Draft draft) {
-        return draft == seen;
-    }
-
     /** What playing a draft told; it holds for that draft alone. */
     public void played(Draft draft, List<Problem> found) {
         playedDraft = draft;

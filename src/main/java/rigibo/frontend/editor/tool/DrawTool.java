@@ -27,11 +27,6 @@ public final class DrawTool implements Tool {
         this.stencil = stencil;
     }
 
-    /** Corners of a regular polygon that is drawn out next. */
-    public int corners() {
-        return corners;
-    }
-
     @Override
     public void pressed(Point at) {
         from = at;
