@@ -9,8 +9,8 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
 import rigibo.frontend.catalog.Catalog;
-import rigibo.frontend.display.DisplayException;
 import rigibo.frontend.display.Monkey;
+import rigibo.frontend.scene.DisplayException;
 
 import java.io.PrintWriter;
 import java.lang.management.GarbageCollectorMXBean;

@@ -9,10 +9,10 @@ import picocli.CommandLine.Spec;
 
 import rigibo.frontend.catalog.Catalog;
 import rigibo.frontend.display.Display;
-import rigibo.frontend.display.DisplayException;
 import rigibo.frontend.save.Places;
 import rigibo.frontend.save.SavedPlayer;
 import rigibo.frontend.scene.Director;
+import rigibo.frontend.scene.DisplayException;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.SceneEntry;
 

@@ -9,9 +9,9 @@ import picocli.CommandLine.Spec;
 
 import rigibo.film.Film;
 import rigibo.frontend.catalog.Catalog;
-import rigibo.frontend.display.DisplayException;
 import rigibo.frontend.display.Offscreen;
 import rigibo.frontend.scene.Director;
+import rigibo.frontend.scene.DisplayException;
 import rigibo.frontend.scene.Scene;
 
 import java.io.IOException;

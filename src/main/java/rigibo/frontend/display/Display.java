@@ -4,6 +4,7 @@ import static org.lwjgl.glfw.GLFW.*;
 
 import rigibo.frontend.draw.DetailChoice;
 import rigibo.frontend.scene.Director;
+import rigibo.frontend.scene.DisplayException;
 import rigibo.frontend.scene.Guest;
 import rigibo.frontend.scene.Player;
 import rigibo.frontend.scene.Scene;

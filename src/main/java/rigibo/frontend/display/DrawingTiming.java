@@ -7,6 +7,7 @@ import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Director;
+import rigibo.frontend.scene.DisplayException;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Settings;
 import rigibo.frontend.scene.Skin;

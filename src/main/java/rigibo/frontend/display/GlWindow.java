@@ -2,6 +2,8 @@ package rigibo.frontend.display;
 
 import static org.lwjgl.glfw.GLFW.*;
 
+import rigibo.frontend.scene.DisplayException;
+
 /** Makes windows that OpenGL 3.3 can draw in, hidden at first. */
 final class GlWindow {
 

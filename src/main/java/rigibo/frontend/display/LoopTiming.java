@@ -1,6 +1,7 @@
 package rigibo.frontend.display;
 
 import rigibo.frontend.scene.Director;
+import rigibo.frontend.scene.DisplayException;
 import rigibo.frontend.scene.Scene;
 
 import java.util.function.Function;

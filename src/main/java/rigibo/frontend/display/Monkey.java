@@ -3,6 +3,7 @@ package rigibo.frontend.display;
 import static org.lwjgl.glfw.GLFW.*;
 
 import rigibo.frontend.scene.Director;
+import rigibo.frontend.scene.DisplayException;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.SceneEntry;
 

@@ -8,6 +8,7 @@ import org.lwjgl.system.MemoryUtil;
 
 import rigibo.frontend.draw.Detail;
 import rigibo.frontend.draw.Painter;
+import rigibo.frontend.scene.DisplayException;
 import rigibo.frontend.scene.Scene;
 
 import java.nio.ByteBuffer;

@@ -6,6 +6,7 @@ import static org.lwjgl.glfw.GLFW.GLFW_RELEASE;
 
 import rigibo.frontend.scene.Demonstration;
 import rigibo.frontend.scene.Director;
+import rigibo.frontend.scene.DisplayException;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Settings;
 

@@ -12,6 +12,7 @@ import org.lwjgl.system.MemoryUtil;
 
 import rigibo.frontend.draw.DetailChoice;
 import rigibo.frontend.draw.Painter;
+import rigibo.frontend.scene.DisplayException;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Settings;
 

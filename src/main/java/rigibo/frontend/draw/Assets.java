@@ -1,7 +1,9 @@
 package rigibo.frontend.draw;
 
+import rigibo.frontend.scene.DisplayException;
+
 import java.io.IOException;
-import java.io.UncheckedIOException;
+import java.nio.charset.MalformedInputException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -11,17 +13,41 @@ final class Assets {
 
     private Assets() {}
 
-    /** Where an asset lies. */
+    /**
+     * An asset that is there.
+     *
+     * @throws DisplayException naming the file when it cannot be read
+     */
     static Path path(String name) {
+        Path file = place(name);
+        if (!Files.isRegularFile(file) || !Files.isReadable(file)) {
+            throw broken(name, Files.exists(file) ? "cannot be read" : "is missing");
+        }
+        return file;
+    }
+
+    private static Path place(String name) {
         return Path.of(System.getProperty("rigibo.home", "."), "assets").resolve(name);
     }
 
-    /** A shader's text. */
+    /**
+     * A shader's text.
+     *
+     * @throws DisplayException naming the file when it cannot be read
+     */
     static String text(String name) {
         try {
             return Files.readString(path(name), StandardCharsets.UTF_8);
-        } catch (IOException e) {
-            throw new UncheckedIOException("cannot read " + path(name), e);
+        } catch (MalformedInputException binary) {
+            throw broken(name, "is no text");
+        } catch (IOException unreadable) {
+            throw broken(name, "cannot be read: " + unreadable.getMessage());
         }
+    }
+
+    /** What an asset that cannot be used is told by, in one line, whatever a driver says of it. */
+    static DisplayException broken(String name, String why) {
+        String line = why.strip().replaceAll("\\s*\\R\\s*", "; ");
+        return new DisplayException("RigiBo cannot draw: " + place(name) + " " + line);
     }
 }

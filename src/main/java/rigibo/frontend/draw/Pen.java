@@ -8,6 +8,7 @@ import org.lwjgl.nanovg.NVGColor;
 import rigibo.frontend.scene.Canvas.Align;
 import rigibo.frontend.scene.Canvas.Font;
 import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.DisplayException;
 import rigibo.frontend.scene.Scene;
 
 /** Text, lines, rings and graphs by NanoVG. */
@@ -21,7 +22,7 @@ final class Pen {
 
     Pen() {
         if (context == 0) {
-            throw new IllegalStateException("NanoVG could not be started on this OpenGL");
+            throw new DisplayException("RigiBo cannot draw: NanoVG does not start on this OpenGL");
         }
         load(WORDS, "fonts/Quicksand-Bold.ttf");
         load(NUMBERS, "fonts/JetBrainsMono-Medium.ttf");
@@ -29,7 +30,7 @@ final class Pen {
 
     private void load(String name, String file) {
         if (nvgCreateFont(context, name, Assets.path(file).toString()) < 0) {
-            throw new IllegalStateException("cannot read the font " + Assets.path(file));
+            throw Assets.broken(file, "is no font");
         }
     }
 

@@ -7,10 +7,16 @@ final class Program {
 
     private final int id;
 
-    /** Builds {@code shaders/VERTEX.vert.glsl} and {@code shaders/FRAGMENT.frag.glsl}. */
+    /**
+     * Builds {@code shaders/VERTEX.vert.glsl} and {@code shaders/FRAGMENT.frag.glsl}.
+     *
+     * @throws rigibo.frontend.scene.DisplayException naming the file that cannot be used, and why
+     */
     Program(String vertexName, String fragmentName) {
-        int vertex = compile(GL_VERTEX_SHADER, "shaders/" + vertexName + ".vert.glsl");
-        int fragment = compile(GL_FRAGMENT_SHADER, "shaders/" + fragmentName + ".frag.glsl");
+        String vertexFile = "shaders/" + vertexName + ".vert.glsl";
+        String fragmentFile = "shaders/" + fragmentName + ".frag.glsl";
+        int vertex = compile(GL_VERTEX_SHADER, vertexFile);
+        int fragment = compile(GL_FRAGMENT_SHADER, fragmentFile);
         id = glCreateProgram();
         glAttachShader(id, vertex);
         glAttachShader(id, fragment);
@@ -18,8 +24,8 @@ final class Program {
         glDeleteShader(vertex);
         glDeleteShader(fragment);
         if (glGetProgrami(id, GL_LINK_STATUS) == GL_FALSE) {
-            throw new IllegalStateException(
-                    fragmentName + " does not link: " + glGetProgramInfoLog(id));
+            String why = "does not fit " + vertexFile + ": " + glGetProgramInfoLog(id);
+            throw Assets.broken(fragmentFile, why);
         }
     }
 
@@ -48,7 +54,7 @@ final class Program {
         glShaderSource(shader, Assets.text(file));
         glCompileShader(shader);
         if (glGetShaderi(shader, GL_COMPILE_STATUS) == GL_FALSE) {
-            throw new IllegalStateException(file + ": " + glGetShaderInfoLog(shader));
+            throw Assets.broken(file, "is no shader: " + glGetShaderInfoLog(shader));
         }
         return shader;
     }

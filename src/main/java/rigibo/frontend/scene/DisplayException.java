@@ -1,4 +1,4 @@
-package rigibo.frontend.display;
+package rigibo.frontend.scene;
 
 /** Something about the window that the player should read: a sentence, not a stack trace. */
 public final class DisplayException extends RuntimeException {
