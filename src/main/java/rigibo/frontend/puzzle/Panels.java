@@ -115,6 +115,7 @@ final class Panels {
             case EFFECTS -> effects.draw(canvas);
             case HINT -> hint.draw(canvas, words);
         }
+        session.verdict().ifPresent(said -> VerdictPlate.draw(canvas, words, said, open.foot));
         keys.draw(canvas, words, commands(hasHint), lit());
         end().ifPresent(panel -> panel.draw(canvas, words, motion));
     }

@@ -1,17 +1,12 @@
 package rigibo.frontend.puzzle;
 
 import rigibo.frontend.puzzle.replay.Recording;
-import rigibo.frontend.puzzle.replay.Verdict;
 import rigibo.frontend.puzzle.rules.Deletion;
 import rigibo.frontend.puzzle.rules.PuzzleGame;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Words;
-import rigibo.frontend.scene.widget.Lines;
-import rigibo.frontend.scene.widget.Sign;
-
-import java.util.List;
 
 /** What stands round a recording: title, counts, a line of its time with its clicks, and keys. */
 final class ReplayBar {
@@ -29,9 +24,6 @@ final class ReplayBar {
     /** The line of time, px. */
     private static final double TIME_Y = View.BAR_FOOT - 9;
 
-    private static final double PLATE_TOP = View.BAR_FOOT + 6;
-    private static final double LINE = 22;
-    private static final double ICON = 46;
     private static final double KEYS_Y = (View.KEYS_TOP + Scene.HEIGHT) / 2;
 
     private final Recording recording;
@@ -82,32 +74,6 @@ final class ReplayBar {
                 Canvas.Font.WORDS,
                 Canvas.Align.CENTRE,
                 Color.TEXT);
-    }
-
-    /** Whether it was the same, below the bar. */
-    void drawVerdict(Canvas canvas, Words words, Verdict verdict) {
-        double width = INNER - ICON - GAP;
-        String said = verdict.in(words);
-        List<String> lines = Lines.of(canvas, said, WORDS_SIZE, Canvas.Font.WORDS, width);
-        double height = lines.size() * LINE + 16;
-        Color color = verdict.isSame() ? Color.GOOD : Color.BAD;
-        canvas.panel(EDGE, PLATE_TOP, INNER, height, 14, Color.PANEL);
-        canvas.frame(EDGE, PLATE_TOP, INNER, height, 14, color);
-        drawIcon(canvas, LEFT + 8, PLATE_TOP + height / 2, verdict.isSame(), color);
-        double y = PLATE_TOP + 8 + LINE / 2;
-        for (String line : lines) {
-            text(canvas, line, EDGE + ICON, y, WORDS_SIZE, Color.TEXT);
-            y += LINE;
-        }
-    }
-
-    private static void drawIcon(Canvas canvas, double x, double y, boolean isGood, Color color) {
-        canvas.ring(x, y, 11, 3, 1, color);
-        if (isGood) {
-            Sign.tick(canvas, x, y, 5, 3, color);
-        } else {
-            Sign.cross(canvas, x, y, 4, 3, color);
-        }
     }
 
     private static void text(

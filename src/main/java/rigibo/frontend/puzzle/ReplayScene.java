@@ -68,12 +68,14 @@ final class ReplayScene implements Scene {
         PuzzleGame game = screening.game();
         screening.draw(canvas, motion());
         bar.draw(canvas, director.words(), game, state());
-        screening
-                .verdict()
-                .ifPresent(verdict -> bar.drawVerdict(canvas, director.words(), verdict));
+        screening.verdict().ifPresent(verdict -> drawVerdict(canvas, verdict));
         if (audience == Audience.PLAYER) {
             bar.drawKeys(canvas, director.words());
         }
+    }
+
+    private void drawVerdict(Canvas canvas, Verdict verdict) {
+        VerdictPlate.draw(canvas, director.words(), verdict, View.BAR_FOOT);
     }
 
     private String state() {

@@ -1,6 +1,5 @@
 package rigibo.frontend.puzzle;
 
-import rigibo.frontend.puzzle.replay.Proof;
 import rigibo.frontend.puzzle.replay.Recording;
 import rigibo.frontend.puzzle.replay.Verdict;
 import rigibo.frontend.puzzle.rules.Outcome;
@@ -17,13 +16,10 @@ final class Screening {
 
     private final Session session;
     private final Table table;
-    private final Proof proof;
 
     Screening(Recording recording, Camera camera, Sounds sounds) {
         session = Session.watching(recording);
         table = new Table(session, camera, new Noises(sounds, session.game()));
-        proof = new Proof(recording);
-        observe();
     }
 
     /** A turn of 1/60 s at a speed. */
@@ -34,15 +30,10 @@ final class Screening {
         for (int frame = 0; frame < speed.framesPerTurn(); frame++) {
             boolean wasRunning = game().outcome() == Outcome.RUNNING;
             table.frame();
-            observe();
             if (wasRunning && game().isSolved()) {
                 table.celebrate(motion);
             }
         }
-    }
-
-    private void observe() {
-        session.show().ifPresent(proof::observe);
     }
 
     void draw(Canvas canvas, Motion motion) {
@@ -54,6 +45,6 @@ final class Screening {
     }
 
     Optional<Verdict> verdict() {
-        return proof.verdict();
+        return session.verdict();
     }
 }

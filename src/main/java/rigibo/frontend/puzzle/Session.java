@@ -5,7 +5,9 @@ import rigibo.backend.setup.Accuracy;
 import rigibo.frontend.puzzle.level.Level;
 import rigibo.frontend.puzzle.level.Solution;
 import rigibo.frontend.puzzle.level.Steps;
+import rigibo.frontend.puzzle.replay.Proof;
 import rigibo.frontend.puzzle.replay.Recording;
+import rigibo.frontend.puzzle.replay.Verdict;
 import rigibo.frontend.puzzle.rules.Outcome;
 import rigibo.frontend.puzzle.rules.Playback;
 import rigibo.frontend.puzzle.rules.PuzzleGame;
@@ -27,6 +29,7 @@ final class Session {
     private final Poses poses = new Poses();
     private PuzzleGame own;
     private Optional<Playback> show = Optional.empty();
+    private Optional<Proof> proof = Optional.empty();
     private Hand hand = Hand.PLAYER;
     private int curtain;
     private Pace pace = Pace.FULL;
@@ -44,7 +47,7 @@ final class Session {
     /** What only watches a recording, and stays at its end. */
     static Session watching(Recording recording) {
         Session session = new Session(recording.level(), recording.replay().accuracy());
-        session.show(Hand.RECORDING, recording.replay());
+        session.show(Hand.RECORDING, recording);
         return session;
     }
 
@@ -64,6 +67,7 @@ final class Session {
         if (isDue) {
             poses.remember(game().pool());
             show.ifPresentOrElse(Playback::step, own::step);
+            compare();
         }
         lowerCurtain();
         return isDue;
@@ -118,7 +122,13 @@ final class Session {
 
     /** Shows the game that is over once more; afterwards it is over as before. */
     void showAgain() {
-        show(Hand.REPLAY, own.replay());
+        show(Hand.REPLAY, Recording.of(own));
+    }
+
+    private void show(Hand whose, Recording recording) {
+        show(whose, recording.replay());
+        proof = Optional.of(new Proof(recording));
+        compare();
     }
 
     private void show(Hand whose, Replay replay) {
@@ -127,6 +137,15 @@ final class Session {
         timed(playback.game());
         show = Optional.of(playback);
         hand = whose;
+    }
+
+    private void compare() {
+        show.ifPresent(playback -> proof.ifPresent(one -> one.observe(playback)));
+    }
+
+    /** Whether what is shown once more goes the same; nothing before its end while it does. */
+    Optional<Verdict> verdict() {
+        return proof.flatMap(Proof::verdict);
     }
 
     /** Ends what is shown. */
@@ -140,6 +159,7 @@ final class Session {
 
     private void endShow() {
         show = Optional.empty();
+        proof = Optional.empty();
         hand = Hand.PLAYER;
         curtain = 0;
         isPaused = false;

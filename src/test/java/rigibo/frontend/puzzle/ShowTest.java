@@ -5,11 +5,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 import org.junit.jupiter.api.Test;
 
 import rigibo.frontend.scene.Key;
+import rigibo.frontend.scene.Legibility;
 
 /** The hint after three failures, the solution beside it, and the player's own try once more. */
 class ShowTest {
 
     private static final String DEMONSTRATION = "This is how it can be done";
+    private static final String AGAIN = "Your try once more";
     private static final String SOLUTION = "Show solution (V)";
 
     private final PlayedLevel played = new PlayedLevel(PlayedLevel.twoBoxes());
@@ -123,11 +125,29 @@ class ShowTest {
         played.turns(7).solve();
         String counts = played.counts();
         played.press("Watch replay").turns(10);
-        assertThat(played.texts()).contains("Your try once more").doesNotContain("Solved!");
+        assertThat(played.texts()).contains(AGAIN).doesNotContain("Solved!");
         assertThat(played.counts()).startsWith("1/1").isNotEqualTo(counts);
         played.turns(10 * 60);
         assertThat(played.texts()).contains("Solved!");
         assertThat(played.counts()).isEqualTo(counts);
         assertThat(played.progress().fewestClicks()).hasValue(1);
+    }
+
+    @Test
+    void aSolvedTrySaysAtItsEndWhetherItWentTheSame() {
+        played.turns(7).solve().press("Watch replay").turns(10);
+        assertThat(played.texts()).noneMatch(ShowTest::isVerdict);
+        while (played.texts().contains(AGAIN)
+                && played.texts().stream().noneMatch(ShowTest::isVerdict)) {
+            played.turns(1);
+        }
+        assertThat(played.texts()).anyMatch(ShowTest::isVerdict).contains(AGAIN);
+        assertThat(Legibility.faults(played.scene)).isEmpty();
+        played.turns(10 * 60);
+        assertThat(played.texts()).contains("Solved!").noneMatch(ShowTest::isVerdict);
+    }
+
+    private static boolean isVerdict(String words) {
+        return words.startsWith("the same to the last bit");
     }
 }
