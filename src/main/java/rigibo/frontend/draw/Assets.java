@@ -45,6 +45,23 @@ final class Assets {
         }
     }
 
+    /**
+     * Where a sound font lies.
+     *
+     * @throws DisplayException naming the file when it cannot be read, or is not as it was made
+     */
+    static Path font(String name) {
+        Path file = path(name);
+        try {
+            if (!FontFile.isSound(Files.readAllBytes(file))) {
+                throw broken(name, "is no font, or a damaged one");
+            }
+            return file;
+        } catch (IOException unreadable) {
+            throw broken(name, "cannot be read: " + unreadable.getMessage());
+        }
+    }
+
     /** What an asset that cannot be used is told by, in one line, whatever a driver says of it. */
     static DisplayException broken(String name, String why) {
         String line = why.strip().replaceAll("\\s*\\R\\s*", "; ");

@@ -29,7 +29,7 @@ final class Pen {
     }
 
     private void load(String name, String file) {
-        if (nvgCreateFont(context, name, Assets.path(file).toString()) < 0) {
+        if (nvgCreateFont(context, name, Assets.font(file).toString()) < 0) {
             throw Assets.broken(file, "is no font");
         }
     }

@@ -70,13 +70,22 @@ class BrokenAssetsTest {
         assertToldAs("fonts/JetBrainsMono-Medium.ttf", "is no font");
     }
 
-    /** What reads fonts trusts their tables: half of one must not get that far. */
+    /** What draws text would follow an offset to nowhere, and end the process. */
     @Test
     void aFontThatEndsEarly() throws IOException {
         Path font = place("fonts/Quicksand-Bold.ttf");
         byte[] bytes = Files.readAllBytes(font);
-        Files.write(font, Arrays.copyOf(bytes, bytes.length / 2));
-        assertToldAs("fonts/Quicksand-Bold.ttf", "is no font");
+        Files.write(font, Arrays.copyOf(bytes, bytes.length * 3 / 5));
+        assertToldAs("fonts/Quicksand-Bold.ttf", "is no font, or a damaged one");
+    }
+
+    @Test
+    void aFontWithOneByteChanged() throws IOException {
+        Path font = place("fonts/Quicksand-Bold.ttf");
+        byte[] bytes = Files.readAllBytes(font);
+        bytes[40] ^= 1;
+        Files.write(font, bytes);
+        assertToldAs("fonts/Quicksand-Bold.ttf", "is no font, or a damaged one");
     }
 
     @Test
