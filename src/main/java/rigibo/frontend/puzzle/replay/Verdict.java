@@ -9,7 +9,9 @@ import rigibo.frontend.scene.Words;
 public sealed interface Verdict {
 
     /** Whether it does, to the last bit. */
-    boolean isSame();
+    default boolean isSame() {
+        return false;
+    }
 
     /** In words. */
     String in(Words words);
@@ -43,11 +45,6 @@ public sealed interface Verdict {
     record Diverged(int lastSame, Checkpoint recorded, long found) implements Verdict {
 
         @Override
-        public boolean isSame() {
-            return false;
-        }
-
-        @Override
         public String in(Words words) {
             String was = Hex.of(recorded.hash());
             String is = Hex.of(found);
@@ -64,11 +61,6 @@ public sealed interface Verdict {
      * @param result why not now
      */
     record Refused(Deletion deletion, ClickResult result) implements Verdict {
-
-        @Override
-        public boolean isSame() {
-            return false;
-        }
 
         @Override
         public String in(Words words) {
