@@ -22,7 +22,6 @@ final class DemoScene implements Scene {
 
     static final String TITLE = "RigiBo – ";
 
-    private static final double STEP = 1.0 / 60;
     private static final double PANEL_WIDTH = 270;
     private static final double TOP = 8;
     private static final double BELOW_BAR = TOP + AccuracyBar.HEIGHT + 6;

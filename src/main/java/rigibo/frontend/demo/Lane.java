@@ -4,6 +4,7 @@ import rigibo.backend.RigidBody;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.Material;
+import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Skin;
 
 import java.util.ArrayList;
@@ -13,7 +14,6 @@ import java.util.List;
 final class Lane {
 
     private static final double GRAVITY = 9.81;
-    private static final double STEP = 1.0 / 60;
 
     /** Longer than the way of the fastest launch on ice: 8²/(2·0.03·g) = 109 m. */
     private static final double LENGTH = 120;
@@ -100,7 +100,7 @@ final class Lane {
         } else if (!hasTurned) {
             farthest = gone();
         }
-        slowing = (lastSpeed - speed) / STEP;
+        slowing = (lastSpeed - speed) / Scene.STEP;
         lastSpeed = speed;
     }
 

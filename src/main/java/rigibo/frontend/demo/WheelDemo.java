@@ -17,6 +17,7 @@ import rigibo.backend.setup.Material;
 import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.SceneEntry;
 import rigibo.frontend.scene.Skin;
 import rigibo.frontend.scene.Words;
@@ -38,7 +39,6 @@ final class WheelDemo implements Demo {
     private static final double GRAVITY = 9.81;
     private static final double RADIUS = 0.45;
     private static final double RAMP_LENGTH = 18;
-    private static final double STEP = 1.0 / 60;
     private static final double MASS = 10;
 
     /** What a strong hand holds, N·m. */
@@ -240,7 +240,7 @@ final class WheelDemo implements Demo {
     /** As much as stops the wheel within a step, and no more than a strong hand's worth. */
     private double brake() {
         double inertia = (slips() ? k() : 1 + k()) * MASS * RADIUS * RADIUS;
-        double stop = -turning() - rim() / RADIUS * inertia / STEP;
+        double stop = -turning() - rim() / RADIUS * inertia / Scene.STEP;
         return Math.max(-MOST_BRAKE, Math.min(MOST_BRAKE, stop));
     }
 
@@ -293,7 +293,7 @@ final class WheelDemo implements Demo {
 
     @Override
     public void afterStep(Workbench on) {
-        measured = (speed() - lastSpeed) / STEP;
+        measured = (speed() - lastSpeed) / Scene.STEP;
         lastSpeed = speed();
         if (wheel.y() < -12 || Math.abs(wheel.x()) > 30) {
             lay();

@@ -1,13 +1,13 @@
 package rigibo.frontend.laboratory;
 
 import rigibo.backend.Pool;
+import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.accuracy.Preset;
 import rigibo.frontend.scene.accuracy.StepTimes;
 
 /** One of the two worlds: a pool, its accuracy, what its steps take and what it does to energy. */
 final class Half {
 
-    private static final double STEP = 1.0 / 60;
     private static final double NANOS_PER_MILLI = 1e6;
 
     private final StepTimes times = new StepTimes();
@@ -36,7 +36,7 @@ final class Half {
     }
 
     void step() {
-        times.add(pool.step(STEP));
+        times.add(pool.step(Scene.STEP));
     }
 
     Pool pool() {

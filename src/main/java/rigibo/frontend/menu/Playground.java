@@ -8,6 +8,7 @@ import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.Material;
 import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Canvas;
+import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Skin;
 
 import java.util.ArrayList;
@@ -16,7 +17,6 @@ import java.util.List;
 /** What goes on at the foot of the menu: a few RigiBos that watch the pointer, and a ball. */
 final class Playground {
 
-    private static final double STEP = 1.0 / 60;
     private static final double BOX = 0.7;
 
     private final Camera camera = Camera.ofPuzzle();
@@ -47,7 +47,7 @@ final class Playground {
     }
 
     void step() {
-        pool.step(STEP);
+        pool.step(Scene.STEP);
     }
 
     /** Draws it, with eyes for a point of the screen, px. */

@@ -2,6 +2,7 @@ package rigibo.frontend.puzzle;
 
 import rigibo.backend.ContactEvent;
 import rigibo.backend.Pool;
+import rigibo.frontend.puzzle.level.Steps;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 
@@ -11,8 +12,6 @@ import java.util.SplittableRandom;
 
 /** Dust that blows where bodies strike each other, the more the harder. For the eye only. */
 final class Dust {
-
-    private static final double STEP = 1.0 / 60;
 
     /** A blow that changes a body's speed by less raises none, m/s. */
     private static final double LEAST_BLOW = 0.8;
@@ -82,14 +81,14 @@ final class Dust {
     }
 
     void step() {
-        double slowed = Math.exp(-DRAG * STEP);
+        double slowed = Math.exp(-DRAG * Steps.SECONDS);
         for (Puff puff : puffs) {
-            puff.left -= STEP;
+            puff.left -= Steps.SECONDS;
             puff.velocityX *= slowed;
             puff.velocityY = RISE + (puff.velocityY - RISE) * slowed;
-            puff.x += puff.velocityX * STEP;
-            puff.y += puff.velocityY * STEP;
-            puff.size += GROWTH * STEP;
+            puff.x += puff.velocityX * Steps.SECONDS;
+            puff.y += puff.velocityY * Steps.SECONDS;
+            puff.size += GROWTH * Steps.SECONDS;
         }
         puffs.removeIf(puff -> puff.left <= 0);
     }

@@ -1,5 +1,6 @@
 package rigibo.frontend.puzzle;
 
+import rigibo.frontend.puzzle.level.Steps;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 
@@ -10,7 +11,6 @@ import java.util.SplittableRandom;
 /** Small pieces that fly off a deleted box, and confetti when a level is won. For the eye only. */
 final class Splinters {
 
-    private static final double STEP = 1.0 / 60;
     private static final double GRAVITY = -9.81;
 
     /** Of paper, which air holds up: it falls more slowly and slows down, 1/s. */
@@ -84,14 +84,14 @@ final class Splinters {
 
     void step() {
         for (Splinter splinter : flying) {
-            double drag = splinter.isPaper ? Math.exp(-PAPER_DRAG * STEP) : 1;
+            double drag = splinter.isPaper ? Math.exp(-PAPER_DRAG * Steps.SECONDS) : 1;
             double gravity = splinter.isPaper ? PAPER_GRAVITY : GRAVITY;
-            splinter.left -= STEP;
+            splinter.left -= Steps.SECONDS;
             splinter.velocityX *= drag;
-            splinter.velocityY = splinter.velocityY * drag + gravity * STEP;
-            splinter.x += splinter.velocityX * STEP;
-            splinter.y += splinter.velocityY * STEP;
-            splinter.angle += splinter.spin * STEP;
+            splinter.velocityY = splinter.velocityY * drag + gravity * Steps.SECONDS;
+            splinter.x += splinter.velocityX * Steps.SECONDS;
+            splinter.y += splinter.velocityY * Steps.SECONDS;
+            splinter.angle += splinter.spin * Steps.SECONDS;
         }
         flying.removeIf(splinter -> splinter.left <= 0);
     }

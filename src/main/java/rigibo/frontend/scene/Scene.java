@@ -11,10 +11,13 @@ public interface Scene {
 
     int HEIGHT = 800;
 
+    /** What the physics goes on by in a turn of the loop, s. */
+    double STEP = 1.0 / 60;
+
     /** The window's title. */
     String title();
 
-    /** One turn of the loop: one step of 1/60 s. */
+    /** One turn of the loop: one {@link #STEP}. */
     void step();
 
     /** Draws everything. */

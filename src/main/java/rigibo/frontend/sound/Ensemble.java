@@ -1,5 +1,6 @@
 package rigibo.frontend.sound;
 
+import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Skin;
 
 import java.util.Comparator;
@@ -26,9 +27,6 @@ final class Ensemble {
     private static final double MOST_KNOCKING = 0.45;
 
     private static final double MOST_SIGNALLING = 1 - MOST_KNOCKING - Rolling.MOST;
-
-    /** A turn of the loop, s. */
-    private static final double TURN = 1.0 / 60;
 
     private final Device device;
     private final Samples samples;
@@ -73,8 +71,8 @@ final class Ensemble {
         }
         rolling.turn();
         device.roll(rolling.gain(), rolling.pitch());
-        knocking.advance(TURN);
-        signalling.advance(TURN);
+        knocking.advance(Scene.STEP);
+        signalling.advance(Scene.STEP);
     }
 
     private void play(Knock knock) {

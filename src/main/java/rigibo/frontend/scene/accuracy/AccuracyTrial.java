@@ -5,6 +5,7 @@ import rigibo.backend.RigidBody;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.BodyType;
+import rigibo.frontend.scene.Scene;
 
 import java.util.List;
 import java.util.function.LongSupplier;
@@ -18,8 +19,6 @@ final class AccuracyTrial {
 
     /** Half a second: longer, and of a chaotic scene only the chaos would be told. */
     static final int STEPS = 30;
-
-    private static final double STEP = 1.0 / 60;
 
     /** The first steps of a restored pool also lay out its scratch: they are not timed. */
     private static final int WARMING_STEPS = 2;
@@ -89,7 +88,7 @@ final class AccuracyTrial {
     private void round(boolean isTimed) {
         long ofPresent = time(present);
         long ofDraft = time(draft);
-        exact.step(STEP);
+        exact.step(Scene.STEP);
         if (isTimed) {
             presentNanos += ofPresent;
             draftNanos += ofDraft;
@@ -98,7 +97,7 @@ final class AccuracyTrial {
 
     private long time(Pool pool) {
         long begin = clock.getAsLong();
-        pool.step(STEP);
+        pool.step(Scene.STEP);
         return clock.getAsLong() - begin;
     }
 

@@ -5,6 +5,7 @@ import rigibo.backend.RigidBody;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Sleep;
 import rigibo.backend.setup.BodyType;
+import rigibo.frontend.scene.Scene;
 
 import java.util.Arrays;
 import java.util.function.LongSupplier;
@@ -17,8 +18,6 @@ import java.util.function.LongSupplier;
  * pool's own doing.
  */
 final class CostTrial {
-
-    private static final double STEP = 1.0 / 60;
 
     /** The first steps of a restored pool also lay out its scratch. */
     private static final int WARMING_STEPS = 2;
@@ -112,7 +111,7 @@ final class CostTrial {
 
     private long time(Pool pool) {
         long begin = clock.getAsLong();
-        pool.step(STEP);
+        pool.step(Scene.STEP);
         return clock.getAsLong() - begin;
     }
 

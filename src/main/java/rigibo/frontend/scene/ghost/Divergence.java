@@ -1,6 +1,7 @@
 package rigibo.frontend.scene.ghost;
 
 import rigibo.backend.Pool;
+import rigibo.frontend.scene.Scene;
 
 import java.util.Optional;
 
@@ -9,8 +10,6 @@ public final class Divergence {
 
     /** Steps whose distances are kept: ten seconds. */
     static final int KEPT = 600;
-
-    private static final double STEP = 1.0 / 60;
 
     private final double[] recent = new double[KEPT];
     private final Growth growth = new Growth();
@@ -26,7 +25,7 @@ public final class Divergence {
         if (parting.isEmpty() && !growth.isFull()) {
             growth.add(distance);
             if (growth.hasReached(Distance.size(one))) {
-                parting = Optional.of(new Parting(steps * STEP, growth.isExponential()));
+                parting = Optional.of(new Parting(steps * Scene.STEP, growth.isExponential()));
             }
         }
     }
