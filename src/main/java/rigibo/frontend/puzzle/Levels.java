@@ -1,5 +1,7 @@
 package rigibo.frontend.puzzle;
 
+import org.tinylog.Logger;
+
 import rigibo.frontend.puzzle.level.Level;
 import rigibo.frontend.puzzle.level.LevelLoader;
 import rigibo.frontend.puzzle.level.LevelShelf;
@@ -11,6 +13,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 
 /** The levels: those of the game as scenes, and one by its file. */
 public final class Levels {
@@ -39,9 +42,16 @@ public final class Levels {
 
         private static List<Level> read() {
             LevelLoader loader = new LevelLoader();
-            return LevelShelf.files().stream()
-                    .flatMap(file -> loader.load(file).level().stream())
-                    .toList();
+            return LevelShelf.files().stream().flatMap(file -> read(loader, file)).toList();
+        }
+
+        /** A level that is missing from the list would else be missed without a word. */
+        private static Stream<Level> read(LevelLoader loader, Path file) {
+            LoadedLevel loaded = loader.load(file);
+            loaded.problems().stream()
+                    .filter(Problem::isError)
+                    .forEach(problem -> Logger.warn("A level is left out: {}", problem));
+            return loaded.level().stream();
         }
     }
 
