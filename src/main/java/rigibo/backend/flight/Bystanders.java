@@ -149,8 +149,29 @@ final class Bystanders {
             paths.poseAt(b, time, poseB);
         }
         double both = reach + narrowphase.reach(pair, time + left);
+        if (pairs.points[pair] == 0 && isBeyond(a, b, both)) {
+            return false;
+        }
         narrowphase.measureContact(pair, poseA, poseB, both);
         return pairs.points[pair] > 0;
+    }
+
+    /** Whether even the bounding circles of two bodies are farther apart than by a gap in m. */
+    private boolean isBeyond(int a, int b, double gap) {
+        double dx = poseB.x - poseA.x;
+        double dy = poseB.y - poseA.y;
+        double apart = bodies.boundingRadius[a] + bodies.boundingRadius[b] + gap;
+        return dx * dx + dy * dy > apart * apart;
+    }
+
+    /**
+     * How far in m a body may get that another pushes which may get as far as {@code reach}: what
+     * is left of that where it has closed the gap, but for what their own ways close in a step of
+     * dt seconds; 0 where that surprises nobody.
+     */
+    double reachLeft(int pair, int pushed, double reach, double dt) {
+        double left = reach - Math.max(0, pairs.gap(pair) - narrowphase.reach(pair, dt));
+        return isSurprise(pushed, left) ? left : 0;
     }
 
     private boolean isFromStart(int slot) {

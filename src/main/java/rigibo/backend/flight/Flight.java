@@ -49,6 +49,12 @@ public final class Flight {
 
     private int step;
 
+    /** For each body in which spreading it was last disturbed, and how far it may get by it, m. */
+    private int[] disturbedIn = new int[16];
+
+    private double[] reachOf = new double[16];
+    private int spreading;
+
     /** Paths under forces that change along the way, or null where there are none. */
     private final Course course;
 
@@ -95,6 +101,8 @@ public final class Flight {
         step++;
         if (followedIn.length < bodies.type.length) {
             followedIn = new int[bodies.type.length];
+            disturbedIn = new int[bodies.type.length];
+            reachOf = new double[bodies.type.length];
         }
         disturbed.clear();
         disturbed.reserve(bodies.type.length + 1);
@@ -161,36 +169,66 @@ public final class Flight {
 
     /**
      * What a body of a pile may reach from a time on becomes part of the pile, or a contact; and so
-     * does what that may reach in its turn, or what follows close behind.
+     * does what that may reach in its turn, or what follows close behind. A way is used up by the
+     * gaps on it: who is reached late is not pushed far any more.
      */
     private void spread(int slot, double reach, double time, double dt) {
-        if (reach == 0 || !hitsPile(slot) || !bodies.awake[slot]) {
+        if (!hitsPile(slot) || !bodies.awake[slot]) {
             return;
         }
         disturbed.clear();
-        disturbed.add(slot);
+        spreading++;
+        note(slot, reach);
         for (int i = 0; i < disturbed.count; i++) {
-            disturbNeighbours(disturbed.numbers[i], reach, time, dt);
+            disturbNeighbours(disturbed.numbers[i], time, dt);
         }
     }
 
-    private void disturbNeighbours(int slot, double reach, double time, double dt) {
+    /** A reach of 0 surprises nobody. */
+    private void note(int slot, double reach) {
+        disturbedIn[slot] = spreading;
+        reachOf[slot] = reach;
+        if (reach > 0) {
+            disturbed.add(slot);
+        }
+    }
+
+    private void disturbNeighbours(int slot, double time, double dt) {
+        double reach = reachOf[slot];
         bystanders.lookRound(slot, time, reach);
         reserve();
         for (int p = bodies.firstPair[slot]; p != Pairs.NONE; p = pairs.nextOf(p, slot)) {
             int other = pairs.other(p, slot);
-            boolean flies = paths.isFlyer(other);
-            boolean isContact = !flies && pairs.points[p] > 0;
-            if (isContact && followedIn[other] != step && bystanders.goesAlong(other, dt - time)) {
-                followedIn[other] = step;
-                disturbed.add(other);
+            if (paths.isFlyer(other)) {
+                if (bystanders.isWithinReach(p, reach, time, dt - time)) {
+                    double left = bystanders.reachLeft(p, other, reach, dt);
+                    join(other, time, dt);
+                    note(other, left);
+                }
+            } else if (pairs.points[p] == 0) {
+                bystanders.isWithinReach(p, reach, time, dt - time);
+            } else {
+                passOn(p, other, reach, time, dt);
             }
-            if (!isContact && bystanders.isWithinReach(p, reach, time, dt - time) && flies) {
-                blows.bring(other, time);
-                paths.land(other, time);
-                repredict(other, time, dt);
-                disturbed.add(other);
-                joined.add(other);
+        }
+    }
+
+    private void join(int flyer, double time, double dt) {
+        blows.bring(flyer, time);
+        paths.land(flyer, time);
+        repredict(flyer, time, dt);
+        joined.add(flyer);
+    }
+
+    /** Over a contact of the pile: to what follows, and to what was reached by a longer way. */
+    private void passOn(int pair, int other, double reach, double time, double dt) {
+        boolean isKnown = disturbedIn[other] == spreading;
+        boolean follows = followedIn[other] != step && bystanders.goesAlong(other, dt - time);
+        if (follows || isKnown) {
+            double left = bystanders.reachLeft(pair, other, reach, dt);
+            if (!isKnown || left > reachOf[other]) {
+                followedIn[other] = step;
+                note(other, left);
             }
         }
     }
