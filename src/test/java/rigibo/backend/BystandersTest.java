@@ -48,4 +48,31 @@ class BystandersTest {
         double way = BULLET_SPEED * Scenes.DT / preset.accuracy.substeps();
         assertThat(deepest).isLessThan(way);
     }
+
+    /**
+     * A column of discs falls on one that lies. In what is left of the step what bounces gets no
+     * farther than twice the way at the speed of the blow, and pushes no more discs than there are
+     * gaps in that: the others fly on, and are no rows.
+     */
+    @ParameterizedTest
+    @EnumSource(value = Presets.class, names = "DRAFT", mode = EnumSource.Mode.EXCLUDE)
+    void aBounceReachesNoFartherThanTheGapsLetIt(Presets preset) {
+        double speed = 3;
+        double radius = 0.1;
+        double gap = 0.02;
+        Pool pool = new Pool(Effects.usual(), preset.accuracy);
+        Scenes.addFloor(pool);
+        BodyDefinition disc =
+                BodyDefinition.dynamic(new Circle(radius)).material(new Material(1, 0.5, 0.5));
+        pool.add(disc.at(0, radius));
+        pool.step(Scenes.DT);
+        double lowest = 3 * radius + speed * Scenes.DT / 2;
+        for (int i = 0; i < 30; i++) {
+            pool.add(disc.at(0, lowest + i * (2 * radius + gap)).velocity(0, -speed));
+        }
+        double pushed = 2 * speed * Scenes.DT / gap;
+        // A contact below each disc pushed and below the two that strike, and one above: each has a
+        // normal and a friction row.
+        assertThat(pool.step(Scenes.DT).rows()).isPositive().isLessThan((int) (2 * (pushed + 4)));
+    }
 }

@@ -50,6 +50,10 @@ record LevelList(List<SceneEntry> levels, Progress progress) {
         return IntStream.range(0, levels.size()).filter(this::isSolved).count();
     }
 
+    boolean isComplete() {
+        return !levels.isEmpty() && solved() == levels.size();
+    }
+
     /** The first open level that is not solved, else the first without gold, else the first. */
     int next() {
         return IntStream.range(0, levels.size())

@@ -70,11 +70,17 @@ public final class MenuScene implements Scene {
             canvas.frame(
                     tile.x() - 4, tile.y() - 4, tile.width() + 8, tile.height() + 8, 22, plate);
         }
-        String verb = words.of(levels.solved() == 0 ? "menu.play" : "menu.continue");
-        Print.centred(canvas, verb, tile.middleX(), tile.y() + 30, 34, Color.DUSK_TOP);
+        Print.centred(canvas, words.of(verb()), tile.middleX(), tile.y() + 30, 34, Color.DUSK_TOP);
         int next = levels.next();
         String title = next + 1 + "  " + levels.levels().get(next).title().apply(words);
         Print.centred(canvas, title, tile.middleX(), tile.y() + 64, 18, Color.DUSK_TOP);
+    }
+
+    private String verb() {
+        if (levels.solved() == 0) {
+            return "menu.play";
+        }
+        return levels.isComplete() ? "menu.again" : "menu.continue";
     }
 
     private List<Tile> row() {
@@ -156,7 +162,11 @@ public final class MenuScene implements Scene {
     public void draw(Canvas canvas) {
         playground.draw(canvas, pointerX, pointerY);
         Print.centred(canvas, "RigiBo", MIDDLE, 84, 92, Color.BRASS);
-        Print.centred(canvas, words.of("menu.tagline"), MIDDLE, 152, 20, Color.TEXT);
+        String tagline =
+                levels.isComplete()
+                        ? words.of("menu.complete", levels.levels().size())
+                        : words.of("menu.tagline");
+        Print.centred(canvas, tagline, MIDDLE, 152, 20, Color.TEXT);
         tiles.draw(canvas);
         Print.left(canvas, words.of("menu.physics"), CARDS_LEFT + 6, HEADING, 20, Color.TEXT);
         canvas.panel(CARDS_LEFT, FOOT - 14, WIDTH - 2 * CARDS_LEFT, 28, 10, Color.PANEL);

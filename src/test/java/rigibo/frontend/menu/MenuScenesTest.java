@@ -87,6 +87,19 @@ class MenuScenesTest {
     }
 
     @Test
+    void whoeverHasSolvedEverythingIsThanked() {
+        director.progress(Progress.none().solved("level0", Entries.HASH, 1));
+        assertThat(RecordingCanvas.of(new MenuScene(director, Entries.all(2))).texts())
+                .contains("Continue")
+                .doesNotContain("Play again");
+        director.progress(director.progress().solved("level1", Entries.HASH, 1));
+        MenuScene scene = new MenuScene(director, Entries.all(2));
+        assertThat(RecordingCanvas.of(scene).texts())
+                .contains("Play again", "All 2 levels solved. Thank you for playing!");
+        assertLegible(scene);
+    }
+
+    @Test
     void playGoesOnWithTheNextLevelByEnterAlone() {
         press(new MenuScene(director, Entries.all(6)), Key.ENTER);
         assertThat(shown()).isEqualTo("level0");
