@@ -3,7 +3,6 @@ package rigibo;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
 import rigibo.lab.bench.BenchStudy;
@@ -126,7 +125,7 @@ final class BenchCommand implements Callable<Integer> {
         known.add(BenchProcess.level());
         List<String> names = new ArrayList<>(known.stream().map(BenchScene::name).toList());
         names.add(SWEEP);
-        requireKnown("--scenes", scenes, names);
+        Options.requireKnown(spec, "--scenes", scenes, names);
         boolean isAll = scenes.isEmpty() && !isSweep;
         List<BenchScene> chosen =
                 new ArrayList<>(
@@ -141,30 +140,17 @@ final class BenchCommand implements Callable<Integer> {
 
     private List<Engine> chosenEngines() {
         List<Engine> known = Engines.all();
-        requireKnown("--engines", engines, known.stream().map(Inquiry::shortName).toList());
+        Options.requireKnown(
+                spec, "--engines", engines, known.stream().map(Inquiry::shortName).toList());
         return known.stream()
                 .filter(engine -> engines.isEmpty() || engines.contains(Inquiry.shortName(engine)))
                 .toList();
     }
 
-    private void requireKnown(String option, List<String> asked, List<String> known) {
-        for (String name : asked) {
-            if (!known.contains(name)) {
-                String there = String.join(", ", known);
-                throw refused(option, "there is no '" + name + "'; there are " + there);
-            }
-        }
-    }
-
     private void requireWithin(String option, int value, int most) {
         if (value < 1 || value > most) {
-            throw refused(option, "must be 1 to " + most + ", was " + value);
+            throw Options.refused(spec, option, "must be 1 to " + most + ", was " + value);
         }
-    }
-
-    private ParameterException refused(String option, String why) {
-        return new ParameterException(
-                spec.commandLine(), "Invalid value for '" + option + "': " + why);
     }
 
     private Environment environment() {

@@ -3,7 +3,6 @@ package rigibo;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
 import rigibo.lab.hardcase.CaseTable;
@@ -77,8 +76,7 @@ final class CasesCommand implements Callable<Integer> {
         try {
             return new Cases(rows, presets);
         } catch (IllegalArgumentException unknown) {
-            throw new ParameterException(
-                    spec.commandLine(), "Invalid value for '--only': " + unknown.getMessage());
+            throw Options.refused(spec, "--only", unknown.getMessage());
         }
     }
 

@@ -23,7 +23,7 @@ final class Destination {
         }
         Path directory = file.toAbsolutePath().getParent();
         if (directory == null || !Files.isDirectory(directory) || Files.isDirectory(file)) {
-            throw refused(spec, option, "cannot write a file at " + file);
+            throw Options.refused(spec, option, "cannot write a file at " + file);
         }
     }
 
@@ -34,12 +34,7 @@ final class Destination {
      */
     static void requireDirectory(CommandSpec spec, String option, Path path) {
         if (Files.exists(path) && !Files.isDirectory(path)) {
-            throw refused(spec, option, path + " is not a directory");
+            throw Options.refused(spec, option, path + " is not a directory");
         }
-    }
-
-    private static ParameterException refused(CommandSpec spec, String option, String why) {
-        return new ParameterException(
-                spec.commandLine(), "Invalid value for '" + option + "': " + why);
     }
 }

@@ -186,13 +186,7 @@ final class LabCommand implements Callable<Integer> {
         for (Figures one : figures) {
             known.addAll(one == Figures.EFFECTS ? Question.sceneNames() : Inquiry.problemIds());
         }
-        for (String scene : scenes) {
-            if (!known.contains(scene)) {
-                throw refused(
-                        "--scenes",
-                        "there is no '" + scene + "'; there are " + String.join(", ", known));
-            }
-        }
+        Options.requireKnown(spec, "--scenes", scenes, known);
     }
 
     /** It is told at once, not after half an hour of work, that something has nowhere to go. */
@@ -200,13 +194,8 @@ final class LabCommand implements Callable<Integer> {
         Destination.requireDirectory(spec, "--out", out);
         Destination.requireFile(spec, "--markdown", page);
         if (page != null && figures.size() > 1) {
-            throw refused("--markdown", "one page holds one kind of figures");
+            throw Options.refused(spec, "--markdown", "one page holds one kind of figures");
         }
-    }
-
-    private ParameterException refused(String option, String why) {
-        return new ParameterException(
-                spec.commandLine(), "Invalid value for '" + option + "': " + why);
     }
 
     private void tell(String words) {

@@ -5,7 +5,6 @@ import com.sun.management.GarbageCollectionNotificationInfo;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
 import rigibo.frontend.catalog.Catalog;
@@ -66,12 +65,8 @@ final class MonkeyCommand implements Callable<Integer> {
     @Override
     public Integer call() {
         if (!(minutes > 0 && minutes <= MOST_MINUTES)) {
-            throw new ParameterException(
-                    spec.commandLine(),
-                    "Invalid value for '--minutes': must be more than 0 and at most "
-                            + (int) MOST_MINUTES
-                            + ", was "
-                            + minutes);
+            String range = "must be more than 0 and at most " + (int) MOST_MINUTES;
+            throw Options.refused(spec, "--minutes", range + ", was " + minutes);
         }
         PrintWriter out = spec.commandLine().getOut();
         listen();

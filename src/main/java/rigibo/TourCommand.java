@@ -1,11 +1,8 @@
 package rigibo;
 
-import static java.util.stream.Collectors.toCollection;
-
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
 import rigibo.frontend.catalog.Catalog;
@@ -19,7 +16,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
-import java.util.TreeSet;
 import java.util.concurrent.Callable;
 
 /** Lets the game play itself, every scene and level in turn, and keeps pictures of it. */
@@ -85,19 +81,18 @@ final class TourCommand implements Callable<Integer> {
         for (SceneEntry entry : Catalog.entries()) {
             all.add(new Tour.Stop(entry.name(), entry.open(), false));
         }
-        Set<String> names = all.stream().map(Tour.Stop::name).collect(toCollection(TreeSet::new));
-        for (String wanted : scenes) {
-            if (!names.contains(wanted)) {
-                throw wrong("--scenes", "there is no '" + wanted + "', there are " + names);
-            }
-        }
+        List<String> names = all.stream().map(Tour.Stop::name).toList();
+        Options.requireKnown(spec, "--scenes", scenes, names);
         return all.stream().filter(s -> scenes.isEmpty() || scenes.contains(s.name())).toList();
     }
 
     /** Pictures show all there is, however slowly it is drawn, unless less is asked for. */
     private Settings settings() {
         if (!Settings.LANGUAGES.contains(language)) {
-            throw wrong("--language", "must be one of " + Settings.LANGUAGES + ", was " + language);
+            throw Options.refused(
+                    spec,
+                    "--language",
+                    "must be one of " + Settings.LANGUAGES + ", was " + language);
         }
         return Settings.initial(language)
                 .withDetail(isLite ? Settings.Detail.LITE : Settings.Detail.FULL)
@@ -106,13 +101,8 @@ final class TourCommand implements Callable<Integer> {
 
     private double scale() {
         if (!(scale >= 0.5 && scale <= 3)) {
-            throw wrong("--scale", "must be 0.5 to 3, was " + scale);
+            throw Options.refused(spec, "--scale", "must be 0.5 to 3, was " + scale);
         }
         return scale;
-    }
-
-    private ParameterException wrong(String option, String what) {
-        return new ParameterException(
-                spec.commandLine(), "Invalid value for '" + option + "': " + what);
     }
 }
