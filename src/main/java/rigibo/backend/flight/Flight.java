@@ -199,16 +199,13 @@ public final class Flight {
         reserve();
         for (int p = bodies.firstPair[slot]; p != Pairs.NONE; p = pairs.nextOf(p, slot)) {
             int other = pairs.other(p, slot);
-            if (paths.isFlyer(other)) {
-                if (bystanders.isWithinReach(p, reach, time, dt - time)) {
-                    double left = bystanders.reachLeft(p, other, reach, dt);
-                    join(other, time, dt);
-                    note(other, left);
-                }
-            } else if (pairs.points[p] == 0) {
-                bystanders.isWithinReach(p, reach, time, dt - time);
-            } else {
+            boolean flies = paths.isFlyer(other);
+            if (!flies && pairs.points[p] > 0) {
                 passOn(p, other, reach, time, dt);
+            } else if (bystanders.isWithinReach(p, reach, time, dt - time) && flies) {
+                double left = bystanders.reachLeft(p, other, reach, dt);
+                join(other, time, dt);
+                note(other, left);
             }
         }
     }
