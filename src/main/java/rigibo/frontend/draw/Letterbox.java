@@ -31,8 +31,7 @@ public record Letterbox(int x, int y, int width, int height) {
 
     /** Logical y of a framebuffer y that counts from the top, in a framebuffer of a height. */
     public double logicalY(double framebufferY, int framebufferHeight) {
-        int top = framebufferHeight - y - height;
-        return (framebufferY - top) * Scene.HEIGHT / height;
+        return (framebufferY - top(framebufferHeight)) * Scene.HEIGHT / height;
     }
 
     /** The framebuffer x of a logical x. */
@@ -42,7 +41,10 @@ public record Letterbox(int x, int y, int width, int height) {
 
     /** The framebuffer y, counted from the top of a framebuffer of a height, of a logical y. */
     public double framebufferY(double logicalY, int framebufferHeight) {
-        int top = framebufferHeight - y - height;
-        return top + logicalY * height / Scene.HEIGHT;
+        return top(framebufferHeight) + logicalY * height / Scene.HEIGHT;
+    }
+
+    private int top(int framebufferHeight) {
+        return framebufferHeight - y - height;
     }
 }

@@ -36,51 +36,61 @@ public final class MenuScene implements Scene {
 
     private final Director director;
     private final Words words;
-    private final LevelList levels;
     private final Tiles tiles;
     private final NoticePlate notice;
     private final Playground playground = new Playground();
-    private double pointerX = MIDDLE;
-    private double pointerY = HEIGHT;
+    private final String tagline;
 
     /** A menu of some entries: levels, and what else there is. */
     public MenuScene(Director director, List<SceneEntry> entries) {
         this.director = director;
         words = director.words();
-        levels = LevelList.of(entries, director.progress());
+        LevelList levels = LevelList.of(entries, director.progress());
         notice = new NoticePlate(director);
+        tagline =
+                levels.isComplete()
+                        ? words.of("menu.complete", levels.levels().size())
+                        : words.of("menu.tagline");
         List<Tile> laid = new ArrayList<>();
         if (!levels.levels().isEmpty()) {
-            laid.add(play());
+            laid.add(play(levels));
         }
         laid.addAll(row());
         laid.addAll(cards(entries.stream().filter(entry -> !entry.isLevel()).toList()));
         tiles = new Tiles(laid, 0);
     }
 
-    private Tile play() {
-        SceneEntry next = levels.levels().get(levels.next());
-        return new Tile(BROAD_LEFT, PLAY_TOP, BROAD, PLAY_HEIGHT, this::drawPlay, () -> open(next));
+    private Tile play(LevelList levels) {
+        int number = levels.next();
+        SceneEntry next = levels.levels().get(number);
+        String verb = words.of(verb(levels));
+        String title = number + 1 + "  " + next.title().apply(words);
+        return new Tile(
+                BROAD_LEFT,
+                PLAY_TOP,
+                BROAD,
+                PLAY_HEIGHT,
+                (canvas, tile, isChosen) -> drawPlay(canvas, tile, verb, title, isChosen),
+                () -> open(next));
     }
 
-    private void drawPlay(Canvas canvas, Tile tile, boolean isChosen) {
+    private static String verb(LevelList levels) {
+        if (levels.solved() == 0) {
+            return "menu.play";
+        }
+        return levels.isComplete() ? "menu.again" : "menu.continue";
+    }
+
+    private static void drawPlay(
+            Canvas canvas, Tile tile, String verb, String title, boolean isChosen) {
         Color plate = isChosen ? Color.of(0xFFD98F) : Color.BRASS;
         canvas.panel(tile.x(), tile.y(), tile.width(), tile.height(), 18, plate);
         if (isChosen) {
             canvas.frame(
                     tile.x() - 4, tile.y() - 4, tile.width() + 8, tile.height() + 8, 22, plate);
         }
-        Print.centred(canvas, words.of(verb()), tile.middleX(), tile.y() + 30, 34, Color.DUSK_TOP);
-        int next = levels.next();
-        String title = next + 1 + "  " + levels.levels().get(next).title().apply(words);
+        Print.centred(canvas, verb, tile.middleX(), tile.y() + 30, 34, Color.DUSK_TOP);
         Print.centred(canvas, title, tile.middleX(), tile.y() + 64, 18, Color.DUSK_TOP);
-    }
-
-    private String verb() {
-        if (levels.solved() == 0) {
-            return "menu.play";
-        }
-        return levels.isComplete() ? "menu.again" : "menu.continue";
     }
 
     private List<Tile> row() {
@@ -160,12 +170,8 @@ public final class MenuScene implements Scene {
 
     @Override
     public void draw(Canvas canvas) {
-        playground.draw(canvas, pointerX, pointerY);
+        playground.draw(canvas);
         Print.centred(canvas, "RigiBo", MIDDLE, 84, 92, Color.BRASS);
-        String tagline =
-                levels.isComplete()
-                        ? words.of("menu.complete", levels.levels().size())
-                        : words.of("menu.tagline");
         Print.centred(canvas, tagline, MIDDLE, 152, 20, Color.TEXT);
         tiles.draw(canvas);
         Print.left(canvas, words.of("menu.physics"), CARDS_LEFT + 6, HEADING, 20, Color.TEXT);
@@ -178,8 +184,7 @@ public final class MenuScene implements Scene {
 
     @Override
     public void pointerMoved(double x, double y) {
-        pointerX = x;
-        pointerY = y;
+        playground.pointerMoved(x, y);
         if (!notice.isShown()) {
             tiles.pointerMoved(x, y);
         }

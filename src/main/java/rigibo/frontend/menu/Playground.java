@@ -23,6 +23,8 @@ final class Playground {
     private final Pool pool = new Pool();
     private final List<RigidBody> boxes = new ArrayList<>();
     private final RigidBody ball;
+    private double watchedX = Scene.WIDTH / 2.0;
+    private double watchedY = Scene.HEIGHT;
 
     Playground() {
         pool.add(BodyDefinition.fixed(Polygon.box(9, 1)).at(4.5, -0.02));
@@ -50,10 +52,15 @@ final class Playground {
         pool.step(Scene.STEP);
     }
 
-    /** Draws it, with eyes for a point of the screen, px. */
-    void draw(Canvas canvas, double gazeX, double gazeY) {
+    /** Where the pointer is from now on, px. */
+    void pointerMoved(double x, double y) {
+        watchedX = x;
+        watchedY = y;
+    }
+
+    void draw(Canvas canvas) {
         canvas.camera(camera);
-        canvas.gaze(camera.worldX(gazeX), camera.worldY(gazeY));
+        canvas.gaze(camera.worldX(watchedX), camera.worldY(watchedY));
         canvas.body(Polygon.box(9.4, 1), 4.5, -0.02, 0, Skin.WOOD, Canvas.Mood.PLAIN);
         for (RigidBody box : boxes) {
             canvas.body(box.shape(), box.x(), box.y(), box.angle(), Skin.RIGIBO, Canvas.Mood.PLAIN);

@@ -29,8 +29,6 @@ public final class SettingsScene implements Scene {
     private final Director director;
     private final Playground playground = new Playground();
     private Panel panel;
-    private double pointerX = WIDTH / 2.0;
-    private double pointerY = HEIGHT;
 
     public SettingsScene(Director director) {
         this.director = director;
@@ -111,7 +109,7 @@ public final class SettingsScene implements Scene {
 
     @Override
     public void draw(Canvas canvas) {
-        playground.draw(canvas, pointerX, pointerY);
+        playground.draw(canvas);
         String heading = director.words().of("menu.settings");
         Print.centred(canvas, heading, WIDTH / 2.0, 120, 48, Color.BRASS);
         panel.draw(canvas);
@@ -119,8 +117,7 @@ public final class SettingsScene implements Scene {
 
     @Override
     public void pointerMoved(double x, double y) {
-        pointerX = x;
-        pointerY = y;
+        playground.pointerMoved(x, y);
         panel.pointerMoved(x, y);
     }
 
