@@ -10,9 +10,7 @@ import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.Snapshot;
 
-import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
@@ -43,8 +41,7 @@ public final class Pool {
     private PoolQueries queries;
 
     private final PoolTotals totals;
-    private final List<RigidBody> bodies = new ArrayList<>();
-    private final List<RigidBody> bodiesView = Collections.unmodifiableList(bodies);
+    private final BodyList bodies = new BodyList();
     private RigidBody[] handles = new RigidBody[16];
     private LongSupplier clock = NO_CLOCK;
     private double time;
@@ -140,12 +137,12 @@ public final class Pool {
             handles = Arrays.copyOf(handles, 2 * slot);
         }
         handles[slot] = new RigidBody(this, slot, name);
-        bodies.add(handles[slot]);
+        bodies.append(handles[slot]);
         return handles[slot];
     }
 
     /**
-     * Takes a body out and wakes what it touched.
+     * Takes a body out and wakes what it touched; how many other bodies there are takes no time.
      *
      * @throws IllegalArgumentException when the body is of another pool
      * @throws IllegalStateException when it was removed before
@@ -153,13 +150,19 @@ public final class Pool {
     public void remove(RigidBody body) {
         editor(body).remove(body.slot());
         handles[body.slot()] = null;
-        bodies.remove(body);
+        bodies.drop(body);
         body.markRemoved();
     }
 
-    /** All bodies in the order they were added; a live view that cannot be changed. */
+    /**
+     * All bodies in the order they were added; a live view that cannot be changed through itself.
+     * An iterator, a for-each loop or a stream over it that goes on after a body was added or
+     * removed throws {@link java.util.ConcurrentModificationException} instead of skipping one,
+     * even after the last but one or the last; {@code List.copyOf(pool.bodies())} can be gone
+     * through whatever happens to the pool.
+     */
     public List<RigidBody> bodies() {
-        return bodiesView;
+        return bodies;
     }
 
     /**
@@ -248,7 +251,15 @@ public final class Pool {
         return queries().contactEvents();
     }
 
-    /** The body under a point: the last added of several, none where there is none. */
+    /**
+     * The body under a point: the last added of several, none where there is none. Where {@code
+     * Contacts} are not declared nobody keeps a tree of boxes, and every body is asked; the same
+     * holds for {@link #rayCast} and {@link #overlapping}.
+     *
+     * @param x world x, m
+     * @param y world y, m, up
+     * @throws IllegalArgumentException when one is not finite
+     */
     public Optional<RigidBody> bodyAt(double x, double y) {
         Require.finite("Pool.bodyAt x", x, "m");
         Require.finite("Pool.bodyAt y", y, "m");
@@ -256,12 +267,15 @@ public final class Pool {
     }
 
     /**
-     * The first body that a ray meets; a ray that starts inside a body does not meet that one.
+     * The first body that a ray meets: the first added of several met in one point. A ray that
+     * starts inside a body does not meet that one. The cost goes with the fixtures along its way up
+     * to there.
      *
      * @param fromX start, m
      * @param fromY start, m
      * @param toX end, m
      * @param toY end, m
+     * @throws IllegalArgumentException when one is not finite
      */
     public Optional<RayHit> rayCast(double fromX, double fromY, double toX, double toY) {
         Require.finite("Pool.rayCast fromX", fromX, "m");
@@ -328,7 +342,7 @@ public final class Pool {
         return totals.angularMomentum();
     }
 
-    private PoolQueries queries() {
+    PoolQueries queries() {
         if (queries == null) {
             queries = new PoolQueries(this, data, plan);
         }

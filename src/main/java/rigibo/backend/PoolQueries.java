@@ -35,6 +35,7 @@ final class PoolQueries {
     private final Pose pose = new Pose();
     private final Pose areaPose = new Pose();
     private final PointAndRay pointAndRay = new PointAndRay();
+    private final RayCast ray;
     private final Collider collider = new Collider();
     private final Manifold manifold = new Manifold();
 
@@ -42,6 +43,7 @@ final class PoolQueries {
         this.pool = pool;
         this.data = data;
         this.plan = plan;
+        ray = new RayCast(pool);
         bodies = data.bodies;
     }
 
@@ -75,36 +77,26 @@ final class PoolQueries {
     }
 
     /** The one of two bodies that was added later; slots are used again, so they do not tell. */
-    private RigidBody later(RigidBody one, RigidBody other) {
-        return one == null || pool.bodies().indexOf(one) < pool.bodies().indexOf(other)
-                ? other
-                : one;
+    private static RigidBody later(RigidBody one, RigidBody other) {
+        return one == null || one.place < other.place ? other : one;
     }
 
     Optional<RayHit> rayCast(double fromX, double fromY, double toX, double toY) {
+        Broadphase broadphase = plan.broadphase();
+        if (broadphase != null) {
+            return ray.first(broadphase, fromX, fromY, toX, toY);
+        }
         box.set(
                 Math.min(fromX, toX),
                 Math.min(fromY, toY),
                 Math.max(fromX, toX),
                 Math.max(fromY, toY));
-        Found found = near(box);
-        RayHit first = null;
-        for (int i = 0; i < found.count; i++) {
-            int slot = found.numbers[i];
-            pose.set(bodies.x[slot], bodies.y[slot], bodies.cos[slot], bodies.sin[slot]);
-            double at = pointAndRay.enters(bodies.shape[slot], pose, fromX, fromY, toX, toY);
-            if (at <= 1 && (first == null || at < first.fraction())) {
-                first =
-                        new RayHit(
-                                pool.handle(slot),
-                                fromX + at * (toX - fromX),
-                                fromY + at * (toY - fromY),
-                                pointAndRay.normalX,
-                                pointAndRay.normalY,
-                                at);
-            }
-        }
-        return Optional.ofNullable(first);
+        return ray.first(near(box), fromX, fromY, toX, toY);
+    }
+
+    /** The last ray, which counts its work. */
+    RayCast ray() {
+        return ray;
     }
 
     /** Bodies whose shape, not only whose fixture, reaches into the box. */

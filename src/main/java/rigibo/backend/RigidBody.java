@@ -20,6 +20,9 @@ public final class RigidBody {
     private final String name;
     private int slot;
 
+    /** Place in the pool's list of bodies, which tells who was added before whom. */
+    int place;
+
     RigidBody(Pool pool, int slot, String name) {
         this.pool = pool;
         this.slot = slot;

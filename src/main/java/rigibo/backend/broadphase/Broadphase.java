@@ -48,6 +48,7 @@ public final class Broadphase {
     private final Pairs pairs;
     private final Roster roster;
     private final FixtureTree tree = new FixtureTree();
+    private final RayWalk walk = new RayWalk(tree);
     private final Found found = new Found();
     private final Aabb swept = new Aabb();
 
@@ -193,12 +194,13 @@ public final class Broadphase {
         return found;
     }
 
-    /** The slots of all bodies whose fixture a straight line (m) crosses on its way, ascending. */
-    public Found queryLine(double fromX, double fromY, double toX, double toY) {
-        found.clear();
-        tree.queryLine(fromX, fromY, toX, toY, found);
-        found.sort();
-        return found;
+    /**
+     * Sets out along a ray (m) past the fixtures it crosses, which carry the slots of their bodies;
+     * one walk at a time.
+     */
+    public RayWalk walk(double fromX, double fromY, double toX, double toY) {
+        walk.begin(fromX, fromY, toX, toY);
+        return walk;
     }
 
     private void cover(int slot, double dt, double turned, boolean isToFit) {

@@ -21,9 +21,6 @@ final class FixtureTree {
 
     private static final int FIRST_CAPACITY = 32;
 
-    /** A branch must not lose by round-off what a leaf in it would win by round-off. */
-    private static final double ROUNDING_MARGIN = 1 + 1e-9;
-
     private final Slots slots = new Slots();
     private int root = NONE;
     private int[] parent = new int[FIRST_CAPACITY];
@@ -93,41 +90,32 @@ final class FixtureTree {
         }
     }
 
-    /**
-     * Appends the numbers of all leaves whose box shares a point with a straight line's stretch.
-     */
-    void queryLine(double fromX, double fromY, double toX, double toY, Found found) {
-        int depth = push(0, root);
-        while (depth > 0) {
-            int node = stack[--depth];
-            if (!isCrossed(4 * node, fromX, fromY, toX, toY)) {
-                continue;
-            }
-            int first = child[2 * node];
-            if (first == NONE) {
-                found.add(child[2 * node + 1]);
-            } else {
-                depth = push(push(depth, child[2 * node + 1]), first);
-            }
-        }
+    /** The node that holds all others, or {@link #NONE}. */
+    int root() {
+        return root;
     }
 
-    /** Whether bounds overlap and the box has no gap to the line, seen along the line's normal. */
-    private boolean isCrossed(int at, double fromX, double fromY, double toX, double toY) {
-        if (box[at] > Math.max(fromX, toX)
-                || box[at + 2] < Math.min(fromX, toX)
-                || box[at + 1] > Math.max(fromY, toY)
-                || box[at + 3] < Math.min(fromY, toY)) {
-            return false;
-        }
-        double dx = toX - fromX;
-        double dy = toY - fromY;
-        double middleX = (box[at] + box[at + 2]) / 2 - fromX;
-        double middleY = (box[at + 1] + box[at + 3]) / 2 - fromY;
-        double beside = Math.abs(dx * middleY - dy * middleX);
-        double across = Math.abs(dx) * (box[at + 3] - box[at + 1]);
-        across += Math.abs(dy) * (box[at + 2] - box[at]);
-        return beside <= across / 2 * ROUNDING_MARGIN;
+    boolean isLeaf(int node) {
+        return child[2 * node] == NONE;
+    }
+
+    /** The number that a leaf carries. */
+    int carried(int leaf) {
+        return child[2 * leaf + 1];
+    }
+
+    /** A branch's children. */
+    int first(int branch) {
+        return child[2 * branch];
+    }
+
+    int second(int branch) {
+        return child[2 * branch + 1];
+    }
+
+    /** Min x, min y, max x, max y in m of all nodes, not to be written. */
+    double[] boxes() {
+        return box;
     }
 
     /** Half the perimeter of all branches together, m: what the cost of a query goes with. */

@@ -29,7 +29,7 @@ class FixtureTreeTest {
     @Test
     void emptyTreeHoldsNothing() {
         tree.query(-1e9, -1e9, 1e9, 1e9, found);
-        tree.queryLine(-1e9, -1e9, 1e9, 1e9, found);
+        walk(-1e9, -1e9, 1e9, 1e9);
 
         assertThat(found.count).isZero();
     }
@@ -69,9 +69,9 @@ class FixtureTreeTest {
     void lineThatPassesACornerDoesNotCross() {
         tree.insert(1, 0, 0, 1, 1);
 
-        tree.queryLine(0.5, 1.6, 1.6, 0.5, found);
+        walk(0.5, 1.6, 1.6, 0.5);
         assertThat(found.count).isZero();
-        tree.queryLine(0.5, 1.4, 1.4, 0.5, found);
+        walk(0.5, 1.4, 1.4, 0.5);
         assertThat(numbers()).containsExactly(1);
     }
 
@@ -79,9 +79,9 @@ class FixtureTreeTest {
     void lineThatEndsBeforeABoxDoesNotCross() {
         tree.insert(1, 2, -1, 3, 1);
 
-        tree.queryLine(0, 0, 1.9, 0, found);
+        walk(0, 0, 1.9, 0);
         assertThat(found.count).isZero();
-        tree.queryLine(0, 0, 2, 0, found);
+        walk(0, 0, 2, 0);
         assertThat(numbers()).containsExactly(1);
     }
 
@@ -131,7 +131,7 @@ class FixtureTreeTest {
     private void compare(double[] q, String where) {
         tree.query(q[0], q[1], q[2], q[3], found);
         assertThat(numbers()).as(where).containsExactly(overlapping(q));
-        tree.queryLine(q[0], q[3], q[2], q[1], found);
+        walk(q[0], q[3], q[2], q[1]);
         assertThat(numbers()).as("line, " + where).containsExactly(crossing(q));
     }
 
@@ -160,6 +160,15 @@ class FixtureTreeTest {
             }
         }
         return Arrays.copyOf(all, count);
+    }
+
+    /** Adds all that a ray meets to what is found. */
+    private void walk(double fromX, double fromY, double toX, double toY) {
+        RayWalk walk = new RayWalk(tree);
+        walk.begin(fromX, fromY, toX, toY);
+        for (int number = walk.next(1); number != RayWalk.END; number = walk.next(1)) {
+            found.add(number);
+        }
     }
 
     /** The numbers found, ascending; empties the list. */

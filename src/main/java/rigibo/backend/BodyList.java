@@ -1,0 +1,190 @@
+package rigibo.backend;
+
+import java.util.AbstractList;
+import java.util.Arrays;
+import java.util.ConcurrentModificationException;
+import java.util.Iterator;
+import java.util.ListIterator;
+import java.util.NoSuchElementException;
+import java.util.Objects;
+import java.util.RandomAccess;
+import java.util.Spliterator;
+import java.util.Spliterators;
+
+/**
+ * The bodies of a pool in the order they were added. Who is taken out leaves a gap, so that removal
+ * takes the same time among many; gaps are closed when somebody reads on beyond the first of them.
+ *
+ * <p>Nobody but the pool changes the list, so to all others it is one that cannot be changed.
+ */
+final class BodyList extends AbstractList<RigidBody> implements RandomAccess {
+
+    private RigidBody[] places = new RigidBody[16];
+
+    /** Places up to here are taken or gaps; there are no gaps before the first one. */
+    private int high;
+
+    private int firstGap;
+    private int size;
+
+    /** How often a body was given another place: the cost of removals, in a test. */
+    private long moves;
+
+    /** Adds a body at the end. */
+    void append(RigidBody body) {
+        if (high == places.length) {
+            closeGaps();
+            makeRoom();
+        }
+        firstGap += firstGap == high ? 1 : 0;
+        put(body, high++);
+        size++;
+        modCount++;
+    }
+
+    /** Takes a body out that is in the list. */
+    void drop(RigidBody body) {
+        places[body.place] = null;
+        firstGap = Math.min(firstGap, body.place);
+        size--;
+        modCount++;
+    }
+
+    long moves() {
+        return moves;
+    }
+
+    @Override
+    public int size() {
+        return size;
+    }
+
+    @Override
+    public RigidBody get(int index) {
+        Objects.checkIndex(index, size);
+        if (index >= firstGap) {
+            closeGaps();
+        }
+        return places[index];
+    }
+
+    @Override
+    public Iterator<RigidBody> iterator() {
+        return listIterator(0);
+    }
+
+    @Override
+    public ListIterator<RigidBody> listIterator(int index) {
+        Objects.checkIndex(index, size + 1);
+        closeGaps();
+        return new Walk(index);
+    }
+
+    /**
+     * Of the iterator, which refuses a change at once; that of lists does so when it is through.
+     */
+    @Override
+    public Spliterator<RigidBody> spliterator() {
+        return Spliterators.spliterator(this, Spliterator.ORDERED | Spliterator.NONNULL);
+    }
+
+    /** Doubles the room where closing the gaps did not leave half of it. */
+    private void makeRoom() {
+        if (high > places.length / 2) {
+            places = Arrays.copyOf(places, 2 * places.length);
+        }
+    }
+
+    private void closeGaps() {
+        int to = firstGap;
+        for (int from = firstGap; from < high; from++) {
+            if (places[from] != null) {
+                put(places[from], to++);
+                moves++;
+            }
+        }
+        Arrays.fill(places, to, high, null);
+        high = to;
+        firstGap = to;
+    }
+
+    private void put(RigidBody body, int place) {
+        places[place] = body;
+        body.place = place;
+    }
+
+    /**
+     * Says that there is more once the list has changed, whatever its size is now: {@link #next}
+     * then refuses to go on, where a comparison of sizes would end a loop one body too early.
+     */
+    private final class Walk implements ListIterator<RigidBody> {
+
+        private final int expected = modCount;
+        private int at;
+
+        private Walk(int at) {
+            this.at = at;
+        }
+
+        @Override
+        public boolean hasNext() {
+            return at < size || modCount != expected;
+        }
+
+        @Override
+        public boolean hasPrevious() {
+            return at > 0 || modCount != expected;
+        }
+
+        @Override
+        public RigidBody next() {
+            requireUnchanged();
+            if (at == size) {
+                throw new NoSuchElementException();
+            }
+            return places[at++];
+        }
+
+        @Override
+        public RigidBody previous() {
+            requireUnchanged();
+            if (at == 0) {
+                throw new NoSuchElementException();
+            }
+            return places[--at];
+        }
+
+        @Override
+        public int nextIndex() {
+            return at;
+        }
+
+        @Override
+        public int previousIndex() {
+            return at - 1;
+        }
+
+        @Override
+        public void remove() {
+            throw new UnsupportedOperationException("bodies are removed by Pool.remove");
+        }
+
+        @Override
+        public void set(RigidBody body) {
+            throw new UnsupportedOperationException("bodies keep their order");
+        }
+
+        @Override
+        public void add(RigidBody body) {
+            throw new UnsupportedOperationException("bodies are added by Pool.add");
+        }
+
+        private void requireUnchanged() {
+            if (modCount != expected) {
+                throw new ConcurrentModificationException(
+                        "a body was added or removed while Pool.bodies() was gone through; go"
+                                + " through List.copyOf(pool.bodies()) instead");
+            }
+        }
+    }
+}

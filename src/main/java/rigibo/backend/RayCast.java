@@ -1,0 +1,113 @@
+package rigibo.backend;
+
+import rigibo.backend.broadphase.Broadphase;
+import rigibo.backend.broadphase.RayWalk;
+import rigibo.backend.collision.PointAndRay;
+import rigibo.backend.collision.Pose;
+import rigibo.backend.storage.Bodies;
+import rigibo.backend.storage.Found;
+
+import java.util.Optional;
+
+/** Finds the first body that a ray meets. */
+final class RayCast {
+
+    private static final int NOBODY = -1;
+
+    private final Pool pool;
+    private final Bodies bodies;
+    private final Pose pose = new Pose();
+    private final PointAndRay pointAndRay = new PointAndRay();
+    private double fromX;
+    private double fromY;
+    private double toX;
+    private double toY;
+
+    /** The first body met so far, where on the way, and the outward normal there. */
+    private int met;
+
+    private double fraction;
+    private double normalX;
+    private double normalY;
+
+    private int nodes;
+    private int shapes;
+
+    RayCast(Pool pool) {
+        this.pool = pool;
+        bodies = pool.columns();
+    }
+
+    /** Along the broadphase's tree. */
+    Optional<RayHit> first(
+            Broadphase broadphase, double fromX, double fromY, double toX, double toY) {
+        begin(fromX, fromY, toX, toY);
+        RayWalk walk = broadphase.walk(fromX, fromY, toX, toY);
+        for (int slot = walk.next(1); slot != RayWalk.END; slot = walk.next(fraction)) {
+            ask(slot);
+        }
+        nodes = walk.nodes();
+        return hit();
+    }
+
+    /** Among these bodies. */
+    Optional<RayHit> first(Found slots, double fromX, double fromY, double toX, double toY) {
+        begin(fromX, fromY, toX, toY);
+        for (int i = 0; i < slots.count; i++) {
+            ask(slots.numbers[i]);
+        }
+        return hit();
+    }
+
+    /** Boxes of the tree that the last ray was compared with. */
+    int nodes() {
+        return nodes;
+    }
+
+    /** Shapes that the last ray was compared with. */
+    int shapes() {
+        return shapes;
+    }
+
+    private void begin(double fromX, double fromY, double toX, double toY) {
+        this.fromX = fromX;
+        this.fromY = fromY;
+        this.toX = toX;
+        this.toY = toY;
+        met = NOBODY;
+        fraction = 1;
+        nodes = 0;
+        shapes = 0;
+    }
+
+    private void ask(int slot) {
+        shapes++;
+        pose.set(bodies.x[slot], bodies.y[slot], bodies.cos[slot], bodies.sin[slot]);
+        double at = pointAndRay.enters(bodies.shape[slot], pose, fromX, fromY, toX, toY);
+        if (at < fraction || at == fraction && isFirstAdded(slot)) {
+            met = slot;
+            fraction = at;
+            normalX = pointAndRay.normalX;
+            normalY = pointAndRay.normalY;
+        }
+    }
+
+    /** Slots are used again, so that they do not tell. */
+    private boolean isFirstAdded(int slot) {
+        return met == NOBODY || pool.handle(slot).place < pool.handle(met).place;
+    }
+
+    private Optional<RayHit> hit() {
+        if (met == NOBODY) {
+            return Optional.empty();
+        }
+        return Optional.of(
+                new RayHit(
+                        pool.handle(met),
+                        fromX + fraction * (toX - fromX),
+                        fromY + fraction * (toY - fromY),
+                        normalX,
+                        normalY,
+                        fraction));
+    }
+}
