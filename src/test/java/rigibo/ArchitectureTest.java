@@ -88,12 +88,12 @@ class ArchitectureTest {
         String scene = FRONTEND + ".scene";
         String[] withScene = plus(PUBLIC_FACE, scene);
         String puzzle = FRONTEND + ".puzzle";
+        String save = FRONTEND + ".save";
         // Makes levels and plays what it makes.
         String editor = FRONTEND + ".editor";
-        String[] scenes = {
-            FRONTEND + ".menu", FRONTEND + ".demo", puzzle, FRONTEND + ".laboratory"
-        };
-        Stream<Room> sceneRooms = Arrays.stream(scenes).map(name -> new Room(name, withScene));
+        String[] plain = {FRONTEND + ".menu", FRONTEND + ".demo", FRONTEND + ".laboratory"};
+        String[] scenes = plus(plain, puzzle);
+        Stream<Room> sceneRooms = Arrays.stream(plain).map(name -> new Room(name, withScene));
         String draw = FRONTEND + ".draw";
         String sound = FRONTEND + ".sound";
         return Stream.concat(
@@ -102,9 +102,10 @@ class ArchitectureTest {
                         new Room(scene, PUBLIC_FACE),
                         new Room(draw, withScene),
                         new Room(sound, withScene),
-                        new Room(FRONTEND + ".save", scene),
+                        new Room(save, scene),
+                        new Room(puzzle, plus(withScene, save)),
                         new Room(FRONTEND + ".display", plus(withScene, draw, sound)),
-                        new Room(editor, plus(withScene, puzzle, FRONTEND + ".save")),
+                        new Room(editor, plus(withScene, puzzle, save)),
                         new Room(FRONTEND + ".catalog", plus(plus(withScene, scenes), editor)),
                         new Room("rigibo.film", scene, FRONTEND + ".display"),
                         new Room("rigibo.lab", PUBLIC_FACE)));

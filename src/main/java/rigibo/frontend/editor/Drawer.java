@@ -4,6 +4,7 @@ import rigibo.frontend.editor.draft.Draft;
 import rigibo.frontend.editor.file.DraftFile;
 import rigibo.frontend.editor.file.DraftFiles;
 import rigibo.frontend.editor.file.Unsaved;
+import rigibo.frontend.save.Places;
 
 import java.io.IOException;
 import java.nio.file.Path;
@@ -36,7 +37,7 @@ final class Drawer {
     }
 
     private Unsaved unsaved() {
-        return new Unsaved(folder.orElseThrow().resolve("unsaved"));
+        return new Unsaved(Places.drafts(folder.orElseThrow()));
     }
 
     private DraftFiles own() {

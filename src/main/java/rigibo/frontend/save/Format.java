@@ -20,6 +20,10 @@ interface Format<T> {
     /** Tells a value in an empty object. */
     void write(T value, ObjectNode json);
 
-    /** Both what is on disk by now, by another game that runs, and what is to be written. */
-    T merged(T onDisk, T own);
+    /**
+     * Both what is on disk by now, by another game that runs, and what is to be written.
+     *
+     * @param before what this game read or wrote last, from which its own value comes
+     */
+    T merged(T before, T onDisk, T own);
 }

@@ -2,6 +2,7 @@ package rigibo.frontend.save;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -12,7 +13,11 @@ import java.util.Optional;
  */
 final class Kept<T> {
 
+    /** How long another game that writes is waited for: a slow disk has done by then. */
+    private static final Duration PATIENCE = Duration.ofSeconds(2);
+
     private final SafeFile file;
+    private final FolderLock lock;
     private final Format<T> format;
     private final List<Notice> notices = new ArrayList<>();
     private T value;
@@ -22,11 +27,17 @@ final class Kept<T> {
 
     private boolean isUnwritable;
     private boolean isForeign;
+    private boolean wasUnlocked;
 
     /** Reads a value from its file, or what can be had instead. */
     Kept(Path path, Format<T> format) {
+        this(path, format, new FolderLock(path.getParent(), PATIENCE));
+    }
+
+    Kept(Path path, Format<T> format, FolderLock lock) {
         file = new SafeFile(path);
         this.format = format;
+        this.lock = lock;
         saved = load();
         value = saved;
     }
@@ -111,7 +122,9 @@ final class Kept<T> {
             return true;
         }
         try {
-            write(wanted);
+            if (!lock.during(() -> write(wanted))) {
+                unlocked();
+            }
             wrote(wanted);
             return true;
         } catch (IOException full) {
@@ -124,6 +137,14 @@ final class Kept<T> {
         return saved;
     }
 
+    /** Once is enough: it will hold of this folder for as long as the game runs. */
+    private synchronized void unlocked() {
+        if (!wasUnlocked) {
+            note(Notice.Kind.UNLOCKED);
+        }
+        wasUnlocked = true;
+    }
+
     private synchronized void wrote(T written) {
         saved = written;
         isUnwritable = false;
@@ -133,14 +154,15 @@ final class Kept<T> {
         isUnwritable = true;
     }
 
-    /** The old file is touched only once the new one is on the disk. */
+    /** Under the lock. The old file is touched only once the new one is on the disk. */
     private void write(T wanted) throws IOException {
         Reading<T> present = Reading.of(file.file(), format);
         Reading.State state = present.state();
         if (state == Reading.State.NEWER || state == Reading.State.UNREADABLE) {
             throw new IOException(file.file() + " is not ours to replace");
         }
-        T merged = present.value().map(found -> format.merged(found, wanted)).orElse(wanted);
+        T merged =
+                present.value().map(found -> format.merged(saved(), found, wanted)).orElse(wanted);
         file.prepare(Reading.bytes(merged, format));
         if (state == Reading.State.WHOLE) {
             file.keep();

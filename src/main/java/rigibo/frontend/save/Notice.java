@@ -23,7 +23,9 @@ record Notice(Kind kind, Path file) {
         /** It cannot be read: it stays as it is. */
         UNREADABLE,
         /** It cannot be written, and will be tried again. */
-        UNSAVED
+        UNSAVED,
+        /** It is written, but without a lock: two games at once may undo what the other saves. */
+        UNLOCKED
     }
 
     String in(Words words) {

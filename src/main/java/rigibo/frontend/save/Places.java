@@ -3,6 +3,7 @@ package rigibo.frontend.save;
 import dev.dirs.ProjectDirectories;
 
 import java.nio.file.Path;
+import java.util.stream.Stream;
 
 /**
  * Where the player's files are.
@@ -32,6 +33,16 @@ public record Places(Path settings, Path data) {
     /** The folder of levels that the player makes. */
     public Path levels() {
         return data.resolve("levels");
+    }
+
+    /** The folder, within that of the player's levels, of drafts that were not saved. */
+    public static Path drafts(Path levels) {
+        return levels.resolve("unsaved");
+    }
+
+    /** Every folder that files are kept in. */
+    Stream<Path> all() {
+        return Stream.of(settings, data, replays(), levels(), drafts(levels()));
     }
 
     Path settingsFile() {

@@ -52,7 +52,7 @@ final class ProgressFormat implements Format<Progress> {
     }
 
     @Override
-    public Progress merged(Progress onDisk, Progress own) {
+    public Progress merged(Progress before, Progress onDisk, Progress own) {
         return own.with(onDisk);
     }
 }

@@ -31,6 +31,17 @@ public record SafeFile(Path file) {
         replace();
     }
 
+    /**
+     * Puts bytes in the file's place without waiting for the disk, where a frame would wait, too:
+     * whole or not at all when the game ends, but not when the power fails.
+     *
+     * @throws IOException when they cannot be written; what was there is still there
+     */
+    public void writeWithoutWaiting(byte[] bytes) throws IOException {
+        fill(bytes, channel -> {});
+        move();
+    }
+
     Path backup() {
         return file.resolveSibling(file.getFileName() + ".backup");
     }
@@ -42,6 +53,14 @@ public record SafeFile(Path file) {
 
     /** Writes bytes beside the file, down to the disk; what was written by halves is taken away. */
     void prepare(byte[] bytes) throws IOException {
+        fill(bytes, channel -> channel.force(true));
+    }
+
+    private interface Last {
+        void on(FileChannel channel) throws IOException;
+    }
+
+    private void fill(byte[] bytes, Last last) throws IOException {
         Files.createDirectories(file.toAbsolutePath().getParent());
         boolean isDone = false;
         try (FileChannel channel =
@@ -50,7 +69,7 @@ public record SafeFile(Path file) {
             while (left.hasRemaining()) {
                 channel.write(left);
             }
-            channel.force(true);
+            last.on(channel);
             isDone = true;
         } finally {
             if (!isDone) {
@@ -66,13 +85,17 @@ public record SafeFile(Path file) {
 
     /** Puts what was prepared in the file's place. */
     void replace() throws IOException {
-        Files.move(temporary(), file, ATOMIC_MOVE, REPLACE_EXISTING);
+        move();
         if (!System.getProperty("os.name").startsWith("Windows")) {
             // Moves are of the folder; Windows neither needs this nor lets folders be opened.
             try (FileChannel folder = FileChannel.open(file.toAbsolutePath().getParent(), READ)) {
                 folder.force(true);
             }
         }
+    }
+
+    private void move() throws IOException {
+        Files.move(temporary(), file, ATOMIC_MOVE, REPLACE_EXISTING);
     }
 
     /** Gives a damaged file the first free of its names with a number. */

@@ -48,6 +48,7 @@ public final class SavedPlayer implements Player, AutoCloseable {
      * @param systemLanguage of the player's system, for the first start, as ISO 639 names it
      */
     public SavedPlayer(Places places, String systemLanguage) {
+        Leftovers.sweep(places.all());
         Settings initial = Settings.initial(systemLanguage);
         settings = new Kept<>(places.settingsFile(), new SettingsFormat(initial));
         progress = new Kept<>(places.progressFile(), new ProgressFormat());

@@ -41,7 +41,20 @@ record SettingsFormat(Settings initial) implements Format<Settings> {
     }
 
     @Override
-    public Settings merged(Settings onDisk, Settings own) {
-        return own;
+    public Settings merged(Settings before, Settings onDisk, Settings own) {
+        return new Settings(
+                later(before, onDisk, own, Settings::language),
+                later(before, onDisk, own, Settings::volume),
+                later(before, onDisk, own, Settings::isMuted),
+                later(before, onDisk, own, Settings::motion),
+                later(before, onDisk, own, Settings::detail),
+                later(before, onDisk, own, Settings::isFullScreen));
+    }
+
+    /** Our own choice where one was made since, for it is the latest; else what the file has. */
+    private static <V> V later(
+            Settings before, Settings onDisk, Settings own, Function<Settings, V> setting) {
+        V chosen = setting.apply(own);
+        return chosen.equals(setting.apply(before)) ? setting.apply(onDisk) : chosen;
     }
 }

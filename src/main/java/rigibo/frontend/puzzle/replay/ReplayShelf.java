@@ -1,13 +1,14 @@
 package rigibo.frontend.puzzle.replay;
 
-import static java.nio.file.StandardCopyOption.ATOMIC_MOVE;
-import static java.nio.file.StandardCopyOption.REPLACE_EXISTING;
-
 import rigibo.frontend.puzzle.level.Level;
+import rigibo.frontend.save.FolderLock;
+import rigibo.frontend.save.SafeFile;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 
@@ -17,13 +18,18 @@ public final class ReplayShelf {
     /** How the names of replay files end. */
     public static final String ENDING = ".replay.json";
 
+    /** How long another game that keeps a run is waited for: a frame waits with it. */
+    private static final Duration PATIENCE = Duration.ofMillis(100);
+
     private final Path folder;
+    private final FolderLock lock;
     private final String id;
     private final ReplayLoader loader;
 
     /** A level's place in a folder, which need not exist yet. */
     public ReplayShelf(Path folder, Level level) {
         this.folder = folder;
+        lock = new FolderLock(folder, PATIENCE);
         id = level.id();
         loader = new ReplayLoader(List.of(level));
     }
@@ -50,7 +56,11 @@ public final class ReplayShelf {
      * @throws IOException when nothing can be written there
      */
     public void keep(Recording recording) throws IOException {
-        Files.createDirectories(folder);
+        lock.during(() -> replace(recording));
+    }
+
+    /** Under the lock: another game may have kept a better one. */
+    private void replace(Recording recording) throws IOException {
         write(last(), recording);
         Optional<Recording> before = recording(best());
         if (before.isEmpty() || recording.isBetterThan(before.get())) {
@@ -62,14 +72,8 @@ public final class ReplayShelf {
         return Files.isRegularFile(file) ? loader.load(file).recording() : Optional.empty();
     }
 
-    /** Beside its place and then moved into it, so that no half of a file is ever there. */
     private static void write(Path file, Recording recording) throws IOException {
-        Path beside = Files.createTempFile(file.getParent(), ".replay", ".tmp");
-        try {
-            Files.writeString(beside, ReplayText.of(recording));
-            Files.move(beside, file, ATOMIC_MOVE, REPLACE_EXISTING);
-        } finally {
-            Files.deleteIfExists(beside);
-        }
+        byte[] text = ReplayText.of(recording).getBytes(StandardCharsets.UTF_8);
+        new SafeFile(file).writeWithoutWaiting(text);
     }
 }
