@@ -2,9 +2,12 @@ package rigibo.backend.rest;
 
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.Found;
 import rigibo.backend.storage.PairTolerances;
 import rigibo.backend.storage.Pairs;
 import rigibo.backend.storage.Waking;
+
+import java.util.Arrays;
 
 /**
  * Who wakes when a body goes: all that leaned on it, and of what it stood on whatever might not be
@@ -12,7 +15,9 @@ import rigibo.backend.storage.Waking;
  * seesaw that loses a weight does not.
  *
  * <p>A sleeper is steady whatever it carries if its centre of mass and every place where something
- * stands on it lie above the span of its supports, and if the same holds for what supports it.
+ * stands on it lie above the span of its supports, and if the same holds for what supports it. Each
+ * body is looked at once per loss, so that a loss takes time linear in the contacts, however many
+ * ways lead down a pile.
  */
 public final class SupportLoss {
 
@@ -22,6 +27,19 @@ public final class SupportLoss {
     private final Bodies bodies;
     private final Pairs pairs;
     private final Waking waking;
+
+    /**
+     * Sleepers whose steadiness is asked for by the one that lost a neighbour, itself the first.
+     */
+    private final Found asked = new Found();
+
+    /** For each body the loss in which it was last asked about, and the number of this one. */
+    private int[] askedIn = new int[16];
+
+    private int loss;
+
+    /** Contacts looked at so far, for tests of how much work a loss is. */
+    private long contactsLookedAt;
 
     /** Gravity's direction for the body looked at. */
     private double downX;
@@ -46,7 +64,12 @@ public final class SupportLoss {
     public void wakeNeighbours(int going) {
         // Waking spreads through sleepers; it is not to spread through the one that goes.
         bodies.awake[going] = true;
+        loss++;
+        if (askedIn.length < bodies.type.length) {
+            askedIn = Arrays.copyOf(askedIn, bodies.type.length);
+        }
         for (int p = bodies.firstPairOf(going); p != Pairs.NONE; p = pairs.nextOf(p, going)) {
+            contactsLookedAt++;
             int other = pairs.other(p, going);
             if (pairs.touching[p] && bodies.isDynamic(other)) {
                 loseNeighbour(p, other);
@@ -83,20 +106,51 @@ public final class SupportLoss {
         return length > 0;
     }
 
+    /**
+     * Whether a sleeper and all that supports it are steady. Who was asked about before in this
+     * loss is steady: else it has woken, with everyone that stands on it.
+     */
     private boolean isSteady(int body) {
+        asked.clear();
+        ask(body);
+        for (int i = 0; i < asked.count; i++) {
+            if (!isSteadyOnItsSupports(asked.numbers[i]) || !askSupportsOf(asked.numbers[i])) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private void ask(int body) {
+        if (askedIn[body] != loss) {
+            askedIn[body] = loss;
+            asked.add(body);
+        }
+    }
+
+    private boolean isSteadyOnItsSupports(int body) {
         if (!findDown(body) || !measure(body)) {
             return false;
         }
         double slack = PairTolerances.INVISIBLE_LIFT * bodies.smallestWidth[body];
-        if (loadLeft < supportLeft - slack || loadRight > supportRight + slack) {
-            return false;
-        }
+        return loadLeft >= supportLeft - slack && loadRight <= supportRight + slack;
+    }
+
+    /**
+     * Asks about every dynamic support; false where one is awake, or is pulled another way:
+     * relieved of its load, it might rise.
+     */
+    private boolean askSupportsOf(int body) {
         for (int p = bodies.firstPair[body]; p != Pairs.NONE; p = pairs.nextOf(p, body)) {
+            contactsLookedAt++;
             int other = pairs.other(p, body);
             findDown(body);
             boolean supports = pairs.touching[p] && sideOf(p, body) > 0;
-            if (supports && bodies.isDynamic(other) && !isSteady(other)) {
-                return false;
+            if (supports && bodies.isDynamic(other)) {
+                if (bodies.awake[other] || !isUnder(p, other)) {
+                    return false;
+                }
+                ask(other);
             }
         }
         return true;
@@ -109,6 +163,7 @@ public final class SupportLoss {
         loadLeft = across(bodies.x[body], bodies.y[body]);
         loadRight = loadLeft;
         for (int p = bodies.firstPair[body]; p != Pairs.NONE; p = pairs.nextOf(p, body)) {
+            contactsLookedAt++;
             if (pairs.touching[p] && !take(p, body)) {
                 return false;
             }
@@ -136,5 +191,10 @@ public final class SupportLoss {
 
     private double across(double x, double y) {
         return x * -downY + y * downX;
+    }
+
+    /** With those that waking looked at. */
+    long contactsLookedAt() {
+        return contactsLookedAt + waking.contactsLookedAt();
     }
 }

@@ -13,6 +13,8 @@ public final class Waking {
     private int[] stack = new int[16];
     private int depth;
 
+    private long contactsLookedAt;
+
     /** Wakes bodies of this storage. */
     public Waking(DataStorage data) {
         this.data = data;
@@ -23,7 +25,13 @@ public final class Waking {
     /** Wakes a body, whether it slept or not, and every sleeper in touch with it. */
     public void wake(int slot) {
         bodies.restartStillness(slot);
-        push(slot);
+        if (bodies.type[slot] == BodyType.STATIC) {
+            return;
+        }
+        if (bodies.isDynamic(slot) && !bodies.awake[slot]) {
+            rouse(slot);
+        }
+        pushSleepers(slot);
         spread();
     }
 
@@ -61,20 +69,23 @@ public final class Waking {
     private void spread() {
         while (depth > 0) {
             int slot = stack[--depth];
-            if (bodies.type[slot] == BodyType.STATIC) {
-                continue;
+            // Several neighbours may have pushed it: only the first time has anything to spread.
+            if (!bodies.awake[slot]) {
+                rouse(slot);
+                pushSleepers(slot);
             }
-            if (bodies.isDynamic(slot) && !bodies.awake[slot]) {
-                bodies.awake[slot] = true;
-                bodies.restartStillness(slot);
-                data.roster.join(slot);
-            }
-            pushSleepers(slot);
         }
+    }
+
+    private void rouse(int sleeper) {
+        bodies.awake[sleeper] = true;
+        bodies.restartStillness(sleeper);
+        data.roster.join(sleeper);
     }
 
     private void pushSleepers(int slot) {
         for (int p = bodies.firstPairOf(slot); p != Pairs.NONE; p = pairs.nextOf(p, slot)) {
+            contactsLookedAt++;
             int other = pairs.other(p, slot);
             if (pairs.touching[p] && bodies.isDynamic(other) && !bodies.awake[other]) {
                 push(other);
@@ -87,5 +98,10 @@ public final class Waking {
             stack = Arrays.copyOf(stack, 2 * depth);
         }
         stack[depth++] = slot;
+    }
+
+    /** Contacts looked at so far: how much work wake-ups were. */
+    public long contactsLookedAt() {
+        return contactsLookedAt;
     }
 }
