@@ -87,6 +87,8 @@ class ArchitectureTest {
     static Stream<Room> otherRooms() {
         String scene = FRONTEND + ".scene";
         String[] withScene = plus(PUBLIC_FACE, scene);
+        // How files are read, whatever they are about.
+        String document = FRONTEND + ".document";
         String puzzle = FRONTEND + ".puzzle";
         String save = FRONTEND + ".save";
         // Makes levels and plays what it makes.
@@ -102,10 +104,11 @@ class ArchitectureTest {
                         new Room(scene, PUBLIC_FACE),
                         new Room(draw, withScene),
                         new Room(sound, withScene),
-                        new Room(save, scene),
-                        new Room(puzzle, plus(withScene, save)),
+                        new Room(document),
+                        new Room(save, scene, document),
+                        new Room(puzzle, plus(withScene, save, document)),
                         new Room(FRONTEND + ".display", plus(withScene, draw, sound)),
-                        new Room(editor, plus(withScene, puzzle, save)),
+                        new Room(editor, plus(withScene, puzzle, save, document)),
                         new Room(FRONTEND + ".catalog", plus(plus(withScene, scenes), editor)),
                         new Room("rigibo.film", scene, FRONTEND + ".display"),
                         new Room("rigibo.lab", PUBLIC_FACE)));

@@ -1,9 +1,9 @@
 package rigibo.frontend.editor;
 
+import rigibo.frontend.document.Problem;
 import rigibo.frontend.editor.desk.Inspection;
 import rigibo.frontend.editor.draft.Draft;
 import rigibo.frontend.puzzle.check.LevelProof;
-import rigibo.frontend.puzzle.level.Problem;
 
 import java.util.List;
 import java.util.concurrent.ForkJoinPool;

@@ -2,11 +2,11 @@ package rigibo.frontend.puzzle;
 
 import org.tinylog.Logger;
 
+import rigibo.frontend.document.Problem;
 import rigibo.frontend.puzzle.level.Level;
 import rigibo.frontend.puzzle.level.LevelLoader;
 import rigibo.frontend.puzzle.level.LevelShelf;
 import rigibo.frontend.puzzle.level.LoadedLevel;
-import rigibo.frontend.puzzle.level.Problem;
 import rigibo.frontend.scene.SceneEntry;
 
 import java.nio.file.Path;

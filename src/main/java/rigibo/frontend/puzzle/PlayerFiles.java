@@ -1,9 +1,9 @@
 package rigibo.frontend.puzzle;
 
+import rigibo.frontend.document.Problem;
 import rigibo.frontend.puzzle.level.Level;
 import rigibo.frontend.puzzle.level.LevelLoader;
 import rigibo.frontend.puzzle.level.LoadedLevel;
-import rigibo.frontend.puzzle.level.Problem;
 import rigibo.frontend.puzzle.replay.LoadedReplay;
 import rigibo.frontend.puzzle.replay.Recording;
 import rigibo.frontend.puzzle.replay.ReplayLoader;

@@ -1,6 +1,6 @@
 package rigibo.frontend.puzzle;
 
-import rigibo.frontend.puzzle.level.Problem;
+import rigibo.frontend.document.Problem;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Director;

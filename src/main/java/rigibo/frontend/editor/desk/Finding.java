@@ -1,6 +1,6 @@
 package rigibo.frontend.editor.desk;
 
-import rigibo.frontend.puzzle.level.Problem;
+import rigibo.frontend.document.Problem;
 
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;

@@ -1,10 +1,10 @@
 package rigibo.frontend.editor.desk;
 
+import rigibo.frontend.document.Problem;
 import rigibo.frontend.editor.draft.Draft;
 import rigibo.frontend.puzzle.level.Level;
 import rigibo.frontend.puzzle.level.LevelLoader;
 import rigibo.frontend.puzzle.level.LoadedLevel;
-import rigibo.frontend.puzzle.level.Problem;
 
 import java.util.List;
 import java.util.Optional;

@@ -1,8 +1,8 @@
 package rigibo.frontend.puzzle.check;
 
+import rigibo.frontend.document.Problem;
 import rigibo.frontend.puzzle.level.LevelLoader;
 import rigibo.frontend.puzzle.level.LoadedLevel;
-import rigibo.frontend.puzzle.level.Problem;
 import rigibo.frontend.scene.accuracy.Preset;
 
 import java.util.List;

@@ -31,18 +31,16 @@ final class EffectRules {
 
     private final LevelSketch sketch;
     private final Effects declared;
-    private final Problems problems;
 
-    private EffectRules(LevelSketch sketch, Effects declared, Problems problems) {
+    private EffectRules(LevelSketch sketch, Effects declared) {
         this.sketch = sketch;
         this.declared = declared;
-        this.problems = problems;
     }
 
-    static void check(LevelSketch sketch, Problems problems) {
+    static void check(LevelSketch sketch) {
         boolean isWhole = sketch.bodies().size() == sketch.json().node("/bodies").size();
         if (sketch.world().isPresent() && !sketch.balls().isEmpty() && isWhole) {
-            new EffectRules(sketch, sketch.world().get().part().effects(), problems).check();
+            new EffectRules(sketch, sketch.world().get().part().effects()).check();
         }
     }
 
@@ -140,6 +138,6 @@ final class EffectRules {
     }
 
     private void warn(String words) {
-        problems.warning(sketch.json().at(POINTER), POINTER, "E140 " + words);
+        sketch.json().warning(POINTER, () -> "E140 " + words);
     }
 }

@@ -1,11 +1,17 @@
 package rigibo.frontend.puzzle.level;
 
+import rigibo.frontend.document.Document;
+import rigibo.frontend.document.FormatRule;
+import rigibo.frontend.document.JsonSchema;
+import rigibo.frontend.document.Problems;
+
 import java.nio.file.Path;
 import java.util.Optional;
 
 /**
  * Reads level files. Everything wrong with a file is told at once, unless it is no JSON at all or
- * made for a newer game, where every further message would mislead.
+ * made for a newer game, where every further message would mislead, or has more problems than
+ * anyone reads.
  */
 public final class LevelLoader {
 
@@ -17,9 +23,7 @@ public final class LevelLoader {
     /** Reads a file; what cannot be read is a problem like any other. */
     public LoadedLevel load(Path file) {
         Problems problems = new Problems(file.toString());
-        return FileText.read(file, problems)
-                .map(text -> parse(text, problems))
-                .orElseGet(() -> new LoadedLevel(Optional.empty(), Optional.empty(), problems));
+        return loaded(Document.read(file, problems), problems);
     }
 
     /**
@@ -28,25 +32,28 @@ public final class LevelLoader {
      * @param name what messages call it
      */
     public LoadedLevel parse(String name, String text) {
-        return parse(text, new Problems(name));
+        Problems problems = new Problems(name);
+        return loaded(Document.parse(text, problems), problems);
     }
 
-    private LoadedLevel parse(String text, Problems problems) {
-        Optional<LocatedJson> json = JsonParsing.parse(text, problems);
-        return new LoadedLevel(json.flatMap(found -> read(found, problems)), json, problems);
+    private LoadedLevel loaded(Optional<Document> document, Problems problems) {
+        return new LoadedLevel(document.flatMap(this::read), document, problems);
     }
 
-    private Optional<Level> read(LocatedJson json, Problems problems) {
-        if (FormatRule.isNewer(json, FORMAT, problems)) {
+    private Optional<Level> read(Document document) {
+        if (FormatRule.isNewer(document, FORMAT)) {
             return Optional.empty();
         }
-        schema.check(json, problems);
-        LevelSketch sketch = LevelSketch.of(json, problems);
-        IdRules.check(sketch, problems);
-        StartRules.check(sketch, problems);
-        PieceRules.check(sketch, problems);
-        EffectRules.check(sketch, problems);
-        SolutionRules.check(sketch, problems);
-        return problems.hasErrors() ? Optional.empty() : Optional.of(sketch.level());
+        if (!schema.admits(document)) {
+            return Optional.empty();
+        }
+        LevelSketch sketch = LevelSketch.of(document);
+        IdRules.check(sketch);
+        StartRules.check(sketch);
+        ApartRules.check(sketch);
+        PieceRules.check(sketch);
+        EffectRules.check(sketch);
+        SolutionRules.check(sketch);
+        return document.hasErrors() ? Optional.empty() : Optional.of(sketch.level());
     }
 }

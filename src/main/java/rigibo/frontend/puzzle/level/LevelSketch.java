@@ -1,5 +1,7 @@
 package rigibo.frontend.puzzle.level;
 
+import rigibo.frontend.document.Document;
+
 import tools.jackson.databind.JsonNode;
 
 import java.util.ArrayList;
@@ -20,7 +22,7 @@ import java.util.function.Function;
  * @param solutions the sound ones, in the file's order
  */
 record LevelSketch(
-        LocatedJson json,
+        Document json,
         Optional<Located<World>> world,
         Optional<Located<Limits>> limits,
         List<Located<Ball>> balls,
@@ -28,19 +30,19 @@ record LevelSketch(
         List<Located<LevelBody>> bodies,
         List<Located<Solution>> solutions) {
 
-    /** Reads what the schema found sound; problems gains what the readers find. */
-    static LevelSketch of(LocatedJson json, Problems problems) {
+    /** Reads what the schema found sound; the readers tell what they find. */
+    static LevelSketch of(Document json) {
         return new LevelSketch(
                 json,
-                world(json, problems),
-                part(json, "/rules", problems, LevelReader::limits),
-                balls(json, problems),
-                part(json, "/platform", problems, LevelReader::platform),
-                bodies(json, problems),
-                solutions(json, problems));
+                world(json),
+                part(json, "/rules", LevelReader::limits),
+                balls(json),
+                part(json, "/platform", LevelReader::platform),
+                bodies(json),
+                solutions(json));
     }
 
-    /** The whole level; call only when no problem is an error. */
+    /** The whole level; call only when there is no error. */
     Level level() {
         JsonNode root = json.root();
         return new Level(
@@ -55,40 +57,38 @@ record LevelSketch(
                 solutions.stream().map(Located::part).toList());
     }
 
-    private static Optional<Located<World>> world(LocatedJson json, Problems problems) {
+    private static Optional<Located<World>> world(Document json) {
         try {
-            return part(json, "/world", problems, LevelReader::world);
+            return part(json, "/world", LevelReader::world);
         } catch (IllegalArgumentException refused) {
             String pointer = "/world/effects";
-            problems.error(json.at(pointer), pointer, refused.getMessage());
+            json.error(pointer, refused::getMessage);
             return Optional.empty();
         }
     }
 
-    private static List<Located<Ball>> balls(LocatedJson json, Problems problems) {
+    private static List<Located<Ball>> balls(Document json) {
         List<Located<Ball>> balls = new ArrayList<>();
-        part(json, "/ball", problems, node -> LevelReader.ball(Ball.FIRST, node))
-                .ifPresent(balls::add);
+        part(json, "/ball", node -> LevelReader.ball(Ball.FIRST, node)).ifPresent(balls::add);
         for (int i = 0; i < json.node("/moreBalls").size(); i++) {
             String name = Ball.named(i + 2);
-            part(json, "/moreBalls/" + i, problems, node -> LevelReader.ball(name, node))
+            part(json, "/moreBalls/" + i, node -> LevelReader.ball(name, node))
                     .ifPresent(balls::add);
         }
         return balls;
     }
 
-    private static List<Located<LevelBody>> bodies(LocatedJson json, Problems problems) {
+    private static List<Located<LevelBody>> bodies(Document json) {
         List<Located<LevelBody>> bodies = new ArrayList<>();
         for (int i = 0; i < json.node("/bodies").size(); i++) {
             String pointer = "/bodies/" + i;
-            if (!problems.spoil(pointer)) {
-                OutlineRules.read(json, pointer + "/shape", problems)
+            if (!json.isSpoilt(pointer)) {
+                OutlineRules.read(json, pointer + "/shape")
                         .flatMap(
                                 outline ->
                                         part(
                                                 json,
                                                 pointer,
-                                                problems,
                                                 node -> LevelReader.body(node, outline)))
                         .ifPresent(bodies::add);
             }
@@ -96,20 +96,19 @@ record LevelSketch(
         return bodies;
     }
 
-    private static List<Located<Solution>> solutions(LocatedJson json, Problems problems) {
+    private static List<Located<Solution>> solutions(Document json) {
         List<Located<Solution>> solutions = new ArrayList<>();
         for (int i = 0; i < json.node("/solutions").size(); i++) {
-            part(json, "/solutions/" + i, problems, LevelReader::solution)
-                    .ifPresent(solutions::add);
+            part(json, "/solutions/" + i, LevelReader::solution).ifPresent(solutions::add);
         }
         return solutions;
     }
 
     private static <T> Optional<Located<T>> part(
-            LocatedJson json, String pointer, Problems problems, Function<JsonNode, T> reader) {
+            Document json, String pointer, Function<JsonNode, T> reader) {
         JsonNode node = json.node(pointer);
-        return node.isMissingNode() || problems.spoil(pointer)
+        return node.isMissingNode() || json.isSpoilt(pointer)
                 ? Optional.empty()
-                : Optional.of(new Located<>(pointer, json.at(pointer), reader.apply(node)));
+                : Optional.of(new Located<>(pointer, reader.apply(node)));
     }
 }

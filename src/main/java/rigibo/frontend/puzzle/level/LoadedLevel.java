@@ -1,5 +1,9 @@
 package rigibo.frontend.puzzle.level;
 
+import rigibo.frontend.document.Document;
+import rigibo.frontend.document.Problem;
+import rigibo.frontend.document.Problems;
+
 import tools.jackson.databind.JsonNode;
 
 import java.util.List;
@@ -9,12 +13,12 @@ import java.util.Optional;
 public final class LoadedLevel {
 
     private final Optional<Level> level;
-    private final Optional<LocatedJson> json;
+    private final Optional<Document> document;
     private final Problems problems;
 
-    LoadedLevel(Optional<Level> level, Optional<LocatedJson> json, Problems problems) {
+    LoadedLevel(Optional<Level> level, Optional<Document> document, Problems problems) {
         this.level = level;
-        this.json = json;
+        this.document = document;
         this.problems = problems;
     }
 
@@ -25,12 +29,17 @@ public final class LoadedLevel {
 
     /** The file as it stands, also with errors, to be read only; nothing when it is no JSON. */
     public Optional<JsonNode> document() {
-        return json.map(LocatedJson::root);
+        return document.map(Document::root);
     }
 
-    /** All problems in the order of the file. */
+    /** The problems in the order of the file; after the first hundred, how many there are more. */
     public List<Problem> problems() {
         return problems.inOrder();
+    }
+
+    /** How many errors there are, also those that are not told. */
+    public int errors() {
+        return problems.errors();
     }
 
     public boolean hasErrors() {
@@ -38,11 +47,11 @@ public final class LoadedLevel {
     }
 
     /**
-     * Adds an error that only playing the level can show.
+     * Adds an error that only playing the level can show; to be told of a level that was read.
      *
      * @param pointer JSON pointer of the value at fault
      */
     public void error(String pointer, String message) {
-        problems.error(json.map(at -> at.at(pointer)).orElse(Place.START), pointer, message);
+        document.ifPresent(at -> at.error(pointer, () -> message));
     }
 }

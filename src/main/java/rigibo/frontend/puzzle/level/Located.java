@@ -4,7 +4,6 @@ package rigibo.frontend.puzzle.level;
  * A part of a level and where its file states it.
  *
  * @param pointer JSON pointer of the part
- * @param place where it begins
  * @param part the part itself
  */
-record Located<T>(String pointer, Place place, T part) {}
+record Located<T>(String pointer, T part) {}

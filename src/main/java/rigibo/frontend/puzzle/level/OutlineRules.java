@@ -2,9 +2,11 @@ package rigibo.frontend.puzzle.level;
 
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
+import rigibo.frontend.document.Document;
 
 import tools.jackson.databind.JsonNode;
 
+import java.util.Locale;
 import java.util.Optional;
 
 /** Reads a body's shape; E110 where a polygon is not convex, E111 where its area is too small. */
@@ -16,12 +18,12 @@ final class OutlineRules {
     private OutlineRules() {}
 
     /** The shape at this pointer, or nothing after telling what is wrong with it. */
-    static Optional<Outline> read(LocatedJson level, String pointer, Problems problems) {
+    static Optional<Outline> read(Document level, String pointer) {
         JsonNode node = level.node(pointer);
         return switch (node.path("type").asString()) {
             case "box" -> Optional.of(centred(width(node, "w"), width(node, "h")));
             case "circle" -> Optional.of(new Outline(new Circle(width(node, "r")), 0, 0));
-            default -> polygon(level, pointer + "/points", problems);
+            default -> polygon(level, pointer + "/points");
         };
     }
 
@@ -33,27 +35,24 @@ final class OutlineRules {
         return node.path(name).asDouble();
     }
 
-    private static Optional<Outline> polygon(LocatedJson level, String pointer, Problems problems) {
+    private static Optional<Outline> polygon(Document level, String pointer) {
         JsonNode points = level.node(pointer);
         double area = signedArea(points);
         if (!(Math.abs(area) >= LEAST_AREA)) {
             String small = "E111 area too small: %.4f m², at least %.4f";
-            problems.error(
-                    level.at(pointer),
-                    pointer,
-                    String.format(java.util.Locale.ROOT, small, Math.abs(area), LEAST_AREA));
+            level.error(
+                    pointer, () -> String.format(Locale.ROOT, small, Math.abs(area), LEAST_AREA));
             return Optional.empty();
         }
         int reflex = reflexCorner(points, Math.signum(area));
         if (reflex >= 0) {
-            notConvex(level, pointer + "/" + reflex, problems);
+            notConvex(level, pointer + "/" + reflex);
             return Optional.empty();
         }
-        return build(level, pointer, area > 0 ? forwards(points) : backwards(points), problems);
+        return build(level, pointer, area > 0 ? forwards(points) : backwards(points));
     }
 
-    private static Optional<Outline> build(
-            LocatedJson level, String pointer, double[] xy, Problems problems) {
+    private static Optional<Outline> build(Document level, String pointer, double[] xy) {
         try {
             Polygon polygon = Polygon.of(xy);
             double centroidX = xy[0] - polygon.cornerX(0);
@@ -61,22 +60,21 @@ final class OutlineRules {
             return Optional.of(new Outline(polygon, centroidX, centroidY));
         } catch (IllegalArgumentException refused) {
             // A star turns left at every corner, and only the engine sees that it goes round twice.
-            problems.error(
-                    level.at(pointer), pointer, "E110 polygon not convex: " + refused.getMessage());
+            level.error(pointer, () -> "E110 polygon not convex: " + refused.getMessage());
             return Optional.empty();
         }
     }
 
-    private static void notConvex(LocatedJson level, String pointer, Problems problems) {
+    private static void notConvex(Document level, String pointer) {
         JsonNode point = level.node(pointer);
-        problems.error(
-                level.at(pointer),
+        level.error(
                 pointer,
-                "E110 polygon not convex at the point ("
-                        + point.path(0).asDouble()
-                        + ", "
-                        + point.path(1).asDouble()
-                        + ")");
+                () ->
+                        "E110 polygon not convex at the point ("
+                                + point.path(0).asDouble()
+                                + ", "
+                                + point.path(1).asDouble()
+                                + ")");
     }
 
     /** Shoelace sum, m²; positive counter-clockwise. */

@@ -1,10 +1,5 @@
 package rigibo.frontend.puzzle.level;
 
-import rigibo.backend.geometry.Circle;
-import rigibo.backend.geometry.Polygon;
-import rigibo.backend.geometry.ShapeKind;
-import rigibo.backend.setup.BodyDefinition;
-
 /**
  * How deep two placed bodies are in each other, by the separating axis theorem: two convex shapes
  * are apart exactly when one of their edge normals (for a disc also the direction to the nearest
@@ -15,41 +10,20 @@ final class Overlap {
     private Overlap() {}
 
     /** Depth in m; negative is the gap along the best edge normal, or the distance of a disc. */
-    static double depth(BodyDefinition a, BodyDefinition b) {
-        boolean isDiscA = a.shape().kind() == ShapeKind.CIRCLE;
-        boolean isDiscB = b.shape().kind() == ShapeKind.CIRCLE;
-        if (isDiscA && isDiscB) {
-            double distance = Math.hypot(a.x() - b.x(), a.y() - b.y());
-            return radius(a) + radius(b) - distance;
+    static double depth(Footprint a, Footprint b) {
+        double[] cornersA = a.corners();
+        double[] cornersB = b.corners();
+        if (a.isDisc() && b.isDisc()) {
+            double distance = Math.hypot(cornersA[0] - cornersB[0], cornersA[1] - cornersB[1]);
+            return a.radius() + b.radius() - distance;
         }
-        if (isDiscA) {
-            return radius(a) - distance(corners(b), a.x(), a.y());
+        if (a.isDisc()) {
+            return a.radius() - distance(cornersB, cornersA[0], cornersA[1]);
         }
-        if (isDiscB) {
-            return radius(b) - distance(corners(a), b.x(), b.y());
+        if (b.isDisc()) {
+            return b.radius() - distance(cornersA, cornersB[0], cornersB[1]);
         }
-        double[] cornersA = corners(a);
-        double[] cornersB = corners(b);
         return -Math.max(widestGap(cornersA, cornersB), widestGap(cornersB, cornersA));
-    }
-
-    private static double radius(BodyDefinition disc) {
-        return ((Circle) disc.shape()).radius();
-    }
-
-    /** World corners x₀, y₀, x₁, … */
-    private static double[] corners(BodyDefinition placed) {
-        Polygon polygon = (Polygon) placed.shape();
-        double cos = StrictMath.cos(placed.angle());
-        double sin = StrictMath.sin(placed.angle());
-        double[] xy = new double[2 * polygon.corners()];
-        for (int i = 0; i < polygon.corners(); i++) {
-            double x = polygon.cornerX(i);
-            double y = polygon.cornerY(i);
-            xy[2 * i] = placed.x() + cos * x - sin * y;
-            xy[2 * i + 1] = placed.y() + sin * x + cos * y;
-        }
-        return xy;
     }
 
     /** The widest gap from an edge of the first polygon outwards to the second. */
@@ -58,19 +32,27 @@ final class Overlap {
         for (int i = 0; i < first.length; i += 2) {
             double nearest = Double.POSITIVE_INFINITY;
             for (int j = 0; j < second.length; j += 2) {
-                nearest = Math.min(nearest, ahead(first, i, second[j], second[j + 1]));
+                nearest = Math.min(nearest, area(first, i, second[j], second[j + 1]));
             }
-            widest = Math.max(widest, nearest);
+            widest = Math.max(widest, nearest / length(first, i));
         }
         return widest;
     }
 
     /** How far a point lies outside the edge that begins at this index. */
     private static double ahead(double[] xy, int i, double x, double y) {
+        return area(xy, i, x, y) / length(xy, i);
+    }
+
+    /** That distance times the edge's length: the area of the parallelogram between them. */
+    private static double area(double[] xy, int i, double x, double y) {
         int next = (i + 2) % xy.length;
-        double edgeX = xy[next] - xy[i];
-        double edgeY = xy[next + 1] - xy[i + 1];
-        return ((x - xy[i]) * edgeY - (y - xy[i + 1]) * edgeX) / Math.hypot(edgeX, edgeY);
+        return (x - xy[i]) * (xy[next + 1] - xy[i + 1]) - (y - xy[i + 1]) * (xy[next] - xy[i]);
+    }
+
+    private static double length(double[] xy, int i) {
+        int next = (i + 2) % xy.length;
+        return Math.hypot(xy[next] - xy[i], xy[next + 1] - xy[i + 1]);
     }
 
     /** Distance of a point to a polygon; inside, minus the depth to the nearest edge. */

@@ -5,19 +5,22 @@ final class PieceRules {
 
     private PieceRules() {}
 
-    static void check(LevelSketch sketch, Problems problems) {
+    static void check(LevelSketch sketch) {
         boolean hasUnread = sketch.bodies().size() < sketch.json().node("/bodies").size();
         boolean hasDeletable = sketch.bodies().stream().anyMatch(body -> body.part().deletable());
         if (!hasDeletable && !hasUnread && sketch.json().node("/bodies").isArray()) {
             String pointer = "/bodies";
-            problems.error(sketch.json().at(pointer), pointer, "E130 no body can be deleted");
+            sketch.json().error(pointer, () -> "E130 no body can be deleted");
         }
         for (Located<LevelBody> body : sketch.bodies()) {
             if (body.part().deletable() && !body.part().isDynamic()) {
-                problems.warning(
-                        body.place(),
-                        body.pointer(),
-                        "E131 body \"" + body.part().id() + "\" never moves but can be deleted");
+                sketch.json()
+                        .warning(
+                                body.pointer(),
+                                () ->
+                                        "E131 body \""
+                                                + body.part().id()
+                                                + "\" never moves but can be deleted");
             }
         }
     }

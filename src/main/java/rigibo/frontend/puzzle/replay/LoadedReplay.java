@@ -1,6 +1,6 @@
 package rigibo.frontend.puzzle.replay;
 
-import rigibo.frontend.puzzle.level.Problem;
+import rigibo.frontend.document.Problem;
 
 import java.util.List;
 import java.util.Optional;

@@ -3,6 +3,7 @@ package rigibo.frontend.puzzle.replay;
 import rigibo.backend.setup.Accuracy;
 import rigibo.frontend.puzzle.level.Level;
 import rigibo.frontend.puzzle.level.Solution;
+import rigibo.frontend.puzzle.level.Steps;
 import rigibo.frontend.puzzle.rules.Checkpoint;
 import rigibo.frontend.puzzle.rules.Outcome;
 import rigibo.frontend.puzzle.rules.Playback;
@@ -19,6 +20,9 @@ import java.util.List;
  * @param checkpoints the states it went through, the last where it ended
  */
 public record Recording(Level level, Replay replay, List<Checkpoint> checkpoints) {
+
+    /** An hour, steps: whoever waits longer does not play, and nobody waits for its proof. */
+    static final int MOST_STEPS = Steps.of(3600);
 
     public Recording {
         checkpoints = List.copyOf(checkpoints);

@@ -1,13 +1,11 @@
 package rigibo.frontend.puzzle.replay;
 
-import rigibo.frontend.puzzle.level.FileText;
-import rigibo.frontend.puzzle.level.FormatRule;
-import rigibo.frontend.puzzle.level.JsonParsing;
-import rigibo.frontend.puzzle.level.JsonSchema;
+import rigibo.frontend.document.Document;
+import rigibo.frontend.document.FormatRule;
+import rigibo.frontend.document.JsonSchema;
+import rigibo.frontend.document.Problems;
+import rigibo.frontend.document.Suggestion;
 import rigibo.frontend.puzzle.level.Level;
-import rigibo.frontend.puzzle.level.LocatedJson;
-import rigibo.frontend.puzzle.level.Problems;
-import rigibo.frontend.puzzle.level.Suggestion;
 import rigibo.frontend.puzzle.rules.Checkpoint;
 import rigibo.frontend.puzzle.rules.Deletion;
 import rigibo.frontend.puzzle.rules.Replay;
@@ -40,7 +38,7 @@ public final class ReplayLoader {
     /** Reads a file; what cannot be read is a problem like any other. */
     public LoadedReplay load(Path file) {
         Problems problems = new Problems(file.toString());
-        return loaded(FileText.read(file, problems), problems);
+        return loaded(Document.read(file, problems), problems);
     }
 
     /**
@@ -49,30 +47,27 @@ public final class ReplayLoader {
      * @param name what messages call it
      */
     LoadedReplay parse(String name, String text) {
-        return loaded(Optional.of(text), new Problems(name));
+        Problems problems = new Problems(name);
+        return loaded(Document.parse(text, problems), problems);
     }
 
-    private LoadedReplay loaded(Optional<String> text, Problems problems) {
-        Optional<Recording> recording =
-                text.flatMap(words -> JsonParsing.parse(words, problems))
-                        .flatMap(json -> read(json, problems));
-        return new LoadedReplay(recording, problems.inOrder());
+    private LoadedReplay loaded(Optional<Document> document, Problems problems) {
+        return new LoadedReplay(document.flatMap(this::read), problems.inOrder());
     }
 
-    private Optional<Recording> read(LocatedJson json, Problems problems) {
-        if (FormatRule.isNewer(json, FORMAT, problems)) {
+    private Optional<Recording> read(Document json) {
+        if (FormatRule.isNewer(json, FORMAT) || !schema.admits(json)) {
             return Optional.empty();
         }
-        schema.check(json, problems);
-        ReplaySketch sketch = new ReplaySketch(json, problems);
-        requireThisVersion(json, problems);
-        Optional<Level> level = level(json, problems);
+        ReplaySketch sketch = new ReplaySketch(json);
+        requireThisVersion(json);
+        Optional<Level> level = level(json);
         OptionalLong hash = sketch.hash("/level/hash");
-        level.ifPresent(found -> requireUnaltered(found, hash, json, problems));
+        level.ifPresent(found -> requireUnaltered(found, hash, json));
         List<Checkpoint> checkpoints = sketch.checkpoints();
         int end = checkpoints.isEmpty() ? Integer.MAX_VALUE : last(checkpoints).step();
         List<Deletion> deletions = sketch.deletions(end);
-        if (problems.hasErrors()) {
+        if (json.hasErrors()) {
             return Optional.empty();
         }
         Replay replay = new Replay(hash.orElseThrow(), deletions, sketch.accuracy());
@@ -83,52 +78,51 @@ public final class ReplayLoader {
         return checkpoints.get(checkpoints.size() - 1);
     }
 
-    private static void requireThisVersion(LocatedJson json, Problems problems) {
+    private static void requireThisVersion(Document json) {
         String pointer = "/game";
         String version = json.node(pointer).asString("");
         String present = GameVersion.present();
         if (json.node(pointer).isString() && !version.equals(present)) {
-            problems.error(
-                    json.at(pointer),
+            json.error(
                     pointer,
-                    "was played in RigiBo "
-                            + version
-                            + "; this is "
-                            + present
-                            + ", in which bodies may move otherwise");
+                    () ->
+                            "was played in RigiBo "
+                                    + version
+                                    + "; this is "
+                                    + present
+                                    + ", in which bodies may move otherwise");
         }
     }
 
-    private Optional<Level> level(LocatedJson json, Problems problems) {
+    private Optional<Level> level(Document json) {
         String pointer = "/level/id";
         String id = json.node(pointer).asString("");
         Optional<Level> level = levels.stream().filter(one -> one.id().equals(id)).findFirst();
         if (json.node(pointer).isString() && level.isEmpty()) {
             List<String> ids = levels.stream().map(Level::id).toList();
-            problems.error(
-                    json.at(pointer),
+            json.error(
                     pointer,
-                    "belongs to the level \""
-                            + id
-                            + "\", which is not here"
-                            + Suggestion.among(ids, id));
+                    () ->
+                            "belongs to the level \""
+                                    + id
+                                    + "\", which is not here"
+                                    + Suggestion.among(ids, id));
         }
         return level;
     }
 
-    private static void requireUnaltered(
-            Level level, OptionalLong hash, LocatedJson json, Problems problems) {
+    private static void requireUnaltered(Level level, OptionalLong hash, Document json) {
         if (hash.isPresent() && hash.getAsLong() != level.hash()) {
             String pointer = "/level/hash";
-            problems.error(
-                    json.at(pointer),
+            json.error(
                     pointer,
-                    "the level \""
-                            + level.id()
-                            + "\" was altered since this was played: its hash is "
-                            + Hex.of(level.hash())
-                            + " now, and was "
-                            + Hex.of(hash.getAsLong()));
+                    () ->
+                            "the level \""
+                                    + level.id()
+                                    + "\" was altered since this was played: its hash is "
+                                    + Hex.of(level.hash())
+                                    + " now, and was "
+                                    + Hex.of(hash.getAsLong()));
         }
     }
 }

@@ -56,6 +56,9 @@ public final class ReplayShelf {
      * @throws IOException when nothing can be written there
      */
     public void keep(Recording recording) throws IOException {
+        if (recording.steps() > Recording.MOST_STEPS) {
+            throw new IOException("it lasted more than an hour");
+        }
         lock.during(() -> replace(recording));
     }
 

@@ -6,8 +6,7 @@ import rigibo.backend.setup.Correction;
 import rigibo.backend.setup.ImpactMode;
 import rigibo.backend.setup.ImpactSearch;
 import rigibo.backend.setup.Integrator;
-import rigibo.frontend.puzzle.level.LocatedJson;
-import rigibo.frontend.puzzle.level.Problems;
+import rigibo.frontend.document.Document;
 import rigibo.frontend.puzzle.rules.Checkpoint;
 import rigibo.frontend.puzzle.rules.Deletion;
 
@@ -24,12 +23,10 @@ final class ReplaySketch {
 
     private static final Pattern STEP = Pattern.compile("0|[1-9]\\d{0,7}");
 
-    private final LocatedJson json;
-    private final Problems problems;
+    private final Document json;
 
-    ReplaySketch(LocatedJson json, Problems problems) {
+    ReplaySketch(Document json) {
         this.json = json;
-        this.problems = problems;
     }
 
     /** The hash at a pointer, after telling why there is none. */
@@ -48,14 +45,16 @@ final class ReplaySketch {
         List<Checkpoint> checkpoints = new ArrayList<>();
         for (String step : json.node(all).propertyNames()) {
             String pointer = all + "/" + step;
-            if (STEP.matcher(step).matches()) {
+            if (!STEP.matcher(step).matches()) {
+                error(all, "\"" + step + "\" is no number of steps");
+            } else if (Integer.parseInt(step) > Recording.MOST_STEPS) {
+                error(pointer, beyond());
+            } else {
                 hash(pointer)
                         .ifPresent(
                                 hash ->
                                         checkpoints.add(
                                                 new Checkpoint(Integer.parseInt(step), hash)));
-            } else {
-                error(all, "\"" + step + "\" is no number of steps");
             }
         }
         if (json.node(all).isObject() && json.node(all).isEmpty()) {
@@ -63,6 +62,10 @@ final class ReplaySketch {
         }
         checkpoints.sort(Comparator.comparingInt(Checkpoint::step));
         return checkpoints;
+    }
+
+    private static String beyond() {
+        return "is beyond the " + Recording.MOST_STEPS + " steps of an hour, the most we play";
     }
 
     /**
@@ -76,7 +79,7 @@ final class ReplaySketch {
         for (int i = 0; i < json.node("/clicks").size(); i++) {
             String pointer = "/clicks/" + i + "/step";
             JsonNode node = json.node(pointer);
-            int step = node.isInt() ? node.asInt() : before;
+            int step = json.isSpoilt(pointer) ? before : (int) node.asDouble(before);
             if (step < before) {
                 error(pointer, "is before the click at step " + before);
             } else if (step >= end) {
@@ -104,6 +107,6 @@ final class ReplaySketch {
     }
 
     private void error(String pointer, String message) {
-        problems.error(json.at(pointer), pointer, message);
+        json.error(pointer, () -> message);
     }
 }

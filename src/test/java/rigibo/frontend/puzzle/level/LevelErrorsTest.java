@@ -7,6 +7,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
+import rigibo.frontend.document.Problem;
+
 import java.util.List;
 import java.util.stream.Stream;
 

@@ -22,8 +22,10 @@ class OverlapTest {
     }
 
     private static void assertDepth(BodyDefinition a, BodyDefinition b, double metres) {
-        assertThat(Overlap.depth(a, b)).isCloseTo(metres, within(ROUNDING));
-        assertThat(Overlap.depth(b, a)).isCloseTo(metres, within(ROUNDING));
+        Footprint first = Footprint.of(a);
+        Footprint second = Footprint.of(b);
+        assertThat(Overlap.depth(first, second)).isCloseTo(metres, within(ROUNDING));
+        assertThat(Overlap.depth(second, first)).isCloseTo(metres, within(ROUNDING));
     }
 
     @Test

@@ -14,8 +14,8 @@ import rigibo.backend.setup.Correction;
 import rigibo.backend.setup.ImpactMode;
 import rigibo.backend.setup.ImpactSearch;
 import rigibo.backend.setup.Integrator;
+import rigibo.frontend.document.Problem;
 import rigibo.frontend.puzzle.level.LevelTexts;
-import rigibo.frontend.puzzle.level.Problem;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -135,6 +135,11 @@ class ReplayErrorsTest {
                         "\"0\": \"995bca2a5ba82fbb\"",
                         "\"-1\": \"995bca2a5ba82fbb\"",
                         "14:13: /hashes: \"-1\" is no number of steps"),
+                Arguments.of(
+                        "\"0\": \"995bca2a5ba82fbb\"",
+                        "\"99999999\": \"995bca2a5ba82fbb\"",
+                        "15:17: /hashes/99999999: is beyond the 216000 steps of an hour, the most"
+                                + " we play"),
                 Arguments.of(
                         "\"0\": \"995bca2a5ba82fbb\"",
                         "\"269\": \"995bca2a5ba82fbb\"",

@@ -1,9 +1,9 @@
-package rigibo.frontend.puzzle.level;
+package rigibo.frontend.document;
 
 /**
- * Something wrong with a level file.
+ * Something wrong with a file.
  *
- * @param severity whether the level may still be played
+ * @param severity whether the file may still be used
  * @param file the file as the user named it
  * @param place where in the file
  * @param pointer JSON pointer of the value at fault; empty for the whole file
@@ -11,12 +11,16 @@ package rigibo.frontend.puzzle.level;
  */
 public record Problem(Severity severity, String file, Place place, String pointer, String message) {
 
-    /** Whether a level with this problem may be played. */
+    /** Whether a file with this problem may be used. */
     public enum Severity {
         /** It may not. */
         ERROR,
         /** It may. */
         WARNING
+    }
+
+    public Problem {
+        message = Escape.controls(message);
     }
 
     public boolean isError() {
@@ -26,11 +30,11 @@ public record Problem(Severity severity, String file, Place place, String pointe
     /** {@code file:line:column: /pointer: message}, as editors and compilers write it. */
     @Override
     public String toString() {
-        return file
+        return Escape.controls(file)
                 + ":"
                 + place
                 + ": "
-                + (pointer.isEmpty() ? "" : pointer + ": ")
+                + (pointer.isEmpty() ? "" : Escape.controls(pointer) + ": ")
                 + (isError() ? "" : "warning: ")
                 + message;
     }

@@ -1,4 +1,4 @@
-package rigibo.frontend.puzzle.level;
+package rigibo.frontend.document;
 
 import java.util.Collection;
 import java.util.Comparator;
@@ -15,6 +15,7 @@ public final class Suggestion {
         // A third of the letters wrong is still a slip; more is another word.
         int most = Math.max(1, (word.length() + 1) / 3);
         return known.stream()
+                .filter(candidate -> Math.abs(candidate.length() - word.length()) <= most)
                 .filter(candidate -> distance(candidate, word) <= most)
                 .min(Comparator.comparingInt(candidate -> distance(candidate, word)))
                 .map(candidate -> ", did you mean \"" + candidate + "\"?")

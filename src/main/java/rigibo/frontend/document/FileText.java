@@ -1,4 +1,4 @@
-package rigibo.frontend.puzzle.level;
+package rigibo.frontend.document;
 
 import java.io.IOException;
 import java.io.InputStream;
@@ -14,9 +14,6 @@ import java.util.Optional;
 /** Reads a file's text, whatever the file really is. */
 public final class FileText {
 
-    /** A level of 500 bodies takes about 100 kB; far above it a file is something else. */
-    static final int MOST_BYTES = 1_000_000;
-
     private static final String BYTE_ORDER_MARK = "\uFEFF";
 
     private FileText() {}
@@ -24,9 +21,7 @@ public final class FileText {
     /** The text, or nothing after telling why there is none. */
     public static Optional<String> read(Path file, Problems problems) {
         try {
-            return Files.isDirectory(file)
-                    ? refused(problems, "cannot be read: it is a folder")
-                    : decode(bytes(file), problems);
+            return decode(bytes(file), problems);
         } catch (NoSuchFileException missing) {
             return refused(problems, "cannot be read: there is no such file");
         } catch (AccessDeniedException denied) {
@@ -36,16 +31,28 @@ public final class FileText {
         }
     }
 
-    /** At most one byte more than allowed: a device or a pipe may never end. */
-    private static byte[] bytes(Path file) throws IOException {
+    /**
+     * What is in a file, at most one byte more than {@link #decode} takes.
+     *
+     * @throws IOException when it cannot be read, or is a folder, or a device or a pipe, at which a
+     *     reader might wait for ever
+     */
+    public static byte[] bytes(Path file) throws IOException {
+        if (Files.isDirectory(file)) {
+            throw new IOException("it is a folder");
+        }
+        if (Files.exists(file) && !Files.isRegularFile(file)) {
+            throw new IOException("it is no ordinary file");
+        }
         try (InputStream in = Files.newInputStream(file)) {
-            return in.readNBytes(MOST_BYTES + 1);
+            return in.readNBytes(Bounds.BYTES + 1);
         }
     }
 
-    private static Optional<String> decode(byte[] bytes, Problems problems) {
-        if (bytes.length > MOST_BYTES) {
-            return refused(problems, "is larger than " + MOST_BYTES + " bytes, the most we read");
+    /** The text of bytes, or nothing after telling why there is none. */
+    public static Optional<String> decode(byte[] bytes, Problems problems) {
+        if (bytes.length > Bounds.BYTES) {
+            return refused(problems, "is larger than " + Bounds.BYTES + " bytes, the most we read");
         }
         try {
             String text =

@@ -1,4 +1,4 @@
-package rigibo.frontend.puzzle.level;
+package rigibo.frontend.document;
 
 import com.networknt.schema.Error;
 import com.networknt.schema.InputFormat;
@@ -41,16 +41,28 @@ public final class JsonSchema {
         }
     }
 
-    /** Tells everything that the schema forbids. */
-    public void check(LocatedJson json, Problems problems) {
+    /**
+     * Tells everything that the schema forbids.
+     *
+     * @return whether what it leaves can be looked at any further: nothing is too long, and each
+     *     value at fault is told
+     */
+    public boolean admits(Document document) {
+        if (!Sizes.areKept(schema.getSchemaNode(), document)) {
+            return false;
+        }
+        validate(document);
+        return !document.hasUntold();
+    }
+
+    private void validate(Document document) {
         List<Error> errors =
                 schema.validate(
-                        json.root(),
+                        document.root(),
                         context ->
                                 context.executionConfig(config -> config.locale(Locale.ENGLISH)));
         for (Error error : errors) {
-            String pointer = pointer(error);
-            problems.error(json.at(pointer), pointer, sentence(error));
+            document.tell(Problem.Severity.ERROR, () -> pointer(error), () -> sentence(error));
         }
     }
 
@@ -60,14 +72,14 @@ public final class JsonSchema {
     private static String pointer(Error error) {
         String pointer = pointer(error.getInstanceLocation());
         return error.getKeyword().equals("additionalProperties")
-                ? JsonParsing.member(pointer, error.getProperty())
+                ? Pointer.member(pointer, error.getProperty())
                 : pointer;
     }
 
     private static String pointer(NodePath path) {
         String pointer = "";
         for (int i = 0; i < path.getNameCount(); i++) {
-            pointer = JsonParsing.member(pointer, path.getName(i));
+            pointer = Pointer.member(pointer, path.getName(i));
         }
         return pointer;
     }
@@ -77,12 +89,12 @@ public final class JsonSchema {
             case "required" -> "\"" + error.getProperty() + "\" is missing";
             case "additionalProperties" -> unknown(error);
             case "enum" -> notListed(error);
-            case "const" -> "must be " + error.getSchemaNode() + ", was " + error.getInstanceNode();
+            case "const" -> "must be " + error.getSchemaNode() + ", was " + value(error);
             case "type" ->
                     "must be "
                             + article(error.getSchemaNode().asString())
                             + ", was "
-                            + shown(error.getInstanceNode());
+                            + value(error);
             case "minimum" -> "must be " + error.getSchemaNode() + " or more, was " + value(error);
             case "maximum" -> "must be " + error.getSchemaNode() + " or less, was " + value(error);
             case "exclusiveMinimum" ->
@@ -96,7 +108,7 @@ public final class JsonSchema {
         Collection<String> known =
                 schema.getSchemaNode().at(object + "/properties").propertyNames();
         String name = error.getProperty();
-        return "\"" + name + "\" is not known here" + Suggestion.among(known, name);
+        return Escape.quoted(name) + " is not known here" + Suggestion.among(known, name);
     }
 
     private static String notListed(Error error) {
@@ -104,23 +116,14 @@ public final class JsonSchema {
                 StreamSupport.stream(error.getSchemaNode().spliterator(), false)
                         .map(JsonNode::asString)
                         .toList();
-        String word = shown(error.getInstanceNode());
-        return word
+        return value(error)
                 + " is not one of "
                 + Suggestion.list(known)
                 + Suggestion.among(known, error.getInstanceNode().asString(""));
     }
 
     private static String value(Error error) {
-        return shown(error.getInstanceNode());
-    }
-
-    private static String shown(JsonNode node) {
-        return switch (node.getNodeType()) {
-            case OBJECT -> "an object";
-            case ARRAY -> "a list";
-            case STRING, NUMBER, BOOLEAN, NULL, BINARY, MISSING, POJO -> node.toString();
-        };
+        return Escape.shown(error.getInstanceNode());
     }
 
     private static String article(String type) {

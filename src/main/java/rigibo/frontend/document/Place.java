@@ -1,4 +1,6 @@
-package rigibo.frontend.puzzle.level;
+package rigibo.frontend.document;
+
+import tools.jackson.core.TokenStreamLocation;
 
 /**
  * Where something stands in a file.
@@ -10,6 +12,10 @@ public record Place(int line, int column) {
 
     /** The first character. */
     static final Place START = new Place(1, 1);
+
+    static Place of(TokenStreamLocation location) {
+        return new Place(Math.max(1, location.getLineNr()), Math.max(1, location.getColumnNr()));
+    }
 
     @Override
     public String toString() {

@@ -1,0 +1,92 @@
+package rigibo.frontend.document;
+
+import tools.jackson.databind.JsonNode;
+
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.function.Supplier;
+
+/**
+ * A JSON document and what is wrong with it. Where a value stands is looked for in the text only
+ * when a problem is told there: to remember it for every value took a thousand times the file.
+ */
+public final class Document {
+
+    private final String text;
+    private final JsonNode root;
+    private final Problems problems;
+
+    private Document(String text, JsonNode root, Problems problems) {
+        this.text = text;
+        this.root = root;
+        this.problems = problems;
+    }
+
+    /** The document in a file, or nothing after telling why there is none. */
+    public static Optional<Document> read(Path file, Problems problems) {
+        return FileText.read(file, problems).flatMap(text -> parse(text, problems));
+    }
+
+    /** The document of a text, or nothing after telling why the text is no JSON. */
+    public static Optional<Document> parse(String text, Problems problems) {
+        return JsonParsing.parse(text, problems).map(root -> new Document(text, root, problems));
+    }
+
+    /** The outermost value. */
+    public JsonNode root() {
+        return root;
+    }
+
+    /** The outermost value, to be asked for what it should be. */
+    public Value value() {
+        return new Value(this);
+    }
+
+    /** The value at a pointer; a missing node where there is none. */
+    public JsonNode node(String pointer) {
+        return root.at(pointer);
+    }
+
+    /** Where a value begins; that of the nearest value around it when there is none. */
+    public Place at(String pointer) {
+        return PlaceSearch.of(text, pointer).value();
+    }
+
+    /** Tells an error at a pointer; the words are asked for only where they are told. */
+    public void error(String pointer, Supplier<String> message) {
+        tell(Problem.Severity.ERROR, pointer, message);
+    }
+
+    /** Tells something at a pointer that is probably not meant. */
+    public void warning(String pointer, Supplier<String> message) {
+        tell(Problem.Severity.WARNING, pointer, message);
+    }
+
+    private void tell(Problem.Severity severity, String pointer, Supplier<String> message) {
+        tell(severity, () -> pointer, message);
+    }
+
+    void tell(Problem.Severity severity, Supplier<String> pointer, Supplier<String> message) {
+        if (problems.isFull()) {
+            problems.count(severity);
+        } else {
+            String at = pointer.get();
+            problems.tell(severity, at(at), at, message.get());
+        }
+    }
+
+    /** Whether anything was told that keeps the file from being used. */
+    public boolean hasErrors() {
+        return problems.hasErrors();
+    }
+
+    /** Whether there was more to tell than is told, so that {@link #isSpoilt} knows not all. */
+    public boolean hasUntold() {
+        return problems.hasUntold();
+    }
+
+    /** Whether an error that was told lies at this pointer or below it. */
+    public boolean isSpoilt(String pointer) {
+        return problems.spoil(pointer);
+    }
+}

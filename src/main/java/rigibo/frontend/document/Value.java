@@ -1,0 +1,119 @@
+package rigibo.frontend.document;
+
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.node.JsonNodeFactory;
+
+import java.util.Collection;
+import java.util.function.Function;
+import java.util.function.Predicate;
+import java.util.function.Supplier;
+
+/**
+ * A value of a document, asked for what it should be. One that is something else is a problem, and
+ * the reader goes on with what it gives instead, so that all problems are told at once.
+ */
+public final class Value {
+
+    private static final JsonNode NOTHING = JsonNodeFactory.instance.objectNode();
+
+    private final Document document;
+    private final JsonNode node;
+
+    /** Made only where a problem is told. */
+    private final Supplier<String> pointer;
+
+    Value(Document document) {
+        this(document, document.root(), () -> "");
+    }
+
+    private Value(Document document, JsonNode node, Supplier<String> pointer) {
+        this.document = document;
+        this.node = node;
+        this.pointer = pointer;
+    }
+
+    /** A member, which need not be there: what is asked of it then gives what is given instead. */
+    public Value optional(String member) {
+        return new Value(document, node.path(member), () -> Pointer.member(pointer.get(), member));
+    }
+
+    /** A member that must be there. */
+    public Value required(String member) {
+        if (node.isObject() && !node.has(member)) {
+            error(() -> Escape.quoted(member) + " is missing");
+        }
+        return optional(member);
+    }
+
+    /** Names of the members; none of what should be an object and is not. */
+    public Collection<String> members() {
+        return is(
+                "an object", JsonNode::isObject, JsonNode::propertyNames, NOTHING.propertyNames());
+    }
+
+    /** Whether the file states it. */
+    public boolean isThere() {
+        return !node.isMissingNode();
+    }
+
+    /** A text. */
+    public String text(String instead) {
+        return is("a text", JsonNode::isString, JsonNode::stringValue, instead);
+    }
+
+    /** Whether something is so. */
+    public boolean truth(boolean instead) {
+        return is("true or false", JsonNode::isBoolean, JsonNode::booleanValue, instead);
+    }
+
+    /** A number from {@code least} to {@code most}. */
+    public double number(double least, double most, double instead) {
+        return is(
+                "a number from " + least + " to " + most,
+                any -> any.isNumber() && any.doubleValue() >= least && any.doubleValue() <= most,
+                JsonNode::doubleValue,
+                instead);
+    }
+
+    /** A whole number from {@code least} to {@code most}; 2.0 is one as well. */
+    public int whole(int least, int most, int instead) {
+        return is(
+                "a whole number from " + least + " to " + most,
+                any ->
+                        any.isNumber()
+                                && any.doubleValue() >= least
+                                && any.doubleValue() <= most
+                                && any.doubleValue() == Math.rint(any.doubleValue()),
+                any -> (int) any.doubleValue(),
+                instead);
+    }
+
+    /** One of some words. */
+    public String word(Collection<String> words, String instead) {
+        return is(
+                "one of " + Suggestion.list(words),
+                any -> any.isString() && words.contains(any.stringValue()),
+                JsonNode::stringValue,
+                instead);
+    }
+
+    private <T> T is(
+            String kind, Predicate<JsonNode> isSound, Function<JsonNode, T> read, T instead) {
+        if (isSound.test(node)) {
+            return read.apply(node);
+        }
+        if (isThere()) {
+            wrong("must be " + kind);
+        }
+        return instead;
+    }
+
+    /** Tells what this must be, and what it is instead. */
+    public void wrong(String must) {
+        error(() -> must + ", was " + Escape.shown(node));
+    }
+
+    private void error(Supplier<String> message) {
+        document.tell(Problem.Severity.ERROR, pointer, message);
+    }
+}

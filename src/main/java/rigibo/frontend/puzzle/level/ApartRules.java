@@ -1,0 +1,91 @@
+package rigibo.frontend.puzzle.level;
+
+import rigibo.backend.setup.BodyDefinition;
+import rigibo.frontend.document.Document;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Locale;
+
+/** E120 two bodies overlap at the start. Sweeps from left to right, so that far ones never meet. */
+final class ApartRules {
+
+    /** Overlap that counts as touching, m: what a rounded coordinate in a file may cost. */
+    static final double TOUCHING = 1e-3;
+
+    private static final double MILLIMETRES = 1000;
+
+    private final Document json;
+
+    /** Those that the sweep has reached and not passed yet. */
+    private final List<Placed> present = new ArrayList<>();
+
+    /**
+     * A body where it is at the start.
+     *
+     * @param order in which problems name two of them
+     * @param pointer of it in the file
+     */
+    private record Placed(int order, String pointer, Footprint print, double left, double right) {}
+
+    private ApartRules(Document json) {
+        this.json = json;
+    }
+
+    static void check(LevelSketch sketch) {
+        ApartRules rules = new ApartRules(sketch.json());
+        placed(sketch).stream()
+                .sorted(Comparator.comparingDouble(Placed::left))
+                .forEach(rules::reach);
+    }
+
+    private static List<Placed> placed(LevelSketch sketch) {
+        List<Placed> placed = new ArrayList<>();
+        sketch.platform().ifPresent(p -> add(placed, p.pointer(), p.part().definition()));
+        sketch.balls().forEach(b -> add(placed, b.pointer(), b.part().definition()));
+        sketch.bodies().forEach(b -> add(placed, b.pointer(), b.part().definition()));
+        return placed;
+    }
+
+    private static void add(List<Placed> placed, String pointer, BodyDefinition body) {
+        Footprint print = Footprint.of(body);
+        placed.add(new Placed(placed.size(), pointer, print, print.left(), print.right()));
+    }
+
+    private void reach(Placed next) {
+        present.removeIf(passed -> passed.right() < next.left());
+        for (Placed other : present) {
+            if (other.order() < next.order()) {
+                requireApart(other, next);
+            } else {
+                requireApart(next, other);
+            }
+        }
+        present.add(next);
+    }
+
+    private void requireApart(Placed first, Placed second) {
+        Footprint a = first.print();
+        Footprint b = second.print();
+        // Walls may be built of parts that overlap.
+        boolean mayOverlap = a.isFixed() && b.isFixed();
+        if (mayOverlap || a.top() < b.bottom() || b.top() < a.bottom()) {
+            return;
+        }
+        double depth = Overlap.depth(a, b);
+        if (depth > TOUCHING) {
+            json.error(second.pointer(), () -> words(a.body().name(), depth));
+        }
+    }
+
+    private static String words(String other, double depth) {
+        String words = "E120 overlaps %s at the start by %.1f mm";
+        return String.format(Locale.ROOT, words, quoted(other), depth * MILLIMETRES);
+    }
+
+    private static String quoted(String name) {
+        // An id has no blank, and every other name has one.
+        return name.contains(" ") ? name : "\"" + name + "\"";
+    }
+}

@@ -1,0 +1,78 @@
+package rigibo.frontend.puzzle.level;
+
+import rigibo.backend.geometry.Circle;
+import rigibo.backend.geometry.Polygon;
+import rigibo.backend.geometry.ShapeKind;
+import rigibo.backend.setup.BodyDefinition;
+import rigibo.backend.setup.BodyType;
+
+/**
+ * What a placed body covers of the world.
+ *
+ * @param body what is placed
+ * @param corners in the world, x₀, y₀, x₁, …, m, counter-clockwise; of a disc its centre alone
+ * @param radius of a disc, m; 0 of a polygon
+ */
+record Footprint(BodyDefinition body, double[] corners, double radius) {
+
+    static Footprint of(BodyDefinition body) {
+        return body.shape().kind() == ShapeKind.CIRCLE
+                ? new Footprint(
+                        body, new double[] {body.x(), body.y()}, ((Circle) body.shape()).radius())
+                : new Footprint(body, corners(body), 0);
+    }
+
+    boolean isDisc() {
+        return radius > 0;
+    }
+
+    boolean isFixed() {
+        return body.type() == BodyType.STATIC;
+    }
+
+    double left() {
+        return least(0);
+    }
+
+    double right() {
+        return most(0);
+    }
+
+    double bottom() {
+        return least(1);
+    }
+
+    double top() {
+        return most(1);
+    }
+
+    private double least(int axis) {
+        double least = Double.POSITIVE_INFINITY;
+        for (int i = axis; i < corners.length; i += 2) {
+            least = Math.min(least, corners[i]);
+        }
+        return least - radius;
+    }
+
+    private double most(int axis) {
+        double most = Double.NEGATIVE_INFINITY;
+        for (int i = axis; i < corners.length; i += 2) {
+            most = Math.max(most, corners[i]);
+        }
+        return most + radius;
+    }
+
+    private static double[] corners(BodyDefinition placed) {
+        Polygon polygon = (Polygon) placed.shape();
+        double cos = StrictMath.cos(placed.angle());
+        double sin = StrictMath.sin(placed.angle());
+        double[] xy = new double[2 * polygon.corners()];
+        for (int i = 0; i < polygon.corners(); i++) {
+            double x = polygon.cornerX(i);
+            double y = polygon.cornerY(i);
+            xy[2 * i] = placed.x() + cos * x - sin * y;
+            xy[2 * i + 1] = placed.y() + sin * x + cos * y;
+        }
+        return xy;
+    }
+}
