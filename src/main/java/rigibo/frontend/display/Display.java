@@ -30,7 +30,7 @@ public final class Display implements Director {
     private final Function<Director, Scene> levels;
     private final boolean vsync;
     private final Troubles troubles = new Troubles();
-    private final FrameClock clock = new FrameClock();
+    private final FrameClock clock;
     private final Speaker speaker = new Speaker();
     private final Curtain curtain = new Curtain();
     private final DetailChoice choice = new DetailChoice();
@@ -44,10 +44,18 @@ public final class Display implements Director {
     private Scene wanted;
     private boolean isMenu;
     private boolean isOver;
-    private Companion companion = new Companion() {};
+    private Optional<Companion> companion = Optional.empty();
 
-    /** Someone who sits beside the loop: the tour, or nobody. */
+    /** Someone who sits beside the loop, as the tour does. */
     interface Companion {
+
+        /**
+         * How many steps a turn may hold, 1 to {@link FrameClock#MOST_STEPS}. Whoever acts once in
+         * a turn does the same in every run only where each turn holds one.
+         */
+        default int mostSteps() {
+            return 1;
+        }
 
         /** Before the scene's step. */
         default void beforeTurn(Display display, Scene scene) {}
@@ -58,24 +66,31 @@ public final class Display implements Director {
 
     /** A display that a guest sits at, who speaks English; with vsync, or without for measuring. */
     public Display(Function<Director, Scene> menu, boolean vsync) {
-        this(menu, menu, new Guest(Settings.initial("en")), vsync);
+        this(menu, menu, new Guest(Settings.initial("en")), vsync, new FrameClock());
+    }
+
+    /** The same at a clock of a test's own. */
+    Display(Function<Director, Scene> menu, FrameClock clock) {
+        this(menu, menu, new Guest(Settings.initial("en")), false, clock);
     }
 
     /** A display that a player sits at, and that goes back to a menu or the list of levels. */
     public Display(
             Function<Director, Scene> menu, Function<Director, Scene> levels, Player player) {
-        this(menu, levels, player, true);
+        this(menu, levels, player, true, new FrameClock());
     }
 
     private Display(
             Function<Director, Scene> menu,
             Function<Director, Scene> levels,
             Player player,
-            boolean vsync) {
+            boolean vsync,
+            FrameClock clock) {
         this.menu = menu;
         this.levels = levels;
         this.player = player;
         this.vsync = vsync;
+        this.clock = clock;
         words = new Words(player.settings().language());
         speaker.settings(player.settings());
     }
@@ -189,7 +204,7 @@ public final class Display implements Director {
     }
 
     void accompany(Companion beside) {
-        companion = beside;
+        companion = Optional.of(beside);
     }
 
     Input input() {
@@ -210,18 +225,25 @@ public final class Display implements Director {
         change();
     }
 
+    /** What came in is told before the first step; a scene that is to be left makes no other. */
     private void turn() {
         inputListener();
-        doStep();
+        do {
+            doStep();
+        } while (clock.isAnotherDueOf(mostSteps()) && wanted == null && !isOver);
         renderDisplay();
         updateDisplay();
         change();
     }
 
+    private int mostSteps() {
+        return companion.map(Companion::mostSteps).orElse(FrameClock.MOST_STEPS);
+    }
+
     private void inputListener() {
         glfwPollEvents();
         GamepadDevices.poll(gamepad);
-        companion.beforeTurn(this, scene);
+        companion.ifPresent(beside -> beside.beforeTurn(this, scene));
         if (window.wantsToClose()) {
             if (isMenu) {
                 isOver = true;
@@ -238,7 +260,7 @@ public final class Display implements Director {
 
     private void renderDisplay() {
         window.render(settings().detail(), curtain.rise());
-        companion.afterDrawing(this, scene);
+        companion.ifPresent(beside -> beside.afterDrawing(this, scene));
     }
 
     private void updateDisplay() {
@@ -261,6 +283,7 @@ public final class Display implements Director {
             if (fades) {
                 curtain.drop();
             }
+            clock.restart();
         }
     }
 

@@ -5,28 +5,56 @@ import java.util.function.LongConsumer;
 import java.util.function.LongSupplier;
 
 /**
- * Paces the loop to 60 turns a second by a clock of our own: vsync is no clock, a monitor may run
- * at 144 Hz and a driver may ignore it. A turn that comes late moves all later ones: the game runs
- * slower then, it never skips a step.
+ * Paces the loop by a clock of our own: vsync is no clock, a monitor may run at 144 Hz and a driver
+ * may ignore it. A step is due 60 times a second, and a turn waits for one. A turn whose picture
+ * was late makes up to four, so that the world keeps real time. What is due beyond that is dropped,
+ * as it is when steps take longer than the time they stand for: then the world goes slower, and no
+ * turn grows longer for having been long. The steps themselves are always the same.
  */
 final class FrameClock {
 
-    /** Turns per second. */
+    /** Steps per second, and turns where pictures are in time. */
     static final int RATE = 60;
 
-    private static final double PERIOD_NANOS = 1e9 / RATE;
+    /** Steps in a turn at most: with more, what is clicked would be answered too late. */
+    static final int MOST_STEPS = 4;
+
+    private static final long SECOND = 1_000_000_000;
+    private static final double PERIOD_NANOS = (double) SECOND / RATE;
 
     /** What sleeping may overshoot by, ns; the rest is waited awake. */
     private static final long SLEEP_SLACK = 1_500_000;
 
+    /**
+     * How late a turn may come without its lateness being made up for, as a share of a step: 0.5 %.
+     * A monitor of 59.94 Hz would else be given two steps in one picture every 16 seconds, a jolt.
+     */
+    private static final long FORGIVEN = SECOND / RATE / 200;
+
     /** Over how many turns the rate is averaged. */
     private static final double SMOOTHING = 30;
 
+    /** What one turn counts for in the average at most, ns: a game that was stopped is not slow. */
+    private static final double LONGEST = 1e9;
+
     private final LongSupplier nanoseconds;
     private final LongConsumer sleep;
-    private double next;
-    private double meanPeriod = PERIOD_NANOS;
-    private long last;
+
+    /** Steps are due from here on, ns; counted, not added up, so that nothing drifts. */
+    private long origin;
+
+    private long stepsSinceOrigin;
+
+    /** When this turn began, ns, and its steps so far. */
+    private long turn;
+
+    private int stepsInTurn;
+
+    /** Real time that the world was not given in this turn, ns. */
+    private long dropped;
+
+    private double meanDropped;
+    private double meanTurn;
 
     /** A clock on the system's time. */
     FrameClock() {
@@ -37,16 +65,28 @@ final class FrameClock {
     FrameClock(LongSupplier nanoseconds, LongConsumer sleep) {
         this.nanoseconds = nanoseconds;
         this.sleep = sleep;
-        last = nanoseconds.getAsLong();
-        next = last;
+        meanTurn = PERIOD_NANOS;
+        restart();
     }
 
-    /** Waits until the next turn is due. */
+    /** Begins anew: a step is due now, and what was due before is forgotten. */
+    void restart() {
+        turn = nanoseconds.getAsLong();
+        origin = turn;
+        stepsSinceOrigin = 0;
+        stepsInTurn = 0;
+        dropped = 0;
+    }
+
+    /** Waits until the next turn is due, and begins it. */
     void awaitTurn() {
-        next += PERIOD_NANOS;
+        long due = due();
         long now = nanoseconds.getAsLong();
-        while (now < next) {
-            long left = (long) (next - now);
+        if (now >= due) {
+            forgive(now - due);
+        }
+        while (now < due) {
+            long left = due - now;
             if (left > SLEEP_SLACK) {
                 sleep.accept(left - SLEEP_SLACK);
             } else {
@@ -54,15 +94,58 @@ final class FrameClock {
             }
             now = nanoseconds.getAsLong();
         }
-        if (now - next > PERIOD_NANOS) {
-            next = now;
-        }
-        meanPeriod += (now - last - meanPeriod) / SMOOTHING;
-        last = now;
+        average(now - turn);
+        turn = now;
+        stepsInTurn = 0;
     }
 
-    /** Share of real time the game runs at: 1, or less where turns come late. */
+    /** When the next step is due. */
+    private long due() {
+        return origin + stepsSinceOrigin * SECOND / RATE;
+    }
+
+    /** A monitor that is a hair slower than we are sets the pace. */
+    private void forgive(long late) {
+        if (late < PERIOD_NANOS) {
+            postpone(Math.min(late, FORGIVEN));
+        }
+    }
+
+    private void postpone(long nanos) {
+        origin += nanos;
+        dropped += nanos;
+    }
+
+    private void average(long nanos) {
+        meanTurn += (Math.min(nanos, LONGEST) - meanTurn) / SMOOTHING;
+        meanDropped += (Math.min(dropped, LONGEST - PERIOD_NANOS) - meanDropped) / SMOOTHING;
+        dropped = 0;
+    }
+
+    /**
+     * Counts a step that was made, and tells whether this turn is to make another; one that is due
+     * and does not fit is dropped.
+     *
+     * @param most steps in a turn, 1 to {@link #MOST_STEPS}
+     */
+    boolean isAnotherDueOf(int most) {
+        stepsSinceOrigin++;
+        stepsInTurn++;
+        boolean isDue = due() <= turn;
+        boolean fits = stepsInTurn < most && keepUp();
+        if (isDue && !fits) {
+            postpone(turn - due() + SECOND / RATE);
+        }
+        return isDue && fits;
+    }
+
+    /** Whether the steps of this turn took less time than they stand for. */
+    private boolean keepUp() {
+        return nanoseconds.getAsLong() - turn <= stepsInTurn * PERIOD_NANOS;
+    }
+
+    /** Share of real time the game runs at: 1, or less where time was dropped. */
     double pace() {
-        return Math.min(1, PERIOD_NANOS / meanPeriod);
+        return 1 - meanDropped / meanTurn;
     }
 }

@@ -8,6 +8,7 @@ import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Settings.Motion;
 import rigibo.frontend.scene.Words;
+import rigibo.frontend.scene.accuracy.Badge;
 
 import java.util.List;
 import java.util.Optional;
@@ -33,8 +34,15 @@ final class Hud {
 
     private final Level level;
 
+    /** Share of real time that the world runs at. */
+    private double pace = 1;
+
     Hud(Level level) {
         this.level = level;
+    }
+
+    void paced(double share) {
+        pace = share;
     }
 
     /** Buttons in the bar, in place of the title. */
@@ -49,9 +57,7 @@ final class Hud {
         String title = level.title().in(words.locale());
         text(canvas, title, LEFT, TITLE_SIZE, Canvas.Align.LEFT, Color.BRASS);
         double left = LEFT + canvas.textWidth(title, TITLE_SIZE, Canvas.Font.WORDS) + GAP;
-        state(session, refusal)
-                .map(words::of)
-                .ifPresent(state -> drawBetween(canvas, state, left, right));
+        state(words, session, refusal).ifPresent(state -> drawBetween(canvas, state, left, right));
     }
 
     /** The bar with buttons in place of the title, for a pause. */
@@ -109,11 +115,18 @@ final class Hud {
         return COUNTS_RIGHT - canvas.textWidth(counts, WORDS_SIZE, Canvas.Font.NUMBERS);
     }
 
-    /** The key of what is the matter; the most urgent alone. */
-    private static Optional<String> state(Session session, Refusal refusal) {
-        if (refusal.reason().isPresent()) {
-            return refusal.reason().map(why -> "puzzle.refused." + key(why));
-        }
+    /** What is the matter; the most urgent alone. */
+    private Optional<String> state(Words words, Session session, Refusal refusal) {
+        Optional<String> refused =
+                refusal.reason().map(why -> words.of("puzzle.refused." + key(why)));
+        return refused.or(() -> late(words)).or(() -> keyOfState(session).map(words::of));
+    }
+
+    private Optional<String> late(Words words) {
+        return Badge.isLate(pace) ? Optional.of(new Badge(words).pace(pace)) : Optional.empty();
+    }
+
+    private static Optional<String> keyOfState(Session session) {
         if (session.pace() != Pace.FULL) {
             return Optional.of("puzzle.pace." + key(session.pace()));
         }

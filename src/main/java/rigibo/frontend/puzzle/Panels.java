@@ -84,6 +84,11 @@ final class Panels {
         end.ifPresent(this::place);
     }
 
+    /** The bar tells when the world cannot keep real time. */
+    void paced(double share) {
+        hud.paced(share);
+    }
+
     /** After each frame. */
     void turn() {
         end().ifPresent(EndPanel::turn);

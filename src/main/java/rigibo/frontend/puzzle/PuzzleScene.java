@@ -93,6 +93,11 @@ public final class PuzzleScene implements Scene {
     }
 
     @Override
+    public void paced(double share) {
+        panels.paced(share);
+    }
+
+    @Override
     public void closed() {
         panels.close();
     }

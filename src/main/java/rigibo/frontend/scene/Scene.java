@@ -11,13 +11,15 @@ public interface Scene {
 
     int HEIGHT = 800;
 
-    /** What the physics goes on by in a turn of the loop, s. */
+    /** What the physics goes on by in a step, s. */
     double STEP = 1.0 / 60;
 
     /** The window's title. */
     String title();
 
-    /** One turn of the loop: one {@link #STEP}. */
+    /**
+     * Goes on by one {@link #STEP}: once in a turn of the loop, more often when pictures are late.
+     */
     void step();
 
     /** Draws everything. */
@@ -26,7 +28,7 @@ public interface Scene {
     /** A frame was drawn and took this long, ns, all that OpenGL had to do for it included. */
     default void drawn(long nanos) {}
 
-    /** Called after every turn: the share of real time that the loop runs at, 0 to 1. */
+    /** Called after every turn: the share of real time that the world runs at, 0 to 1. */
     default void paced(double share) {}
 
     /** The window is gone for good: whatever the scene has started ends. */

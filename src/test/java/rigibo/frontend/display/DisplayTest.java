@@ -12,6 +12,7 @@ import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Director;
+import rigibo.frontend.scene.Key;
 import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Skin;
@@ -171,6 +172,64 @@ class DisplayTest {
                 });
         display.run(director -> new Everything());
         assertThat(titles).containsExactly("scene", "menu");
+    }
+
+    /** A picture that takes 60 ms of a fake time holds up four steps, after what came in before. */
+    @Test
+    void aLatePictureIsFollowedByTheStepsThatAreDueAfterTheInputInItsOrder() {
+        List<String> told = new ArrayList<>();
+        long[] now = new long[1];
+        Scene scene = new Slow(told, () -> now[0] += 60_000_000);
+        FrameClock clock = new FrameClock(() -> now[0] += 1000, nanos -> now[0] += nanos);
+        Display display = new Display((Director director) -> scene, clock);
+        display.accompany(
+                new Display.Companion() {
+
+                    private int turns;
+
+                    @Override
+                    public int mostSteps() {
+                        return FrameClock.MOST_STEPS;
+                    }
+
+                    @Override
+                    public void beforeTurn(Display of, Scene shown) {
+                        of.input().key(GLFW.GLFW_KEY_A, GLFW.GLFW_PRESS);
+                        of.input().key(GLFW.GLFW_KEY_B, GLFW.GLFW_PRESS);
+                        if (++turns == 3) {
+                            of.quit();
+                        }
+                    }
+                });
+        display.run(null);
+        // Steps are due 16.7 ms apart: 0; 16.7, 33.3 and 50 at 60 ms; quitting needs no more steps.
+        assertThat(String.join(" ", told))
+                .isEqualTo("A B step picture A B step step step picture A B step picture");
+    }
+
+    /** Tells what happens to it, and takes its time to draw. */
+    private record Slow(List<String> told, Runnable draws) implements Scene {
+
+        @Override
+        public String title() {
+            return "Slow";
+        }
+
+        @Override
+        public void step() {
+            told.add("step");
+        }
+
+        @Override
+        public void keyPressed(Key key) {
+            told.add(key.name());
+        }
+
+        @Override
+        public void draw(Canvas canvas) {
+            told.add("picture");
+            draws.run();
+        }
     }
 
     private static Display display(Scene menu) {

@@ -9,53 +9,145 @@ import org.junit.jupiter.api.Test;
 class FrameClockTest {
 
     private static final long SECOND = 1_000_000_000L;
+    private static final long MILLI = 1_000_000;
+
+    /** As much as a machine that has been on for a month shows. */
+    private static final long UPTIME = 30 * 24 * 3600 * SECOND;
 
     /** Time that passes by itself a little with every look, and by sleeping. */
-    private long now;
+    private long now = UPTIME;
 
     private final FrameClock clock = new FrameClock(() -> now += 1000, nanos -> now += nanos);
+    private int steps;
+    private int mostInATurn;
+
+    /** As the loop does: what comes before the steps, steps, a picture, the wait. */
+    private void turn(long input, long step, long picture) {
+        now += input;
+        int before = steps;
+        do {
+            steps++;
+            now += step;
+        } while (clock.isAnotherDueOf(FrameClock.MOST_STEPS));
+        mostInATurn = Math.max(mostInATurn, steps - before);
+        now += picture;
+        clock.awaitTurn();
+    }
+
+    /** Turns for so many seconds; simulated time as a share of them. */
+    private double play(double seconds, long step, long picture) {
+        int before = steps;
+        long start = now;
+        while (now - start < seconds * SECOND) {
+            turn(0, step, picture);
+        }
+        return (steps - before) / (double) FrameClock.RATE * SECOND / (now - start);
+    }
 
     @Test
-    void sixHundredTurnsTakeTenSecondsWhereAFrameCostsNothing() {
-        long start = now;
-        for (int i = 0; i < 600; i++) {
-            clock.awaitTurn();
-        }
-        // Looking at the fake time costs 1 µs, so the last turn may end that much late.
-        assertThat((now - start) / (double) SECOND).isCloseTo(10, within(1e-4));
+    void aPictureThatCostsNothingIsShownOncePerStep() {
+        // The last turn begins within a look at the fake time, 1 µs, of when it is due.
+        assertThat(play(10, 0, 0)).isCloseTo(1, within(1e-6));
+        assertThat(mostInATurn).isEqualTo(1);
     }
 
     @Test
     void keepsTheRateOnAMonitorOf144HzThatPacesEveryFrame() {
-        long start = now;
-        for (int i = 0; i < 600; i++) {
-            now += SECOND / 144;
-            clock.awaitTurn();
-        }
-        assertThat((now - start) / (double) SECOND).isCloseTo(10, within(1e-4));
+        assertThat(play(10, 0, SECOND / 144)).isCloseTo(1, within(1e-6));
+        assertThat(mostInATurn).isEqualTo(1);
     }
 
     @Test
-    void catchesUpWithOneLateFrameButNeverSkipsASlowStretch() {
-        for (int i = 0; i < 60; i++) {
-            now += SECOND / 20;
-            clock.awaitTurn();
-        }
-        long start = now;
-        for (int i = 0; i < 60; i++) {
-            clock.awaitTurn();
-        }
-        // Three seconds were lost; were they made up for, these turns would take no time at all.
-        assertThat((now - start) / (double) SECOND).isCloseTo(1, within(0.02));
+    void aMonitorAHairSlowerThanOursIsFollowedWithoutAJolt() {
+        double share = play(60, 0, Math.round(SECOND / 59.94));
+        assertThat(mostInATurn).as("two steps in a picture would be seen").isEqualTo(1);
+        // A turn looks at the fake time twice, for 1 µs each: that much later is the next picture.
+        assertThat(share).isCloseTo(59.94 / 60, within(2e-6 * FrameClock.RATE + 1e-5));
     }
 
     @Test
-    void tellsTheShareOfRealTime() {
-        for (int i = 0; i < 400; i++) {
+    void slowPicturesDoNotSlowTheWorld() {
+        // The turn in which the time is up may leave up to four steps to be made in the next.
+        double last = FrameClock.MOST_STEPS / (10.0 * FrameClock.RATE);
+        assertThat(play(10, MILLI / 10, 60 * MILLI)).isCloseTo(1, within(last));
+        assertThat(mostInATurn).isEqualTo(FrameClock.MOST_STEPS);
+        assertThat(clock.pace()).as("nothing was dropped").isEqualTo(1);
+    }
+
+    @Test
+    void nothingDriftsInAnHourOfSlowPictures() {
+        double last = FrameClock.MOST_STEPS / (3600.0 * FrameClock.RATE);
+        assertThat(play(3600, MILLI, 47 * MILLI)).isCloseTo(1, within(last));
+    }
+
+    @Test
+    void picturesThatTakeLongerThanFourStepsSlowTheWorldWhichIsTold() {
+        play(30, 0, 200 * MILLI);
+        double share = play(30, 0, 200 * MILLI);
+        assertThat(mostInATurn).isEqualTo(FrameClock.MOST_STEPS);
+        // Four steps of 1/60 s every 0.2 s.
+        assertThat(share).isCloseTo(1.0 / 3, within(1e-3));
+        assertThat(clock.pace()).isCloseTo(1.0 / 3, within(1e-3));
+    }
+
+    @Test
+    void stepsThatCannotKeepUpAreNotPiledUpInATurn() {
+        play(10, 30 * MILLI, 5 * MILLI);
+        mostInATurn = 0;
+        double share = play(10, 30 * MILLI, 5 * MILLI);
+        assertThat(mostInATurn).as("more would only put the picture off").isEqualTo(1);
+        // A step of 1/60 s every 35 ms.
+        assertThat(share).isCloseTo(1 / 60.0 / 0.035, within(1e-3));
+        assertThat(clock.pace()).isCloseTo(1 / 60.0 / 0.035, within(1e-3));
+    }
+
+    @Test
+    void aSingleLateStepIsMadeUpFor() {
+        play(1, MILLI, MILLI);
+        long start = now;
+        int before = steps;
+        turn(0, 40 * MILLI, MILLI);
+        double rest = play(1, MILLI, MILLI);
+        assertThat(rest).isGreaterThan(1);
+        double due = (now - start) * FrameClock.RATE / (double) SECOND;
+        // Where the last turn begins, its step is due and not made.
+        assertThat(due - (steps - before)).isBetween(-0.01, 1.01);
+    }
+
+    @Test
+    void whatWasStoppedIsNotCaughtUpWith() {
+        play(1, MILLI, MILLI);
+        // A window that is dragged, a breakpoint in a step, a machine that was asleep.
+        turn(5 * SECOND, MILLI, MILLI);
+        turn(0, 7 * SECOND, MILLI);
+        turn(0, MILLI, 3600 * SECOND);
+        // A turn of four steps may follow the last halt; from then on all is as before.
+        turn(0, MILLI, MILLI);
+        mostInATurn = 0;
+        assertThat(play(10, MILLI, MILLI)).isCloseTo(1, within(1e-6));
+        assertThat(mostInATurn).isEqualTo(1);
+        assertThat(clock.pace()).as("a halt is forgotten").isCloseTo(1, within(1e-6));
+    }
+
+    @Test
+    void aNewWindowOwesNothing() {
+        play(1, MILLI, MILLI);
+        now += SECOND / 3;
+        clock.restart();
+        mostInATurn = 0;
+        assertThat(play(1, MILLI, MILLI)).isCloseTo(1, within(1e-6));
+        assertThat(mostInATurn).isEqualTo(1);
+        assertThat(clock.pace()).isEqualTo(1);
+    }
+
+    @Test
+    void whoeverActsOncePerTurnMayAskForOneStep() {
+        for (int i = 0; i < 100; i++) {
+            assertThat(clock.isAnotherDueOf(1)).isFalse();
             now += SECOND / 30;
             clock.awaitTurn();
         }
-        // At 30 turns a second the game runs at half speed; the mean has 400 turns to get there.
-        assertThat(clock.pace()).isCloseTo(0.5, within(1e-3));
+        // At 30 turns of one step a second; the mean of 30 turns has 100 to get there: e^-3.3 left.
+        assertThat(clock.pace()).isCloseTo(0.5, within(0.5 * Math.exp(-100 / 30.0)));
     }
 }

@@ -107,4 +107,13 @@ class SlowMotionTest {
         played.keys(Key.S, Key.S).turns(8).clickBox();
         assertThat(played.counts()).startsWith("1/1");
     }
+
+    @Test
+    void aWorldThatCannotKeepRealTimeSaysSo() {
+        PlayedLevel played = new PlayedLevel(level);
+        played.scene.paced(0.97);
+        assertThat(played.texts()).noneMatch(words -> words.endsWith("real time"));
+        played.scene.paced(0.4);
+        assertThat(played.texts()).contains("0.40× real time");
+    }
 }

@@ -24,9 +24,6 @@ public final class AccuracyBar {
     private static final double PADDING = (HEIGHT - Dial.HEIGHT) / 2;
     private static final double WORDS_LEFT = LEFT + PADDING + Dial.WIDTH + 9;
 
-    /** Late by less than this the loop is in time: its clock is smoothed and never quite even. */
-    private static final double IN_TIME = 0.95;
-
     private final Pool pool;
     private final AccuracyMeter meter;
     private final Words words;
@@ -60,7 +57,7 @@ public final class AccuracyBar {
         meter.turn(pool);
     }
 
-    /** Takes the share of real time that the loop runs at, 0 to 1. */
+    /** Takes the share of real time that the world runs at, 0 to 1. */
     public void paced(double share) {
         pace = share;
     }
@@ -73,7 +70,7 @@ public final class AccuracyBar {
         String said =
                 hot.map(preset -> preset.help(words))
                         .orElse(isHelping() ? help() : numbers(isPaused));
-        boolean isLate = pace < IN_TIME && !isPaused;
+        boolean isLate = Badge.isLate(pace) && !isPaused;
         canvas.text(
                 said,
                 WORDS_LEFT,
@@ -103,7 +100,7 @@ public final class AccuracyBar {
                 badge.step(times.median()),
                 meter.last().map(last -> badge.price(meter.price())).orElse(badge.unknownPrice()),
                 error(),
-                isPaused ? words.of("badge.paused") : badge.pace(pace >= IN_TIME ? 1 : pace));
+                isPaused ? words.of("badge.paused") : badge.pace(Badge.isLate(pace) ? pace : 1));
     }
 
     /** EXACT has no error to itself, which does not mean that it has none. */

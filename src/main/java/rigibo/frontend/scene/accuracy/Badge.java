@@ -16,6 +16,9 @@ public record Badge(Words words) {
     /** From here on an error is told in metres, below in powers of ten. */
     private static final double PLAIN = 0.01;
 
+    /** Slower by less than this nobody sees: one late picture is enough for it. */
+    private static final double IN_TIME = 0.95;
+
     /** What a step takes, ns; 0 while unknown. */
     String step(double nanos) {
         String time =
@@ -50,6 +53,11 @@ public record Badge(Words words) {
         return metres < PLAIN
                 ? String.format(Locale.ROOT, "%.0e m", metres).replace("e-0", "e-")
                 : digits(metres) + " m";
+    }
+
+    /** Whether the world runs so much slower than real time that it is to be told. */
+    public static boolean isLate(double share) {
+        return share < IN_TIME;
     }
 
     /** Share of real time, 1 or less. */
