@@ -23,13 +23,15 @@ import rigibo.backend.storage.Waking;
  */
 final class BodyEditor {
 
+    private final Pool pool;
     private final DataStorage data;
     private final Bodies bodies;
     private final StepPlan plan;
     private final Waking waking;
     private final SupportLoss supportLoss;
 
-    BodyEditor(DataStorage data, StepPlan plan) {
+    BodyEditor(Pool pool, DataStorage data, StepPlan plan) {
+        this.pool = pool;
         this.data = data;
         this.plan = plan;
         bodies = data.bodies;
@@ -75,6 +77,7 @@ final class BodyEditor {
     private void refit(int slot) {
         Broadphase broadphase = plan.broadphase();
         if (broadphase != null) {
+            pool.contacts().ended.cutAllOf(slot);
             broadphase.forgetContacts(slot);
             broadphase.refit(slot);
         }
@@ -83,6 +86,7 @@ final class BodyEditor {
     void remove(int slot) {
         supportLoss.wakeNeighbours(slot);
         if (plan.broadphase() != null) {
+            pool.contacts().ended.cutAllOf(slot);
             plan.broadphase().remove(slot);
         }
         bodies.release(slot);
@@ -177,6 +181,7 @@ final class BodyEditor {
         }
         weigh(slot);
         if (plan.broadphase() != null) {
+            pool.contacts().ended.cutAllOf(slot);
             plan.broadphase().forgetPairs(slot);
             plan.broadphase().refit(slot);
         }
@@ -247,6 +252,7 @@ final class BodyEditor {
     }
 
     private void forgetAllPairs() {
+        pool.contacts().ended.cutAll();
         for (int slot = 0; slot < bodies.slots.high; slot++) {
             if (bodies.type[slot] != null) {
                 plan.broadphase().forgetPairs(slot);

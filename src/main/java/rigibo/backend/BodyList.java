@@ -20,6 +20,7 @@ import java.util.Spliterators;
 final class BodyList extends AbstractList<RigidBody> implements RandomAccess {
 
     private RigidBody[] places = new RigidBody[16];
+    private RigidBody[] bySlot = new RigidBody[16];
 
     /** Places up to here are taken or gaps; there are no gaps before the first one. */
     private int high;
@@ -30,24 +31,35 @@ final class BodyList extends AbstractList<RigidBody> implements RandomAccess {
     /** How often a body was given another place: the cost of removals, in a test. */
     private long moves;
 
-    /** Adds a body at the end. */
-    void append(RigidBody body) {
+    /** Adds a body at the end, and answers it. */
+    RigidBody append(RigidBody body) {
         if (high == places.length) {
             closeGaps();
             makeRoom();
         }
+        if (body.slot() >= bySlot.length) {
+            bySlot = Arrays.copyOf(bySlot, 2 * body.slot());
+        }
+        bySlot[body.slot()] = body;
         firstGap += firstGap == high ? 1 : 0;
         put(body, high++);
         size++;
         modCount++;
+        return body;
     }
 
     /** Takes a body out that is in the list. */
     void drop(RigidBody body) {
+        bySlot[body.slot()] = null;
         places[body.place] = null;
         firstGap = Math.min(firstGap, body.place);
         size--;
         modCount++;
+    }
+
+    /** The body of a slot that is in use. */
+    RigidBody atSlot(int slot) {
+        return bySlot[slot];
     }
 
     long moves() {

@@ -3,6 +3,14 @@ package rigibo.backend;
 /**
  * A contact as it was in the last step; plain data, read after the step.
  *
+ * <p>Two bodies are told one {@code BEGIN}, a {@code PERSIST} for each further step in which they
+ * touch, asleep or not, and one {@code END}. A contact may also end by an edit between two steps: a
+ * body was removed, placed anew or given another shape or type, or {@code Contacts} are no longer
+ * declared. Then {@code END} comes with the step after the edit, where the contact was, with an
+ * impulse of 0; two bodies that touch in that step again {@code PERSIST}. A body that was removed
+ * is named all the same: see {@link #bothAlive}. Only a restored pool, which has no handle on a
+ * body that was removed before its snapshot, cannot tell what would name it.
+ *
  * @param a the body the normal points away from
  * @param b the body the normal points to
  * @param phase whether the contact began, persisted or ended
@@ -24,13 +32,18 @@ public record ContactEvent(
         double impulse,
         boolean isCrushing) {
 
+    /** Whether neither body was removed. */
+    public boolean bothAlive() {
+        return a.isAlive() && b.isAlive();
+    }
+
     /** What became of the contact in the step. */
     public enum Phase {
-        /** The bodies touch and did not before; a bounce within one step begins too. */
+        /** The bodies touch and did not in the step before; a bounce within one step begins too. */
         BEGIN,
-        /** They touch as before. */
+        /** They touch and did in the step before, whatever happened to them in between. */
         PERSIST,
-        /** They touched before and do not any more. */
+        /** They touched in the step before and do not any more, or one of them is gone. */
         END
     }
 }

@@ -8,14 +8,13 @@ import rigibo.backend.setup.Require;
 import rigibo.backend.step.StepPlan;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.SavedContact;
 import rigibo.backend.storage.Snapshot;
 
-import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
-import java.util.function.Supplier;
 
 /**
  * A world of rigid bodies. It manages all bodies, their dynamics and every query about them. The
@@ -40,9 +39,11 @@ public final class Pool {
     /** Made when it is first asked: who never asks loads none of its classes. */
     private PoolQueries queries;
 
+    /** Made when somebody asks, or edits a body that might touch others. */
+    private PoolContacts contacts;
+
     private final PoolTotals totals;
     private final BodyList bodies = new BodyList();
-    private RigidBody[] handles = new RigidBody[16];
     private LongSupplier clock = NO_CLOCK;
     private double time;
     private boolean isStepping;
@@ -69,7 +70,7 @@ public final class Pool {
         this.data = data;
         plan = new StepPlan(data, effects, accuracy);
         report = new StepReport(this, data);
-        editor = new BodyEditor(data, plan);
+        editor = new BodyEditor(this, data, plan);
         totals = new PoolTotals(this, data);
     }
 
@@ -78,7 +79,10 @@ public final class Pool {
         time = snapshot.time;
         editor.derive();
         for (int i = 0; i < snapshot.order.length; i++) {
-            addHandle(snapshot.order[i], snapshot.names[i]);
+            bodies.append(new RigidBody(this, snapshot.order[i], snapshot.names[i]));
+        }
+        for (SavedContact contact : snapshot.ended) {
+            contacts().ended.restore(contact);
         }
     }
 
@@ -94,7 +98,7 @@ public final class Pool {
      */
     public static Pool restore(byte[] snapshot) {
         Require.present("Pool.restore snapshot", snapshot);
-        return restored(() -> Snapshot.decode(snapshot));
+        return new Pool(PoolSnapshot.decoded(() -> Snapshot.decode(snapshot)));
     }
 
     /**
@@ -109,16 +113,7 @@ public final class Pool {
     public static Pool restore(byte[] snapshot, Effects effects) {
         Require.present("Pool.restore snapshot", snapshot);
         Require.present("Pool.restore effects", effects);
-        return restored(() -> Snapshot.decode(snapshot, effects));
-    }
-
-    private static Pool restored(Supplier<Snapshot> decoding) {
-        try {
-            return new Pool(decoding.get());
-        } catch (IllegalArgumentException refusal) {
-            throw new IllegalArgumentException(
-                    "Pool.restore snapshot: " + refusal.getMessage(), refusal);
-        }
+        return new Pool(PoolSnapshot.decoded(() -> Snapshot.decode(snapshot, effects)));
     }
 
     /**
@@ -128,17 +123,8 @@ public final class Pool {
      */
     public RigidBody add(BodyDefinition definition) {
         Require.present("Pool.add definition", definition);
-        requireBetweenSteps("add a body");
-        return addHandle(editor.add(definition), definition.name());
-    }
-
-    private RigidBody addHandle(int slot, String name) {
-        if (slot >= handles.length) {
-            handles = Arrays.copyOf(handles, 2 * slot);
-        }
-        handles[slot] = new RigidBody(this, slot, name);
-        bodies.append(handles[slot]);
-        return handles[slot];
+        requireChangeable("add a body");
+        return bodies.append(new RigidBody(this, editor.add(definition), definition.name()));
     }
 
     /**
@@ -149,7 +135,6 @@ public final class Pool {
      */
     public void remove(RigidBody body) {
         editor(body).remove(body.slot());
-        handles[body.slot()] = null;
         bodies.drop(body);
         body.markRemoved();
     }
@@ -174,13 +159,16 @@ public final class Pool {
      */
     public StepReport step(double dt) {
         Require.within("Pool.step dt", dt, SHORTEST_STEP, LONGEST_STEP, "s");
-        requireBetweenSteps("step");
+        requireChangeable("step");
         isStepping = true;
         data.time = time;
         try {
             plan.run(dt, clock);
         } finally {
             isStepping = false;
+        }
+        if (contacts != null) {
+            contacts.ended.follow();
         }
         time += dt;
         return report;
@@ -204,7 +192,7 @@ public final class Pool {
     /** Changes the accuracy from the next step on; resting bodies stay at rest. */
     public void accuracy(Accuracy accuracy) {
         Require.present("Pool.accuracy", accuracy);
-        requireBetweenSteps("change the accuracy");
+        requireChangeable("change the accuracy");
         plan.compile(plan.effects(), accuracy);
     }
 
@@ -216,7 +204,7 @@ public final class Pool {
     /** Changes what is simulated from the next step on, and wakes every body. */
     public void effects(Effects effects) {
         Require.present("Pool.effects", effects);
-        requireBetweenSteps("change the effects");
+        requireChangeable("change the effects");
         editor.effects(effects);
     }
 
@@ -241,35 +229,51 @@ public final class Pool {
         clock = Require.present("Pool.clock", nanoseconds);
     }
 
-    /** Whether two bodies touched in the last step. */
+    /**
+     * Whether two bodies touch as the last step left them; one that was placed, shaped or given
+     * another type since touches nothing. Refuses bodies as {@link #remove} does.
+     */
     public boolean touching(RigidBody a, RigidBody b) {
         return queries().touching(own(a).slot(), own(b).slot());
     }
 
-    /** The contacts of the last step, in the order their pairs were found; a list of its own. */
+    /**
+     * The contacts of the last step, at most one for any two bodies; a list of its own. It tells
+     * the same until the next step, whatever is edited.
+     */
     public List<ContactEvent> contactEvents() {
-        return queries().contactEvents();
+        return contacts().list();
     }
 
     /**
-     * The body under a point: the last added of several, none where there is none. Where {@code
-     * Contacts} are not declared nobody keeps a tree of boxes, and every body is asked; the same
-     * holds for {@link #rayCast} and {@link #overlapping}.
+     * Shows the contacts of {@link #contactEvents} one by one and allocates nothing. Meanwhile the
+     * pool makes no step and cannot be changed: what is to be removed is kept in a list until then.
+     *
+     * @param visitor is handed one object again and again, whose contents hold until it returns
+     * @throws IllegalStateException when called within a step; and by whatever changes the pool
+     *     when the visitor calls that
+     */
+    public void forEachContact(Consumer<? super ContactView> visitor) {
+        Require.present("Pool.forEachContact visitor", visitor);
+        requireBetweenSteps("visit contacts");
+        contacts().forEach(visitor);
+    }
+
+    /**
+     * The body under a point: the last added of several, none where there is none. Here and below
+     * every body is asked where {@code Contacts} are not declared: nobody keeps a tree of boxes.
      *
      * @param x world x, m
      * @param y world y, m, up
      * @throws IllegalArgumentException when one is not finite
      */
     public Optional<RigidBody> bodyAt(double x, double y) {
-        Require.finite("Pool.bodyAt x", x, "m");
-        Require.finite("Pool.bodyAt y", y, "m");
         return queries().bodyAt(x, y);
     }
 
     /**
      * The first body that a ray meets: the first added of several met in one point. A ray that
-     * starts inside a body does not meet that one. The cost goes with the fixtures along its way up
-     * to there.
+     * starts inside a body does not meet that one. It costs by the fixtures along its way to there.
      *
      * @param fromX start, m
      * @param fromY start, m
@@ -278,10 +282,6 @@ public final class Pool {
      * @throws IllegalArgumentException when one is not finite
      */
     public Optional<RayHit> rayCast(double fromX, double fromY, double toX, double toY) {
-        Require.finite("Pool.rayCast fromX", fromX, "m");
-        Require.finite("Pool.rayCast fromY", fromY, "m");
-        Require.finite("Pool.rayCast toX", toX, "m");
-        Require.finite("Pool.rayCast toY", toY, "m");
         return queries().rayCast(fromX, fromY, toX, toY);
     }
 
@@ -302,11 +302,7 @@ public final class Pool {
      */
     public byte[] snapshot() {
         requireBetweenSteps("take a snapshot");
-        Snapshot snapshot = new Snapshot(effects(), accuracy(), data);
-        snapshot.time = time;
-        snapshot.order = bodies.stream().mapToInt(RigidBody::slot).toArray();
-        snapshot.names = bodies.stream().map(RigidBody::name).toArray(String[]::new);
-        return snapshot.encode();
+        return PoolSnapshot.encode(this, data);
     }
 
     /**
@@ -349,6 +345,17 @@ public final class Pool {
         return queries;
     }
 
+    PoolContacts contacts() {
+        if (contacts == null) {
+            contacts = new PoolContacts(this, data);
+        }
+        return contacts;
+    }
+
+    List<SavedContact> savedContacts() {
+        return contacts == null ? List.of() : contacts.ended.saved();
+    }
+
     void sizeFixture(int slot, Aabb into) {
         queries().sizeFixture(slot, into);
     }
@@ -358,7 +365,7 @@ public final class Pool {
      */
     BodyEditor editor(RigidBody body) {
         own(body);
-        requireBetweenSteps("change a body");
+        requireChangeable("change a body");
         return editor;
     }
 
@@ -367,7 +374,7 @@ public final class Pool {
     }
 
     RigidBody handle(int slot) {
-        return handles[slot];
+        return bodies.atSlot(slot);
     }
 
     private RigidBody own(RigidBody body) {
@@ -376,6 +383,13 @@ public final class Pool {
             throw new IllegalArgumentException(body + " belongs to another pool");
         }
         return body;
+    }
+
+    private void requireChangeable(String what) {
+        requireBetweenSteps(what);
+        if (contacts != null && contacts.areVisited()) {
+            throw new IllegalStateException("cannot " + what + " while contacts are visited");
+        }
     }
 
     private void requireBetweenSteps(String what) {

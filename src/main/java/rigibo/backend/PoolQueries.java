@@ -8,12 +8,12 @@ import rigibo.backend.collision.Pose;
 import rigibo.backend.geometry.Aabb;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.geometry.Shape;
+import rigibo.backend.setup.Require;
 import rigibo.backend.step.StepPlan;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.Found;
 import rigibo.backend.storage.PairIndex;
-import rigibo.backend.storage.Pairs;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -52,17 +52,9 @@ final class PoolQueries {
         return pair != PairIndex.ABSENT && data.pairs.touching[pair];
     }
 
-    List<ContactEvent> contactEvents() {
-        List<ContactEvent> events = new ArrayList<>();
-        for (int pair = 0; pair < data.pairs.slots.high; pair++) {
-            if (data.pairs.bodyA[pair] != Pairs.NONE) {
-                addEvent(pair, events);
-            }
-        }
-        return events;
-    }
-
     Optional<RigidBody> bodyAt(double x, double y) {
+        Require.finite("Pool.bodyAt x", x, "m");
+        Require.finite("Pool.bodyAt y", y, "m");
         box.set(x, y, x, y);
         Found found = near(box);
         RigidBody last = null;
@@ -82,6 +74,10 @@ final class PoolQueries {
     }
 
     Optional<RayHit> rayCast(double fromX, double fromY, double toX, double toY) {
+        Require.finite("Pool.rayCast fromX", fromX, "m");
+        Require.finite("Pool.rayCast fromY", fromY, "m");
+        Require.finite("Pool.rayCast toX", toX, "m");
+        Require.finite("Pool.rayCast toY", toY, "m");
         Broadphase broadphase = plan.broadphase();
         if (broadphase != null) {
             return ray.first(broadphase, fromX, fromY, toX, toY);
@@ -155,37 +151,5 @@ final class PoolQueries {
                     bodies.fixtureMaxX[slot],
                     bodies.fixtureMaxY[slot]);
         }
-    }
-
-    private void addEvent(int pair, List<ContactEvent> events) {
-        Pairs pairs = data.pairs;
-        boolean now = pairs.touching[pair];
-        boolean before = pairs.touchedBefore[pair];
-        boolean bounced = pairs.impacts[pair] > 0;
-        if (now || before || bounced) {
-            events.add(event(pair, phase(now || bounced, before)));
-        }
-    }
-
-    private static ContactEvent.Phase phase(boolean touched, boolean before) {
-        if (!touched) {
-            return ContactEvent.Phase.END;
-        }
-        return before ? ContactEvent.Phase.PERSIST : ContactEvent.Phase.BEGIN;
-    }
-
-    private ContactEvent event(int pair, ContactEvent.Phase phase) {
-        Pairs p = data.pairs;
-        int last = 2 * pair + Math.max(p.points[pair], 1) - 1;
-        return new ContactEvent(
-                pool.handle(p.bodyA[pair]),
-                pool.handle(p.bodyB[pair]),
-                phase,
-                (p.pointX[2 * pair] + p.pointX[last]) / 2,
-                (p.pointY[2 * pair] + p.pointY[last]) / 2,
-                p.normalX[pair],
-                p.normalY[pair],
-                p.impulse[pair],
-                p.crushed[pair]);
     }
 }

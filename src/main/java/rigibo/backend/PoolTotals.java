@@ -69,7 +69,7 @@ final class PoolTotals {
     }
 
     long stateHash() {
-        return StateHash.of(data, pool.time());
+        return StateHash.of(data, pool.time(), pool.savedContacts());
     }
 
     private boolean isDynamic(int slot) {

@@ -350,8 +350,7 @@ public final class Broadphase {
         int p = bodies.firstPair[slot];
         while (p != Pairs.NONE) {
             int after = pairs.nextOf(p, slot);
-            boolean touched = pairs.touching[p] || pairs.impacts[p] > 0;
-            if (!touched && !fixturesOverlap(slot, pairs.other(p, slot))) {
+            if (!pairs.touched(p) && !fixturesOverlap(slot, pairs.other(p, slot))) {
                 pairs.remove(bodies, p);
             }
             p = after;

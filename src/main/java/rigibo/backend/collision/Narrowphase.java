@@ -8,6 +8,7 @@ import rigibo.backend.storage.PairOrder;
 import rigibo.backend.storage.PairTolerances;
 import rigibo.backend.storage.Pairs;
 import rigibo.backend.storage.Roster;
+import rigibo.backend.storage.StillContacts;
 
 /**
  * Fills the manifolds of the candidate pairs that an awake body is in. A pair is given points only
@@ -27,6 +28,7 @@ public final class Narrowphase {
     private final PairOrder order;
     private final Roster roster;
     private final Counters counters;
+    private final StillContacts still;
     private final Collider collider = new Collider();
     private final Seams seams;
     private final Manifold manifold = new Manifold();
@@ -41,11 +43,13 @@ public final class Narrowphase {
         order = new PairOrder(data);
         roster = data.roster;
         counters = data.counters;
+        still = data.stillContacts;
         seams = new Seams(data);
     }
 
     /** Lists the active pairs and fills their manifolds for a step of {@code dt} seconds. */
     public void collide(double dt) {
+        still.settle();
         pairs.beginStep();
         for (int i = 0; i < roster.awakeCount; i++) {
             int slot = roster.awake[i];
@@ -114,10 +118,8 @@ public final class Narrowphase {
     }
 
     private void begin(int pair) {
-        pairs.touchedBefore[pair] = pairs.touching[pair] || pairs.impacts[pair] > 0;
+        pairs.touchedBefore[pair] = pairs.touched(pair);
         pairs.impacts[pair] = 0;
-        pairs.impulse[pair] = 0;
-        pairs.crushed[pair] = false;
     }
 
     /** What lies in a seam is known once the neighbours have been measured, too. */

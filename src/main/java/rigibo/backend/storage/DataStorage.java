@@ -9,6 +9,7 @@ public final class DataStorage {
     public final Pairs pairs;
     public final Roster roster = new Roster();
     public final Islands islands = new Islands();
+    public final StillContacts stillContacts;
     public final Counters counters = new Counters();
 
     /** Slots of the bodies that forces were asked for since the last step, some twice. */
@@ -21,5 +22,6 @@ public final class DataStorage {
     public DataStorage(Effects effects) {
         bodies = new Bodies(effects);
         pairs = new Pairs(effects);
+        stillContacts = new StillContacts(bodies, pairs);
     }
 }

@@ -152,6 +152,8 @@ public final class Pairs {
         }
         for (int pair : slots.occupied()) {
             reach[pair] = Double.NaN;
+            // Any of them may have been active in the last step.
+            list(pair);
             index.put(bodyA[pair], bodyB[pair], pair);
             mix(bodies, pair);
         }
@@ -172,6 +174,12 @@ public final class Pairs {
             reach[pair] = Double.NaN;
         }
         activeStep[pair] = step;
+        impulse[pair] = 0;
+        crushed[pair] = false;
+        list(pair);
+    }
+
+    private void list(int pair) {
         if (activeCount == active.length) {
             active = Arrays.copyOf(active, 2 * activeCount);
         }
@@ -215,6 +223,11 @@ public final class Pairs {
             default:
                 return Math.min(separation[first], separation[first + 1]);
         }
+    }
+
+    /** Whether the two touched in the last step, at its end or in an impact within it. */
+    public boolean touched(int pair) {
+        return touching[pair] || impacts[pair] > 0;
     }
 
     /** Whether one of the points carried a force when the last step ended. */

@@ -3,6 +3,7 @@ package rigibo.backend.storage;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.setup.Accuracy;
 
+import java.util.Arrays;
 import java.util.function.Function;
 
 /** All of a pool that lasts from step to step, to be written as bytes and read again. */
@@ -22,6 +23,9 @@ public final class Snapshot {
     public int[] order = {};
 
     public String[] names = {};
+
+    /** What edits took from the pairs. */
+    public SavedContact[] ended = {};
 
     /** A snapshot of what a pool simulates, how exactly, and its columns. */
     public Snapshot(Effects effects, Accuracy accuracy, DataStorage data) {
@@ -78,6 +82,15 @@ public final class Snapshot {
         for (int i = 0; i < order.length; i++) {
             order[i] = codec.number(order[i]);
             names[i] = codec.text(names[i]);
+        }
+        codec.label("contacts that ended between steps");
+        int count = codec.count(ended.length, SavedContact.BYTES);
+        if (ended.length != count) {
+            ended = new SavedContact[count];
+            Arrays.fill(ended, SavedContact.UNREAD);
+        }
+        for (int i = 0; i < count; i++) {
+            ended[i] = ended[i].visit(codec);
         }
     }
 

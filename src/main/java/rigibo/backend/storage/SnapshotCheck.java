@@ -31,6 +31,9 @@ final class SnapshotCheck {
         }
         check.requireOrder();
         PairLinks.require(snapshot.data);
+        for (SavedContact contact : snapshot.ended) {
+            contact.require(check.bodies);
+        }
     }
 
     private void requireBody(int slot) {

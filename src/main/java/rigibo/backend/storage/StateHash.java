@@ -1,5 +1,7 @@
 package rigibo.backend.storage;
 
+import java.util.List;
+
 /**
  * A 64-bit hash of every bit that the future depends on: the time and all that {@link State} lists.
  * What is simulated and how exactly are not folded in, and neither are names.
@@ -10,11 +12,12 @@ public final class StateHash implements Codec {
 
     private StateHash() {}
 
-    /** The hash of a pool's data at a time in s. */
-    public static long of(DataStorage data, double time) {
+    /** The hash of a pool's data at a time in s, and of the contacts that edits took from them. */
+    public static long of(DataStorage data, double time, List<SavedContact> ended) {
         StateHash state = new StateHash();
         state.number(time);
         State.visit(data, state);
+        ended.forEach(contact -> contact.visit(state));
         return state.hash;
     }
 

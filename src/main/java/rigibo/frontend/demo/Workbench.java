@@ -1,6 +1,6 @@
 package rigibo.frontend.demo;
 
-import rigibo.backend.ContactEvent;
+import rigibo.backend.ContactView;
 import rigibo.backend.Pool;
 import rigibo.backend.RigidBody;
 import rigibo.backend.effect.Effects;
@@ -154,7 +154,7 @@ final class Workbench {
      */
     void tell(Sounds sounds) {
         if (sounds.isHeard()) {
-            impacts.tell(pool.contactEvents(), skins::get, sounds);
+            impacts.tell(pool, skins::get, sounds);
         }
     }
 
@@ -215,9 +215,7 @@ final class Workbench {
                 drawFixture(canvas, body);
             }
         }
-        for (ContactEvent contact : pool.contactEvents()) {
-            drawContact(canvas, contact, step);
-        }
+        pool.forEachContact(contact -> drawContact(canvas, contact, step));
         for (RigidBody body : pool.bodies()) {
             if (body.type() == BodyType.DYNAMIC && isInView(body)) {
                 Color color = body.isAwake() ? Color.GOOD : Color.TEXT_DIM;
@@ -235,20 +233,20 @@ final class Workbench {
         canvas.frame(left, top, width, height, 0, Color.EDGE);
     }
 
-    private void drawContact(Canvas canvas, ContactEvent contact, double step) {
-        double force = contact.impulse() / step;
+    private void drawContact(Canvas canvas, ContactView contact, double step) {
+        double force = contact.impulse / step;
         double length = Math.min(LONGEST_FORCE_PX, FORCE_LENGTH_PX * Math.sqrt(force));
         drawAlong(canvas, contact, length, 4, Color.BRASS);
         drawAlong(canvas, contact, NORMAL_LENGTH_PX, 1.5, Color.BAD);
-        canvas.disc(camera.screenX(contact.x()), camera.screenY(contact.y()), 3, Color.BAD);
+        canvas.disc(camera.screenX(contact.x), camera.screenY(contact.y), 3, Color.BAD);
     }
 
     private void drawAlong(
-            Canvas canvas, ContactEvent contact, double length, double width, Color color) {
-        double x = camera.screenX(contact.x());
-        double y = camera.screenY(contact.y());
-        double tipX = x + length * contact.normalX();
-        double tipY = y - length * contact.normalY();
+            Canvas canvas, ContactView contact, double length, double width, Color color) {
+        double x = camera.screenX(contact.x);
+        double y = camera.screenY(contact.y);
+        double tipX = x + length * contact.normalX;
+        double tipY = y - length * contact.normalY;
         canvas.line(x, y, tipX, tipY, width, color);
     }
 }

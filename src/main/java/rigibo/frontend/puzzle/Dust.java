@@ -1,6 +1,7 @@
 package rigibo.frontend.puzzle;
 
 import rigibo.backend.ContactEvent;
+import rigibo.backend.ContactView;
 import rigibo.backend.Pool;
 import rigibo.frontend.puzzle.level.Steps;
 import rigibo.frontend.scene.Canvas;
@@ -50,20 +51,20 @@ final class Dust {
 
     /** Raises dust from the contacts that began in the pool's last step. */
     void raise(Pool pool) {
-        for (ContactEvent contact : pool.contactEvents()) {
-            if (contact.phase() == ContactEvent.Phase.BEGIN && puffs.size() < MOST) {
-                raise(contact);
-            }
-        }
+        pool.forEachContact(this::raise);
     }
 
-    private void raise(ContactEvent contact) {
-        double lighter = Math.min(contact.a().mass(), contact.b().mass());
-        double blow = contact.impulse() / lighter;
+    private void raise(ContactView contact) {
+        boolean isNew = contact.phase == ContactEvent.Phase.BEGIN && contact.bothAlive();
+        if (!isNew || puffs.size() >= MOST) {
+            return;
+        }
+        double lighter = Math.min(contact.a.mass(), contact.b.mass());
+        double blow = contact.impulse / lighter;
         if (blow < LEAST_BLOW) {
             return;
         }
-        int count = (int) Math.min(MOST_PER_BLOW, 2 + Math.sqrt(contact.impulse() / PER_PUFF));
+        int count = (int) Math.min(MOST_PER_BLOW, 2 + Math.sqrt(contact.impulse / PER_PUFF));
         double speed = Math.min(MOST_SPEED, SPEED * blow);
         for (int i = 0; i < count; i++) {
             // To either side along the surface, for the normal leads into one of the bodies.
@@ -71,10 +72,10 @@ final class Dust {
             Puff puff = new Puff();
             puff.life = between(0.35, 0.8);
             puff.left = puff.life;
-            puff.x = contact.x();
-            puff.y = contact.y();
-            puff.velocityX = -contact.normalY() * aside;
-            puff.velocityY = contact.normalX() * aside + between(0, RISE);
+            puff.x = contact.x;
+            puff.y = contact.y;
+            puff.velocityX = -contact.normalY * aside;
+            puff.velocityY = contact.normalX * aside + between(0, RISE);
             puff.size = between(0.12, 0.24);
             puffs.add(puff);
         }

@@ -55,7 +55,7 @@ final class Noises {
             listenTo(played);
         }
         List<ContactEvent> contacts = game.pool().contactEvents();
-        impacts.tell(contacts, skins::get, sounds);
+        impacts.tell(game.pool(), skins::get, sounds);
         game.balls().stream()
                 .filter(ball -> contacts.stream().anyMatch(contact -> carries(contact, ball)))
                 .mapToDouble(ball -> Math.abs(ball.angularVelocity()) * rim(ball))

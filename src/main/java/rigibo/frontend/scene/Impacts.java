@@ -1,9 +1,10 @@
 package rigibo.frontend.scene;
 
 import rigibo.backend.ContactEvent;
+import rigibo.backend.ContactView;
+import rigibo.backend.Pool;
 import rigibo.backend.RigidBody;
 
-import java.util.List;
 import java.util.function.Function;
 
 /**
@@ -21,31 +22,29 @@ public final class Impacts {
     private boolean hasBegun;
 
     /**
-     * Tells the impacts among the contacts of a step.
+     * Tells the impacts among the contacts of a pool's last step.
      *
      * @param skins of the bodies that move
      */
-    public void tell(List<ContactEvent> contacts, Function<RigidBody, Skin> skins, Sounds sounds) {
+    public void tell(Pool pool, Function<RigidBody, Skin> skins, Sounds sounds) {
         if (hasBegun) {
-            tellAll(contacts, skins, sounds);
+            pool.forEachContact(contact -> tell(contact, skins, sounds));
         }
         hasBegun = true;
     }
 
-    private static void tellAll(
-            List<ContactEvent> contacts, Function<RigidBody, Skin> skins, Sounds sounds) {
-        for (ContactEvent contact : contacts) {
+    private static void tell(ContactView contact, Function<RigidBody, Skin> skins, Sounds sounds) {
+        if (contact.phase == ContactEvent.Phase.BEGIN && contact.bothAlive()) {
             RigidBody lighter = lighter(contact);
-            if (contact.phase() == ContactEvent.Phase.BEGIN
-                    && contact.impulse() > HEARD * lighter.mass()) {
+            if (contact.impulse > HEARD * lighter.mass()) {
                 double size = Math.sqrt(lighter.shape().area());
-                sounds.knock(skins.apply(lighter), size, contact.impulse());
+                sounds.knock(skins.apply(lighter), size, contact.impulse);
             }
         }
     }
 
     /** Of the two the one that the impact moves more, which is never the ground. */
-    private static RigidBody lighter(ContactEvent contact) {
-        return contact.a().mass() < contact.b().mass() ? contact.a() : contact.b();
+    private static RigidBody lighter(ContactView contact) {
+        return contact.a.mass() < contact.b.mass() ? contact.a : contact.b;
     }
 }

@@ -133,7 +133,7 @@ class EditsLawTest {
             }
         }
         for (ContactEvent event : pool.contactEvents()) {
-            if (!event.a().isAlive() || !event.b().isAlive()) {
+            if (event.phase() != ContactEvent.Phase.END && !event.bothAlive()) {
                 return Optional.of("a ghost's contact: " + event);
             }
         }
@@ -182,6 +182,7 @@ class EditsLawTest {
 
     private static boolean hasMet(Pool pool, RigidBody body) {
         return pool.contactEvents().stream()
+                .filter(event -> event.phase() != ContactEvent.Phase.END)
                 .anyMatch(event -> event.a() == body || event.b() == body);
     }
 }

@@ -42,7 +42,7 @@ class ImpactsTest {
     private void run(double seconds) {
         for (int i = 0; i < Math.round(seconds / STEP); i++) {
             pool.step(STEP);
-            impacts.tell(pool.contactEvents(), skins::get, sounds);
+            impacts.tell(pool, skins::get, sounds);
         }
     }
 

@@ -1,0 +1,37 @@
+package rigibo.backend;
+
+import rigibo.backend.ContactEvent.Phase;
+import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.Pairs;
+
+/** Reads what the pairs keep as contacts of the last step. */
+final class ContactReader {
+
+    private final Pool pool;
+    private final Pairs pairs;
+
+    ContactReader(Pool pool, DataStorage data) {
+        this.pool = pool;
+        pairs = data.pairs;
+    }
+
+    /** Shows a pair; returns whether there is anything to tell of it. */
+    boolean read(int pair, ContactView into) {
+        boolean touched = pairs.touched(pair);
+        boolean before = pairs.touchedBefore[pair];
+        if (!touched && !before) {
+            return false;
+        }
+        int last = 2 * pair + Math.max(pairs.points[pair], 1) - 1;
+        into.a = pool.handle(pairs.bodyA[pair]);
+        into.b = pool.handle(pairs.bodyB[pair]);
+        into.phase = !touched ? Phase.END : before ? Phase.PERSIST : Phase.BEGIN;
+        into.x = (pairs.pointX[2 * pair] + pairs.pointX[last]) / 2;
+        into.y = (pairs.pointY[2 * pair] + pairs.pointY[last]) / 2;
+        into.normalX = pairs.normalX[pair];
+        into.normalY = pairs.normalY[pair];
+        into.impulse = pairs.impulse[pair];
+        into.isCrushing = pairs.crushed[pair];
+        return true;
+    }
+}

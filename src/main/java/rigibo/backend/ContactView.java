@@ -1,0 +1,62 @@
+package rigibo.backend;
+
+import rigibo.backend.ContactEvent.Phase;
+
+/**
+ * A contact of the last step as {@link Pool#forEachContact} shows it. It is one object that is
+ * written anew for each contact: what must last beyond the visitor's call is copied, or kept as
+ * {@link #event}.
+ */
+public final class ContactView {
+
+    /** The body the normal points away from. */
+    public RigidBody a;
+
+    /** The body the normal points to. */
+    public RigidBody b;
+
+    /** Whether the contact began, persisted or ended. */
+    public Phase phase;
+
+    /** World x of the contact's middle, m. */
+    public double x;
+
+    /** World y of the contact's middle, m, up. */
+    public double y;
+
+    /** Unit normal from a to b, world x. */
+    public double normalX;
+
+    /** Unit normal from a to b, world y. */
+    public double normalY;
+
+    /** Normal impulse of the step in N·s, impacts included, 0 or more. */
+    public double impulse;
+
+    /** Whether a kinematic body is pressed into the other deeper than 5 % of its width. */
+    public boolean isCrushing;
+
+    ContactView() {}
+
+    /** Whether neither body was removed. */
+    public boolean bothAlive() {
+        return a.isAlive() && b.isAlive();
+    }
+
+    /** A copy that lasts. */
+    public ContactEvent event() {
+        return new ContactEvent(a, b, phase, x, y, normalX, normalY, impulse, isCrushing);
+    }
+
+    void show(ContactEvent event) {
+        a = event.a();
+        b = event.b();
+        phase = event.phase();
+        x = event.x();
+        y = event.y();
+        normalX = event.normalX();
+        normalY = event.normalY();
+        impulse = event.impulse();
+        isCrushing = event.isCrushing();
+    }
+}

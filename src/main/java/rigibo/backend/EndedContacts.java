@@ -1,0 +1,162 @@
+package rigibo.backend;
+
+import rigibo.backend.ContactEvent.Phase;
+import rigibo.backend.storage.Bodies;
+import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.PairIndex;
+import rigibo.backend.storage.Pairs;
+import rigibo.backend.storage.SavedContact;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Consumer;
+
+/**
+ * Contacts that an edit takes from the pairs between two steps, for a removed body has none, and
+ * one that was placed anew is not where it touched. What the last step made of them stays told
+ * until the next; of those that are not there again then, the next step tells the end.
+ */
+final class EndedContacts {
+
+    private static final Phase[] PHASES = Phase.values();
+
+    private final Pool pool;
+    private final Bodies bodies;
+    private final Pairs pairs;
+    private final ContactReader reader;
+    private final ContactView view = new ContactView();
+
+    /** Contacts of the last step that edits have taken since. */
+    private final List<ContactEvent> cut = new ArrayList<>();
+
+    /** What the next step tells of them, unless they are there again. */
+    private final List<ContactEvent> ending = new ArrayList<>();
+
+    /** What the last step told of those that were cut before it. */
+    private final List<ContactEvent> ended = new ArrayList<>();
+
+    EndedContacts(Pool pool, DataStorage data, ContactReader reader) {
+        this.pool = pool;
+        bodies = data.bodies;
+        pairs = data.pairs;
+        this.reader = reader;
+    }
+
+    /** Notes the contacts of a body whose pairs are about to be forgotten. */
+    void cutAllOf(int slot) {
+        for (int p = bodies.firstPairOf(slot); p != Pairs.NONE; p = pairs.nextOf(p, slot)) {
+            cut(p);
+        }
+    }
+
+    /** Notes every contact, for all pairs are about to be forgotten. */
+    void cutAll() {
+        for (int pair = 0; pair < pairs.slots.high; pair++) {
+            if (pairs.bodyA[pair] != Pairs.NONE) {
+                cut(pair);
+            }
+        }
+    }
+
+    private void cut(int pair) {
+        if (reader.read(pair, view)) {
+            cut(view.event());
+        }
+    }
+
+    private void cut(ContactEvent event) {
+        cut.add(event);
+        if (event.phase() != Phase.END) {
+            view.show(event);
+            view.phase = Phase.END;
+            view.impulse = 0;
+            view.isCrushing = false;
+            ending.add(view.event());
+        }
+    }
+
+    /** Tells after a step what became of the contacts that were cut before it. */
+    void follow() {
+        cut.clear();
+        ended.clear();
+        for (int i = 0; i < ending.size(); i++) {
+            if (!goesOn(ending.get(i))) {
+                ended.add(ending.get(i));
+            }
+        }
+        ending.clear();
+    }
+
+    /** Whether the bodies touched in the step, too: then their pair is told that it persisted. */
+    private boolean goesOn(ContactEvent event) {
+        if (!event.bothAlive()) {
+            return false;
+        }
+        // Slots do not change, so that the lower one is still that of A.
+        int pair = pairs.index.find(event.a().slot(), event.b().slot());
+        if (pair == PairIndex.ABSENT || !pairs.touched(pair)) {
+            return false;
+        }
+        pairs.touchedBefore[pair] = true;
+        return true;
+    }
+
+    /** Shows every contact that no pair tells of. */
+    void forEach(ContactView shown, Consumer<? super ContactView> visitor) {
+        forEach(cut, shown, visitor);
+        forEach(ended, shown, visitor);
+    }
+
+    private static void forEach(
+            List<ContactEvent> events, ContactView shown, Consumer<? super ContactView> visitor) {
+        for (int i = 0; i < events.size(); i++) {
+            shown.show(events.get(i));
+            visitor.accept(shown);
+        }
+    }
+
+    /** Those that a restored pool can tell: it has no handle that could name a removed body. */
+    List<SavedContact> saved() {
+        List<SavedContact> saved = new ArrayList<>();
+        cut.stream().filter(ContactEvent::bothAlive).map(e -> saved(e, true)).forEach(saved::add);
+        ended.stream()
+                .filter(ContactEvent::bothAlive)
+                .map(e -> saved(e, false))
+                .forEach(saved::add);
+        return saved;
+    }
+
+    private static SavedContact saved(ContactEvent event, boolean isCut) {
+        return new SavedContact(
+                event.a().slot(),
+                event.b().slot(),
+                isCut,
+                event.phase().ordinal(),
+                event.x(),
+                event.y(),
+                event.normalX(),
+                event.normalY(),
+                event.impulse(),
+                event.isCrushing());
+    }
+
+    /** Goes on from what was saved. */
+    void restore(SavedContact contact) {
+        ContactEvent event =
+                new ContactEvent(
+                        pool.handle(contact.a()),
+                        pool.handle(contact.b()),
+                        PHASES[contact.phase()],
+                        contact.x(),
+                        contact.y(),
+                        contact.normalX(),
+                        contact.normalY(),
+                        contact.impulse(),
+                        contact.isCrushing());
+        if (contact.isCut()) {
+            cut(event);
+        } else {
+            ended.add(event);
+        }
+    }
+}

@@ -1,0 +1,56 @@
+package rigibo.backend;
+
+import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.Pairs;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Consumer;
+
+/** Tells the contacts of the last step: those that pairs keep, and those that edits have taken. */
+final class PoolContacts {
+
+    final EndedContacts ended;
+    private final Pairs pairs;
+    private final ContactReader reader;
+    private final ContactView view = new ContactView();
+
+    /** Visits that have not come to their end. */
+    private int visits;
+
+    PoolContacts(Pool pool, DataStorage data) {
+        pairs = data.pairs;
+        reader = new ContactReader(pool, data);
+        ended = new EndedContacts(pool, data, reader);
+    }
+
+    List<ContactEvent> list() {
+        List<ContactEvent> events = new ArrayList<>();
+        forEach(contact -> events.add(contact.event()));
+        return events;
+    }
+
+    /** A visit within another one shows a view of its own. */
+    void forEach(Consumer<? super ContactView> visitor) {
+        ContactView shown = visits == 0 ? view : new ContactView();
+        visits++;
+        try {
+            forEachPair(shown, visitor);
+            ended.forEach(shown, visitor);
+        } finally {
+            visits--;
+        }
+    }
+
+    private void forEachPair(ContactView shown, Consumer<? super ContactView> visitor) {
+        for (int pair = 0; pair < pairs.slots.high; pair++) {
+            if (pairs.bodyA[pair] != Pairs.NONE && reader.read(pair, shown)) {
+                visitor.accept(shown);
+            }
+        }
+    }
+
+    boolean areVisited() {
+        return visits > 0;
+    }
+}

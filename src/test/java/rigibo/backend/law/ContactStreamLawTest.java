@@ -1,0 +1,124 @@
+package rigibo.backend.law;
+
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+import rigibo.backend.ContactEvent;
+import rigibo.backend.ContactEvent.Phase;
+import rigibo.backend.Pool;
+import rigibo.backend.RigidBody;
+import rigibo.backend.effect.Effects;
+import rigibo.backend.effect.Gravity;
+import rigibo.backend.effect.Rotation;
+import rigibo.backend.effect.Sleep;
+
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+
+/**
+ * Of any two bodies the steps tell BEGIN, PERSIST in every further step, END, and so on, whatever
+ * is edited in between, and of nobody any more once all are gone.
+ */
+class ContactStreamLawTest {
+
+    private static final int TRAY = 3;
+    private static final int STEPS = 240;
+    private static final int STEPS_PER_EDIT = 3;
+
+    /** Contacts are undeclared every so many steps, and for so many. */
+    private static final int CONTACTS_GO = 97;
+
+    private static final int STEPS_WITHOUT = 2;
+
+    /** Rounding of a normal's length, squared. */
+    private static final double ROUNDING = 1e-12;
+
+    @ParameterizedTest
+    @CsvSource({"DRAFT, 30", "GAME, 30", "EXACT, 8"})
+    void everyContactBeginsPersistsAndEnds(Preset preset, int scenes) {
+        Laws.hold(
+                1,
+                scenes,
+                seed -> {
+                    RandomScene tray = Surroundings.tray(seed, preset.accuracy);
+                    // One that falls asleep at once, so that contacts are left as they just began.
+                    double seconds = seed % 3 == 0 ? 0.5 : RandomScene.DT;
+                    return tray.effects(tray.effects().with(new Sleep(seconds, 0.02)));
+                },
+                ContactStreamLawTest::streams);
+    }
+
+    private static Optional<String> streams(RandomScene scene) {
+        Pool pool = scene.steps(0).finished();
+        Effects effects = pool.effects();
+        RandomEdits edits = new RandomEdits(pool, TRAY, scene.seed());
+        Listener listener = new Listener();
+        Optional<String> broken = Optional.empty();
+        for (int step = 1; step <= STEPS && broken.isEmpty(); step++) {
+            if (pool.bodies().size() > TRAY && step % STEPS_PER_EDIT == 0) {
+                edits.rough();
+            }
+            if (step % CONTACTS_GO == 0) {
+                pool.effects(Effects.of(new Gravity(0, -9.81), new Rotation()));
+            } else if (step % CONTACTS_GO == STEPS_WITHOUT) {
+                pool.effects(effects);
+            }
+            pool.step(RandomScene.DT);
+            broken = listener.hear(pool, step);
+        }
+        return broken.or(() -> removed(pool, listener));
+    }
+
+    private static Optional<String> removed(Pool pool, Listener listener) {
+        for (RigidBody body : List.copyOf(pool.bodies())) {
+            pool.remove(body);
+        }
+        pool.step(RandomScene.DT);
+        Optional<String> broken = listener.hear(pool, STEPS + 1);
+        if (broken.isEmpty() && !listener.touching.isEmpty()) {
+            return Optional.of("never ended: " + listener.touching.keySet());
+        }
+        pool.step(RandomScene.DT);
+        return broken.or(() -> listener.hear(pool, STEPS + 2));
+    }
+
+    /** Who touches, by what was told. */
+    private static final class Listener {
+
+        /** The step that last told of two bodies. */
+        private final Map<Set<RigidBody>, Integer> touching = new HashMap<>();
+
+        private Optional<String> hear(Pool pool, int step) {
+            for (ContactEvent event : pool.contactEvents()) {
+                if (!isDue(event, step)) {
+                    return Optional.of("step " + step + ": " + event);
+                }
+            }
+            return touching.entrySet().stream()
+                    .filter(entry -> entry.getValue() != step)
+                    .map(entry -> "step " + step + " tells nothing of " + entry.getKey())
+                    .findAny();
+        }
+
+        private boolean isDue(ContactEvent event, int step) {
+            Set<RigidBody> two = Set.of(event.a(), event.b());
+            Integer last = touching.get(two);
+            boolean isNext = event.phase() == Phase.BEGIN ? last == null : isOf(last, step - 1);
+            double length = event.normalX() * event.normalX() + event.normalY() * event.normalY();
+            if (event.phase() == Phase.END) {
+                touching.remove(two);
+            } else {
+                touching.put(two, step);
+            }
+            boolean isNamedRightly = event.phase() == Phase.END || event.bothAlive();
+            return isNext && isNamedRightly && Math.abs(length - 1) < ROUNDING;
+        }
+
+        private static boolean isOf(Integer told, int step) {
+            return told != null && told == step;
+        }
+    }
+}
