@@ -18,6 +18,7 @@ import java.io.PrintWriter;
             TourCommand.class,
             MeasureCommand.class,
             MonkeyCommand.class,
+            FuzzCommand.class,
             LevelsCommand.class,
             ReplayCommand.class,
             RecordCommand.class,

@@ -111,6 +111,9 @@ class ArchitectureTest {
                         new Room(editor, plus(withScene, puzzle, save, document)),
                         new Room(FRONTEND + ".catalog", plus(plus(withScene, scenes), editor)),
                         new Room("rigibo.film", scene, FRONTEND + ".display"),
+                        // Reads what the game reads, as the game does.
+                        new Room(
+                                "rigibo.fuzz", plus(withScene, puzzle, editor, FRONTEND + ".save")),
                         new Room("rigibo.lab", PUBLIC_FACE)));
     }
 

@@ -1,0 +1,93 @@
+package rigibo.fuzz;
+
+import rigibo.fuzz.judge.Attempt;
+import rigibo.fuzz.judge.Tally;
+import rigibo.fuzz.judge.Watch;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.Consumer;
+
+/**
+ * Tries things in turn until one goes wrong or all are tried. What takes too long cannot be
+ * stopped, only told, so that trying has a thread of its own that does not keep the process alive.
+ */
+final class Campaign {
+
+    /** s of the processor's time that one step or file may take, far more than the longest does. */
+    private static final double PATIENCE = 20;
+
+    /** B, as a main thread's usually is: what hostile nesting may use up. */
+    private static final long STACK = 8 << 20;
+
+    private static final long LOOK_MILLIS = 200;
+
+    private final Order order;
+    private final Tally tally;
+    private final Watch watch;
+    private final Consumer<String> progress;
+    private final List<String> wrong = new CopyOnWriteArrayList<>();
+
+    /** How to try again what is being tried. */
+    private volatile String present = "";
+
+    Campaign(Order order, Tally tally, Watch watch, Consumer<String> progress) {
+        this.order = order;
+        this.tally = tally;
+        this.watch = watch;
+        this.progress = progress;
+    }
+
+    /** Tries it all: what went wrong, and how to see each again. */
+    List<String> run(List<Subject> subjects) throws InterruptedException {
+        Thread trying = new Thread(null, () -> tryAll(subjects), "fuzz", STACK);
+        trying.setDaemon(true);
+        trying.setUncaughtExceptionHandler(
+                (thread, ours) -> wrong.add("the fuzzer itself: " + Attempt.trace(ours)));
+        trying.start();
+        Optional<String> hanging = Optional.empty();
+        while (trying.isAlive() && hanging.isEmpty()) {
+            trying.join(LOOK_MILLIS);
+            hanging = watch.overdue(PATIENCE);
+        }
+        hanging.ifPresent(what -> wrong.add(hang(what, trying)));
+        return wrong;
+    }
+
+    private String hang(String what, Thread trying) {
+        StringBuilder words = new StringBuilder("hangs: " + what + System.lineSeparator());
+        for (StackTraceElement frame : trying.getStackTrace()) {
+            words.append("    at ").append(frame).append(System.lineSeparator());
+        }
+        return words + present;
+    }
+
+    private void tryAll(List<Subject> subjects) {
+        Progress told = new Progress(progress, tally);
+        for (long round = 0; isToGoOn() && order.goesOn(round); round++) {
+            for (Subject subject : subjects) {
+                if (isToGoOn() && round < order.most(subject.title())) {
+                    tryOut(subject, order.first() + round);
+                }
+            }
+            told.tell();
+        }
+    }
+
+    private boolean isToGoOn() {
+        return wrong.size() < order.failures();
+    }
+
+    private void tryOut(Subject subject, long index) {
+        present =
+                String.format(
+                        "again: ./rigibo fuzz --only %s --seed %d --first %d --%s 1",
+                        subject.title(),
+                        order.seed(),
+                        index,
+                        subject.title().equals("files") ? "files" : "programs");
+        subject.tried(order.seed(), index)
+                .ifPresent(found -> wrong.add(found + System.lineSeparator() + present));
+    }
+}

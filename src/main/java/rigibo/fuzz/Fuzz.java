@@ -1,0 +1,62 @@
+package rigibo.fuzz;
+
+import rigibo.fuzz.judge.Tally;
+import rigibo.fuzz.judge.Watch;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Consumer;
+
+/** Random programs and mutated files, as many as are asked for. */
+public final class Fuzz {
+
+    /** What is tried. */
+    public enum Only {
+        ENGINE,
+        FILES,
+        BOTH
+    }
+
+    private final Tally tally = new Tally();
+    private final Watch watch = new Watch();
+    private final Only only;
+    private final Path wrong;
+
+    /**
+     * A fuzzer.
+     *
+     * @param only which part is tried
+     * @param wrong the folder where files that go wrong are kept
+     */
+    public Fuzz(Only only, Path wrong) {
+        this.only = only;
+        this.wrong = wrong;
+    }
+
+    /** What was asked up to now. */
+    public Tally tally() {
+        return tally;
+    }
+
+    /**
+     * Tries what is ordered.
+     *
+     * @param progress is told now and then how far it is
+     * @return what went wrong, and how to see it again; nothing where nothing did
+     */
+    public List<String> run(Order order, Consumer<String> progress) throws InterruptedException {
+        return new Campaign(order, tally, watch, progress).run(subjects());
+    }
+
+    private List<Subject> subjects() {
+        List<Subject> subjects = new ArrayList<>();
+        if (only != Only.FILES) {
+            subjects.add(new EngineSubject(tally, watch));
+        }
+        if (only != Only.ENGINE) {
+            subjects.add(new FilesSubject(tally, watch, wrong));
+        }
+        return subjects;
+    }
+}

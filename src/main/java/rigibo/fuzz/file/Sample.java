@@ -1,0 +1,9 @@
+package rigibo.fuzz.file;
+
+/**
+ * A whole file.
+ *
+ * @param name what the game calls it
+ * @param bytes what is in it
+ */
+public record Sample(String name, byte[] bytes) {}

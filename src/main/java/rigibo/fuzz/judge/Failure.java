@@ -1,0 +1,10 @@
+package rigibo.fuzz.judge;
+
+/**
+ * What a program broke.
+ *
+ * @param law which law
+ * @param operation after how many operations, counted from 0
+ * @param words what was seen
+ */
+public record Failure(String law, int operation, String words) {}

@@ -1,0 +1,27 @@
+package rigibo.fuzz.judge;
+
+/** Thrown where a law does not hold. */
+final class LawBroken extends RuntimeException {
+
+    private static final long serialVersionUID = 1;
+
+    /** Which law, in a few words that are the same each time it is broken. */
+    final String law;
+
+    LawBroken(String law, String words) {
+        super(words);
+        this.law = law;
+    }
+
+    LawBroken(String law, String words, Throwable cause) {
+        super(words, cause);
+        this.law = law;
+    }
+
+    /** Throws where a law does not hold. */
+    static void unless(boolean holds, String law, String words, Object... arguments) {
+        if (!holds) {
+            throw new LawBroken(law, String.format(words, arguments));
+        }
+    }
+}

@@ -1,0 +1,57 @@
+package rigibo.fuzz.judge;
+
+import rigibo.fuzz.program.Operation;
+import rigibo.fuzz.program.Program;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/** Cuts a program down as long as it breaks the same law. */
+public final class Shrinking {
+
+    private final Watch watch;
+
+    /** Whoever hangs while cutting down is found by the watch. */
+    public Shrinking(Watch watch) {
+        this.watch = watch;
+    }
+
+    /** What is left of a program that breaks a law when nothing more can be left out. */
+    public Program of(Program program, Failure failure) {
+        Program small = upTo(program, failure.operation());
+        small = breaks(small, failure) ? small : program;
+        int part = small.operations().size();
+        while (part > 0) {
+            Optional<Program> smaller = withoutOne(small, part, failure);
+            small = smaller.orElse(small);
+            part = smaller.isPresent() ? Math.min(part, small.operations().size()) : part / 2;
+        }
+        return small;
+    }
+
+    private static Program upTo(Program program, int last) {
+        int count = Math.min(last + 1, program.operations().size());
+        return program.with(program.operations().subList(0, count));
+    }
+
+    private Optional<Program> withoutOne(Program program, int part, Failure failure) {
+        List<Operation> all = program.operations();
+        for (int end = all.size(); end > 0; end -= part) {
+            List<Operation> left = new ArrayList<>(all);
+            left.subList(Math.max(0, end - part), end).clear();
+            Program smaller = program.with(left);
+            if (breaks(smaller, failure)) {
+                return Optional.of(smaller);
+            }
+        }
+        return Optional.empty();
+    }
+
+    private boolean breaks(Program program, Failure failure) {
+        return new Judge(new Tally(), watch)
+                .judge(program)
+                .filter(found -> found.law().equals(failure.law()))
+                .isPresent();
+    }
+}

@@ -1,0 +1,119 @@
+package rigibo.fuzz.judge;
+
+import static rigibo.fuzz.judge.LawBroken.unless;
+
+import rigibo.backend.ContactEvent;
+import rigibo.backend.Pool;
+import rigibo.backend.RigidBody;
+import rigibo.backend.StepReport;
+import rigibo.backend.setup.Accuracy;
+import rigibo.backend.setup.BodyType;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** What holds of every step. */
+final class StepLaws {
+
+    private static final String STILL = "what is static stays where it is";
+    private static final String REPORT = "a step's report is consistent";
+    private static final String EVENTS = "contact events are well formed";
+
+    /** Of a unit vector's square. */
+    private static final double ROUND_OFF = 1e-9;
+
+    /** Rows of two points at most: normal, friction, rolling. */
+    private static final int MOST_ROWS_PER_PAIR = 6;
+
+    /** Where a static body was. */
+    private record Place(RigidBody body, double x, double y, double angle) {
+
+        boolean isTheSame() {
+            return body.x() == x && body.y() == y && body.angle() == angle;
+        }
+    }
+
+    private final List<Place> places = new ArrayList<>();
+    private double time;
+
+    void before(Pool pool) {
+        time = pool.time();
+        places.clear();
+        for (RigidBody body : pool.bodies()) {
+            if (body.type() == BodyType.STATIC) {
+                places.add(new Place(body, body.x(), body.y(), body.angle()));
+            }
+        }
+    }
+
+    void after(Pool pool, double dt) {
+        unless(pool.time() == time + dt, "time goes on by the step", "it is %s", pool.time());
+        for (Place place : places) {
+            unless(place.isTheSame(), STILL, "%s was at %s", place.body(), place);
+        }
+        States.requireSound(pool);
+        requireConsistent(pool, pool.report());
+        pool.contactEvents().forEach(event -> requireWellFormed(pool, event));
+    }
+
+    private static void requireConsistent(Pool pool, StepReport report) {
+        int bodies = pool.bodies().size();
+        requireWithin("bodies", report.bodies(), bodies, bodies);
+        requireWithin("awake", report.awake(), 0, bodies);
+        requireWithin("pairs", report.pairs(), 0, (long) bodies * (bodies - 1) / 2);
+        requireWithin("contacts", report.contacts(), 0, report.pairs());
+        requireWithin("crushed", report.crushed(), 0, report.pairs());
+        requireWithin("quarantined", report.quarantined(), 0, bodies);
+        requireWithin("rows", report.rows(), 0, (long) MOST_ROWS_PER_PAIR * report.pairs());
+        requireWithin("impacts", report.impacts(), 0, mostImpacts(pool, report));
+        requireWithin("evaluations", report.evaluations(), 0, mostEvaluations(pool, report));
+        double depth = report.deepestOverlap();
+        unless(depth >= 0 && depth < Double.POSITIVE_INFINITY, REPORT, "overlap is %s", depth);
+        for (int i = 0; i < report.quarantined(); i++) {
+            unless(report.quarantined(i).isAlive(), REPORT, "who is quarantined is gone");
+        }
+    }
+
+    /** Each pair as often as the accuracy allows, in flight and in each substep of a pile. */
+    private static long mostImpacts(Pool pool, StepReport report) {
+        Accuracy accuracy = pool.accuracy();
+        long ofPair = (accuracy.maxImpactsPerPair() + 1L) * (accuracy.substeps() + 1);
+        return ofPair * (report.pairs() + 1);
+    }
+
+    private static long mostEvaluations(Pool pool, StepReport report) {
+        return 1000L * (report.pairs() + mostImpacts(pool, report));
+    }
+
+    private static void requireWithin(String what, long count, long least, long most) {
+        unless(
+                count >= least && count <= most,
+                REPORT,
+                "%s must be %d to %d, was %d",
+                what,
+                least,
+                most,
+                count);
+    }
+
+    private static void requireWellFormed(Pool pool, ContactEvent event) {
+        unless(event.a() != event.b(), EVENTS, "%s is of one body", event);
+        unless(
+                event.a().isAlive() && event.b().isAlive(),
+                EVENTS,
+                "%s is of a removed body",
+                event);
+        double square = event.normalX() * event.normalX() + event.normalY() * event.normalY();
+        unless(Math.abs(square - 1) <= ROUND_OFF, EVENTS, "the normal of %s", event);
+        unless(Double.isFinite(event.x()) && Double.isFinite(event.y()), EVENTS, "%s", event);
+        boolean pushes = event.impulse() >= 0 && event.impulse() < Double.POSITIVE_INFINITY;
+        unless(pushes, EVENTS, "the impulse of %s", event);
+        boolean touch = pool.touching(event.a(), event.b());
+        unless(touch == pool.touching(event.b(), event.a()), EVENTS, "touching one way: %s", event);
+        unless(
+                !touch || event.phase() != ContactEvent.Phase.END,
+                EVENTS,
+                "they touch and have ended: %s",
+                event);
+    }
+}

@@ -1,0 +1,136 @@
+package rigibo.fuzz.program;
+
+import static rigibo.fuzz.program.Stated.call;
+import static rigibo.fuzz.program.Stated.numbers;
+
+import rigibo.backend.geometry.Circle;
+import rigibo.backend.geometry.Polygon;
+import rigibo.backend.geometry.Shape;
+import rigibo.backend.setup.BodyDefinition;
+import rigibo.backend.setup.BodyType;
+import rigibo.backend.setup.Material;
+import rigibo.fuzz.chance.Chance;
+
+import java.util.Arrays;
+import java.util.List;
+
+/** Draws bodies, and what they are made of. */
+record Bodies(Chance chance, Temper temper) {
+
+    /** A definition that a pool takes, unless its mass is beyond all bounds. */
+    Stated<BodyDefinition> definition(int number) {
+        Stated<BodyDefinition> body = ofType(shape());
+        double x = temper.placeX(chance);
+        double y = temper.placeY(chance);
+        body = body.then(call("at", x, y), b -> b.at(x, y));
+        double angle = temper.angle(chance);
+        body = body.then(call("angle", angle), b -> b.angle(angle));
+        Stated<Material> material = material();
+        body = body.then("material(" + material.java() + ")", b -> b.material(material.value()));
+        return options(body, number);
+    }
+
+    private Stated<BodyDefinition> ofType(Stated<Shape> shape) {
+        String maker =
+                chance.oneOf("dynamic", "dynamic", "dynamic", "dynamic", "fixed", "kinematic");
+        Stated<BodyDefinition> body =
+                new Stated<>(
+                        "BodyDefinition." + maker + "(" + shape.java() + ")",
+                        () ->
+                                switch (maker) {
+                                    case "fixed" -> BodyDefinition.fixed(shape.value());
+                                    case "kinematic" -> BodyDefinition.kinematic(shape.value());
+                                    default -> BodyDefinition.dynamic(shape.value());
+                                });
+        return maker.equals("fixed") ? body : moving(body);
+    }
+
+    private Stated<BodyDefinition> moving(Stated<BodyDefinition> body) {
+        double vx = temper.velocity(chance);
+        double vy = temper.velocity(chance);
+        double spin = temper.spin(chance);
+        return body.then(call("velocity", vx, vy), b -> b.velocity(vx, vy))
+                .then(call("spin", spin), b -> b.spin(spin));
+    }
+
+    /** Names are how a restored pool's bodies are told apart. */
+    private Stated<BodyDefinition> options(Stated<BodyDefinition> plain, int number) {
+        String name = Stage.name(number);
+        Stated<BodyDefinition> body = plain.then("name(\"" + name + "\")", b -> b.name(name));
+        if (chance.happens(0.1)) {
+            double mass = temper.factor(chance, 1e90);
+            body = body.then(call("mass", mass), b -> b.mass(mass));
+        }
+        if (chance.happens(0.1)) {
+            double inertia = temper.factor(chance, 1e90);
+            body = body.then(call("inertia", inertia), b -> b.inertia(inertia));
+        }
+        if (chance.happens(0.1)) {
+            double scale = chance.oneOf(0.0, -1.0, 2.0, temper.factor(chance, 1e6));
+            body = body.then(call("gravityScale", scale), b -> b.gravityScale(scale));
+        }
+        if (chance.happens(0.15)) {
+            int group = chance.oneOf(1, 2, -1, Integer.MAX_VALUE, Integer.MIN_VALUE);
+            body = body.then("group(" + group + ")", b -> b.group(group));
+        }
+        return chance.happens(0.1) ? body.then("awake(false)", b -> b.awake(false)) : body;
+    }
+
+    Stated<Shape> shape() {
+        double width = temper.length(chance);
+        return switch (chance.whole(0, 4)) {
+            case 0, 1 -> new Stated<>(call("new Circle", width / 2), () -> new Circle(width / 2));
+            case 2 -> box(width, temper.length(chance));
+            case 3 -> regular(chance.happens(0.05) ? 256 : chance.whole(3, 12), width / 2);
+            default -> ragged(width / 2);
+        };
+    }
+
+    private Stated<Shape> box(double width, double height) {
+        double flat = chance.happens(0.1) ? height / chance.ofAnySize(1, 1e3) : height;
+        return new Stated<>(call("Polygon.box", width, flat), () -> Polygon.box(width, flat));
+    }
+
+    private static Stated<Shape> regular(int corners, double radius) {
+        return new Stated<>(
+                "Polygon.regular(" + corners + ", " + radius + ")",
+                () -> Polygon.regular(corners, radius));
+    }
+
+    /** Corners anywhere on an ellipse: convex, and often with an edge that is hardly there. */
+    private Stated<Shape> ragged(double radius) {
+        double[] angles = new double[chance.whole(3, 8)];
+        for (int i = 0; i < angles.length; i++) {
+            angles[i] = chance.between(0, 2 * Math.PI);
+        }
+        Arrays.sort(angles);
+        double[] xy = new double[2 * angles.length];
+        double flatness = chance.ofAnySize(0.05, 1);
+        double off = chance.happens(0.2) ? 1e3 * radius : 0;
+        for (int i = 0; i < angles.length; i++) {
+            xy[2 * i] = off + radius * StrictMath.cos(angles[i]);
+            xy[2 * i + 1] = flatness * radius * StrictMath.sin(angles[i]);
+        }
+        return new Stated<>("Polygon.of(" + numbers(xy) + ")", () -> Polygon.of(xy));
+    }
+
+    Stated<Material> material() {
+        double density = temper.factor(chance, 1e30);
+        double friction = chance.oneOf(0.0, 0.03, 0.5, 1.2, temper.factor(chance, 1e200));
+        double elasticity = chance.oneOf(0.0, 1.0, chance.between(0, 1));
+        double rolling = seldom(temper.size() * temper.factor(chance, 1e100));
+        double surface = seldom(temper.speed() * temper.factor(chance, 1e100));
+        double drag = seldom(temper.factor(chance, 1e100));
+        return new Stated<>(
+                call("new Material", density, friction, elasticity, rolling, surface, drag),
+                () -> new Material(density, friction, elasticity, rolling, surface, drag));
+    }
+
+    private double seldom(double number) {
+        return chance.happens(0.3) ? number : 0;
+    }
+
+    BodyType type() {
+        return chance.oneOf(List.of(BodyType.values()));
+    }
+}

@@ -1,0 +1,84 @@
+package rigibo.fuzz.program;
+
+import rigibo.fuzz.chance.Chance;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** Draws programs: the same seed and index make the same one, in every JVM. */
+public final class Programs {
+
+    /** Bodies that a program adds at most. */
+    static final int MOST_BODIES = 200;
+
+    /** A kind of operation, and how often it is drawn. */
+    private record Share(double probability, Draw draw) {}
+
+    private interface Draw {
+        Operation next();
+    }
+
+    private final Chance chance;
+    private final Temper temper;
+    private final Verbs verbs;
+    private final Questions questions;
+    private final Refusals refusals;
+    private int bodies;
+
+    private Programs(Chance chance) {
+        this.chance = chance;
+        int expected = chance.oneOf(chance.whole(1, 6), chance.whole(1, 12), chance.whole(1, 30));
+        expected = chance.happens(0.02) ? 100 : expected;
+        temper = Temper.draw(chance, expected);
+        Bodies drawnBodies = new Bodies(chance, temper);
+        verbs = new Verbs(chance, temper, drawnBodies);
+        questions = new Questions(chance, temper);
+        refusals = new Refusals(chance);
+        bodies = expected;
+    }
+
+    /** The program with an index among those of a seed. */
+    public static Program of(long seed, long index) {
+        return new Programs(Chance.of(seed, index)).draw();
+    }
+
+    private Program draw() {
+        List<Operation> operations = new ArrayList<>();
+        for (int number = 0; number < bodies; number++) {
+            operations.add(verbs.add(number));
+        }
+        for (int left = chance.whole(5, 60); left > 0; left--) {
+            operations.add(next());
+        }
+        return new Program(
+                DrawnEffects.draw(chance, temper), DrawnAccuracy.draw(chance), operations);
+    }
+
+    private Operation next() {
+        List<Share> shares =
+                List.of(
+                        new Share(0.35, verbs::steps),
+                        new Share(0.30, () -> verbs.ofBody(body())),
+                        new Share(0.05, verbs::ofPool),
+                        new Share(0.06, this::add),
+                        new Share(0.10, () -> questions.ask(body(), body())),
+                        new Share(0.04, questions::copy),
+                        new Share(0.10, () -> refusals.draw(body())));
+        double drawn = chance.between(0, 1);
+        for (Share share : shares) {
+            drawn -= share.probability();
+            if (drawn < 0) {
+                return share.draw().next();
+            }
+        }
+        return verbs.steps();
+    }
+
+    private Operation add() {
+        return bodies < MOST_BODIES ? verbs.add(bodies++) : verbs.steps();
+    }
+
+    private int body() {
+        return chance.whole(0, bodies - 1);
+    }
+}
