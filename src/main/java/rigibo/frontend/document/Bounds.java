@@ -23,6 +23,12 @@ final class Bounds {
     /** Characters of a number; a double to its last binary digit may have a few more than 20. */
     static final int NUMBER = 100;
 
+    /**
+     * Largest number, either way: up to it a double counts in ones (I-JSON, RFC 7493, 2.2). The
+     * schema's validator throws at larger ones.
+     */
+    static final double LARGEST = 0x1p53;
+
     static final StreamReadConstraints OF_PARSER =
             StreamReadConstraints.builder()
                     .maxDocumentLength(BYTES)

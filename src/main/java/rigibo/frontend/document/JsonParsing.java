@@ -141,7 +141,7 @@ final class JsonParsing {
     private JsonNode number() {
         String digits = parser.getString();
         double number = digits.length() <= Bounds.NUMBER ? Double.parseDouble(digits) : Double.NaN;
-        if (!Double.isFinite(number)) {
+        if (!(Math.abs(number) <= Bounds.LARGEST)) {
             problems.error(
                     here(), pointer(), "the number " + Escape.shortened(digits) + " is too large");
             return NODES.numberNode(0);

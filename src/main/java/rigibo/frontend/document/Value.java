@@ -1,20 +1,21 @@
 package rigibo.frontend.document;
 
 import tools.jackson.databind.JsonNode;
-import tools.jackson.databind.node.JsonNodeFactory;
 
 import java.util.Collection;
+import java.util.LinkedHashMap;
+import java.util.Locale;
+import java.util.Map;
 import java.util.function.Function;
 import java.util.function.Predicate;
 import java.util.function.Supplier;
+import java.util.regex.Pattern;
 
 /**
  * A value of a document, asked for what it should be. One that is something else is a problem, and
  * the reader goes on with what it gives instead, so that all problems are told at once.
  */
 public final class Value {
-
-    private static final JsonNode NOTHING = JsonNodeFactory.instance.objectNode();
 
     private final Document document;
     private final JsonNode node;
@@ -37,7 +38,13 @@ public final class Value {
         return new Value(document, node.path(member), () -> Pointer.member(pointer.get(), member));
     }
 
-    /** A member that must be there. */
+    /** This, which must be an object; nothing else has members. */
+    public Value object() {
+        is("an object", JsonNode::isObject, any -> any, node);
+        return this;
+    }
+
+    /** A member that an object must have. */
     public Value required(String member) {
         if (node.isObject() && !node.has(member)) {
             error(() -> Escape.quoted(member) + " is missing");
@@ -45,10 +52,9 @@ public final class Value {
         return optional(member);
     }
 
-    /** Names of the members; none of what should be an object and is not. */
+    /** The names of the members; none of what is no object. */
     public Collection<String> members() {
-        return is(
-                "an object", JsonNode::isObject, JsonNode::propertyNames, NOTHING.propertyNames());
+        return node.propertyNames();
     }
 
     /** Whether the file states it. */
@@ -59,6 +65,19 @@ public final class Value {
     /** A text. */
     public String text(String instead) {
         return is("a text", JsonNode::isString, JsonNode::stringValue, instead);
+    }
+
+    /**
+     * A text of some shape.
+     *
+     * @param shape what it must be, in words
+     */
+    public String text(Pattern pattern, String shape, String instead) {
+        return is(
+                shape,
+                any -> any.isString() && pattern.matcher(any.stringValue()).matches(),
+                JsonNode::stringValue,
+                instead);
     }
 
     /** Whether something is so. */
@@ -91,10 +110,20 @@ public final class Value {
     /** One of some words. */
     public String word(Collection<String> words, String instead) {
         return is(
-                "one of " + Suggestion.list(words),
+                "one of " + Suggestion.list(words.stream().sorted().toList()),
                 any -> any.isString() && words.contains(any.stringValue()),
                 JsonNode::stringValue,
                 instead);
+    }
+
+    /** A constant by its name in small letters. */
+    public <E extends Enum<E>> E word(Class<E> kind, E instead) {
+        Map<String, E> constants = new LinkedHashMap<>();
+        for (E constant : kind.getEnumConstants()) {
+            constants.put(constant.name().toLowerCase(Locale.ROOT), constant);
+        }
+        String name = instead.name().toLowerCase(Locale.ROOT);
+        return constants.get(word(constants.keySet(), name));
     }
 
     private <T> T is(

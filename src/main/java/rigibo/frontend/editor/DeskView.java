@@ -2,6 +2,7 @@ package rigibo.frontend.editor;
 
 import rigibo.frontend.editor.desk.Desk;
 import rigibo.frontend.editor.desk.Finding;
+import rigibo.frontend.editor.draft.Decimal;
 import rigibo.frontend.editor.draft.Draft;
 import rigibo.frontend.editor.draft.Grid;
 import rigibo.frontend.editor.draft.Item;
@@ -49,7 +50,7 @@ final class DeskView {
 
     private void drawItems() {
         Draft draft = desk.draft();
-        canvas.gaze(draft.at("/ball/x").asDouble(0), draft.at("/ball/y").asDouble(0));
+        canvas.gaze(Decimal.read(draft.at("/ball/x"), 0), Decimal.read(draft.at("/ball/y"), 0));
         for (Item item : draft.items()) {
             Point at = item.toWorld(item.form().centre());
             double angle = Math.toRadians(item.degrees());
@@ -65,8 +66,8 @@ final class DeskView {
     }
 
     private void drawWorld() {
-        double width = desk.draft().at("/world/width").asDouble(0);
-        double height = desk.draft().at("/world/height").asDouble(0);
+        double width = Decimal.read(desk.draft().at("/world/width"), 0);
+        double height = Decimal.read(desk.draft().at("/world/height"), 0);
         double left = camera.screenX(0);
         double top = camera.screenY(height);
         double right = camera.screenX(width);
@@ -87,7 +88,7 @@ final class DeskView {
     }
 
     private void water(double left, double right, double bottom) {
-        double surface = desk.draft().at("/world/water/level").asDouble(0);
+        double surface = Decimal.read(desk.draft().at("/world/water/level"), 0);
         if (surface > 0) {
             double y = camera.screenY(surface);
             canvas.panel(left, y, right - left, bottom - y, 0, Color.ICE.alpha(0.22));

@@ -29,8 +29,14 @@ final class Drawer {
         this.folder = folder;
         written = Optional.of(first.draft());
         file = first.file();
+        folder.ifPresent(own -> offer());
+    }
+
+    private void offer() {
+        Unsaved unsaved = unsaved();
         try {
-            offered = folder.isPresent() ? unsaved().last() : Optional.empty();
+            offered = unsaved.last();
+            trouble = unsaved.trouble().stream().findFirst();
         } catch (IOException unreadable) {
             trouble = Optional.of(unreadable.getMessage());
         }

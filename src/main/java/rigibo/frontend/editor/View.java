@@ -1,5 +1,6 @@
 package rigibo.frontend.editor;
 
+import rigibo.frontend.editor.draft.Decimal;
 import rigibo.frontend.editor.draft.Draft;
 import rigibo.frontend.editor.pane.Area;
 import rigibo.frontend.scene.Camera;
@@ -29,8 +30,8 @@ final class View {
 
     /** The whole world in the middle of what the panes leave. */
     static void home(Camera camera, Draft draft) {
-        double width = Math.max(1, draft.at("/world/width").asDouble(1));
-        double height = Math.max(1, draft.at("/world/height").asDouble(1));
+        double width = Math.max(1, Decimal.read(draft.at("/world/width"), 1));
+        double height = Math.max(1, Decimal.read(draft.at("/world/height"), 1));
         double scale =
                 Math.min(
                         (DRAFT.width() - 2 * MARGIN) / width,

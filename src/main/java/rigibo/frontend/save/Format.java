@@ -1,6 +1,7 @@
 package rigibo.frontend.save;
 
-import tools.jackson.databind.JsonNode;
+import rigibo.frontend.document.Value;
+
 import tools.jackson.databind.node.ObjectNode;
 
 /** How something is told in JSON. */
@@ -10,12 +11,10 @@ interface Format<T> {
     T initial();
 
     /**
-     * The value of a JSON object of this format or an older one.
-     *
-     * @throws tools.jackson.core.JacksonException when something is missing or of another kind
-     * @throws IllegalArgumentException when a number or a word cannot be
+     * The value of a JSON object of this format or an older one. What is missing or of another kind
+     * is told, and something else stands in its place.
      */
-    T read(JsonNode json);
+    T read(Value json);
 
     /** Tells a value in an empty object. */
     void write(T value, ObjectNode json);

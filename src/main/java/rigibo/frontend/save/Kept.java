@@ -1,5 +1,7 @@
 package rigibo.frontend.save;
 
+import org.tinylog.Logger;
+
 import java.io.IOException;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -27,6 +29,10 @@ final class Kept<T> {
 
     private boolean isUnwritable;
     private boolean isForeign;
+
+    /** Whether a damaged file is still where it was. */
+    private boolean isStuck;
+
     private boolean wasUnlocked;
 
     /** Reads a value from its file, or what can be had instead. */
@@ -43,37 +49,52 @@ final class Kept<T> {
     }
 
     private T load() {
-        Reading<T> reading = Reading.of(file.file(), format);
+        Reading<T> reading = read(file.file());
         return switch (reading.state()) {
             case WHOLE -> reading.value().orElseThrow();
-            case MISSING -> backup().orElseGet(format::initial);
+            case MISSING -> {
+                Reading<T> backup = backup();
+                if (backup.state() == Reading.State.DAMAGED) {
+                    notices.add(
+                            isStuck
+                                    ? new Notice(Notice.Kind.STUCK, file.backup())
+                                    : new Notice(Notice.Kind.BACKUP_LOST, file.file()));
+                }
+                yield backup.value().orElseGet(format::initial);
+            }
             case DAMAGED -> {
                 putAside(file.file());
-                yield instead(Notice.Kind.BACKUP_USED, Notice.Kind.LOST);
+                Optional<T> backup = backup().value();
+                Notice.Kind moved = backup.isPresent() ? Notice.Kind.BACKUP_USED : Notice.Kind.LOST;
+                note(isStuck ? Notice.Kind.STUCK : moved);
+                yield backup.orElseGet(format::initial);
             }
             case NEWER -> {
                 isForeign = true;
                 note(Notice.Kind.NEWER);
                 yield format.initial();
             }
-            case UNREADABLE -> instead(Notice.Kind.UNREADABLE, Notice.Kind.UNREADABLE);
+            case UNREADABLE -> {
+                note(Notice.Kind.UNREADABLE);
+                yield backup().value().orElseGet(format::initial);
+            }
         };
     }
 
-    private T instead(Notice.Kind withBackup, Notice.Kind without) {
-        Optional<T> backup = backup();
-        note(backup.isPresent() ? withBackup : without);
-        return backup.orElseGet(format::initial);
+    private Reading<T> read(Path path) {
+        Reading<T> reading = Reading.of(path, format);
+        reading.problems().stream().findFirst().ifPresent(Logger::warn);
+        return reading;
     }
 
-    /** The file before, where it is whole. */
-    private Optional<T> backup() {
-        Reading<T> reading = Reading.of(file.backup(), format);
+    /** The file before, put aside where it is damaged. */
+    private Reading<T> backup() {
+        Reading<T> reading = read(file.backup());
         if (reading.state() == Reading.State.DAMAGED) {
             putAside(file.backup());
         }
         isForeign |= reading.state() == Reading.State.NEWER;
-        return reading.value();
+        return reading;
     }
 
     /** Where even this cannot be written, the file stays, and no other takes its place. */
@@ -81,11 +102,12 @@ final class Kept<T> {
         try {
             SafeFile.setAside(damaged);
         } catch (IOException readOnly) {
+            isStuck = true;
             isUnwritable = true;
         }
     }
 
-    private void note(Notice.Kind kind) {
+    private synchronized void note(Notice.Kind kind) {
         notices.add(new Notice(kind, file.file()));
     }
 
@@ -168,6 +190,7 @@ final class Kept<T> {
             file.keep();
         } else if (state == Reading.State.DAMAGED) {
             SafeFile.setAside(file.file());
+            note(Notice.Kind.REPLACED);
         }
         file.replace();
     }

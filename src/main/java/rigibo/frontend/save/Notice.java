@@ -18,6 +18,12 @@ record Notice(Kind kind, Path file) {
         BACKUP_USED,
         /** The file was damaged and there is no other. */
         LOST,
+        /** There is no file, and its backup was damaged. */
+        BACKUP_LOST,
+        /** The file is damaged and could not be moved: it stays as it is, unused. */
+        STUCK,
+        /** The file was damaged, and moved when another took its place. */
+        REPLACED,
         /** A newer game wrote it: it stays as it is. */
         NEWER,
         /** It cannot be read: it stays as it is. */

@@ -1,17 +1,20 @@
 package rigibo.frontend.save;
 
+import rigibo.frontend.document.Value;
 import rigibo.frontend.scene.LevelProgress;
 import rigibo.frontend.scene.Progress;
 
-import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.node.ObjectNode;
 
 import java.util.OptionalInt;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import java.util.regex.Pattern;
 
 /** Progress in JSON. Hashes are hexadecimal words, for JSON's numbers need not have 64 bits. */
 final class ProgressFormat implements Format<Progress> {
+
+    private static final Pattern HASH = Pattern.compile("[0-9a-fA-F]{1,16}");
 
     @Override
     public Progress initial() {
@@ -19,23 +22,37 @@ final class ProgressFormat implements Format<Progress> {
     }
 
     @Override
-    public Progress read(JsonNode json) {
+    public Progress read(Value json) {
         SortedMap<String, LevelProgress> levels = new TreeMap<>();
-        json.required("levels")
-                .asObject()
-                .properties()
-                .forEach(level -> levels.put(level.getKey(), level(level.getValue())));
+        Value all = json.required("levels").object();
+        for (String id : all.members()) {
+            levels.put(id, level(all.required(id).object()));
+        }
         return new Progress(levels);
     }
 
-    private static LevelProgress level(JsonNode json) {
+    private static LevelProgress level(Value json) {
+        boolean isSolved = json.required("solved").truth(false);
         return new LevelProgress(
-                Long.parseUnsignedLong(json.required("hash").stringValue(), 16),
-                json.required("solved").booleanValue(),
-                json.has("fewestClicks")
-                        ? OptionalInt.of(json.get("fewestClicks").intValue())
-                        : OptionalInt.empty(),
-                json.required("failures").intValue());
+                hash(json.required("hash")),
+                isSolved,
+                clicks(json.optional("fewestClicks"), isSolved),
+                json.required("failures").whole(0, Integer.MAX_VALUE, 0));
+    }
+
+    private static long hash(Value json) {
+        return Long.parseUnsignedLong(json.text(HASH, "1 to 16 hexadecimal digits", "0"), 16);
+    }
+
+    private static OptionalInt clicks(Value json, boolean isSolved) {
+        if (!json.isThere()) {
+            return OptionalInt.empty();
+        }
+        int clicks = json.whole(0, Integer.MAX_VALUE, 0);
+        if (!isSolved) {
+            json.wrong("must be missing until the level is solved");
+        }
+        return isSolved ? OptionalInt.of(clicks) : OptionalInt.empty();
     }
 
     @Override

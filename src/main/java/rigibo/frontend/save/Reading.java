@@ -1,15 +1,19 @@
 package rigibo.frontend.save;
 
-import tools.jackson.core.JacksonException;
-import tools.jackson.databind.DeserializationFeature;
-import tools.jackson.databind.JsonNode;
+import rigibo.frontend.document.Document;
+import rigibo.frontend.document.FileText;
+import rigibo.frontend.document.FormatRule;
+import rigibo.frontend.document.Problem;
+import rigibo.frontend.document.Problems;
+import rigibo.frontend.document.Value;
+
 import tools.jackson.databind.json.JsonMapper;
 import tools.jackson.databind.node.ObjectNode;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 
 /**
@@ -17,14 +21,14 @@ import java.util.Optional;
  *
  * @param state of the file
  * @param value what it tells, when it is whole
+ * @param problems why it is not, when it is damaged or newer
  */
-record Reading<T>(State state, Optional<T> value) {
+record Reading<T>(State state, Optional<T> value, List<Problem> problems) {
 
     /** The format this version writes; it reads this and all before. */
     static final int NUMBER = 1;
 
-    private static final JsonMapper JSON =
-            JsonMapper.builder().enable(DeserializationFeature.FAIL_ON_TRAILING_TOKENS).build();
+    private static final JsonMapper JSON = JsonMapper.shared();
 
     enum State {
         WHOLE,
@@ -40,27 +44,39 @@ record Reading<T>(State state, Optional<T> value) {
     /** Reads a file, whatever is in it. */
     static <T> Reading<T> of(Path file, Format<T> format) {
         try {
-            return parse(Files.readAllBytes(file), format);
+            return parse(file.toString(), FileText.bytes(file), format);
         } catch (NoSuchFileException none) {
-            return without(State.MISSING);
+            return without(State.MISSING, List.of());
         } catch (IOException locked) {
-            return without(State.UNREADABLE);
+            return without(State.UNREADABLE, List.of());
         }
     }
 
-    private static <T> Reading<T> parse(byte[] bytes, Format<T> format) {
-        try {
-            JsonNode json = JSON.readTree(bytes);
-            return json.required("format").intValue() > NUMBER
-                    ? without(State.NEWER)
-                    : new Reading<>(State.WHOLE, Optional.of(format.read(json)));
-        } catch (JacksonException | IllegalArgumentException damage) {
-            return without(State.DAMAGED);
+    /**
+     * Reads what a file holds, whatever that is.
+     *
+     * @param name what messages call it
+     */
+    static <T> Reading<T> parse(String name, byte[] bytes, Format<T> format) {
+        Problems problems = new Problems(name);
+        Optional<Document> document =
+                FileText.decode(bytes, problems).flatMap(text -> Document.parse(text, problems));
+        if (document.filter(json -> FormatRule.isNewer(json, NUMBER)).isPresent()) {
+            return without(State.NEWER, problems.inOrder());
         }
+        Optional<T> value = document.map(json -> value(json.value(), format));
+        return problems.hasErrors()
+                ? without(State.DAMAGED, problems.inOrder())
+                : new Reading<>(State.WHOLE, value, List.of());
     }
 
-    private static <T> Reading<T> without(State state) {
-        return new Reading<>(state, Optional.empty());
+    private static <T> T value(Value json, Format<T> format) {
+        json.object().required("format").whole(1, NUMBER, NUMBER);
+        return format.read(json);
+    }
+
+    private static <T> Reading<T> without(State state, List<Problem> problems) {
+        return new Reading<>(state, Optional.empty(), problems);
     }
 
     /** A file's bytes that tell a value, as {@link #of} reads it. */

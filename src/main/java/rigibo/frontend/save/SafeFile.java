@@ -98,8 +98,12 @@ public record SafeFile(Path file) {
         Files.move(temporary(), file, ATOMIC_MOVE, REPLACE_EXISTING);
     }
 
-    /** Gives a damaged file the first free of its names with a number. */
-    static void setAside(Path damaged) throws IOException {
+    /**
+     * Gives a damaged file the first free of its names with a number.
+     *
+     * @throws IOException when it cannot be moved; it is where it was
+     */
+    public static void setAside(Path damaged) throws IOException {
         int number = 1;
         while (Files.exists(aside(damaged, number))) {
             number++;

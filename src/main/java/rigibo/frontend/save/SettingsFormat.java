@@ -1,8 +1,8 @@
 package rigibo.frontend.save;
 
+import rigibo.frontend.document.Value;
 import rigibo.frontend.scene.Settings;
 
-import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.node.ObjectNode;
 
 import java.util.Locale;
@@ -12,22 +12,14 @@ import java.util.function.Function;
 record SettingsFormat(Settings initial) implements Format<Settings> {
 
     @Override
-    public Settings read(JsonNode json) {
+    public Settings read(Value json) {
         return new Settings(
-                value(json, "language", JsonNode::stringValue, initial.language()),
-                value(json, "volume", JsonNode::doubleValue, initial.volume()),
-                value(json, "muted", JsonNode::booleanValue, initial.isMuted()),
-                value(json, "motion", node -> word(Settings.Motion.class, node), initial.motion()),
-                value(json, "detail", node -> word(Settings.Detail.class, node), initial.detail()),
-                value(json, "fullScreen", JsonNode::booleanValue, initial.isFullScreen()));
-    }
-
-    private static <V> V value(JsonNode json, String name, Function<JsonNode, V> read, V missing) {
-        return json.has(name) ? read.apply(json.get(name)) : missing;
-    }
-
-    private static <E extends Enum<E>> E word(Class<E> kind, JsonNode node) {
-        return Enum.valueOf(kind, node.stringValue().toUpperCase(Locale.ROOT));
+                json.optional("language").word(Settings.LANGUAGES, initial.language()),
+                json.optional("volume").number(0, 1, initial.volume()),
+                json.optional("muted").truth(initial.isMuted()),
+                json.optional("motion").word(Settings.Motion.class, initial.motion()),
+                json.optional("detail").word(Settings.Detail.class, initial.detail()),
+                json.optional("fullScreen").truth(initial.isFullScreen()));
     }
 
     @Override

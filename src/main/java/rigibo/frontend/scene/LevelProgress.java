@@ -47,7 +47,8 @@ public record LevelProgress(
     }
 
     LevelProgress failed() {
-        return new LevelProgress(levelHash, isSolved, fewestClicks, failures + 1);
+        int more = failures == Integer.MAX_VALUE ? failures : failures + 1;
+        return new LevelProgress(levelHash, isSolved, fewestClicks, more);
     }
 
     /** Together with what was done elsewhere, which counts no failures. */

@@ -198,6 +198,10 @@ class SavedPlayerTest {
                 "{\"format\": 1, \"volume\": 7}",
                 "{\"format\": 1, \"volume\": \"loud\"}",
                 "{\"format\": 1, \"language\": \"tlh\"}",
+                "{\"format\": 1, \"language\": null}",
+                "{\"format\": 1, \"motion\": null}",
+                "{\"format\": 1, \"detail\": null}",
+                "{\"format\": 1e308}",
                 "{\"format\": 1, \"motion\": \"wild\"}"
             })
     void settingsThatCannotBeAreDamaged(String damage) throws IOException {
@@ -207,6 +211,38 @@ class SavedPlayerTest {
             assertThat(notices(player)).hasSize(1);
         }
         assertThat(file("settings.json.damaged-1")).hasContent(damage);
+    }
+
+    /**
+     * A path that is as long as Linux takes, so that no longer name has room in its folder, stands
+     * for a folder that cannot be written.
+     */
+    @Test
+    void aDamagedFileThatCannotBeMovedIsNotSaidToBeSetAside() throws IOException {
+        assumeThat(Path.of("/proc/self")).exists();
+        int most = 4095 - "/settings.json".length();
+        Path deep = folder;
+        while (most - deep.toString().length() > 1) {
+            int room = Math.min(200, most - deep.toString().length() - 1);
+            deep = deep.resolve("d".repeat(room));
+        }
+        Files.createDirectories(deep);
+        Path damaged = Files.writeString(deep.resolve("settings.json"), "broken");
+        try (SavedPlayer player = new SavedPlayer(Places.in(deep), "en")) {
+            assertThat(notices(player)).first().asString().contains("could not be set aside");
+            assertThat(notices(player)).noneMatch(notice -> notice.contains("was set aside"));
+            assertThat(player.settings()).isEqualTo(Settings.initial("en"));
+        }
+        assertThat(damaged).hasContent("broken");
+    }
+
+    @Test
+    void aDamagedBackupWithoutItsFileIsToldOf() throws IOException {
+        Files.writeString(file("progress.json.backup"), "broken");
+        try (SavedPlayer player = start()) {
+            assertThat(notices(player)).singleElement().asString().contains("set aside");
+        }
+        assertThat(file("progress.json.backup.damaged-1")).hasContent("broken");
     }
 
     /** A file where the folder should be stands for a disk that cannot be written. */

@@ -56,8 +56,12 @@ public final class Inspection {
                 .toList();
     }
 
-    /** How many errors there are. */
+    /**
+     * How many errors there are, also those that are only counted; none is played of a draft with
+     * any.
+     */
     public int errors() {
-        return (int) findings().stream().filter(finding -> finding.problem().isError()).count();
+        int inPlay = isPlayed() ? (int) played.stream().filter(Problem::isError).count() : 0;
+        return loaded.errors() + inPlay;
     }
 }

@@ -34,7 +34,7 @@ public record Corners(List<Point> corners) implements Form {
     static Corners of(JsonNode points) {
         List<Point> corners = new ArrayList<>();
         for (JsonNode point : points) {
-            corners.add(new Point(point.path(0).asDouble(0), point.path(1).asDouble(0)));
+            corners.add(new Point(Decimal.read(point.path(0), 0), Decimal.read(point.path(1), 0)));
         }
         return new Corners(corners);
     }

@@ -37,6 +37,11 @@ public final class Draft {
         return new Draft(Frame.of(document));
     }
 
+    /** Whether a document is of a newer format, so that nothing can be said of it. */
+    public static boolean isNewer(JsonNode document) {
+        return Frame.isNewer(document);
+    }
+
     /** The document, to be read only. */
     public JsonNode document() {
         return root;

@@ -81,7 +81,9 @@ public final class EffectUse {
     private static Map<String, Boolean> used(Draft draft) {
         Map<String, Boolean> used = new LinkedHashMap<>();
         JsonNode gravity = draft.at("/world/gravity");
-        used.put("gravity", gravity.path(0).asDouble(0) != 0 || gravity.path(1).asDouble(0) != 0);
+        used.put(
+                "gravity",
+                Decimal.read(gravity.path(0), 0) != 0 || Decimal.read(gravity.path(1), 0) != 0);
         used.put("buoyancy", draft.at("/world/water").isObject());
         List<Item> items = draft.items();
         for (Member member : MEMBERS) {

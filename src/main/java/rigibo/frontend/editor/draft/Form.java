@@ -34,9 +34,13 @@ public sealed interface Form permits Box, Disc, Corners {
     /** A body's {@code shape}. */
     static Form of(JsonNode shape) {
         return switch (shape.path("type").asString("")) {
-            case "box" -> new Box(shape.path("w").asDouble(0), shape.path("h").asDouble(0));
-            case "circle" -> new Disc(shape.path("r").asDouble(0));
+            case "box" -> new Box(number(shape, "w"), number(shape, "h"));
+            case "circle" -> new Disc(number(shape, "r"));
             default -> Corners.of(shape.path("points"));
         };
+    }
+
+    private static double number(JsonNode shape, String name) {
+        return Decimal.read(shape.path(name), 0);
     }
 }

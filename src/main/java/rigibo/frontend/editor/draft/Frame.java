@@ -20,7 +20,7 @@ final class Frame {
         if (!(document instanceof ObjectNode level)) {
             throw new IllegalArgumentException("it is no level");
         }
-        if (level.path("format").asInt(FORMAT) > FORMAT) {
+        if (isNewer(level)) {
             throw new IllegalArgumentException("it was made for a newer RigiBo");
         }
         for (String name : OBJECTS) {
@@ -30,6 +30,10 @@ final class Frame {
             require(level, name, level.path(name).isArray());
         }
         return completed(level);
+    }
+
+    static boolean isNewer(JsonNode document) {
+        return document.path("format").asInt(FORMAT) > FORMAT;
     }
 
     private static void require(ObjectNode level, String name, boolean isSound) {

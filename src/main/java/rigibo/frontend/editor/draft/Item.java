@@ -63,7 +63,7 @@ public record Item(String pointer, ObjectNode node) {
 
     /** A number it states, or what holds where it states none. */
     public double number(String name, double otherwise) {
-        return node.path(name).asDouble(otherwise);
+        return Decimal.read(node.path(name), otherwise);
     }
 
     /** Its outline about its place, not yet turned. */

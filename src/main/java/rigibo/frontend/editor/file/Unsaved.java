@@ -1,17 +1,22 @@
 package rigibo.frontend.editor.file;
 
+import rigibo.frontend.document.Document;
+import rigibo.frontend.document.FileText;
+import rigibo.frontend.document.Problem;
+import rigibo.frontend.document.Problems;
+import rigibo.frontend.document.Value;
 import rigibo.frontend.editor.draft.Draft;
-import rigibo.frontend.puzzle.level.LevelLoader;
 import rigibo.frontend.save.SafeFile;
 
-import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.node.JsonNodeFactory;
 import tools.jackson.databind.node.ObjectNode;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
@@ -26,6 +31,7 @@ public final class Unsaved {
     private static final String ENDING = ".unsaved.json";
 
     private final Path folder;
+    private final List<String> trouble = new ArrayList<>();
 
     /**
      * A draft that was left.
@@ -40,7 +46,7 @@ public final class Unsaved {
         this.folder = folder;
     }
 
-    /** The draft that was left last, of those that can be read. */
+    /** The draft that was left last, of those that can be read; damaged ones are set aside. */
     public Optional<Left> last() throws IOException {
         for (Path kept : all()) {
             Optional<Left> left = read(kept);
@@ -67,21 +73,62 @@ public final class Unsaved {
         return digits.isEmpty() || digits.length() > 9 ? 0 : Integer.parseInt(digits);
     }
 
-    private static Optional<Left> read(Path kept) {
-        JsonNode document =
-                new LevelLoader().load(kept).document().orElse(JsonNodeFactory.instance.nullNode());
-        if (!document.path("level").isObject()) {
-            return Optional.empty();
-        }
-        String file = document.path("file").asString("");
-        Optional<Path> own = file.isEmpty() ? Optional.empty() : Optional.of(Path.of(file));
+    private Optional<Left> read(Path kept) {
+        Problems problems = new Problems(kept.toString());
         try {
-            return Optional.of(
-                    new Left(new DraftFile(Draft.of(document.path("level")), own), kept));
-        } catch (IllegalArgumentException foreign) {
-            // Of a newer game, which will offer it again.
+            Optional<Left> left = parse(FileText.bytes(kept), problems, kept);
+            if (problems.hasErrors()) {
+                putAside(kept, problems.inOrder().get(0));
+            }
+            return left;
+        } catch (IOException locked) {
+            trouble.add(kept + " cannot be read: " + locked.getMessage());
             return Optional.empty();
         }
+    }
+
+    /**
+     * The draft that a file holds; nothing where it is a newer game's, which will offer it again,
+     * and nothing after telling why there is none.
+     */
+    static Optional<Left> parse(byte[] bytes, Problems problems, Path kept) {
+        return FileText.decode(bytes, problems)
+                .flatMap(text -> Document.parse(text, problems))
+                .filter(document -> !Draft.isNewer(document.node("/level")))
+                .flatMap(Unsaved::draft)
+                .map(draft -> new Left(draft, kept));
+    }
+
+    private static Optional<DraftFile> draft(Document document) {
+        Value json = document.value().object();
+        json.required("level").object();
+        String file = json.optional("file").text("");
+        try {
+            Optional<Path> own = file.isEmpty() ? Optional.empty() : Optional.of(Path.of(file));
+            return document.hasErrors()
+                    ? Optional.empty()
+                    : Optional.of(new DraftFile(Draft.of(document.node("/level")), own));
+        } catch (InvalidPathException foreign) {
+            document.error("/file", () -> "is no file of this system: " + foreign.getReason());
+            return Optional.empty();
+        } catch (IllegalArgumentException foreign) {
+            document.error("/level", foreign::getMessage);
+            return Optional.empty();
+        }
+    }
+
+    private void putAside(Path damaged, Problem first) {
+        try {
+            SafeFile.setAside(damaged);
+            trouble.add(first + "; the draft was set aside");
+        } catch (IOException readOnly) {
+            trouble.add(first + "; the draft stays where it is");
+        }
+    }
+
+    /** What could not be read, and what became of it, a sentence each. */
+    public List<String> trouble() {
+        return List.copyOf(trouble);
     }
 
     /**

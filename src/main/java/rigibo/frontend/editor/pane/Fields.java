@@ -94,7 +94,7 @@ final class Fields {
 
     void number(String key, String pointer, Range range, Edit edit) {
         JsonNode held = desk.draft().at(pointer);
-        double value = held.asDouble(range.usual());
+        double value = Decimal.read(held, range.usual());
         boolean isNone = held.isMissingNode() && range.usual() == range.least();
         String text = isNone ? "–" : plain(value);
         column.stepper(

@@ -46,7 +46,7 @@ public final class ReplayLoader {
      *
      * @param name what messages call it
      */
-    LoadedReplay parse(String name, String text) {
+    public LoadedReplay parse(String name, String text) {
         Problems problems = new Problems(name);
         return loaded(Document.parse(text, problems), problems);
     }

@@ -14,6 +14,7 @@ import rigibo.backend.setup.Correction;
 import rigibo.backend.setup.ImpactMode;
 import rigibo.backend.setup.ImpactSearch;
 import rigibo.backend.setup.Integrator;
+import rigibo.frontend.document.Mutations;
 import rigibo.frontend.document.Problem;
 import rigibo.frontend.puzzle.level.LevelTexts;
 
@@ -69,6 +70,15 @@ class ReplayErrorsTest {
     private static String with(String part, String replacement) {
         assertThat(SOUND).contains(part);
         return SOUND.replace(part, replacement);
+    }
+
+    @Test
+    void noValueOfAnyPartIsWorseThanAProblem() {
+        Mutations.of(SOUND)
+                .forEach(
+                        mutated ->
+                                assertThat(problems(mutated))
+                                        .allSatisfy(line -> assertThat(line).doesNotContain("\n")));
     }
 
     @Test
