@@ -29,6 +29,9 @@ public final class Pool {
     /** Shortest step accepted, s: below it rates of change lose their meaning in doubles. */
     public static final double SHORTEST_STEP = 1e-9;
 
+    /** Bodies or pairs that room is made for: columns of about a gigabyte. */
+    private static final int MOST_ROOM = 1 << 22;
+
     private static final LongSupplier NO_CLOCK = () -> 0;
 
     private final DataStorage data;
@@ -46,7 +49,7 @@ public final class Pool {
     private final BodyList bodies = new BodyList();
     private LongSupplier clock = NO_CLOCK;
     private double time;
-    private boolean isStepping;
+    private final Busy busy = new Busy();
 
     /** A pool with the usual effects at {@link Accuracy#GAME}. */
     public Pool() {
@@ -123,7 +126,7 @@ public final class Pool {
      */
     public RigidBody add(BodyDefinition definition) {
         Require.present("Pool.add definition", definition);
-        requireChangeable("add a body");
+        busy.requireChangeable("add a body");
         return bodies.append(new RigidBody(this, editor.add(definition), definition.name()));
     }
 
@@ -137,6 +140,20 @@ public final class Pool {
         editor(body).remove(body.slot());
         bodies.drop(body);
         body.markRemoved();
+    }
+
+    /**
+     * Makes room, so that columns need not double in the midst of play; changes nothing else.
+     *
+     * @param bodies at once, 0 to 4,194,304
+     * @param pairs at once as {@link StepReport#pairs} counts them, 0 to 4,194,304
+     * @throws IllegalArgumentException when one is out of its range
+     */
+    public void reserve(int bodies, int pairs) {
+        Require.within("Pool.reserve bodies", bodies, 0, MOST_ROOM);
+        Require.within("Pool.reserve pairs", pairs, 0, MOST_ROOM);
+        busy.requireChangeable("make room");
+        data.reserve(bodies, pairs);
     }
 
     /**
@@ -159,13 +176,13 @@ public final class Pool {
      */
     public StepReport step(double dt) {
         Require.within("Pool.step dt", dt, SHORTEST_STEP, LONGEST_STEP, "s");
-        requireChangeable("step");
-        isStepping = true;
+        busy.requireChangeable("step");
+        busy.beginStep();
         data.time = time;
         try {
             plan.run(dt, clock);
         } finally {
-            isStepping = false;
+            busy.endStep();
         }
         if (contacts != null) {
             contacts.ended.follow();
@@ -192,7 +209,7 @@ public final class Pool {
     /** Changes the accuracy from the next step on; resting bodies stay at rest. */
     public void accuracy(Accuracy accuracy) {
         Require.present("Pool.accuracy", accuracy);
-        requireChangeable("change the accuracy");
+        busy.requireChangeable("change the accuracy");
         plan.compile(plan.effects(), accuracy);
     }
 
@@ -204,7 +221,7 @@ public final class Pool {
     /** Changes what is simulated from the next step on, and wakes every body. */
     public void effects(Effects effects) {
         Require.present("Pool.effects", effects);
-        requireChangeable("change the effects");
+        busy.requireChangeable("change the effects");
         editor.effects(effects);
     }
 
@@ -221,10 +238,7 @@ public final class Pool {
         return plan.describe();
     }
 
-    /**
-     * Hands in a clock that counts ns, so that reports tell the time of each stage. The engine has
-     * none of its own.
-     */
+    /** Hands in a clock that counts ns, so that reports tell the time of each stage. */
     public void clock(LongSupplier nanoseconds) {
         clock = Require.present("Pool.clock", nanoseconds);
     }
@@ -247,21 +261,20 @@ public final class Pool {
 
     /**
      * Shows the contacts of {@link #contactEvents} one by one and allocates nothing. Meanwhile the
-     * pool makes no step and cannot be changed: what is to be removed is kept in a list until then.
+     * pool makes no step and refuses to be changed with {@link IllegalStateException}.
      *
      * @param visitor is handed one object again and again, whose contents hold until it returns
-     * @throws IllegalStateException when called within a step; and by whatever changes the pool
-     *     when the visitor calls that
+     * @throws IllegalStateException when called within a step
      */
     public void forEachContact(Consumer<? super ContactView> visitor) {
         Require.present("Pool.forEachContact visitor", visitor);
-        requireBetweenSteps("visit contacts");
+        busy.requireBetweenSteps("visit contacts");
         contacts().forEach(visitor);
     }
 
     /**
-     * The body under a point: the last added of several, none where there is none. Here and below
-     * every body is asked where {@code Contacts} are not declared: nobody keeps a tree of boxes.
+     * The body under a point, the last added of several. Here and below every body is asked where
+     * {@code Contacts} are not declared: nobody keeps a tree of boxes.
      *
      * @param x world x, m
      * @param y world y, m, up
@@ -301,7 +314,7 @@ public final class Pool {
      * @throws IllegalStateException when called within a step
      */
     public byte[] snapshot() {
-        requireBetweenSteps("take a snapshot");
+        busy.requireBetweenSteps("take a snapshot");
         return PoolSnapshot.encode(this, data);
     }
 
@@ -347,7 +360,7 @@ public final class Pool {
 
     PoolContacts contacts() {
         if (contacts == null) {
-            contacts = new PoolContacts(this, data);
+            contacts = new PoolContacts(this, data, busy);
         }
         return contacts;
     }
@@ -365,7 +378,7 @@ public final class Pool {
      */
     BodyEditor editor(RigidBody body) {
         own(body);
-        requireChangeable("change a body");
+        busy.requireChangeable("change a body");
         return editor;
     }
 
@@ -383,18 +396,5 @@ public final class Pool {
             throw new IllegalArgumentException(body + " belongs to another pool");
         }
         return body;
-    }
-
-    private void requireChangeable(String what) {
-        requireBetweenSteps(what);
-        if (contacts != null && contacts.areVisited()) {
-            throw new IllegalStateException("cannot " + what + " while contacts are visited");
-        }
-    }
-
-    private void requireBetweenSteps(String what) {
-        if (isStepping) {
-            throw new IllegalStateException("cannot " + what + " during a step");
-        }
     }
 }

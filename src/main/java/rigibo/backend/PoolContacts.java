@@ -14,11 +14,10 @@ final class PoolContacts {
     private final Pairs pairs;
     private final ContactReader reader;
     private final ContactView view = new ContactView();
+    private final Busy busy;
 
-    /** Visits that have not come to their end. */
-    private int visits;
-
-    PoolContacts(Pool pool, DataStorage data) {
+    PoolContacts(Pool pool, DataStorage data, Busy busy) {
+        this.busy = busy;
         pairs = data.pairs;
         reader = new ContactReader(pool, data);
         ended = new EndedContacts(pool, data, reader);
@@ -32,13 +31,13 @@ final class PoolContacts {
 
     /** A visit within another one shows a view of its own. */
     void forEach(Consumer<? super ContactView> visitor) {
-        ContactView shown = visits == 0 ? view : new ContactView();
-        visits++;
+        ContactView shown = busy.isVisited() ? new ContactView() : view;
+        busy.beginVisit();
         try {
             forEachPair(shown, visitor);
             ended.forEach(shown, visitor);
         } finally {
-            visits--;
+            busy.endVisit();
         }
     }
 
@@ -48,9 +47,5 @@ final class PoolContacts {
                 visitor.accept(shown);
             }
         }
-    }
-
-    boolean areVisited() {
-        return visits > 0;
     }
 }

@@ -35,6 +35,15 @@ public final class StepReport {
         return data.pairs.slots.inUse();
     }
 
+    /**
+     * Pairs that the columns have room for. Where it is more than after the step before, this step
+     * has copied every column of the pairs into one twice as long; {@link Pool#reserve} does so
+     * beforehand. It never shrinks.
+     */
+    public int pairRoom() {
+        return data.pairs.bodyA.length;
+    }
+
     /** Pairs that touched. */
     public int contacts() {
         return counters.contacts;

@@ -24,4 +24,11 @@ public final class DataStorage {
         pairs = new Pairs(effects);
         stillContacts = new StillContacts(bodies, pairs);
     }
+
+    /** Makes room for so many bodies and pairs. */
+    public void reserve(int bodyCount, int pairCount) {
+        bodies.reserve(bodyCount);
+        pairs.reserve(pairCount);
+        pairs.index.reserve(pairCount);
+    }
 }

@@ -29,6 +29,13 @@ public final class PairIndex {
         return ABSENT;
     }
 
+    /** Makes room for so many pairs. */
+    void reserve(int count) {
+        while (2 * count > keys.length) {
+            grow();
+        }
+    }
+
     void put(int a, int b, int pair) {
         if (2 * ++size > keys.length) {
             grow();
