@@ -102,6 +102,8 @@ class StartScriptTest {
         ProcessBuilder builder = new ProcessBuilder(command).redirectErrorStream(true);
         Map<String, String> environment = builder.environment();
         environment.put("HOME", folder.toString());
+        // The plainest there is, as in a job of cron's.
+        environment.put("LC_ALL", "C");
         environment.put("JAVA_HOME", System.getProperty("java.home"));
         environment.merge("PATH", folder.resolve("bin").toString(), (old, own) -> own + ":" + old);
         return builder.start();
@@ -131,6 +133,15 @@ class StartScriptTest {
         List<String> said = run(copy, "levels", "a b", "", "\"c\"");
         assertThat(said)
                 .endsWith(copy.resolve("build/classes").toString(), "levels", "a b", "", "\"c\"");
+    }
+
+    @Test
+    void lettersBeyondAsciiInThePathNeedNoLocale() throws IOException {
+        assumeThat(System.getProperty("sun.jnu.encoding")).isEqualTo("UTF-8");
+        run(checkout, "build");
+        Path moved = Files.move(checkout, folder.resolve("für Ōe"));
+        assertThat(run(moved, "levels"))
+                .containsExactly(moved.resolve("build/classes").toString(), "levels");
     }
 
     @Test
