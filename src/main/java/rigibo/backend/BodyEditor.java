@@ -132,11 +132,15 @@ final class BodyEditor {
         Require.finite("RigidBody.applyForce fy", fy, "N");
         Require.finite("RigidBody.applyForce px", px, "m");
         Require.finite("RigidBody.applyForce py", py, "m");
+        double moment = (px - bodies.x[slot]) * fy - (py - bodies.y[slot]) * fx;
+        Require.finite("RigidBody.applyForce resulting force x", bodies.forceX[slot] + fx, "N");
+        Require.finite("RigidBody.applyForce resulting force y", bodies.forceY[slot] + fy, "N");
+        Require.finite("RigidBody.applyForce resulting torque", torqueOf(slot, moment), "N·m");
         thrust(slot);
         bodies.forceX[slot] += fx;
         bodies.forceY[slot] += fy;
         if (bodies.turns()) {
-            bodies.torque[slot] += (px - bodies.x[slot]) * fy - (py - bodies.y[slot]) * fx;
+            bodies.torque[slot] += moment;
         }
         waking.wake(slot);
     }
@@ -144,6 +148,7 @@ final class BodyEditor {
     void applyTorque(int slot, double torque) {
         requireThrust("applyTorque");
         Require.finite("RigidBody.applyTorque", torque, "N·m");
+        Require.finite("RigidBody.applyTorque resulting torque", torqueOf(slot, torque), "N·m");
         if (bodies.turns()) {
             thrust(slot);
             bodies.torque[slot] += torque;
@@ -330,6 +335,11 @@ final class BodyEditor {
             bodies.inertia[slot] = plate.inertia();
             bodies.inverseInertia[slot] = moves ? 1 / plate.inertia() : 0;
         }
+    }
+
+    /** What a torque in N·m makes together with those asked for before; 0 where nothing turns. */
+    private double torqueOf(int slot, double more) {
+        return bodies.turns() ? bodies.torque[slot] + more : 0;
     }
 
     /** Lists a body that a force is asked for the first time since the last step. */

@@ -54,7 +54,7 @@ class DoorTest {
                 refusal(() -> Polygon.box(0, 1), "Polygon.box width", "0.0", "(m)", "positive"),
                 refusal(() -> Polygon.regular(257, 1), "corners", "257", "3 to 256"),
                 refusal(() -> new Material(-1, 0, 0), "Material.density", "-1.0", "(kg/m²)"),
-                refusal(() -> new Material(1, -2, 0), "Material.friction", "-2.0", "zero or more"),
+                refusal(() -> new Material(1, -2, 0), "Material.friction", "-2.0", "0.0 to 1.0E9"),
                 refusal(() -> new Material(1, 0, 1.5), "Material.elasticity", "1.5", "0.0 to 1.0"),
                 refusal(() -> BOX.at(NAN, 0), "BodyDefinition.x", "NaN", "(m)", "finite"),
                 refusal(() -> BOX.velocity(0, NAN), "velocityY", "NaN", "(m/s)", "-2.9", " to "),

@@ -4,6 +4,7 @@ import rigibo.backend.force.ChangingForces;
 import rigibo.backend.force.Instant;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.Quarantine;
 
 /**
  * Forces that change along the way, on bodies in piles: asked for anew before every kick, at the
@@ -63,7 +64,9 @@ public final class PileForces {
         double ax = instant.accelerationX;
         double ay = instant.accelerationY;
         double turn = instant.angularAcceleration;
-        if (Math.abs(ax + ay + turn) < Double.POSITIVE_INFINITY) {
+        double gained = length * (Math.abs(ax) + Math.abs(ay) + Math.abs(turn));
+        // Beyond all bounds they are left as they were: the next step begins by refusing them.
+        if (Quarantine.isBounded(gained)) {
             double share = shareThatBrakes(ax, ay, turn, length);
             replace(slot, share * ax, share * ay);
             if (turns != null) {

@@ -4,6 +4,7 @@ import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.Islands;
 import rigibo.backend.storage.Pairs;
+import rigibo.backend.storage.Quarantine;
 
 /** Carries what a packed island came to back into the storage. */
 final class PileResults {
@@ -11,6 +12,7 @@ final class PileResults {
     /** Over how many seconds a contact's load is averaged: longer than a pile rocks. */
     private static final double LOAD_MEMORY = 2;
 
+    private final Quarantine quarantine;
     private final Bodies bodies;
     private final Pairs pairs;
     private final Islands islands;
@@ -22,6 +24,7 @@ final class PileResults {
 
     PileResults(DataStorage data, Motions motions, Rows rows, PackedTurns turns) {
         this.turns = turns;
+        quarantine = new Quarantine(data);
         bodies = data.bodies;
         pairs = data.pairs;
         islands = data.islands;
@@ -39,6 +42,9 @@ final class PileResults {
         }
         if (turns != null) {
             turns.store();
+        }
+        for (int entry = 1; entry < motions.count; entry++) {
+            quarantine.putToRestIfUnbounded(motions.slots[entry]);
         }
         for (int row = 0; row < rows.count; row++) {
             storePair(row, h, Math.min(1, length / LOAD_MEMORY));
@@ -70,6 +76,10 @@ final class PileResults {
         double[] d = rows.data;
         int at = row * Rows.STRIDE;
         int pair = rows.pair[row];
+        if (!isFinite(at)) {
+            forgetForces(pair);
+            return;
+        }
         double perSecond = 2 / h;
         pairs.normalForce[2 * pair] = d[at + Rows.IMPULSE0] * perSecond;
         pairs.normalForce[2 * pair + 1] = d[at + Rows.IMPULSE1] * perSecond;
@@ -77,6 +87,20 @@ final class PileResults {
         remember(2 * pair + 1, share);
         pairs.impulse[pair] += d[at + Rows.TOTAL];
         noteTouch(pair, d[at + Rows.IMPULSE0] + d[at + Rows.IMPULSE1]);
+    }
+
+    private boolean isFinite(int at) {
+        double[] d = rows.data;
+        double sum = d[at + Rows.IMPULSE0] + d[at + Rows.IMPULSE1] + d[at + Rows.TOTAL];
+        return Math.abs(sum) < Double.POSITIVE_INFINITY;
+    }
+
+    /** Forces beyond all bounds would poison every step to come. */
+    private void forgetForces(int pair) {
+        for (int point = 2 * pair; point < 2 * pair + 2; point++) {
+            pairs.normalForce[point] = 0;
+            pairs.load[point] = 0;
+        }
     }
 
     private void noteTouch(int pair, double carried) {

@@ -13,6 +13,7 @@ import rigibo.backend.storage.Counters;
 import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.PairTolerances;
 import rigibo.backend.storage.Pairs;
+import rigibo.backend.storage.Quarantine;
 
 /** What happens when flyers meet: they part again, or their bounces have come to an end. */
 final class Blows {
@@ -30,6 +31,7 @@ final class Blows {
     private final ImpactLaw law = new ImpactLaw();
     private final Impact impact = new Impact();
     private final TiedImpacts together;
+    private final Quarantine quarantine;
     private final Motion motionA = new Motion();
     private final Motion motionB = new Motion();
     private final Pose poseA = new Pose();
@@ -55,6 +57,7 @@ final class Blows {
         this.paths = paths;
         this.course = course;
         together = new TiedImpacts(bodies, pairs);
+        quarantine = new Quarantine(data);
     }
 
     /** Resolves the impacts of one instant, at once where they share a body. */
@@ -66,6 +69,10 @@ final class Blows {
         }
         together.resolve();
         countMeetings(tied, count, -1);
+        for (int i = 0; i < count; i++) {
+            quarantine.putToRestIfUnbounded(pairs.bodyA[tied[i]]);
+            quarantine.putToRestIfUnbounded(pairs.bodyB[tied[i]]);
+        }
         for (int i = 0; i < count; i++) {
             end(tied[i], time, restsAt[i], dt);
         }
@@ -152,12 +159,21 @@ final class Blows {
             impact.inverseMassB = 0;
             impact.inverseInertiaB = 0;
             law.resolve(impact);
-            paths.expect(lander, impact.velocityAX, impact.velocityAY, impact.spinA);
+            expect(lander, impact.velocityAX, impact.velocityAY, impact.spinA);
         } else {
             impact.inverseMassA = 0;
             impact.inverseInertiaA = 0;
             law.resolve(impact);
-            paths.expect(lander, impact.velocityBX, impact.velocityBY, impact.spinB);
+            expect(lander, impact.velocityBX, impact.velocityBY, impact.spinB);
+        }
+    }
+
+    /** What would be beyond all bounds is not expected: the body goes on as it came. */
+    private void expect(int lander, double velocityX, double velocityY, double spin) {
+        if (Quarantine.isBounded(velocityX)
+                && Quarantine.isBounded(velocityY)
+                && Quarantine.isBounded(spin)) {
+            paths.expect(lander, velocityX, velocityY, spin);
         }
     }
 

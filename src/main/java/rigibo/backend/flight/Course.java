@@ -4,6 +4,7 @@ import rigibo.backend.force.ChangingForces;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.Quarantine;
 import rigibo.backend.storage.Roster;
 
 /**
@@ -84,7 +85,7 @@ public final class Course {
         if (length > 0) {
             deviation.of(bodies, slot, data.time + begin);
             deviation.integrate(length, substeps);
-            if (isFinite()) {
+            if (isBounded(length)) {
                 write(slot, length);
             } else if (begin == 0) {
                 // The ledger puts it to rest; within a step it goes on as it was until the next.
@@ -93,8 +94,10 @@ public final class Course {
         }
     }
 
-    private boolean isFinite() {
-        return deviation.moved.isFinite() && deviation.gained.isFinite();
+    /** Whether the path, and the velocity it leads to, are such that bodies can meet on it. */
+    private boolean isBounded(double length) {
+        return deviation.moved.isWithin(Quarantine.FASTEST * length)
+                && deviation.gained.isWithin(Quarantine.FASTEST);
     }
 
     /**

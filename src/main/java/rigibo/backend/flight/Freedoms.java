@@ -38,8 +38,8 @@ final class Freedoms {
         return dx * dx + dy * dy;
     }
 
-    /** Whether all are numbers. */
-    boolean isFinite() {
-        return Math.abs(x + y + turn) < Double.POSITIVE_INFINITY;
+    /** Whether each is less than so much, either way. */
+    boolean isWithin(double most) {
+        return Math.abs(x) < most && Math.abs(y) < most && Math.abs(turn) < most;
     }
 }

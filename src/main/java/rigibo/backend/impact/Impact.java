@@ -83,17 +83,21 @@ public final class Impact {
         points++;
     }
 
-    /** Writes the velocities back into the columns. */
+    /** Writes the velocities of what can be moved back into the columns. */
     public void store(Bodies bodies, Pairs pairs, int pair) {
-        int a = pairs.bodyA[pair];
-        int b = pairs.bodyB[pair];
-        bodies.velocityX[a] = velocityAX;
-        bodies.velocityY[a] = velocityAY;
-        bodies.velocityX[b] = velocityBX;
-        bodies.velocityY[b] = velocityBY;
+        store(bodies, pairs.bodyA[pair], velocityAX, velocityAY, spinA);
+        store(bodies, pairs.bodyB[pair], velocityBX, velocityBY, spinB);
+    }
+
+    /** An impulse beyond all bounds gives even what has no inverse mass a velocity: 0·∞. */
+    private static void store(Bodies bodies, int slot, double vx, double vy, double spin) {
+        if (!bodies.isDynamic(slot)) {
+            return;
+        }
+        bodies.velocityX[slot] = vx;
+        bodies.velocityY[slot] = vy;
         if (bodies.turns()) {
-            bodies.spin[a] = spinA;
-            bodies.spin[b] = spinB;
+            bodies.spin[slot] = spin;
         }
     }
 

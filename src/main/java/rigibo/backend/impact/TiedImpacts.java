@@ -211,6 +211,10 @@ public final class TiedImpacts {
     }
 
     private void push(int slot, double x, double y, double turn) {
+        // An impulse beyond all bounds would move even what has no inverse mass: 0·∞.
+        if (!bodies.isDynamic(slot)) {
+            return;
+        }
         bodies.velocityX[slot] += bodies.inverseMass[slot] * x;
         bodies.velocityY[slot] += bodies.inverseMass[slot] * y;
         if (bodies.turns()) {

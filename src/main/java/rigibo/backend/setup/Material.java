@@ -5,12 +5,13 @@ package rigibo.backend.setup;
  * eb), rolling resistance as max(ca, cb) and surface speeds add.
  *
  * @param density kg/m², positive and finite
- * @param friction Coulomb's μ, 0 or more; ice 0.03, wood 0.4, rubber 0.9
+ * @param friction Coulomb's μ, 0 to 1e9; ice 0.03, wood 0.4, rubber 0.9
  * @param elasticity Newton's coefficient of restitution e, 0 (stays where it lands) to 1 (returns
  *     to its height)
- * @param rollingResistance lever c in m, 0 or more: a rolling body is braked by the torque c·N
- * @param surfaceSpeed of the outline in m/s, counter-clockwise positive: a conveyor's belt
- * @param drag k in 1/s, 0 or more: the force per mass against motion is k·v
+ * @param rollingResistance lever c in m, 0 to 1e9: a rolling body is braked by the torque c·N
+ * @param surfaceSpeed of the outline in m/s, up to light's, counter-clockwise positive: a
+ *     conveyor's belt
+ * @param drag k in 1/s, 0 to 1e100: the force per mass against motion is k·v
  */
 public record Material(
         double density,
@@ -19,6 +20,18 @@ public record Material(
         double rollingResistance,
         double surfaceSpeed,
         double drag) {
+
+    /** Highest friction accepted, no unit: what sticks sticks, and squares of loads stay finite. */
+    public static final double MOST_FRICTION = 1e9;
+
+    /** Longest rolling lever accepted, m. */
+    public static final double MOST_ROLLING_RESISTANCE = 1e9;
+
+    /** Fastest running surface accepted, m/s: light's speed, as for bodies. */
+    public static final double MOST_SURFACE_SPEED = 299_792_458;
+
+    /** Strongest drag accepted, 1/s: it stops whatever moves within any step. */
+    public static final double MOST_DRAG = 1e100;
 
     /** Density 1 kg/m², friction 0.5, elasticity 0. */
     public static final Material DEFAULT = new Material(1, 0.5, 0);
@@ -30,11 +43,17 @@ public record Material(
      */
     public Material {
         Require.positive("Material.density", density, "kg/m²");
-        Require.notNegative("Material.friction", friction, "no unit");
+        Require.within("Material.friction", friction, 0, MOST_FRICTION, "no unit");
         Require.within("Material.elasticity", elasticity, 0, 1, "no unit");
-        Require.notNegative("Material.rollingResistance", rollingResistance, "m");
-        Require.finite("Material.surfaceSpeed", surfaceSpeed, "m/s");
-        Require.notNegative("Material.drag", drag, "1/s");
+        Require.within(
+                "Material.rollingResistance", rollingResistance, 0, MOST_ROLLING_RESISTANCE, "m");
+        Require.within(
+                "Material.surfaceSpeed",
+                surfaceSpeed,
+                -MOST_SURFACE_SPEED,
+                MOST_SURFACE_SPEED,
+                "m/s");
+        Require.within("Material.drag", drag, 0, MOST_DRAG, "1/s");
     }
 
     /**

@@ -1,27 +1,22 @@
 package rigibo.backend.step;
 
-import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.Quarantine;
 import rigibo.backend.storage.Roster;
-
-import java.util.Arrays;
 
 /** What a step does for every body that moves, whatever the effects. */
 final class BodyLedger {
 
-    /** A body faster than this is beyond what doubles can collide, m/s. */
-    private static final double FASTEST = 10 * BodyDefinition.MOST_SPEED;
-
-    private final DataStorage data;
     private final Bodies bodies;
     private final Roster roster;
+    private final Quarantine quarantine;
 
     /** The same for what turns, or null where nothing does. */
     private final TurningLedger turning;
 
     BodyLedger(DataStorage data) {
-        this.data = data;
+        quarantine = new Quarantine(data);
         turning = data.bodies.turns() ? new TurningLedger(data) : null;
         bodies = data.bodies;
         roster = data.roster;
@@ -84,7 +79,7 @@ final class BodyLedger {
     private void quarantineMoving(double dt) {
         for (int i = 0; i < roster.awakeCount; i++) {
             if (!isBounded(roster.awake[i], dt)) {
-                putToRest(roster.awake[i]);
+                quarantine.putToRest(roster.awake[i]);
             }
         }
     }
@@ -93,9 +88,8 @@ final class BodyLedger {
     private void quarantineTurning(double dt) {
         for (int i = 0; i < roster.awakeCount; i++) {
             int slot = roster.awake[i];
-            if (!isBounded(slot, dt) || !turning.isBounded(slot, dt, FASTEST)) {
-                putToRest(slot);
-                turning.putBack(slot);
+            if (!isBounded(slot, dt) || !turning.isBounded(slot, dt)) {
+                quarantine.putToRest(slot);
             }
         }
     }
@@ -103,20 +97,9 @@ final class BodyLedger {
     private boolean isBounded(int slot, double dt) {
         double vx = Math.abs(bodies.velocityX[slot]) + Math.abs(bodies.accelerationX[slot]) * dt;
         double vy = Math.abs(bodies.velocityY[slot]) + Math.abs(bodies.accelerationY[slot]) * dt;
-        double place = Math.abs(bodies.x[slot]) + Math.abs(bodies.y[slot]);
-        return vx < FASTEST && vy < FASTEST && place < Double.POSITIVE_INFINITY;
-    }
-
-    private void putToRest(int slot) {
-        bodies.x[slot] = bodies.startX[slot];
-        bodies.y[slot] = bodies.startY[slot];
-        bodies.halt(slot);
-        bodies.clearAccelerations(slot);
-        // A driven body stands still now and is no longer of those that move.
-        roster.isStale = true;
-        int[] noted = data.counters.quarantined;
-        if (Arrays.stream(noted, 0, data.counters.quarantinedCount).noneMatch(s -> s == slot)) {
-            data.counters.quarantine(slot);
-        }
+        double place = Math.max(Math.abs(bodies.x[slot]), Math.abs(bodies.y[slot]));
+        return Quarantine.isBounded(vx)
+                && Quarantine.isBounded(vy)
+                && place < Double.POSITIVE_INFINITY;
     }
 }

@@ -2,6 +2,7 @@ package rigibo.backend.step;
 
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.Quarantine;
 import rigibo.backend.storage.Roster;
 
 /** What a step does besides for every body that moves, where bodies turn. */
@@ -38,18 +39,9 @@ final class TurningLedger {
         }
     }
 
-    /**
-     * Whether a body turns, and will by the end of the step, no faster than {@code most}, rad/s.
-     */
-    boolean isBounded(int slot, double dt, double most) {
+    /** Whether a body turns, and will by the end of the step, within all bounds. */
+    boolean isBounded(int slot, double dt) {
         double w = Math.abs(bodies.spin[slot]) + Math.abs(bodies.angularAcceleration[slot]) * dt;
-        return w < most && Math.abs(bodies.angle[slot]) < Double.POSITIVE_INFINITY;
-    }
-
-    /** Turns a body back to where the step began. */
-    void putBack(int slot) {
-        bodies.angle[slot] = bodies.startAngle[slot];
-        bodies.aim(slot);
-        bodies.clearAngularAcceleration(slot);
+        return Quarantine.isBounded(w) && Math.abs(bodies.angle[slot]) < Double.POSITIVE_INFINITY;
     }
 }

@@ -36,8 +36,13 @@ public final class Counters {
         Arrays.fill(nanos, 0);
     }
 
-    /** Notes a body that was put to rest. */
-    public void quarantine(int slot) {
+    /** Notes a body that was put to rest, once. */
+    void quarantine(int slot) {
+        for (int i = 0; i < quarantinedCount; i++) {
+            if (quarantined[i] == slot) {
+                return;
+            }
+        }
         if (quarantinedCount == quarantined.length) {
             quarantined = Arrays.copyOf(quarantined, 2 * quarantinedCount);
         }

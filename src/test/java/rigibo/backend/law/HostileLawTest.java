@@ -1,0 +1,95 @@
+package rigibo.backend.law;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+import rigibo.backend.Pool;
+import rigibo.backend.RigidBody;
+import rigibo.backend.setup.BodyType;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** Whatever numbers a pool accepts, a step ends with numbers, and who is far away is not told. */
+class HostileLawTest {
+
+    private static final int SCENES = 16;
+    private static final int STEPS = 5;
+
+    private record Motion(double x, double y, double angle, double vx, double vy, double spin) {
+
+        static Motion of(RigidBody body) {
+            return new Motion(
+                    body.x(),
+                    body.y(),
+                    body.angle(),
+                    body.velocityX(),
+                    body.velocityY(),
+                    body.angularVelocity());
+        }
+
+        boolean isFinite() {
+            return Double.isFinite(x)
+                    && Double.isFinite(y)
+                    && Double.isFinite(angle)
+                    && Double.isFinite(vx)
+                    && Double.isFinite(vy)
+                    && Double.isFinite(spin);
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(longs = {1, 101, 201, 301, 401})
+    void oneSickBodyNeverSpreads(long firstSeed) {
+        for (long seed = firstSeed; seed < firstSeed + SCENES; seed++) {
+            requireHealth(seed);
+        }
+    }
+
+    private static void requireHealth(long seed) {
+        HostileScene scene = new HostileScene(seed);
+        Pool pool = scene.withSick();
+        Pool healthy = scene.healthy();
+        List<Motion> before = motions(pool);
+        for (int step = 0; step < STEPS; step++) {
+            double dt = scene.length();
+            String where = "seed " + seed + ", step " + step + " of " + dt + " s";
+            scene.push(pool);
+            pool.step(dt);
+            healthy.step(dt);
+            List<Motion> after = motions(pool);
+            assertThat(after).as(where).allMatch(Motion::isFinite);
+            assertThat(after.subList(0, healthy.bodies().size()))
+                    .as("strangers, %s", where)
+                    .isEqualTo(motions(healthy));
+            requireUnmoved(pool, before, after, where);
+            Pool restored = Pool.restore(pool.snapshot(), scene.effects);
+            assertThat(restored.stateHash()).as(where).isEqualTo(pool.stateHash());
+        }
+    }
+
+    private static List<Motion> motions(Pool pool) {
+        List<Motion> motions = new ArrayList<>();
+        pool.bodies().forEach(body -> motions.add(Motion.of(body)));
+        return motions;
+    }
+
+    /** What is fixed stays; what is driven goes at its velocity. */
+    private static void requireUnmoved(
+            Pool pool, List<Motion> before, List<Motion> after, String where) {
+        for (int i = 0; i < before.size(); i++) {
+            RigidBody body = pool.bodies().get(i);
+            Motion was = before.get(i);
+            Motion is = after.get(i);
+            if (body.type() == BodyType.STATIC) {
+                assertThat(is).as("fixed body %d, %s", i, where).isEqualTo(was);
+            } else if (body.type() == BodyType.KINEMATIC) {
+                assertThat(List.of(is.vx, is.vy, is.spin))
+                        .as("driven body %d, %s", i, where)
+                        .isEqualTo(List.of(was.vx, was.vy, was.spin));
+            }
+        }
+    }
+}
