@@ -1,5 +1,6 @@
 package rigibo.backend;
 
+import rigibo.backend.setup.SolveMethod;
 import rigibo.backend.setup.StepStage;
 import rigibo.backend.storage.Counters;
 import rigibo.backend.storage.DataStorage;
@@ -62,6 +63,29 @@ public final class StepReport {
     /** Rows (normal, friction, rolling) of the contact solver. */
     public int rows() {
         return counters.rows;
+    }
+
+    /** Islands of touching bodies that got their answer by a method. */
+    public int islands(SolveMethod method) {
+        return counters.islandsBy[method.ordinal()];
+    }
+
+    /** Rows of those islands; of all methods together {@link #rows()}. */
+    public int rows(SolveMethod method) {
+        return counters.rowsBy[method.ordinal()];
+    }
+
+    /**
+     * Pairs of bodies in flight that met as often as {@code Accuracy.maxImpactsPerPair} allows in a
+     * step: what they would have done in the rest of it is left to the solver of piles.
+     */
+    public int cappedPairs() {
+        return counters.cappedPairs;
+    }
+
+    /** Pairs of bodies in flight whose infinitely many bounces ended in their limit: Zeno's. */
+    public int settledPairs() {
+        return counters.settledPairs;
     }
 
     /** Deepest overlap of two bodies at the end of the step's contact search, m, 0 or more. */

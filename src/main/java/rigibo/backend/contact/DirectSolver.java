@@ -3,6 +3,8 @@ package rigibo.backend.contact;
 import static rigibo.backend.contact.SingleRows.ROWS_PER_CONTACT;
 import static rigibo.backend.contact.SingleRows.TANGENT;
 
+import rigibo.backend.setup.SolveMethod;
+
 /**
  * Solves all loaded rows of a small island at once. Passing over the contacts one by one carries a
  * load through a stack of N only after some N² passes, and its bending after N⁴, so that a tower
@@ -78,6 +80,11 @@ final class DirectSolver implements WholeSolver {
     @Override
     public void forget() {
         factor.forget();
+    }
+
+    @Override
+    public SolveMethod method() {
+        return SolveMethod.ELIMINATION;
     }
 
     @Override

@@ -7,6 +7,7 @@ import rigibo.backend.geometry.ShapeKind;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.ContactSolver;
 import rigibo.backend.setup.Correction;
+import rigibo.backend.setup.SolveMethod;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.Counters;
 import rigibo.backend.storage.DataStorage;
@@ -153,6 +154,7 @@ public final class PileSolver {
         for (int island = 0; island < islands.count; island++) {
             if (repose.lasts(island, dt)) {
                 results.goOn(island, dt);
+                counters.solve(SolveMethod.AT_REST, 0);
                 continue;
             }
             double start = lateJoiners.startOf(islands, island);
@@ -172,7 +174,8 @@ public final class PileSolver {
         lateJoiners.delay(start, h);
         isHeld = false;
         boolean wasStill = repose.isStill(dt, share());
-        counters.rows += declared.rowCount() + rows.count;
+        SolveMethod method = whole == null ? SolveMethod.PASSES : whole.method();
+        counters.solve(method, declared.rowCount() + rows.count);
         for (int substep = 0; substep < substeps; substep++) {
             double middle = start + (substep + 0.5) * h;
             kick.remember();

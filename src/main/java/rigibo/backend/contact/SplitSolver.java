@@ -4,6 +4,8 @@ import static rigibo.backend.contact.BodyFactor.PER_BODY;
 import static rigibo.backend.contact.SingleRows.ROWS_PER_CONTACT;
 import static rigibo.backend.contact.SingleRows.TANGENT;
 
+import rigibo.backend.setup.SolveMethod;
+
 import java.util.Arrays;
 
 /**
@@ -123,6 +125,11 @@ final class SplitSolver implements WholeSolver {
         forget();
         order.find();
         return factor.layOut() <= (isCalm ? MOST_WORK_IF_CALM : MOST_WORK);
+    }
+
+    @Override
+    public SolveMethod method() {
+        return SolveMethod.SPLITTING;
     }
 
     @Override

@@ -1,7 +1,12 @@
 package rigibo.backend.contact;
 
+import rigibo.backend.setup.SolveMethod;
+
 /** Solves all rows of a packed island at once, each within its bounds. */
 interface WholeSolver {
+
+    /** As the step's report calls it. */
+    SolveMethod method();
 
     /** The rows are not what they were: a factor of them is worth nothing. */
     void forget();

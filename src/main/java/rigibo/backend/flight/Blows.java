@@ -139,6 +139,11 @@ final class Blows {
      * is left to the solver of piles.
      */
     private void end(int pair, double time, double restsAt, double dt) {
+        if (isExhausted(pair)) {
+            counters.cappedPairs++;
+        } else if (restsAt <= dt) {
+            counters.settledPairs++;
+        }
         if (restsAt <= dt) {
             endBounces(pair, time, restsAt);
         } else if (isExhausted(pair)) {

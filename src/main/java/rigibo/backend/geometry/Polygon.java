@@ -24,6 +24,8 @@ public final class Polygon implements Shape {
     private final double[] cornerY;
     private final double[] normalX;
     private final double[] normalY;
+    private final double shiftX;
+    private final double shiftY;
     private final double area;
     private final double inertiaPerDensity;
     private final double boundingRadius;
@@ -39,8 +41,8 @@ public final class Polygon implements Shape {
         cornerY = new double[count];
         normalX = new double[count];
         normalY = new double[count];
-        double shiftX = offset(xy, 0, plate.centroidX());
-        double shiftY = offset(xy, 1, plate.centroidY());
+        shiftX = offset(xy, 0, plate.centroidX());
+        shiftY = offset(xy, 1, plate.centroidY());
         for (int i = 0; i < count; i++) {
             cornerX[i] = xy[2 * i] - shiftX;
             cornerY[i] = xy[2 * i + 1] - shiftY;
@@ -94,7 +96,14 @@ public final class Polygon implements Shape {
     }
 
     /**
-     * A convex polygon from its corners.
+     * A convex polygon from its corners, which are moved so that their centroid is the origin: a
+     * body's place is that of its centre of mass. For the corners to be where they are stated, the
+     * body is placed at {@link #centroidX}, {@link #centroidY}:
+     *
+     * <pre>{@code
+     * Polygon wedge = Polygon.of(0, 0, 3, 0, 0, 1);
+     * pool.add(BodyDefinition.dynamic(wedge).at(wedge.centroidX(), wedge.centroidY()));
+     * }</pre>
      *
      * @param xy corner coordinates x₀, y₀, x₁, y₁, … in m, counter-clockwise, 3 to 256 corners,
      *     convex and without repeated or collinear corners
@@ -121,6 +130,16 @@ public final class Polygon implements Shape {
      */
     public double[] stated() {
         return stated.clone();
+    }
+
+    /** Where the centroid was among the corners as they were stated, m, to the right. */
+    public double centroidX() {
+        return shiftX;
+    }
+
+    /** Where the centroid was among the corners as they were stated, m, up. */
+    public double centroidY() {
+        return shiftY;
     }
 
     /** Number of corners, which is also the number of edges. */

@@ -1,5 +1,6 @@
 package rigibo.backend.storage;
 
+import rigibo.backend.setup.SolveMethod;
 import rigibo.backend.setup.StepStage;
 
 import java.util.Arrays;
@@ -12,6 +13,13 @@ public final class Counters {
     public int evaluations;
     public int rows;
     public int crushed;
+    public int cappedPairs;
+    public int settledPairs;
+
+    /** Islands, and their rows, by the method that solved them. */
+    public final int[] islandsBy = new int[SolveMethod.values().length];
+
+    public final int[] rowsBy = new int[SolveMethod.values().length];
 
     /** m, 0 or more. */
     public double deepestOverlap;
@@ -31,9 +39,20 @@ public final class Counters {
         evaluations = 0;
         rows = 0;
         crushed = 0;
+        cappedPairs = 0;
+        settledPairs = 0;
+        Arrays.fill(islandsBy, 0);
+        Arrays.fill(rowsBy, 0);
         deepestOverlap = 0;
         quarantinedCount = 0;
         Arrays.fill(nanos, 0);
+    }
+
+    /** Notes an island of so many rows that was solved by a method. */
+    public void solve(SolveMethod method, int rowCount) {
+        rows += rowCount;
+        rowsBy[method.ordinal()] += rowCount;
+        islandsBy[method.ordinal()]++;
     }
 
     /** Notes a body that was put to rest, once. */

@@ -87,6 +87,21 @@ class PolygonTest {
         assertThat(Polygon.of(xy)).isEqualTo(first).hasSameHashCodeAs(first);
     }
 
+    /** The centroid of a triangle is the mean of its corners. */
+    @Test
+    void placedAtItsCentroidAPolygonHasItsCornersWhereTheyWereStated() {
+        double[] stated = {10, 20, 13, 20, 10, 21.5};
+        Polygon wedge = Polygon.of(stated);
+        assertThat(wedge.centroidX()).isEqualTo(11, within(ROUND_OFF));
+        assertThat(wedge.centroidY()).isEqualTo(20.5, within(ROUND_OFF));
+        for (int i = 0; i < wedge.corners(); i++) {
+            assertThat(wedge.centroidX() + wedge.cornerX(i))
+                    .isEqualTo(stated[2 * i], within(ROUND_OFF));
+            assertThat(wedge.centroidY() + wedge.cornerY(i))
+                    .isEqualTo(stated[2 * i + 1], within(ROUND_OFF));
+        }
+    }
+
     /** Where the points are given must not matter, as far as coordinates can tell. */
     @Test
     void smallPolygonFarFromTheOriginKeepsItsPrecision() {

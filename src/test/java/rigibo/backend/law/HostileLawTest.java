@@ -15,7 +15,7 @@ import java.util.List;
 /** Whatever numbers a pool accepts, a step ends with numbers, and who is far away is not told. */
 class HostileLawTest {
 
-    private static final int SCENES = 16;
+    private static final int SCENES = 8;
     private static final int STEPS = 5;
 
     private record Motion(double x, double y, double angle, double vx, double vy, double spin) {
@@ -40,8 +40,9 @@ class HostileLawTest {
         }
     }
 
+    /** Each of these eights holds a scene that once broke off, spread, or pushed what is fixed. */
     @ParameterizedTest
-    @ValueSource(longs = {1, 101, 201, 301, 401})
+    @ValueSource(longs = {1, 105, 135, 250, 290, 425, 460})
     void oneSickBodyNeverSpreads(long firstSeed) {
         for (long seed = firstSeed; seed < firstSeed + SCENES; seed++) {
             requireHealth(seed);
