@@ -29,9 +29,11 @@ final class LevelsCommand implements Runnable {
             name = "check",
             description = {
                 "Validates level files and plays them without a window, at every accuracy: stored",
-                "solutions must win, also with everything up to 10 mm aside, no fewer clicks than"
-                        + " par",
-                "may, and a search tells how often other orders of clicks do."
+                "solutions must win, also with everything up to 10 mm aside, and a search among"
+                        + " orders",
+                "and times of clicks, a sample where there are many, must find none that wins with"
+                        + " fewer",
+                "than par; it tells how often others do."
             })
     int check(
             @Option(

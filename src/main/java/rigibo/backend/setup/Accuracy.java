@@ -28,7 +28,7 @@ public record Accuracy(
         ContactSolver contactSolver,
         Correction correction) {
 
-    /** Fast and plausible: 1 substep, split impacts. */
+    /** Fast and plausible: 1 substep, split impacts. What is fast and turns may sink in deep. */
     public static final Accuracy DRAFT =
             new Accuracy(
                     1,
@@ -59,7 +59,7 @@ public record Accuracy(
             GAME.withSubsteps(8).withImpactTolerance(1e-6).withMaxImpactsPerPair(32);
 
     /**
-     * As good as doubles get: 16 substeps, impacts within a nanometre, small islands solved
+     * The most exact of the four: 16 substeps, impacts within a nanometre, small islands solved
      * directly.
      */
     public static final Accuracy EXACT =

@@ -26,6 +26,12 @@ final class Bernoulli implements HardCase {
         return "a disc that meets two at once rebounds with a fifth of its speed";
     }
 
+    /** DRAFT leaves blows to the one solve of a pile that a step has. */
+    @Override
+    public Preset limitedFrom() {
+        return Preset.GAME;
+    }
+
     @Override
     public void run(Trial trial) {
         for (int phase = 0; phase < PHASES; phase++) {

@@ -32,6 +32,12 @@ final class Bobbing implements HardCase {
         return "a box bobs and rolls in water with its periods";
     }
 
+    /** DRAFT takes a force that changes along the way once a step. */
+    @Override
+    public Preset limitedFrom() {
+        return Preset.GAME;
+    }
+
     @Override
     public void run(Trial trial) {
         trial.variant("bobbing");

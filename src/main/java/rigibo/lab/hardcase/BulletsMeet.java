@@ -26,6 +26,12 @@ final class BulletsMeet implements HardCase {
         return "two bullets meet in flight";
     }
 
+    /** DRAFT leaves blows to the one solve of a pile that a step has. */
+    @Override
+    public Preset limitedFrom() {
+        return Preset.GAME;
+    }
+
     @Override
     public void run(Trial trial) {
         for (double parameter : new double[] {0, RADIUS}) {

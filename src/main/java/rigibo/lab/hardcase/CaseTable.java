@@ -19,11 +19,13 @@ public final class CaseTable {
             invariant; the class of each case in `src/main/java/rigibo/lab/hardcase` derives it. \
             Every run is also held to what is true in every case: nothing that is not finite, \
             overlap below 2 %% of a body's width, no energy out of nothing, momentum kept, the \
-            same bits in a second run. `DRAFT` is held to that alone, `GAME` and `FINE` to the \
-            limits of a game, `EXACT` to its own. Sleep is off unless the case is about sleep.
+            same bits in a second run. `EXACT` is held to limits of its own, the other presets to \
+            those of a game, but for `DRAFT` in these cases, where it is held to the invariants \
+            alone: %s. Sleep is off unless the case is about sleep.
 
-            Each line shows of all figures of a case the one that comes nearest to its limit. The \
-            margin says how many times the figure fits into its limit: below 1 the case fails.
+            Each line shows of all figures of a case that have a limit the one that comes nearest \
+            to it. The margin says how many times the figure fits into its limit: below 1 the case \
+            fails, and at ∞ nothing was to be seen of what it counts.
 
             Made by `./rigibo cases%s --markdown FILE` on %s, %s. %d passed, %d failed.
 
@@ -117,6 +119,7 @@ public final class CaseTable {
                 String.format(
                         Locale.ROOT,
                         INTRODUCTION,
+                        reportedAtDraft(results),
                         options,
                         machine,
                         date,
@@ -126,6 +129,16 @@ public final class CaseTable {
                 + results.stream().map(CaseTable::pageLine).collect(Collectors.joining("\n"))
                 + "\n"
                 + findings(results);
+    }
+
+    private static String reportedAtDraft(List<HardCase.Result> results) {
+        return results.stream()
+                .map(HardCase.Result::hardCase)
+                .filter(hardCase -> hardCase.limitedFrom() != Preset.DRAFT)
+                .filter(hardCase -> hardCase.fastest() == Preset.DRAFT)
+                .map(HardCase::row)
+                .distinct()
+                .collect(Collectors.joining(", "));
     }
 
     /** Every figure beyond its limit, and why the case fails. */

@@ -31,6 +31,12 @@ final class Cradle implements HardCase {
         return "as many discs leave a row as came in";
     }
 
+    /** DRAFT leaves blows to the one solve of a pile that a step has. */
+    @Override
+    public Preset limitedFrom() {
+        return Preset.GAME;
+    }
+
     @Override
     public String finding() {
         return "At DRAFT nobody looks for impacts in flight: what is fast is found in overlap a"

@@ -34,6 +34,12 @@ final class ManyCornered implements HardCase {
         return "the more corners a wheel has, the more it rolls like a disc";
     }
 
+    /** One substep a step is too few for what turns on a corner. */
+    @Override
+    public Preset limitedFrom() {
+        return Preset.GAME;
+    }
+
     @Override
     public String finding() {
         return "By the impacts of its corners alone a wheel of 256 is 1.5 % behind, so 2 % leaves"

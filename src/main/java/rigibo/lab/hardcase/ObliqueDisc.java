@@ -24,6 +24,12 @@ final class ObliqueDisc implements HardCase {
         return "a disc thrown at the floor sticks or slips as Coulomb says";
     }
 
+    /** DRAFT leaves blows to the one solve of a pile that a step has. */
+    @Override
+    public Preset limitedFrom() {
+        return Preset.GAME;
+    }
+
     @Override
     public void run(Trial trial) {
         for (int phase = 0; phase < PHASES; phase++) {

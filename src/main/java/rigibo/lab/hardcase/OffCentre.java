@@ -26,6 +26,12 @@ final class OffCentre implements HardCase {
         return "discs that meet off centre part at a right angle";
     }
 
+    /** DRAFT leaves blows to the one solve of a pile that a step has. */
+    @Override
+    public Preset limitedFrom() {
+        return Preset.GAME;
+    }
+
     @Override
     public void run(Trial trial) {
         for (int phase = 0; phase < PHASES; phase++) {

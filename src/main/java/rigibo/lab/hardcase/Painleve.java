@@ -37,6 +37,12 @@ final class Painleve implements HardCase {
         return "a pushed rod slides as its equation says, and without one it does no harm";
     }
 
+    /** One substep a step is too few for what turns on a corner. */
+    @Override
+    public Preset limitedFrom() {
+        return Preset.GAME;
+    }
+
     @Override
     public void run(Trial trial) {
         trial.variant("regular");

@@ -18,13 +18,4 @@ public enum Preset {
     public Accuracy accuracy() {
         return accuracy;
     }
-
-    /** The limit this preset is held to; DRAFT is held to the invariants of every case only. */
-    double limit(double exact, double game) {
-        return switch (this) {
-            case DRAFT -> Double.POSITIVE_INFINITY;
-            case GAME, FINE -> game;
-            case EXACT -> exact;
-        };
-    }
 }

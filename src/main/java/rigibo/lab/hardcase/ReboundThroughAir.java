@@ -31,6 +31,12 @@ final class ReboundThroughAir implements HardCase {
         return "a ball rebounds through air as high as the air lets it";
     }
 
+    /** DRAFT takes a force that changes along the way once a step. */
+    @Override
+    public Preset limitedFrom() {
+        return Preset.GAME;
+    }
+
     @Override
     public void run(Trial trial) {
         for (int phase = 0; phase < PHASES; phase++) {

@@ -29,6 +29,12 @@ final class SpringAndOrbit implements HardCase {
         return "a spring keeps its phase and an orbit its energy for a hundred turns";
     }
 
+    /** DRAFT takes a force that changes along the way once a step. */
+    @Override
+    public Preset limitedFrom() {
+        return Preset.GAME;
+    }
+
     @Override
     public void run(Trial trial) {
         trial.variant("spring");

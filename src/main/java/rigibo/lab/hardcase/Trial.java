@@ -30,14 +30,17 @@ public final class Trial {
     private static final long HASH_FACTOR = 0x100000001b3L;
 
     private final Preset preset;
+    private final Preset limitedFrom;
     private final Map<String, Measure> measures = new LinkedHashMap<>();
     private final Map<String, Measure> invariants = new LinkedHashMap<>();
     private final Work work = new Work();
     private String variant = "";
     private long hash;
 
-    Trial(Preset preset) {
+    /** A run at a preset of a case whose own figures are limited from another on. */
+    Trial(Preset preset, Preset limitedFrom) {
         this.preset = preset;
+        this.limitedFrom = limitedFrom;
     }
 
     Preset preset() {
@@ -54,12 +57,15 @@ public final class Trial {
         return new WatchedPool(this, variant, effects);
     }
 
-    /** Keeps a figure with a limit for EXACT and one for GAME and FINE. */
+    /** Keeps a figure with a limit for EXACT and one for all others that are held to one. */
     void measure(String name, double figure, String unit, double exact, double game) {
-        keep(measures, name, figure, unit, preset.limit(exact, game), variant);
+        boolean isReported = preset.compareTo(limitedFrom) < 0;
+        double limit = preset == Preset.EXACT ? exact : game;
+        double held = isReported ? Double.POSITIVE_INFINITY : limit;
+        keep(measures, name, figure, unit, held, variant);
     }
 
-    /** Keeps a figure with the same limit for all presets but DRAFT. */
+    /** Keeps a figure with the same limit for all presets that are held to one. */
     void measure(String name, double figure, String unit, double limit) {
         measure(name, figure, unit, limit, limit);
     }

@@ -28,6 +28,12 @@ final class TurningRod implements HardCase {
         return "a rod that only turns is stopped by a corner in its way";
     }
 
+    /** DRAFT leaves blows to the one solve of a pile that a step has. */
+    @Override
+    public Preset limitedFrom() {
+        return Preset.GAME;
+    }
+
     @Override
     public void run(Trial trial) {
         WatchedPool pool = trial.pool(Surroundings.space());

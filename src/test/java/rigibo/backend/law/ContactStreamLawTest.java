@@ -37,21 +37,21 @@ class ContactStreamLawTest {
     private static final double ROUNDING = 1e-12;
 
     @ParameterizedTest
-    @CsvSource({"DRAFT, 30", "GAME, 30", "EXACT, 8"})
-    void everyContactBeginsPersistsAndEnds(Preset preset, int scenes) {
+    @CsvSource({"DRAFT, 30, 2900", "GAME, 30, 2900", "EXACT, 8, 650"})
+    void everyContactBeginsPersistsAndEnds(Preset preset, int scenes, long contacts) {
         Laws.hold(
-                1,
-                scenes,
+                Seeds.upTo(scenes),
                 seed -> {
                     RandomScene tray = Surroundings.tray(seed, preset.accuracy);
                     // One that falls asleep at once, so that contacts are left as they just began.
                     double seconds = seed % 3 == 0 ? 0.5 : RandomScene.DT;
                     return tray.effects(tray.effects().with(new Sleep(seconds, 0.02)));
                 },
-                ContactStreamLawTest::streams);
+                ContactStreamLawTest::streams,
+                new Quota(contacts, "contacts begun"));
     }
 
-    private static Optional<String> streams(RandomScene scene) {
+    private static Optional<String> streams(RandomScene scene, Asked asked) {
         Pool pool = scene.steps(0).finished();
         Effects effects = pool.effects();
         RandomEdits edits = new RandomEdits(pool, TRAY, scene.seed());
@@ -67,6 +67,7 @@ class ContactStreamLawTest {
                 pool.effects(effects);
             }
             pool.step(RandomScene.DT);
+            asked.more(Contacts.begun(pool));
             broken = listener.hear(pool, step);
         }
         return broken.or(() -> removed(pool, listener));

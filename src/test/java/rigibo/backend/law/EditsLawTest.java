@@ -18,7 +18,9 @@ import java.util.Optional;
 /** A pool may be changed between any two steps. */
 class EditsLawTest {
 
-    private static final int SCENES = 120;
+    private static final Seeds SEEDS = Seeds.upTo(120);
+
+    private static final Quota TOUCHING = new Quota(280, "edits of what touched");
 
     /** The floor and the walls of a tray come first and stay. */
     private static final int TRAY = 3;
@@ -40,18 +42,26 @@ class EditsLawTest {
     /** m and m/s: a few roundings of places within 10 m, 1.8e-15 m apart. */
     private static final double FREE = 1e-12;
 
+    /** m: overlap that no pile has by itself. */
+    private static final double VISIBLE = 0.02;
+
     /** Bodies that push each other up one on the other. */
     private static final int STOREYS = 4;
 
     /**
-     * Edits that put no body into another: energy grows by no more than in piles that nobody edits,
-     * as a share of the largest kinetic energy or of a fall by {@value #FALL} m. The worst
-     * measured: DRAFT 2.3e-2, GAME 4.5e-3, FINE 1.2e-3, EXACT 3.7e-4.
+     * Edits that put no body into another: energy grows in no step by more than so much of the
+     * largest kinetic energy or of a fall by {@value #FALL} m. In piles that nobody edits a
+     * thousandth holds at every preset; the worst measured here are DRAFT 7.3e-3 and GAME 9.9e-4,
+     * where a body that leans gets another material or shape.
      */
     @ParameterizedTest
-    @CsvSource({"DRAFT, 5e-2", "GAME, 1e-2", "FINE, 1e-2", "EXACT, 1e-3"})
+    @CsvSource({"DRAFT, 1e-2", "GAME, 2e-3", "FINE, 1e-3", "EXACT, 1e-4"})
     void gentleEditsAddNoEnergy(Preset preset, double limit) {
-        Laws.hold(1, SCENES, seed -> scene(seed, preset), scene -> gentlyEdited(limit, scene));
+        Laws.hold(
+                SEEDS,
+                seed -> scene(seed, preset),
+                (scene, asked) -> gentlyEdited(limit, scene, asked),
+                TOUCHING);
     }
 
     /**
@@ -61,14 +71,22 @@ class EditsLawTest {
     @ParameterizedTest
     @EnumSource(Preset.class)
     void bodiesPutIntoOthersArePushedOutWithoutHarm(Preset preset) {
-        Laws.hold(1, SCENES, seed -> scene(seed, preset), EditsLawTest::roughlyEdited);
+        Laws.hold(
+                SEEDS,
+                seed -> scene(seed, preset),
+                EditsLawTest::roughlyEdited,
+                new Quota(3200, "steps that took overlap back"));
     }
 
     /** Nearly every body drawn touches another then, and every third one sleeps. */
     @ParameterizedTest
-    @CsvSource({"DRAFT, 150", "GAME, 150", "FINE, 100", "EXACT, 40"})
-    void bodyWithoutItsSupportsFallsFreely(Preset preset, int scenes) {
-        Laws.hold(1, scenes, seed -> settled(seed, preset), EditsLawTest::fallsFreely);
+    @CsvSource({"DRAFT, 150, 75", "GAME, 150, 75", "FINE, 100, 49", "EXACT, 40, 19"})
+    void bodyWithoutItsSupportsFallsFreely(Preset preset, int scenes, long falls) {
+        Laws.hold(
+                Seeds.upTo(scenes),
+                seed -> settled(seed, preset),
+                EditsLawTest::fallsFreely,
+                new Quota(falls, "bodies without what held them"));
     }
 
     /** A tray, every other one with sleep. */
@@ -83,7 +101,7 @@ class EditsLawTest {
         return seed % 2 == 0 ? heap : heap.effects(heap.effects().with(new Sleep()));
     }
 
-    private static Optional<String> gentlyEdited(double limit, RandomScene scene) {
+    private static Optional<String> gentlyEdited(double limit, RandomScene scene, Asked asked) {
         Pool pool = scene.steps(STEPS_BEFORE).finished();
         RandomEdits edits = new RandomEdits(pool, TRAY, scene.seed());
         double much = 0;
@@ -93,12 +111,13 @@ class EditsLawTest {
             much = Math.max(much, Math.max(pool.kineticEnergy(), mass(pool) * GRAVITY * FALL));
             double most = limit * much;
             double gain = stepGain(pool);
-            broken = harm(pool, edits).or(() -> Law.atMost(most, gain, edit + ": gained J"));
+            broken = harm(pool, edits).or(() -> asked.atMost(most, gain, edit + ": gained J"));
         }
+        asked.more(edits.ofTouching());
         return broken;
     }
 
-    private static Optional<String> roughlyEdited(RandomScene scene) {
+    private static Optional<String> roughlyEdited(RandomScene scene, Asked asked) {
         Pool pool = scene.steps(STEPS_BEFORE).finished();
         RandomEdits edits = new RandomEdits(pool, TRAY, scene.seed());
         Optional<String> broken = Optional.empty();
@@ -106,7 +125,8 @@ class EditsLawTest {
             String edit = i % STEPS_PER_EDIT == 0 ? edits.rough() : "";
             double most = mass(pool) * GRAVITY * STOREYS * PUSH * RandomScene.DT;
             double gain = stepGain(pool);
-            broken = harm(pool, edits).or(() -> Law.atMost(most, gain, edit + ": gained J"));
+            asked.more(pool.report().deepestOverlap() > VISIBLE ? 1 : 0);
+            broken = harm(pool, edits).or(() -> asked.atMost(most, gain, edit + ": gained J"));
         }
         return broken;
     }
@@ -148,7 +168,7 @@ class EditsLawTest {
     }
 
     /** Takes away all that a body touches; the next step must be free fall. */
-    private static Optional<String> fallsFreely(RandomScene scene) {
+    private static Optional<String> fallsFreely(RandomScene scene, Asked asked) {
         if (scene.bodies().size() <= TRAY) {
             return Optional.empty();
         }
@@ -165,6 +185,7 @@ class EditsLawTest {
         if (hasMet(pool, body)) {
             return Optional.empty();
         }
+        asked.more(edits.removed().isEmpty() ? 0 : 1);
         double dt = RandomScene.DT;
         State expected =
                 new State(
@@ -177,7 +198,7 @@ class EditsLawTest {
         double off = expected.off(State.of(body));
         double speed = Math.abs(expected.velocityY() - body.velocityY());
         return harm(pool, edits)
-                .or(() -> Law.atMost(FREE, off + speed, "off free fall by m or m/s"));
+                .or(() -> asked.atMost(FREE, off + speed, "off free fall by m or m/s"));
     }
 
     private static boolean hasMet(Pool pool, RigidBody body) {

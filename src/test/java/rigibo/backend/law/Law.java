@@ -6,13 +6,10 @@ import java.util.Optional;
 @FunctionalInterface
 interface Law {
 
-    /** What is broken in a scene, with its figures; empty where the law holds. */
-    Optional<String> broken(RandomScene scene);
-
-    /** The same words where a figure is beyond its limit; a figure that is not a number is. */
-    static Optional<String> atMost(double limit, double figure, String words) {
-        return figure <= limit
-                ? Optional.empty()
-                : Optional.of(words + " " + figure + ", at most " + limit);
-    }
+    /**
+     * What is broken in a scene, with its figures; empty where the law holds.
+     *
+     * @param asked takes note of every occasion that the scene gave to break the law
+     */
+    Optional<String> broken(RandomScene scene, Asked asked);
 }

@@ -14,25 +14,35 @@ final class Laws {
 
     private Laws() {}
 
-    /** Fails at the first of {@code count} seeds whose scene breaks the law. */
-    static void hold(long firstSeed, int count, LongFunction<RandomScene> maker, Law law) {
-        for (long seed = firstSeed; seed < firstSeed + count; seed++) {
+    /** Fails at the first seed whose scene breaks the law, or when all ask it too little. */
+    static void hold(Seeds seeds, LongFunction<RandomScene> maker, Law law, Quota quota) {
+        Asked asked = new Asked();
+        for (long seed : seeds.all()) {
             RandomScene scene = maker.apply(seed);
-            Optional<String> broken = judge(law, scene);
+            Optional<String> broken = judge(law, scene, asked);
             if (broken.isPresent()) {
                 fail(report(scene, broken.get(), law));
             }
         }
+        Preset preset = Preset.of(maker.apply(seeds.all().get(0)).accuracy());
+        LawTable.note(seeds, preset, asked, quota);
+        if (asked.times() < quota.least()) {
+            fail("asked %d of at least %d %s", asked.times(), quota.least(), quota.what());
+        }
     }
 
     /** An engine that throws breaks every law. */
-    private static Optional<String> judge(Law law, RandomScene scene) {
+    private static Optional<String> judge(Law law, RandomScene scene, Asked asked) {
         try {
-            return law.broken(scene);
+            return law.broken(scene, asked);
         } catch (RuntimeException | AssertionError thrown) {
             StackTraceElement[] trace = thrown.getStackTrace();
             return Optional.of(thrown + (trace.length > 0 ? " at " + trace[0] : ""));
         }
+    }
+
+    private static Optional<String> judge(Law law, RandomScene scene) {
+        return judge(law, scene, new Asked());
     }
 
     private static String report(RandomScene scene, String words, Law law) {

@@ -2,6 +2,8 @@ package rigibo.backend.law;
 
 import rigibo.backend.setup.Accuracy;
 
+import java.util.Arrays;
+
 /** The presets by name. */
 enum Preset {
     DRAFT(Accuracy.DRAFT),
@@ -13,5 +15,12 @@ enum Preset {
 
     Preset(Accuracy accuracy) {
         this.accuracy = accuracy;
+    }
+
+    static Preset of(Accuracy accuracy) {
+        return Arrays.stream(values())
+                .filter(preset -> preset.accuracy.equals(accuracy))
+                .findFirst()
+                .orElseThrow();
     }
 }

@@ -27,6 +27,7 @@ final class RandomEdits {
     private final int tray;
 
     private final List<RigidBody> removed = new ArrayList<>();
+    private long ofTouching;
 
     RandomEdits(Pool pool, int tray, long seed) {
         this.pool = pool;
@@ -39,12 +40,18 @@ final class RandomEdits {
         return removed;
     }
 
+    /** Edits up to now of bodies that touched another. */
+    long ofTouching() {
+        return ofTouching;
+    }
+
     /** One edit that puts no body into another. */
     String gentle() {
         if (pool.bodies().size() <= tray) {
             return add();
         }
-        RigidBody body = loose();
+        RigidBody body = draw.chance(0.5) ? touching() : loose();
+        ofTouching += touches(body) ? 1 : 0;
         return switch (draw.whole(0, 7)) {
             case 0 -> remove(body);
             case 1 -> add();
@@ -87,10 +94,21 @@ final class RandomEdits {
         return pool.bodies().get(draw.whole(tray, pool.bodies().size() - 1));
     }
 
+    /** One of them that touches another body; any where none does. */
+    private RigidBody touching() {
+        List<RigidBody> all = pool.bodies().stream().skip(tray).filter(this::touches).toList();
+        return all.isEmpty() ? loose() : draw.oneOf(all);
+    }
+
     String remove(RigidBody body) {
         pool.remove(body);
         removed.add(body);
         return "removed " + body;
+    }
+
+    private boolean touches(RigidBody body) {
+        return pool.bodies().stream()
+                .anyMatch(other -> other != body && pool.touching(body, other));
     }
 
     private String add() {

@@ -1,8 +1,10 @@
 package rigibo.backend.law;
 
 import org.junit.jupiter.api.Disabled;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.EnumSource;
 
 import rigibo.backend.Pool;
 import rigibo.backend.RigidBody;
@@ -13,7 +15,10 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
 
-/** Sleep saves time and changes nothing else. */
+/**
+ * Sleep saves time and changes nothing else. Only scenes of which all fell asleep are compared: the
+ * bodies in them are what is counted.
+ */
 class SleepLawTest {
 
     private static final Sleep SLEEP = new Sleep();
@@ -26,73 +31,89 @@ class SleepLawTest {
     /** Five seconds, ten times what it takes to fall asleep. */
     private static final int STEPS_GOING_ON = 300;
 
-    /** A seed that breaks it is left out here and named below. */
+    /** Where what leans on another slips and sticks for a second before it rests. */
+    private static final Seeds LEANING_AT_GAME = Seeds.of(248L);
+
+    /** Heaps that one substep does not hold still. */
+    private static final Seeds ROUGH_AT_DRAFT = Seeds.of(65L, 75L, 124L, 172L);
+
+    private static final Seeds ROUGH_AT_GAME = Seeds.of(122L);
+
     @ParameterizedTest
-    @CsvSource({"DRAFT, 1, 150", "GAME, 1, 247", "FINE, 1, 100", "EXACT, 1, 16"})
-    void bodiesEndWhereTheyWouldWithoutSleep(Preset preset, long firstSeed, int scenes) {
-        Laws.hold(firstSeed, scenes, seed -> few(seed, preset), SleepLawTest::sameWithoutSleep);
+    @CsvSource({"DRAFT, 150, 200", "GAME, 250, 300", "FINE, 100, 130", "EXACT, 16, 17"})
+    void bodiesEndWhereTheyWouldWithoutSleep(Preset preset, long scenes, long bodies) {
+        Seeds seeds = Seeds.upTo(scenes);
+        holdFew(
+                preset,
+                preset == Preset.GAME ? seeds.without(LEANING_AT_GAME) : seeds,
+                SleepLawTest::sameWithoutSleep,
+                bodies);
+    }
+
+    @Disabled("at GAME one of 250 scenes is off by 2.5e-4 widths")
+    @Test
+    void leaningBodiesEndWhereTheyWouldWithoutSleep() {
+        holdFew(Preset.GAME, LEANING_AT_GAME, SleepLawTest::sameWithoutSleep, 1);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"DRAFT, 150, 200", "GAME, 250, 300", "FINE, 100, 130", "EXACT, 16, 17"})
+    void fewThatSleepWouldNotHaveMoved(Preset preset, long scenes, long bodies) {
+        holdFew(preset, Seeds.upTo(scenes), SleepLawTest::stillWithoutSleep, bodies);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"DRAFT, 200, 500", "GAME, 150, 380", "FINE, 50, 135"})
+    void heapsThatSleepWouldNotHaveMoved(Preset preset, long scenes, long bodies) {
+        holdMany(preset, Seeds.upTo(scenes).without(rough(preset)), bodies);
     }
 
     @Disabled(
-            "what leans on another slips and sticks for a second before it rests: at GAME in one of"
-                    + " 300 scenes, by 2.5e-4 widths")
+            "at DRAFT four heaps of 200 go on: in 5 s seed 75 by 8.3e-4 widths, 124 by 2.1e-4, 172"
+                    + " by 8.4e-3, and 65, where a box of an arch slips, by 0.29; at GAME one of"
+                    + " 150, seed 122 by 4.7e-4")
     @ParameterizedTest
-    @CsvSource("GAME, 248")
-    void leaningBodiesEndWhereTheyWouldWithoutSleep(Preset preset, long seed) {
-        Laws.hold(seed, 1, any -> few(any, preset), SleepLawTest::sameWithoutSleep);
+    @EnumSource(
+            value = Preset.class,
+            names = {"DRAFT", "GAME"})
+    void roughHeapsThatSleepWouldNotHaveMoved(Preset preset) {
+        holdMany(preset, rough(preset), 1);
     }
 
-    @ParameterizedTest
-    @CsvSource({"DRAFT, 1, 150", "GAME, 1, 250", "FINE, 1, 100", "EXACT, 1, 16"})
-    void fewThatSleepWouldNotHaveMoved(Preset preset, long firstSeed, int scenes) {
-        Laws.hold(firstSeed, scenes, seed -> few(seed, preset), SleepLawTest::stillWithoutSleep);
+    private static Seeds rough(Preset preset) {
+        return switch (preset) {
+            case DRAFT -> ROUGH_AT_DRAFT;
+            case GAME -> ROUGH_AT_GAME;
+            case FINE, EXACT -> Seeds.of();
+        };
     }
 
-    /** At DRAFT four heaps of 200 go on, at GAME one of 150: see below. */
-    @ParameterizedTest
-    @CsvSource({
-        "DRAFT, 1, 64",
-        "DRAFT, 66, 9",
-        "DRAFT, 125, 47",
-        "GAME, 1, 121",
-        "GAME, 123, 28",
-        "FINE, 1, 50"
-    })
-    void heapsThatSleepWouldNotHaveMoved(Preset preset, long firstSeed, int scenes) {
+    private static void holdFew(Preset preset, Seeds seeds, Law law, long bodies) {
         Laws.hold(
-                firstSeed,
-                scenes,
+                seeds,
+                seed -> Surroundings.settling(seed, preset.accuracy, FEW),
+                law,
+                new Quota(bodies, "bodies asleep"));
+    }
+
+    private static void holdMany(Preset preset, Seeds seeds, long bodies) {
+        Laws.hold(
+                seeds,
                 seed -> Surroundings.settling(seed, preset.accuracy, MANY),
-                SleepLawTest::stillWithoutSleep);
+                SleepLawTest::stillWithoutSleep,
+                new Quota(bodies, "bodies asleep"));
     }
 
-    @Disabled(
-            "with one substep: in 5 s seed 75 by 8.3e-4 widths, 124 by 2.1e-4, 172 by 8.4e-3, and"
-                + " 65, where a box of an arch slips, by 0.29; at GAME seed 122 by 4.7e-4, and of"
-                + " 600 one more")
-    @ParameterizedTest
-    @CsvSource({"DRAFT, 65", "DRAFT, 75", "DRAFT, 124", "DRAFT, 172", "GAME, 122"})
-    void roughHeapsThatSleepWouldNotHaveMoved(Preset preset, long seed) {
-        Laws.hold(
-                seed,
-                1,
-                any -> Surroundings.settling(any, preset.accuracy, MANY),
-                SleepLawTest::stillWithoutSleep);
-    }
-
-    private static RandomScene few(long seed, Preset preset) {
-        return Surroundings.settling(seed, preset.accuracy, FEW);
-    }
-
-    private static Optional<String> sameWithoutSleep(RandomScene scene) {
-        Pool awake = scene.finished();
+    private static Optional<String> sameWithoutSleep(RandomScene scene, Asked asked) {
         Pool asleep = withSleep(scene).finished();
-        List<State> expected = states(awake);
-        return isAsleep(asleep) ? near(expected, asleep) : Optional.empty();
+        if (!isAsleep(asleep)) {
+            return Optional.empty();
+        }
+        return near(states(scene.finished()), asleep, asked);
     }
 
     /** What has fallen asleep is woken and goes on without sleep: it must stay where it is. */
-    private static Optional<String> stillWithoutSleep(RandomScene scene) {
+    private static Optional<String> stillWithoutSleep(RandomScene scene, Asked asked) {
         Pool pool = withSleep(scene).finished();
         if (!isAsleep(pool)) {
             return Optional.empty();
@@ -102,7 +123,7 @@ class SleepLawTest {
         for (int i = 0; i < STEPS_GOING_ON; i++) {
             pool.step(RandomScene.DT);
         }
-        return near(asleep, pool);
+        return near(asleep, pool, asked);
     }
 
     private static RandomScene withSleep(RandomScene scene) {
@@ -117,15 +138,16 @@ class SleepLawTest {
         return pool.bodies().stream().map(State::of).collect(Collectors.toList());
     }
 
-    private static Optional<String> near(List<State> expected, Pool pool) {
+    private static Optional<String> near(List<State> expected, Pool pool, Asked asked) {
         double off = 0;
         for (int i = 0; i < expected.size(); i++) {
             RigidBody body = pool.bodies().get(i);
             if (body.type() == BodyType.DYNAMIC) {
                 double width = body.shape().smallestWidth();
                 off = Math.max(off, expected.get(i).off(State.of(body)) / width);
+                asked.more(1);
             }
         }
-        return Law.atMost(SLEEP.distance(), off, "off by widths");
+        return asked.atMost(SLEEP.distance(), off, "off by widths");
     }
 }

@@ -17,8 +17,7 @@ import rigibo.backend.setup.Material;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.function.Predicate;
-import java.util.stream.Collectors;
+import java.util.function.Function;
 
 /** Kinds of scenes that several laws are held against. */
 final class Surroundings {
@@ -52,34 +51,31 @@ final class Surroundings {
 
     /** Two to twelve bodies of all kinds thrown at each other. */
     static RandomScene meeting(long seed, Accuracy accuracy) {
+        return meeting(seed, accuracy, draw -> draw.shape(draw.between(SMALLEST, LARGEST)));
+    }
+
+    /** Two to twelve discs thrown at each other. */
+    static RandomScene meetingOfDiscs(long seed, Accuracy accuracy) {
+        return meeting(seed, accuracy, draw -> new Circle(draw.between(SMALLEST, LARGEST)));
+    }
+
+    /** Two to twelve discs and boxes: they are their own mirror images to the last bit. */
+    static RandomScene meetingOfDiscsAndBoxes(long seed, Accuracy accuracy) {
+        return meeting(seed, accuracy, draw -> draw.plainShape(draw.between(SMALLEST, LARGEST)));
+    }
+
+    private static RandomScene meeting(long seed, Accuracy accuracy, Function<Draw, Shape> shape) {
         Draw draw = new Draw(seed);
         List<BodyDefinition> bodies = new ArrayList<>();
         for (double[] place : draw.places(draw.whole(2, 12), LARGEST, 0.5)) {
             BodyDefinition body =
-                    BodyDefinition.dynamic(draw.shape(draw.between(SMALLEST, LARGEST)))
+                    BodyDefinition.dynamic(shape.apply(draw))
                             .at(place[0], place[1])
                             .angle(draw.between(-3, 3))
                             .material(draw.material());
             bodies.add(draw.thrownInwards(body, 8));
         }
         return new RandomScene(seed, SPACE, accuracy, STEPS_OF_A_MEETING, bodies);
-    }
-
-    /** A scene's discs. */
-    static RandomScene discs(RandomScene scene) {
-        return having(scene, shape -> shape instanceof Circle);
-    }
-
-    /** A scene's discs and boxes: they are their own mirror images to the last bit. */
-    static RandomScene discsAndBoxes(RandomScene scene) {
-        return having(scene, shape -> !(shape instanceof Polygon polygon) || polygon.isBox());
-    }
-
-    private static RandomScene having(RandomScene scene, Predicate<Shape> wanted) {
-        return scene.bodies(
-                scene.bodies().stream()
-                        .filter(body -> wanted.test(body.shape()))
-                        .collect(Collectors.toList()));
     }
 
     /** A few bodies thrown onto a wide floor, side by side. */

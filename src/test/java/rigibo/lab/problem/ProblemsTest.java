@@ -11,37 +11,62 @@ import rigibo.lab.engine.Line;
 import rigibo.lab.engine.RigiBoEngine;
 import rigibo.lab.engine.Setting;
 
-import java.util.Arrays;
 import java.util.List;
+import java.util.Set;
 
 /** What holds for every reference problem. */
 class ProblemsTest {
 
     private static final Engine ENGINE = new RigiBoEngine();
 
-    /** Errors differ in their last digits by how sums are rounded. */
-    private static final double ROUND_OFF = 1e-12;
+    /** Whose errors at the faster presets are beyond what EXACT promises. */
+    private static final Set<String> TOLD_APART = Set.of("R3", "R4", "R11", "R13");
 
     private static List<Problem> problems() {
         return Problems.all();
     }
 
+    /**
+     * Most problems leave nothing to choose: every preset solves them as well as EXACT promises.
+     */
     @ParameterizedTest
-    @MethodSource("problems")
-    void slowerPresetIsNeverLessAccurate(Problem problem) {
-        double[] error = presets().stream().mapToDouble(to -> error(problem, to)).toArray();
-        for (int i = 1; i < error.length; i++) {
-            assertThat(error[i])
-                    .as("%s errs at the presets by %s", problem.id(), Arrays.toString(error))
-                    .isLessThanOrEqualTo(error[i - 1] * (1 + ROUND_OFF));
+    @MethodSource("solvedByAll")
+    void everyPresetKeepsWhatExactPromises(Problem problem) {
+        assertThat(errors(problem))
+                .as(problem.id())
+                .allSatisfy(error -> assertThat(error).isLessThanOrEqualTo(problem.equalBelow()));
+    }
+
+    @ParameterizedTest
+    @MethodSource("toldApart")
+    void slowerPresetIsMoreAccurateWhereErrorsCount(Problem problem) {
+        List<Double> errors = errors(problem);
+        assertThat(errors.get(0)).as(problem.id()).isGreaterThan(problem.equalBelow());
+        for (int i = 1; i < errors.size(); i++) {
+            double most = Math.max(errors.get(i - 1), problem.equalBelow());
+            assertThat(errors.get(i))
+                    .as("%s errs at the presets by %s", problem.id(), errors)
+                    .isLessThan(most);
         }
     }
 
-    /** As far as it counts. */
+    private static List<Problem> toldApart() {
+        return problems().stream().filter(one -> TOLD_APART.contains(one.id())).toList();
+    }
+
+    private static List<Problem> solvedByAll() {
+        return problems().stream().filter(one -> !TOLD_APART.contains(one.id())).toList();
+    }
+
+    /** At every preset, from the fastest to the most exact. */
+    private static List<Double> errors(Problem problem) {
+        return presets().stream().map(preset -> error(problem, preset)).toList();
+    }
+
     private static double error(Problem problem, Setting preset) {
         Errors errors = errors(problem, preset);
         assertThat(errors.failure()).as(problem.id() + " at " + preset.name()).isEmpty();
-        return Math.max(errors.main(), problem.equalBelow());
+        return errors.main();
     }
 
     @Test

@@ -1,0 +1,52 @@
+package rigibo.backend.law;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.util.Locale;
+
+/**
+ * Appends a line of Markdown for every law that was asked to the file that the property {@code
+ * rigibo.laws} names: the table of docs/laws.md.
+ */
+final class LawTable {
+
+    private LawTable() {}
+
+    static void note(Seeds seeds, Preset preset, Asked asked, Quota quota) {
+        String file = System.getProperty("rigibo.laws");
+        if (file == null) {
+            return;
+        }
+        String line =
+                String.format(
+                        Locale.ROOT,
+                        "| %s | %s | %d | %,d %s | %,d | %.2g |%n",
+                        test(),
+                        preset,
+                        seeds.all().size(),
+                        asked.times(),
+                        quota.what(),
+                        quota.least(),
+                        asked.nearest());
+        try {
+            Files.writeString(
+                    Path.of(file), line, StandardOpenOption.CREATE, StandardOpenOption.APPEND);
+        } catch (IOException cause) {
+            throw new UncheckedIOException(cause);
+        }
+    }
+
+    /** The method that holds the law. */
+    private static String test() {
+        return StackWalker.getInstance()
+                .walk(
+                        frames ->
+                                frames.filter(frame -> frame.getClassName().endsWith("Test"))
+                                        .reduce((inner, outer) -> outer))
+                .map(StackWalker.StackFrame::getMethodName)
+                .orElseThrow();
+    }
+}

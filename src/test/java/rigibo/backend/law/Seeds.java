@@ -1,0 +1,29 @@
+package rigibo.backend.law;
+
+import java.util.List;
+import java.util.stream.LongStream;
+
+/**
+ * The seeds that a law is asked for.
+ *
+ * @param all in the order they are asked
+ */
+record Seeds(List<Long> all) {
+
+    /** From 1 to the last. */
+    static Seeds upTo(long last) {
+        return new Seeds(LongStream.rangeClosed(1, last).boxed().toList());
+    }
+
+    static Seeds of(Long... seeds) {
+        return new Seeds(List.of(seeds));
+    }
+
+    /** All but those that are known to break the law; a disabled test must name them. */
+    Seeds without(Seeds known) {
+        if (!all.containsAll(known.all)) {
+            throw new IllegalArgumentException(known + " would not have run");
+        }
+        return new Seeds(all.stream().filter(seed -> !known.all.contains(seed)).toList());
+    }
+}
