@@ -7,9 +7,10 @@ import java.util.function.LongSupplier;
 /**
  * Paces the loop by a clock of our own: vsync is no clock, a monitor may run at 144 Hz and a driver
  * may ignore it. A step is due 60 times a second, and a turn waits for one. A turn whose picture
- * was late makes up to four, so that the world keeps real time. What is due beyond that is dropped,
- * as it is when steps take longer than the time they stand for: then the world goes slower, and no
- * turn grows longer for having been long. The steps themselves are always the same.
+ * was late makes up to four, so that the world keeps real time; what one more such turn cannot make
+ * up for is dropped, and so is what is due when steps take longer than the time they stand for:
+ * then the world goes slower, and no turn grows longer for having been long. The steps themselves
+ * are always the same.
  */
 final class FrameClock {
 
@@ -123,24 +124,28 @@ final class FrameClock {
     }
 
     /**
-     * Counts a step that was made, and tells whether this turn is to make another; one that is due
-     * and does not fit is dropped.
+     * Counts a step that was made, and tells whether this turn is to make another. What is due and
+     * does not fit is left to the next turn where that could make up for it, and else dropped.
      *
      * @param most steps in a turn, 1 to {@link #MOST_STEPS}
      */
     boolean isAnotherDueOf(int most) {
         stepsSinceOrigin++;
         stepsInTurn++;
-        boolean isDue = due() <= turn;
-        boolean fits = stepsInTurn < most && keepUp();
-        if (isDue && !fits) {
-            postpone(turn - due() + SECOND / RATE);
+        long late = turn - due();
+        if (late < 0) {
+            return false;
         }
-        return isDue && fits;
+        boolean keepsUp = keepsUp();
+        boolean isAnother = keepsUp && stepsInTurn < most;
+        if (!isAnother && (!keepsUp || late > most * PERIOD_NANOS)) {
+            postpone(late + SECOND / RATE);
+        }
+        return isAnother;
     }
 
     /** Whether the steps of this turn took less time than they stand for. */
-    private boolean keepUp() {
+    private boolean keepsUp() {
         return nanoseconds.getAsLong() - turn <= stepsInTurn * PERIOD_NANOS;
     }
 
