@@ -9,6 +9,7 @@ import org.lwjgl.glfw.GLFWVidMode;
 import org.lwjgl.opengl.GL;
 import org.lwjgl.stb.STBImageWrite;
 import org.lwjgl.system.MemoryUtil;
+import org.tinylog.Logger;
 
 import rigibo.frontend.draw.DetailChoice;
 import rigibo.frontend.draw.Painter;
@@ -17,9 +18,11 @@ import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Settings;
 
 import java.nio.ByteBuffer;
+import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Consumer;
 
 /** One window with its OpenGL context, its painter and its input, for one scene. */
@@ -88,10 +91,22 @@ final class Window {
                 (window, count, names) -> {
                     List<Path> files = new ArrayList<>();
                     for (int i = 0; i < count; i++) {
-                        files.add(Path.of(GLFWDropCallback.getName(names, i)));
+                        file(GLFWDropCallback.getName(names, i)).ifPresent(files::add);
                     }
-                    dropped.accept(files);
+                    if (!files.isEmpty()) {
+                        dropped.accept(files);
+                    }
                 });
+    }
+
+    /** In a locale without umlauts, Java cannot name a file that has one. */
+    private static Optional<Path> file(String name) {
+        try {
+            return Optional.of(Path.of(name));
+        } catch (InvalidPathException unnamable) {
+            Logger.warn("A file is not opened: {}", unnamable.getMessage());
+            return Optional.empty();
+        }
     }
 
     /** A letter by what is printed on its key: Z and Y change places between layouts. */

@@ -4,6 +4,7 @@ import tools.jackson.databind.JsonNode;
 
 import java.nio.file.Path;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Supplier;
 
 /**
@@ -78,6 +79,11 @@ public final class Document {
     /** Whether anything was told that keeps the file from being used. */
     public boolean hasErrors() {
         return problems.hasErrors();
+    }
+
+    /** The pointers of what was told by now. */
+    Set<String> faults() {
+        return problems.pointers();
     }
 
     /** Whether there was more to tell than is told, so that {@link #isSpoilt} knows not all. */

@@ -16,6 +16,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.Collection;
 import java.util.List;
 import java.util.Locale;
+import java.util.Set;
 import java.util.stream.StreamSupport;
 
 /** Compares a file with its JSON schema and words what differs. */
@@ -61,8 +62,12 @@ public final class JsonSchema {
                         document.root(),
                         context ->
                                 context.executionConfig(config -> config.locale(Locale.ENGLISH)));
+        // What could not even be read has been told, and something else stands in its place.
+        Set<String> unread = document.faults();
         for (Error error : errors) {
-            document.tell(Problem.Severity.ERROR, () -> pointer(error), () -> sentence(error));
+            if (unread.isEmpty() || !unread.contains(pointer(error))) {
+                document.tell(Problem.Severity.ERROR, () -> pointer(error), () -> sentence(error));
+            }
         }
     }
 

@@ -4,6 +4,8 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
+import java.util.Set;
+import java.util.stream.Collectors;
 
 /** Collects the problems of one file: the first hundred are told, the rest are counted. */
 public final class Problems {
@@ -65,6 +67,10 @@ public final class Problems {
     /** How many of them are errors. */
     public int errors() {
         return errors;
+    }
+
+    Set<String> pointers() {
+        return told.stream().map(Problem::pointer).collect(Collectors.toSet());
     }
 
     boolean spoil(String pointer) {

@@ -99,6 +99,14 @@ class LevelFilesTest {
     }
 
     @Test
+    void aNumberBeyondWhatIsCountedInOnesIsToldOnce() {
+        String text = LevelTexts.with("\"par\": 1", "\"par\": 1e308");
+        assertThat(loader.parse("a.json", text).problems())
+                .extracting(Problem::toString)
+                .containsExactly("a.json:9:50: /rules/par: the number 1e308 is too large");
+    }
+
+    @Test
     void levelsAreSortedByTheirNumberNotByTheirLetters() throws IOException {
         for (String name : List.of("10-b.json", "2-c.json", "02-a.json", "level.schema.json")) {
             Files.createFile(folder.resolve(name));
