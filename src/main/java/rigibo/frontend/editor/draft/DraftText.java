@@ -3,9 +3,6 @@ package rigibo.frontend.editor.draft;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.node.JsonNodeFactory;
 
-import java.util.ArrayList;
-import java.util.List;
-
 /**
  * A document as the game's own levels are written: what fits on a line stands on one, the rest a
  * member a line. The library's printer knows only one of the two for all.
@@ -15,48 +12,83 @@ public final class DraftText {
     private static final int WIDTH = 100;
     private static final String INDENT = "  ";
 
+    private final StringBuilder text = new StringBuilder();
+
     private DraftText() {}
 
     /** The text of a level file. */
     public static String of(JsonNode document) {
-        return broken(document, "") + "\n";
+        DraftText draft = new DraftText();
+        draft.rows(document, "");
+        return draft.text.append('\n').toString();
     }
 
-    private static String text(JsonNode node, String indent, int used) {
-        String line = line(node);
-        boolean fits = indent.length() + used + line.length() <= WIDTH;
-        return fits || node.isEmpty() ? line : broken(node, indent);
-    }
-
-    private static String broken(JsonNode node, String indent) {
-        String inner = indent + INDENT;
-        List<String> rows = new ArrayList<>();
-        if (node.isObject()) {
-            for (var member : node.properties()) {
-                String name = quoted(member.getKey()) + ": ";
-                rows.add(inner + name + text(member.getValue(), inner, name.length() + 1));
-            }
-        } else {
-            node.forEach(element -> rows.add(inner + text(element, inner, 1)));
+    /** A value on one line where it fits; what does not is given up at the line's end. */
+    private void value(JsonNode node, String indent, int used) {
+        int begin = text.length();
+        boolean fits = line(node, begin + WIDTH - indent.length() - used);
+        if (!fits && !node.isEmpty()) {
+            text.setLength(begin);
+            rows(node, indent);
         }
-        String open = node.isObject() ? "{" : "[";
-        String close = node.isObject() ? "}" : "]";
-        return open + "\n" + String.join(",\n", rows) + "\n" + indent + close;
     }
 
-    private static String line(JsonNode node) {
-        List<String> parts = new ArrayList<>();
+    private void rows(JsonNode node, String indent) {
+        String inner = indent + INDENT;
+        String between = "\n";
+        text.append(node.isObject() ? '{' : '[');
+        for (var member : node.properties()) {
+            String name = quoted(member.getKey()) + ": ";
+            text.append(between).append(inner).append(name);
+            value(member.getValue(), inner, name.length() + 1);
+            between = ",\n";
+        }
+        for (int i = 0; node.isArray() && i < node.size(); i++) {
+            text.append(between).append(inner);
+            value(node.get(i), inner, 1);
+            between = ",\n";
+        }
+        text.append('\n').append(indent).append(node.isObject() ? '}' : ']');
+    }
+
+    /**
+     * Writes a value on one line, or its beginning; returns whether all of it ends by {@code end}.
+     */
+    private boolean line(JsonNode node, int end) {
         if (node.isObject()) {
-            for (var member : node.properties()) {
-                parts.add(quoted(member.getKey()) + ": " + line(member.getValue()));
-            }
-            return "{" + String.join(", ", parts) + "}";
+            return members(node, end);
         }
         if (node.isArray()) {
-            node.forEach(element -> parts.add(line(element)));
-            return "[" + String.join(", ", parts) + "]";
+            return elements(node, end);
         }
-        return node.toString();
+        text.append(node);
+        return text.length() <= end;
+    }
+
+    private boolean members(JsonNode object, int end) {
+        String between = "{";
+        for (var member : object.properties()) {
+            text.append(between).append(quoted(member.getKey())).append(": ");
+            if (!line(member.getValue(), end)) {
+                return false;
+            }
+            between = ", ";
+        }
+        text.append(object.isEmpty() ? "{}" : "}");
+        return text.length() <= end;
+    }
+
+    private boolean elements(JsonNode array, int end) {
+        String between = "[";
+        for (JsonNode element : array) {
+            text.append(between);
+            if (!line(element, end)) {
+                return false;
+            }
+            between = ", ";
+        }
+        text.append(array.isEmpty() ? "[]" : "]");
+        return text.length() <= end;
     }
 
     private static String quoted(String words) {
