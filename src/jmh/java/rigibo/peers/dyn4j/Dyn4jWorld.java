@@ -104,6 +104,11 @@ final class Dyn4jWorld implements World {
     }
 
     @Override
+    public void remove(int body) {
+        world.removeBody(bodies.get(body));
+    }
+
+    @Override
     public void step(double seconds) {
         forces.push(seconds);
         log.clear();

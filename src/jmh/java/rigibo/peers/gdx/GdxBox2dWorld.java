@@ -101,6 +101,11 @@ final class GdxBox2dWorld implements World {
     }
 
     @Override
+    public void remove(int body) {
+        world.destroyBody(bodies.get(body));
+    }
+
+    @Override
     public void step(double seconds) {
         forces.push(seconds);
         log.clear();

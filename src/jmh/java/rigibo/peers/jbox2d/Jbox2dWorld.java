@@ -103,6 +103,11 @@ final class Jbox2dWorld implements World {
     }
 
     @Override
+    public void remove(int body) {
+        world.destroyBody(bodies.get(body));
+    }
+
+    @Override
     public void step(double seconds) {
         forces.push(seconds);
         log.clear();

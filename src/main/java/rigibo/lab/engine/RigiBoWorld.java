@@ -26,6 +26,11 @@ final class RigiBoWorld implements World {
     }
 
     @Override
+    public void remove(int body) {
+        pool.remove(bodies.get(body));
+    }
+
+    @Override
     public void step(double seconds) {
         pool.step(seconds);
     }

@@ -8,6 +8,9 @@ public interface World extends AutoCloseable {
     /** Adds a body and returns its number. */
     int add(BodyDefinition body);
 
+    /** Takes a body out, which nothing is asked about any more; the others keep their numbers. */
+    void remove(int body);
+
     /** Goes on by so many seconds. */
     void step(double seconds);
 

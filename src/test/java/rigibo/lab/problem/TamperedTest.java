@@ -45,6 +45,11 @@ class TamperedTest {
         }
 
         @Override
+        public void remove(int body) {
+            world.remove(body);
+        }
+
+        @Override
         public void step(double seconds) {
             world.step(seconds);
         }

@@ -23,6 +23,9 @@ final class DeepestOverlap {
         outlines = new Outline[bodies.size()];
         bounds = new Aabb[outlines.length];
         for (int i = 0; i < outlines.length; i++) {
+            if (i == scene.loss().body()) {
+                continue;
+            }
             place(i, world.x(i), world.y(i), world.angle(i));
         }
     }
@@ -43,6 +46,7 @@ final class DeepestOverlap {
     private double sweep() {
         int[] byLeft =
                 IntStream.range(0, outlines.length)
+                        .filter(i -> outlines[i] != null)
                         .boxed()
                         .sorted(Comparator.comparingDouble(i -> bounds[i].minX))
                         .mapToInt(Integer::intValue)

@@ -24,7 +24,7 @@ record Look(double height, double energy) {
         double heights = 0;
         double energy = 0;
         for (int i = 0; i < grounds.length; i++) {
-            if (bodies.get(i).type() == BodyType.DYNAMIC) {
+            if (bodies.get(i).type() == BodyType.DYNAMIC && i != scene.loss().body()) {
                 MassProperties mass = bodies.get(i).massProperties();
                 double height = world.y(i) - grounds[i];
                 heights += height;

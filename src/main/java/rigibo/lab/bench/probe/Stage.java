@@ -35,8 +35,11 @@ final class Stage implements AutoCloseable {
         scene.drum().drive(world, made);
     }
 
-    /** The step alone, after {@link #drive}. */
+    /**
+     * The step alone, after {@link #drive}; and what a loss costs, for it wakes who leaned on it.
+     */
     void step() {
+        scene.loss().befall(world, made);
         world.step(Scene.STEP);
         made++;
     }

@@ -23,6 +23,9 @@ public final class BenchScenes {
     /** The discs of the sweep have fallen and come to lie within 3 s. */
     private static final Pace SWEEP = new Pace(2, 0, 180);
 
+    /** The first of so few timed steps, in which the box goes, is the 99th percentile. */
+    private static final Pace UNDERMINED = new Pace(2, 120, 60);
+
     private BenchScenes() {}
 
     /** Those with a name of their own. */
@@ -38,6 +41,19 @@ public final class BenchScenes {
                         "5,050 boxes, 100 at the base, at rest",
                         new Pace(1, 60, 120),
                         () -> Pyramids.one(100)),
+                new BenchScene(
+                        "undermined-sleeper",
+                        "465 boxes in a sleeping pyramid whose base loses a box at the first timed"
+                                + " step, the p99",
+                        UNDERMINED,
+                        () -> Pyramids.undermined(30, UNDERMINED.settling(), Pyramids.withSleep())),
+                new BenchScene(
+                        "undermined-awake",
+                        "the same pyramid awake: what its loss may be compared with",
+                        UNDERMINED,
+                        () ->
+                                Pyramids.undermined(
+                                        30, UNDERMINED.settling(), Pyramids.withoutSleep())),
                 new BenchScene(
                         "tumbler",
                         "2,025 boxes of 0.25 m in a drum that turns by 25°/s",

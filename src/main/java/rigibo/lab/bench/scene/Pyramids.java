@@ -5,6 +5,7 @@ import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Friction;
 import rigibo.backend.effect.Gravity;
 import rigibo.backend.effect.Rotation;
+import rigibo.backend.effect.Sleep;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.Material;
@@ -18,7 +19,8 @@ import java.util.List;
  * first; no distance suits all engines, and in their own samples boxes begin like this.
  *
  * <p>They call for gravity, contacts, the rotation and the friction without which a pyramid slides
- * apart. Nothing falls or bounces in them: neither restitution nor continuous impacts.
+ * apart. Nothing falls or bounces in them: neither restitution nor continuous impacts. Sleep is
+ * called for only where waking is measured.
  */
 final class Pyramids {
 
@@ -42,6 +44,26 @@ final class Pyramids {
     /** One, of so many boxes at its base. */
     static Scene one(int base) {
         return field(1, 1, base);
+    }
+
+    /**
+     * One that loses the middle box of its base after so many steps. What slept and what did not
+     * has to find the same new balance.
+     */
+    static Scene undermined(int base, int steps, Effects effects) {
+        List<BodyDefinition> bodies = one(base).bodies();
+        int firstBox = 1;
+        return new Scene(effects, bodies, Drum.NONE, new Loss(firstBox + base / 2, steps));
+    }
+
+    /** What a pyramid calls for, and sleep. */
+    static Effects withSleep() {
+        return EFFECTS.with(new Sleep());
+    }
+
+    /** What a pyramid calls for. */
+    static Effects withoutSleep() {
+        return EFFECTS;
     }
 
     /** Storeys of a field one above the other, each a floor with pyramids side by side. */

@@ -13,8 +13,9 @@ import java.util.Objects;
  * @param effects what it calls for
  * @param bodies in the order they are added
  * @param drum whose walls are among the bodies; {@link Drum#NONE} where there is none
+ * @param loss of one of the bodies; {@link Loss#NONE} where all stay
  */
-public record Scene(Effects effects, List<BodyDefinition> bodies, Drum drum) {
+public record Scene(Effects effects, List<BodyDefinition> bodies, Drum drum, Loss loss) {
 
     /** s, of every scene and engine. */
     public static final double STEP = 1.0 / 60;
@@ -28,9 +29,14 @@ public record Scene(Effects effects, List<BodyDefinition> bodies, Drum drum) {
         this(effects, bodies, Drum.NONE);
     }
 
+    /** A scene that all bodies stay in. */
+    public Scene(Effects effects, List<BodyDefinition> bodies, Drum drum) {
+        this(effects, bodies, drum, Loss.NONE);
+    }
+
     /** The same for equal scenes, hardly ever for others: a level's file may change, or a flood. */
     public int fingerprint() {
-        int mark = Objects.hash(effects.toString(), drum);
+        int mark = Objects.hash(effects.toString(), drum, loss);
         for (BodyDefinition body : bodies) {
             mark = 31 * mark + fingerprint(body);
         }

@@ -25,6 +25,7 @@ class WorkOfScenesTest {
             scene.bodies().forEach(world::add);
             for (int i = 0; i < steps; i++) {
                 scene.drum().drive(world, i);
+                scene.loss().befall(world, i);
                 world.step(Scene.STEP);
             }
             return world.lastStep();
@@ -46,6 +47,21 @@ class WorkOfScenesTest {
     @Test
     void pyramidsOfAFieldKnowNothingOfEachOther() {
         assertCarried(afterSteps(Pyramids.field(2, 3, 5), 60), 5, 6);
+    }
+
+    /** Whoever leaned on the lost box is woken in the same step, to no more work than if awake. */
+    @Test
+    void sleepersThatLoseABoxAreAsMuchWorkAsIfTheyHadBeenAwake() {
+        int settling = 120;
+        Work asleep = afterSteps(Pyramids.undermined(20, settling, Pyramids.withSleep()), settling);
+        assertThat(asleep.contacts()).isZero();
+        Work woken =
+                afterSteps(Pyramids.undermined(20, settling, Pyramids.withSleep()), settling + 1);
+        Work awake =
+                afterSteps(
+                        Pyramids.undermined(20, settling, Pyramids.withoutSleep()), settling + 1);
+        assertThat(woken).isEqualTo(awake);
+        assertThat(woken.rows()).isPositive();
     }
 
     private static void assertCarried(Work work, int base, int pyramids) {
