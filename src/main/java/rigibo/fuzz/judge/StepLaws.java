@@ -98,22 +98,21 @@ final class StepLaws {
 
     private static void requireWellFormed(Pool pool, ContactEvent event) {
         unless(event.a() != event.b(), EVENTS, "%s is of one body", event);
-        unless(
-                event.a().isAlive() && event.b().isAlive(),
-                EVENTS,
-                "%s is of a removed body",
-                event);
+        boolean isEnd = event.phase() == ContactEvent.Phase.END;
+        unless(isEnd || event.bothAlive(), EVENTS, "%s is of a removed body", event);
         double square = event.normalX() * event.normalX() + event.normalY() * event.normalY();
         unless(Math.abs(square - 1) <= ROUND_OFF, EVENTS, "the normal of %s", event);
         unless(Double.isFinite(event.x()) && Double.isFinite(event.y()), EVENTS, "%s", event);
         boolean pushes = event.impulse() >= 0 && event.impulse() < Double.POSITIVE_INFINITY;
         unless(pushes, EVENTS, "the impulse of %s", event);
+        if (event.bothAlive()) {
+            requireTouching(pool, event, isEnd);
+        }
+    }
+
+    private static void requireTouching(Pool pool, ContactEvent event, boolean isEnd) {
         boolean touch = pool.touching(event.a(), event.b());
         unless(touch == pool.touching(event.b(), event.a()), EVENTS, "touching one way: %s", event);
-        unless(
-                !touch || event.phase() != ContactEvent.Phase.END,
-                EVENTS,
-                "they touch and have ended: %s",
-                event);
+        unless(!(touch && isEnd), EVENTS, "they touch and have ended: %s", event);
     }
 }
