@@ -7,11 +7,15 @@ import picocli.CommandLine.Spec;
 
 import rigibo.lab.bench.BenchStudy;
 import rigibo.lab.bench.Inquiry;
+import rigibo.lab.bench.moving.Contestant;
+import rigibo.lab.bench.moving.MovingBench;
 import rigibo.lab.bench.scene.BenchScene;
 import rigibo.lab.bench.scene.BenchScenes;
+import rigibo.lab.bench.scene.MovingScenes;
 import rigibo.lab.engine.Engine;
 import rigibo.lab.engine.Engines;
 import rigibo.lab.precision.Environment;
+import rigibo.lab.report.MeasuredPart;
 
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -33,6 +37,7 @@ import java.util.concurrent.Callable;
 final class BenchCommand implements Callable<Integer> {
 
     private static final String SWEEP = "sweep";
+    private static final String ALL = "all";
     private static final int MOST_ROUNDS = 100;
     private static final int MOST_STEPS = 100_000;
 
@@ -77,6 +82,27 @@ final class BenchCommand implements Callable<Integer> {
     private Integer steps;
 
     @Option(
+            names = "--moving",
+            paramLabel = "SCENE",
+            split = ",",
+            arity = "0..1",
+            fallbackValue = ALL,
+            description =
+                    "Scenes in which much moves, in place of those above: from each step's time to"
+                            + " the deepest overlap on the way, ours at every preset. All of them"
+                            + " where none is named: rain-boxes-10 to rain-mixed-1500, settle-20,"
+                            + " settle-30, settle-50, struck, towers, belt, shaken, rods.")
+    private List<String> moving = List.of();
+
+    @Option(
+            names = "--runs",
+            paramLabel = "N",
+            defaultValue = "7",
+            description =
+                    "How often each step of a moving scene is timed, 7 unless said otherwise.")
+    private int runs;
+
+    @Option(
             names = "--csv",
             paramLabel = "FILE",
             description = "Writes every run as CSV, a line for each scene, engine and round.")
@@ -103,21 +129,47 @@ final class BenchCommand implements Callable<Integer> {
         if (steps != null) {
             requireWithin("--steps", steps, MOST_STEPS);
         }
+        requireWithin("--runs", runs, MOST_ROUNDS);
         Destination.requireFile(spec, "--csv", csv);
         Destination.requireFile(spec, "--markdown", page);
         Destination.requireDirectory(spec, "--out", out);
-        Inquiry inquiry = new Inquiry(chosenScenes(), chosenEngines(), rounds, out);
         PrintWriter written = spec.commandLine().getOut();
         try {
-            new BenchStudy(inquiry, BenchProcess.class, environment())
-                    .make(Optional.ofNullable(csv), Optional.ofNullable(page), this::tell)
-                    .forEach(written::println);
+            (moving.isEmpty() ? study() : move()).forEach(written::println);
             written.flush();
             return 0;
         } catch (IllegalStateException | IOException | UncheckedIOException cause) {
             tell("FAILED: " + cause.getMessage());
             return 1;
         }
+    }
+
+    private List<String> study() throws IOException {
+        Inquiry inquiry = new Inquiry(chosenScenes(), chosenEngines(), rounds, out);
+        return new BenchStudy(inquiry, BenchProcess.class, environment())
+                .make(Optional.ofNullable(csv), Optional.ofNullable(page), this::tell);
+    }
+
+    private List<String> move() throws IOException {
+        List<BenchScene> known = MovingScenes.all();
+        boolean isAll = moving.equals(List.of(ALL));
+        if (!isAll) {
+            Options.requireKnown(
+                    spec, "--moving", moving, known.stream().map(BenchScene::name).toList());
+        }
+        MovingBench bench =
+                new MovingBench(
+                        known.stream()
+                                .filter(scene -> isAll || moving.contains(scene.name()))
+                                .toList(),
+                        chosenEngines().stream().flatMap(Contestant::of).toList(),
+                        steps == null ? MovingScenes.STEPS : steps,
+                        runs,
+                        out);
+        if (page != null) {
+            MeasuredPart.write(page, bench.markdown(environment(), this::tell));
+        }
+        return bench.text(this::tell);
     }
 
     private List<BenchScene> chosenScenes() {
@@ -165,7 +217,9 @@ final class BenchCommand implements Callable<Integer> {
                 + (scenes.isEmpty() ? "" : " --scenes " + String.join(",", scenes))
                 + (isSweep ? " --sweep" : "")
                 + (engines.isEmpty() ? "" : " --engines " + String.join(",", engines))
-                + (" --rounds " + rounds)
+                + (moving.isEmpty()
+                        ? " --rounds " + rounds
+                        : " --moving " + String.join(",", moving) + " --runs " + runs)
                 + (steps == null ? "" : " --steps " + steps);
     }
 

@@ -97,6 +97,8 @@ class MainTest {
     @CsvSource({
         "bench --scenes moon, large-pyramid",
         "bench --engines bullet, rigibo",
+        "bench --moving moon, rain-boxes-10",
+        "bench --runs 0, 1 to 100",
         "bench --rounds 0, 1 to 100",
         "bench --steps 0, 1 to 100000",
         "bench --steps some, some",

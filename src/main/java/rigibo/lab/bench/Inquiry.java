@@ -55,7 +55,8 @@ public record Inquiry(List<BenchScene> scenes, List<Engine> engines, int rounds,
         return shortName(engine.name());
     }
 
-    static String shortName(String engine) {
+    /** The same of a name with its version. */
+    public static String shortName(String engine) {
         return engine.split(" ")[0].toLowerCase(Locale.ROOT);
     }
 }

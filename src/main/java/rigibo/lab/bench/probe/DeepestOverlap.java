@@ -1,6 +1,9 @@
 package rigibo.lab.bench.probe;
 
 import rigibo.backend.geometry.Aabb;
+import rigibo.backend.geometry.Circle;
+import rigibo.backend.geometry.Polygon;
+import rigibo.backend.geometry.Shape;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.BodyType;
 import rigibo.lab.bench.scene.Scene;
@@ -12,13 +15,15 @@ import java.util.List;
 import java.util.stream.IntStream;
 
 /** The deepest overlap of two bodies of a scene, from where they are, whatever the engine says. */
-final class DeepestOverlap {
+public final class DeepestOverlap {
 
     private final List<BodyDefinition> bodies;
+    private final boolean isInWidths;
     private final Outline[] outlines;
     private final Aabb[] bounds;
 
-    private DeepestOverlap(Scene scene, World world) {
+    private DeepestOverlap(Scene scene, World world, boolean isInWidths) {
+        this.isInWidths = isInWidths;
         bodies = scene.bodies();
         outlines = new Outline[bodies.size()];
         bounds = new Aabb[outlines.length];
@@ -39,7 +44,12 @@ final class DeepestOverlap {
 
     /** m; 0 where none overlap. */
     static double in(Scene scene, World world) {
-        return new DeepestOverlap(scene, world).sweep();
+        return new DeepestOverlap(scene, world, false).sweep();
+    }
+
+    /** In widths, the smallest extents, of the smaller of the two bodies; 0 where none overlap. */
+    public static double inWidths(Scene scene, World world) {
+        return new DeepestOverlap(scene, world, true).sweep();
     }
 
     /** From left to right: only what begins before a body ends can overlap it. */
@@ -71,7 +81,19 @@ final class DeepestOverlap {
                 bounds[a].minY > bounds[b].maxY
                         || bounds[b].minY > bounds[a].maxY
                         || !(isDynamic(a) || isDynamic(b));
-        return isBeside ? 0 : -outlines[a].separation(outlines[b]);
+        if (isBeside) {
+            return 0;
+        }
+        double depth = -outlines[a].separation(outlines[b]);
+        return isInWidths ? depth / Math.min(width(a), width(b)) : depth;
+    }
+
+    private double width(int body) {
+        Shape shape = outlines[body].shape();
+        return switch (shape.kind()) {
+            case CIRCLE -> 2 * ((Circle) shape).radius();
+            case POLYGON -> ((Polygon) shape).smallestWidth();
+        };
     }
 
     private boolean isDynamic(int body) {

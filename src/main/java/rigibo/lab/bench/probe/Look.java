@@ -15,9 +15,10 @@ import java.util.List;
  * @param height of the dynamic bodies over the grounds they began over, mean, m
  * @param energy of their motion and of their height over those grounds, J
  */
-record Look(double height, double energy) {
+public record Look(double height, double energy) {
 
-    static Look at(Scene scene, World world) {
+    /** What a world looks like now. */
+    public static Look at(Scene scene, World world) {
         List<BodyDefinition> bodies = scene.bodies();
         double[] grounds = Grounds.below(bodies);
         double gravity = scene.effects().find(Gravity.class).map(Gravity::y).orElse(0.0);

@@ -30,9 +30,9 @@ final class Stage implements AutoCloseable {
         return world;
     }
 
-    /** Turns what is driven: not part of what is timed, for it is ours and not the engine's. */
+    /** Moves what is driven: not part of what is timed, for it is ours and not the engine's. */
     void drive() {
-        scene.drum().drive(world, made);
+        scene.driver().drive(world, made);
     }
 
     /**

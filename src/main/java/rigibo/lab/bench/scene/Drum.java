@@ -14,31 +14,22 @@ import java.util.List;
  * step every wall is given the velocity that leads from where it is to where it must be at the
  * step's end: nothing adds up, and the corners stay closed.
  *
- * @param walls how many there are, the first bodies of the scene: four or none
  * @param y of its middle, m; its x is 0
  * @param side from wall to wall inside, m
  * @param spin rad/s, counter-clockwise
  */
-public record Drum(int walls, double y, double side, double spin) {
+record Drum(double y, double side, double spin) implements Driver {
 
-    /** No drum. */
-    public static final Drum NONE = new Drum(0, 0, 0, 0);
-
-    private static final int WALLS = 4;
+    static final int WALLS = 4;
 
     /** Of a wall, m: many times what the fastest body goes in a step. */
     private static final double THICKNESS = 1;
-
-    /** A drum of four walls. */
-    public static Drum turning(double y, double side, double spin) {
-        return new Drum(WALLS, y, side, spin);
-    }
 
     /** Its walls at time 0. */
     List<BodyDefinition> bodies(Material material) {
         List<BodyDefinition> bodies = new ArrayList<>();
         Polygon wall = Polygon.box(side + 2 * THICKNESS, THICKNESS);
-        for (int i = 0; i < walls; i++) {
+        for (int i = 0; i < WALLS; i++) {
             double angle = angle(i, 0);
             bodies.add(
                     BodyDefinition.kinematic(wall)
@@ -49,13 +40,10 @@ public record Drum(int walls, double y, double side, double spin) {
         return bodies;
     }
 
-    /**
-     * Has its walls, which are the world's first bodies, turn on in the next step.
-     *
-     * @param made steps made so far
-     */
+    /** Has its walls, which are the world's first bodies, turn on in the next step. */
+    @Override
     public void drive(World world, int made) {
-        for (int i = 0; i < walls; i++) {
+        for (int i = 0; i < WALLS; i++) {
             double next = angle(i, (made + 1) * Scene.STEP);
             double velocityX = (x(next) - world.x(i)) / Scene.STEP;
             double velocityY = (y(next) - world.y(i)) / Scene.STEP;

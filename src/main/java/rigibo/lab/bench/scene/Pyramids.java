@@ -53,7 +53,7 @@ final class Pyramids {
     static Scene undermined(int base, int steps, Effects effects) {
         List<BodyDefinition> bodies = one(base).bodies();
         int firstBox = 1;
-        return new Scene(effects, bodies, Drum.NONE, new Loss(firstBox + base / 2, steps));
+        return new Scene(effects, bodies, Driver.NONE, new Loss(firstBox + base / 2, steps));
     }
 
     /** What a pyramid calls for, and sleep. */

@@ -12,10 +12,10 @@ import java.util.Objects;
  *
  * @param effects what it calls for
  * @param bodies in the order they are added
- * @param drum whose walls are among the bodies; {@link Drum#NONE} where there is none
+ * @param driver what is done to some of them before each step
  * @param loss of one of the bodies; {@link Loss#NONE} where all stay
  */
-public record Scene(Effects effects, List<BodyDefinition> bodies, Drum drum, Loss loss) {
+public record Scene(Effects effects, List<BodyDefinition> bodies, Driver driver, Loss loss) {
 
     /** s, of every scene and engine. */
     public static final double STEP = 1.0 / 60;
@@ -26,17 +26,17 @@ public record Scene(Effects effects, List<BodyDefinition> bodies, Drum drum, Los
 
     /** A scene in which nothing is driven. */
     public Scene(Effects effects, List<BodyDefinition> bodies) {
-        this(effects, bodies, Drum.NONE);
+        this(effects, bodies, Driver.NONE);
     }
 
     /** A scene that all bodies stay in. */
-    public Scene(Effects effects, List<BodyDefinition> bodies, Drum drum) {
-        this(effects, bodies, drum, Loss.NONE);
+    public Scene(Effects effects, List<BodyDefinition> bodies, Driver driver) {
+        this(effects, bodies, driver, Loss.NONE);
     }
 
     /** The same for equal scenes, hardly ever for others: a level's file may change, or a flood. */
     public int fingerprint() {
-        int mark = Objects.hash(effects.toString(), drum, loss);
+        int mark = Objects.hash(effects.toString(), driver, loss);
         for (BodyDefinition body : bodies) {
             mark = 31 * mark + fingerprint(body);
         }

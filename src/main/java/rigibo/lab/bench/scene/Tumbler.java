@@ -49,7 +49,7 @@ final class Tumbler {
     /** So many columns of as many boxes. */
     static Scene of(int columns) {
         double side = SPACING * (columns - 1) + 2 * MARGIN;
-        Drum drum = Drum.turning(HEIGHT_BY_SIDE * side, side, SPIN);
+        Drum drum = new Drum(HEIGHT_BY_SIDE * side, side, SPIN);
         List<BodyDefinition> bodies = new ArrayList<>(drum.bodies(STONE));
         double first = -SPACING * (columns - 1) / 2;
         for (int row = 0; row < columns; row++) {

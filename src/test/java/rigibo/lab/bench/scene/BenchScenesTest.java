@@ -99,11 +99,11 @@ class BenchScenesTest {
     @MethodSource("engines")
     void drumTurnsAQuarterInEveryEngine(Engine engine) {
         Scene scene = Tumbler.of(2);
-        int walls = scene.drum().walls();
+        int walls = Drum.WALLS;
         try (World world = engine.world(scene.effects(), engine.settings().get(0))) {
             scene.bodies().subList(0, walls).forEach(world::add);
             for (int i = 0; i < 216; i++) {
-                scene.drum().drive(world, i);
+                scene.driver().drive(world, i);
                 world.step(Scene.STEP);
             }
             for (int i = 0; i < walls; i++) {

@@ -24,7 +24,7 @@ class WorkOfScenesTest {
         try (World world = RigiBoEngine.world(scene.effects(), Accuracy.GAME)) {
             scene.bodies().forEach(world::add);
             for (int i = 0; i < steps; i++) {
-                scene.drum().drive(world, i);
+                scene.driver().drive(world, i);
                 scene.loss().befall(world, i);
                 world.step(Scene.STEP);
             }

@@ -1,0 +1,65 @@
+package rigibo.lab.bench.moving;
+
+import rigibo.lab.bench.Inquiry;
+import rigibo.lab.bench.scene.Scene;
+import rigibo.lab.engine.Engine;
+import rigibo.lab.engine.Engines;
+import rigibo.lab.engine.Line;
+import rigibo.lab.engine.RigiBoEngine;
+import rigibo.lab.engine.Setting;
+import rigibo.lab.engine.World;
+
+import java.util.List;
+import java.util.stream.Stream;
+
+/**
+ * An engine as it is run.
+ *
+ * @param engine name
+ * @param setting name of one of its settings
+ */
+public record Contestant(String engine, String setting) {
+
+    private static final List<String> PRESETS = List.of("DRAFT", "GAME", "FINE", "EXACT");
+
+    /** Ours as the game runs it. */
+    static final Contestant OURS = new Contestant(RigiBoEngine.NAME, "GAME");
+
+    private static final String BOX2D = "gdx-box2d";
+
+    /** Speed in m/s up to which a body counts as still, and for the engines that keep trembling. */
+    private static final double STILL = 0.01;
+
+    private static final double NEARLY_STILL = 0.05;
+
+    /** Ours at each preset, the others as they come. */
+    public static Stream<Contestant> of(Engine engine) {
+        Setting first = engine.settings().get(0);
+        return first.line() == Line.PEERS
+                ? Stream.of(new Contestant(engine.name(), first.name()))
+                : PRESETS.stream().map(preset -> new Contestant(engine.name(), preset));
+    }
+
+    World world(Scene scene) {
+        Engine asked = Engines.named(engine);
+        return asked.world(scene.effects(), Engines.setting(asked, setting));
+    }
+
+    boolean isOurs() {
+        return engine.equals(RigiBoEngine.NAME);
+    }
+
+    /** The engine that a Java programmer would take if speed were all. */
+    boolean isFastestPeer() {
+        return Inquiry.shortName(engine).equals(BOX2D);
+    }
+
+    double still() {
+        return isOurs() ? STILL : NEARLY_STILL;
+    }
+
+    /** For a table. */
+    String words() {
+        return isOurs() ? engine + " " + setting : engine;
+    }
+}

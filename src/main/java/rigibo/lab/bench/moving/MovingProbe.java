@@ -1,0 +1,130 @@
+package rigibo.lab.bench.moving;
+
+import com.sun.management.ThreadMXBean;
+
+import rigibo.backend.setup.BodyDefinition;
+import rigibo.backend.setup.BodyType;
+import rigibo.lab.bench.probe.DeepestOverlap;
+import rigibo.lab.bench.probe.Look;
+import rigibo.lab.bench.scene.BenchScene;
+import rigibo.lab.bench.scene.Driver;
+import rigibo.lab.bench.scene.MovingScenes;
+import rigibo.lab.bench.scene.Scene;
+import rigibo.lab.engine.World;
+
+import java.lang.management.ManagementFactory;
+import java.util.Arrays;
+import java.util.List;
+
+/**
+ * The process: lets one scene go several times in one engine, looks at it the first time and times
+ * its steps every time. What a step does is the same each time, so that the median of a step over
+ * the runs is free of what the system did meanwhile.
+ */
+public final class MovingProbe {
+
+    static final String MARK = "course ";
+
+    private static final ThreadMXBean THREADS = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+
+    private final Contestant contestant;
+    private final Scene scene;
+    private final int steps;
+    private final double[] contacts;
+    private double deepest;
+    private double left;
+    private double gain;
+    private int lastMoving = -1;
+
+    private MovingProbe(Contestant contestant, Scene scene, int steps) {
+        this.contestant = contestant;
+        this.scene = scene;
+        this.steps = steps;
+        contacts = new double[steps];
+    }
+
+    /**
+     * Prints the course.
+     *
+     * @param arguments names of scene, engine and setting, number of steps, number of timed runs
+     */
+    public static void main(String[] arguments) {
+        BenchScene scene = MovingScenes.named(arguments[0]);
+        Contestant contestant = new Contestant(arguments[1], arguments[2]);
+        int steps = Integer.parseInt(arguments[3]);
+        int runs = Integer.parseInt(arguments[4]);
+        System.out.println(MARK + measure(contestant, scene.scene().get(), steps, runs).line());
+    }
+
+    /** Lets it go once to look, and so many times to time it. */
+    static Course measure(Contestant contestant, Scene scene, int steps, int runs) {
+        MovingProbe probe = new MovingProbe(contestant, scene, steps);
+        probe.look();
+        double[][] nanos = new double[steps][runs];
+        double[] bytes = new double[steps];
+        for (int run = 0; run < runs; run++) {
+            probe.time(run, nanos, bytes);
+        }
+        double[] medians = Arrays.stream(nanos).mapToDouble(MovingProbe::median).toArray();
+        return new Course(
+                medians,
+                contestant.isOurs() ? probe.contacts : new double[0],
+                probe.lastMoving,
+                probe.deepest,
+                probe.left,
+                probe.gain,
+                median(bytes));
+    }
+
+    private static double median(double[] values) {
+        return new Times(values).percentile(50);
+    }
+
+    private void look() {
+        boolean isDriven = !scene.driver().equals(Driver.NONE);
+        try (World world = begin()) {
+            double start = Look.at(scene, world).energy();
+            for (int i = 0; i < steps; i++) {
+                scene.driver().drive(world, i);
+                world.step(Scene.STEP);
+                contacts[i] = world.lastStep().contacts();
+                left = DeepestOverlap.inWidths(scene, world);
+                deepest = Math.max(deepest, left);
+                double energy = Look.at(scene, world).energy();
+                gain = isDriven ? Double.NaN : Math.max(gain, energy / start - 1);
+                lastMoving = isStill(world) ? lastMoving : i;
+            }
+        }
+    }
+
+    private World begin() {
+        World world = contestant.world(scene);
+        scene.bodies().forEach(world::add);
+        return world;
+    }
+
+    private boolean isStill(World world) {
+        List<BodyDefinition> bodies = scene.bodies();
+        for (int i = 0; i < bodies.size(); i++) {
+            double speed = Math.hypot(world.velocityX(i), world.velocityY(i));
+            if (bodies.get(i).type() == BodyType.DYNAMIC && speed > contestant.still()) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private void time(int run, double[][] nanos, double[] bytes) {
+        try (World world = begin()) {
+            System.gc();
+            for (int i = 0; i < steps; i++) {
+                scene.driver().drive(world, i);
+                long begun = THREADS.getCurrentThreadCpuTime();
+                long allocated = THREADS.getCurrentThreadAllocatedBytes();
+                world.step(Scene.STEP);
+                bytes[i] = THREADS.getCurrentThreadAllocatedBytes() - allocated;
+                nanos[i][run] = THREADS.getCurrentThreadCpuTime() - begun;
+            }
+        }
+    }
+}

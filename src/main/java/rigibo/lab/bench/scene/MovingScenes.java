@@ -1,0 +1,92 @@
+package rigibo.lab.bench.scene;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.NoSuchElementException;
+import java.util.function.Supplier;
+
+/** Scenes in which much moves, each from its first step on. */
+public final class MovingScenes {
+
+    /** Bodies of a rain. */
+    static final List<Integer> SIZES = List.of(10, 20, 50, 100, 200, 400, 800, 1500);
+
+    /** Steps that each goes at most: 10 s. */
+    public static final int STEPS = 600;
+
+    private static final Pace PACE = new Pace(0, 0, STEPS);
+
+    private static final long SEED = 20;
+
+    private MovingScenes() {}
+
+    /** All of them. */
+    public static List<BenchScene> all() {
+        List<BenchScene> scenes = new ArrayList<>();
+        for (Crowd crowd : Crowd.values()) {
+            SIZES.forEach(size -> scenes.add(rain(crowd, size)));
+        }
+        for (int base : new int[] {20, 30, 50}) {
+            scenes.add(
+                    scene(
+                            "settle-" + base,
+                            "a pyramid, "
+                                    + base
+                                    + " at the base, that falls together from gaps of"
+                                    + " 2 cm",
+                            () -> Commotions.settling(base, 0.02)));
+        }
+        scenes.add(
+                scene(
+                        "struck",
+                        "a pyramid, 40 at the base, struck at its foot each second",
+                        () -> Commotions.struck(40)));
+        scenes.add(
+                scene(
+                        "towers",
+                        "20 towers of 30 boxes, the topmost of each pushed at 2 m/s",
+                        () -> Commotions.towers(20, 30)));
+        scenes.add(
+                scene(
+                        "belt",
+                        "80 boxes that a belt of 3 m/s jams against a wall",
+                        () -> Commotions.belt(80)));
+        scenes.add(
+                scene(
+                        "shaken",
+                        "100 boxes in a closed box shaken at 6 g and 3 Hz",
+                        () -> Commotions.shaken(100)));
+        scenes.add(
+                scene(
+                        "rods",
+                        "300 rods, a hundred times as long as thick, that fall crosswise",
+                        () -> Commotions.rods(300)));
+        return scenes;
+    }
+
+    /**
+     * The scene of a name.
+     *
+     * @throws NoSuchElementException naming it where there is none
+     */
+    public static BenchScene named(String name) {
+        return all().stream()
+                .filter(scene -> scene.name().equals(name))
+                .findFirst()
+                .orElseThrow(() -> new NoSuchElementException("no scene '" + name + "'"));
+    }
+
+    private static BenchScene rain(Crowd crowd, int size) {
+        String kind = crowd.name().toLowerCase(Locale.ROOT);
+        String what = crowd == Crowd.MIXED ? "boxes and discs" : kind;
+        return scene(
+                "rain-" + kind + "-" + size,
+                size + " " + what + " that rain into a trough",
+                () -> new Scene(Crowd.EFFECTS, crowd.rain(size, SEED)));
+    }
+
+    private static BenchScene scene(String name, String what, Supplier<Scene> scene) {
+        return new BenchScene(name, what, PACE, scene);
+    }
+}

@@ -1,0 +1,12 @@
+package rigibo.lab.bench.scene;
+
+import rigibo.lab.engine.World;
+
+/** Nothing is driven. */
+record Undriven() implements Driver {
+
+    @Override
+    public void drive(World world, int made) {
+        // Everything goes by itself.
+    }
+}

@@ -1,0 +1,52 @@
+package rigibo.lab.bench.moving;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import org.junit.jupiter.api.Test;
+
+class CourseTest {
+
+    private static final Course COURSE =
+            new Course(
+                    new double[] {100, 400, 200, 300},
+                    new double[] {0, 10, 4, 6},
+                    2,
+                    0.25,
+                    0.125,
+                    Double.NaN,
+                    0);
+
+    @Test
+    void lineSaysAllOfIt() {
+        assertThat(Course.parse(COURSE.line()).line()).isEqualTo(COURSE.line());
+    }
+
+    @Test
+    void contactsThatNobodyToldStayUntold() {
+        Course untold = new Course(new double[] {1}, new double[0], -1, 0, 0, 0, 0);
+        assertThat(Course.parse(untold.line()).contacts()).isEmpty();
+    }
+
+    @Test
+    void lineThatIsCutShortIsRefused() {
+        assertThatThrownBy(() -> Course.parse("100 200\t"))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("not a course");
+    }
+
+    @Test
+    void timesAreOfTheFirstStepsOnly() {
+        Times times = COURSE.times(3);
+        assertThat(times.mean()).isEqualTo(700 / 3.0);
+        assertThat(times.max()).isEqualTo(400);
+        assertThat(times.percentile(50)).isEqualTo(200);
+        assertThat(COURSE.times(99).percentile(99)).isEqualTo(400);
+    }
+
+    /** Of 0, 10, 4 and 6 contacts two are at least half of ten, in steps of 400 and 300 ns. */
+    @Test
+    void busyStepsHaveHalfOfTheMostContacts() {
+        assertThat(COURSE.busyTimes(4).mean()).isEqualTo(350);
+    }
+}
