@@ -22,6 +22,9 @@ public final class ImpactLaw {
     /** Two points closer than this, relative to their rows, are one point to the arithmetic. */
     private static final double SINGULAR = 1e-9;
 
+    /** What sums of rows are off by, as a share of the speeds that go into them. */
+    private static final double ROUND_OFF = 1e-12;
+
     private Impact impact;
     private final double[] k = new double[9];
     private final double[] velocity = new double[3];
@@ -46,13 +49,20 @@ public final class ImpactLaw {
             target[i] = velocity[i] < 0 ? -elasticity * velocity[i] : 0;
         }
         Arrays.fill(result, 0);
-        if (!solve(blow.friction) && !solve(0)) {
-            Arrays.fill(result, 0);
-            int first = blow.points == 1 || velocity[0] <= velocity[1] ? 0 : 1;
-            result[first] = Math.max(0, (target[first] - velocity[first]) / k[4 * first]);
+        if (blow.slowestParting() < 0) {
+            if (!solve(blow.friction) && !solve(0)) {
+                pushFaster();
+            }
+            limitEnergy();
         }
-        limitEnergy();
         apply();
+    }
+
+    /** Pushes the point that closes faster, alone. */
+    private void pushFaster() {
+        Arrays.fill(result, 0);
+        int first = impact.points == 1 || velocity[0] <= velocity[1] ? 0 : 1;
+        result[first] = (target[first] - velocity[first]) / k[4 * first];
     }
 
     private boolean isOnePoint() {
@@ -112,12 +122,16 @@ public final class ImpactLaw {
             after += k[3 * i + j] * result[j];
         }
         // A point that another's impulse lifts may be lifted exactly as much: round-off decides.
-        return after >= target[i] - 1e-12 * (Math.abs(velocity[i]) + Math.abs(target[i]));
+        return after >= target[i] - ROUND_OFF * (Math.abs(velocity[i]) + Math.abs(target[i]));
     }
 
     private boolean solveOne(int i, double friction) {
         Arrays.fill(result, 0);
         double wanted = target[i] - velocity[i];
+        if (wanted <= 0) {
+            // Sticking could hold a point that parts, where its friction presses it on.
+            return false;
+        }
         double kn = k[4 * i];
         double kt = k[8];
         double knt = k[3 * i + TANGENT];
@@ -187,7 +201,19 @@ public final class ImpactLaw {
         result[0] = (k11 * wanted0 - k01 * wanted1) / determinant;
         result[1] = (k00 * wanted1 - k10 * wanted0) / determinant;
         result[TANGENT] = slope * (result[0] + result[1]);
-        return result[0] >= 0 && result[1] >= 0;
+        return result[0] >= 0 && result[1] >= 0 && rubs();
+    }
+
+    /**
+     * Whether friction acts against the sliding that it leaves. It drives it instead where sticking
+     * failed only because one of the points would have had to pull: there that one parts.
+     */
+    private boolean rubs() {
+        double after = velocity[TANGENT];
+        for (int j = 0; j < 3; j++) {
+            after += k[3 * TANGENT + j] * result[j];
+        }
+        return result[TANGENT] * after <= ROUND_OFF * Math.abs(result[TANGENT] * velocity[TANGENT]);
     }
 
     /** The work of impulses scaled by s is s·j·v + ½s²·j·K·j; it must not be positive. */

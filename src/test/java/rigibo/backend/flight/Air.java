@@ -1,0 +1,96 @@
+package rigibo.backend.flight;
+
+import rigibo.backend.FilledStorage;
+import rigibo.backend.broadphase.Broadphase;
+import rigibo.backend.collision.Narrowphase;
+import rigibo.backend.effect.Contacts;
+import rigibo.backend.effect.Effect;
+import rigibo.backend.effect.Friction;
+import rigibo.backend.effect.Restitution;
+import rigibo.backend.effect.Rotation;
+import rigibo.backend.geometry.Circle;
+import rigibo.backend.geometry.Polygon;
+import rigibo.backend.geometry.Shape;
+import rigibo.backend.setup.Accuracy;
+import rigibo.backend.setup.BodyDefinition;
+import rigibo.backend.setup.Material;
+import rigibo.backend.storage.Bodies;
+import rigibo.backend.storage.Pairs;
+
+/** Bodies in the air with their pairs and manifolds, as flight finds them within a step. */
+final class Air {
+
+    static final Effect[] ALL = {new Contacts(), new Rotation(), new Friction(), new Restitution()};
+
+    final FilledStorage storage;
+    final Bodies bodies;
+    final Pairs pairs;
+    final Broadphase broadphase;
+    final Narrowphase narrowphase;
+    final Accuracy accuracy;
+
+    Air(Accuracy accuracy) {
+        this(accuracy, ALL);
+    }
+
+    Air(Accuracy accuracy, Effect... effects) {
+        this.accuracy = accuracy;
+        storage = new FilledStorage(accuracy, effects);
+        bodies = storage.bodies;
+        pairs = storage.pairs;
+        broadphase = storage.broadphase();
+        narrowphase = new Narrowphase(storage.data);
+    }
+
+    /** 1 kg and frictionless, with an elasticity. */
+    static BodyDefinition body(Shape shape, double elasticity) {
+        return BodyDefinition.dynamic(shape).mass(1).material(new Material(1, 0, elasticity));
+    }
+
+    static BodyDefinition disc(double x, double velocityX, double elasticity) {
+        return body(new Circle(1), elasticity).at(x, 0).velocity(velocityX, 0);
+    }
+
+    /** A wall of 1 m thickness whose face is at x, on its left if {@code side} is 1. */
+    static BodyDefinition wall(double face, int side) {
+        return BodyDefinition.fixed(Polygon.box(1, 20))
+                .at(face + side * 0.5, 0)
+                .material(new Material(1, 0, 0));
+    }
+
+    int add(BodyDefinition definition) {
+        return storage.add(definition);
+    }
+
+    /** All dynamic bodies fall at an acceleration, m/s². */
+    void pull(double x, double y) {
+        for (int slot = 0; slot < bodies.slots.high; slot++) {
+            if (bodies.isDynamic(slot)) {
+                bodies.accelerationX[slot] = x;
+                bodies.accelerationY[slot] = y;
+            }
+        }
+    }
+
+    /** The stages of a step that come before flight. */
+    void meet(double dt) {
+        storage.data.roster.refresh(bodies);
+        broadphase.update(dt);
+        narrowphase.collide(dt);
+    }
+
+    /** One step in which all are flyers but what was told to be in a pile. */
+    void fly(double dt) {
+        meet(dt);
+        new Flight(storage.data, narrowphase, broadphase, accuracy, null).fly(dt);
+    }
+
+    /** Makes a body part of a pile. */
+    void pile(int slot) {
+        bodies.piled[slot] = true;
+    }
+
+    int pairOf(int a, int b) {
+        return pairs.index.find(a, b);
+    }
+}

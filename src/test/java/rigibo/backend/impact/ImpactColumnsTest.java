@@ -1,0 +1,121 @@
+package rigibo.backend.impact;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.Test;
+
+import rigibo.backend.FilledStorage;
+import rigibo.backend.effect.Contacts;
+import rigibo.backend.effect.Friction;
+import rigibo.backend.effect.Restitution;
+import rigibo.backend.effect.Rotation;
+import rigibo.backend.effect.SurfaceSpeed;
+import rigibo.backend.geometry.Circle;
+import rigibo.backend.setup.BodyDefinition;
+import rigibo.backend.setup.Material;
+
+/** What an impact takes from the columns, and what it writes back. */
+class ImpactColumnsTest {
+
+    private static BodyDefinition disc(double mass, double friction, double elasticity) {
+        return BodyDefinition.dynamic(new Circle(1))
+                .mass(mass)
+                .inertia(mass / 2)
+                .material(new Material(1, friction, elasticity).surfaceSpeed(mass));
+    }
+
+    /** A moves by (1, 2) m/s at 3 rad/s and B by (4, 5) at 6; friction √(¼·1), elasticity max. */
+    private static FilledStorage met(FilledStorage storage) {
+        storage.add(disc(2, 0.25, 0.125).velocity(1, 2).spin(3));
+        storage.add(disc(4, 1, 0.5).velocity(4, 5).spin(6));
+        storage.pair(0, 1);
+        storage.pairs.normalX[0] = 0.6;
+        storage.pairs.normalY[0] = 0.8;
+        return storage;
+    }
+
+    @Test
+    void loadsAPairAsItMoves() {
+        FilledStorage storage =
+                met(
+                        new FilledStorage(
+                                new Contacts(),
+                                new Rotation(),
+                                new Friction(),
+                                new Restitution(),
+                                new SurfaceSpeed()));
+        Impact blow = new Impact();
+        blow.points = 2;
+        blow.load(storage.bodies, storage.pairs, 0);
+
+        assertThat(blow.points).isZero();
+        assertThat(new double[] {blow.normalX, blow.normalY}).containsExactly(0.6, 0.8);
+        assertThat(new double[] {blow.friction, blow.elasticity}).containsExactly(0.5, 0.5);
+        assertThat(blow.surfaceSpeed).isEqualTo(6);
+        assertThat(new double[] {blow.inverseMassA, blow.inverseInertiaA}).containsExactly(0.5, 1);
+        assertThat(new double[] {blow.inverseMassB, blow.inverseInertiaB})
+                .containsExactly(0.25, 0.5);
+        assertThat(new double[] {blow.velocityAX, blow.velocityAY, blow.spinA})
+                .containsExactly(1, 2, 3);
+        assertThat(new double[] {blow.velocityBX, blow.velocityBY, blow.spinB})
+                .containsExactly(4, 5, 6);
+    }
+
+    @Test
+    void whatIsNotDeclaredIsZero() {
+        FilledStorage storage = met(new FilledStorage(new Contacts()));
+        Impact blow = new Impact();
+        blow.load(storage.bodies, storage.pairs, 0);
+
+        assertThat(blow.friction).isZero();
+        assertThat(blow.elasticity).isZero();
+        assertThat(blow.surfaceSpeed).isZero();
+        assertThat(blow.inverseInertiaA).isZero();
+        assertThat(blow.inverseInertiaB).isZero();
+        assertThat(blow.spinA).isZero();
+        assertThat(blow.spinB).isZero();
+    }
+
+    @Test
+    void storesTheVelocitiesAfterIt() {
+        FilledStorage storage = met(new FilledStorage(new Contacts(), new Rotation()));
+        blowWithVelocities().store(storage.bodies, storage.pairs, 0);
+
+        assertThat(storage.bodies.velocityX).startsWith(-1, -4);
+        assertThat(storage.bodies.velocityY).startsWith(-2, -5);
+        assertThat(storage.bodies.spin).startsWith(-3, -6);
+    }
+
+    @Test
+    void storesNoSpinWhereNothingTurns() {
+        FilledStorage storage = met(new FilledStorage(new Contacts()));
+        blowWithVelocities().store(storage.bodies, storage.pairs, 0);
+
+        assertThat(storage.bodies.velocityX).startsWith(-1, -4);
+        assertThat(storage.bodies.spin).isNull();
+    }
+
+    private static Impact blowWithVelocities() {
+        Impact blow = new Impact();
+        blow.velocityAX = -1;
+        blow.velocityAY = -2;
+        blow.spinA = -3;
+        blow.velocityBX = -4;
+        blow.velocityBY = -5;
+        blow.spinB = -6;
+        return blow;
+    }
+
+    @Test
+    void pointsAreSeenFromBothCentres() {
+        Impact blow = new Impact();
+        blow.addPoint(5, 7, 1, 2, 3, 4);
+        blow.addPoint(6, 9, 1, 2, 3, 4);
+
+        assertThat(blow.points).isEqualTo(2);
+        assertThat(blow.armAX).containsExactly(4, 5);
+        assertThat(blow.armAY).containsExactly(5, 7);
+        assertThat(blow.armBX).containsExactly(2, 3);
+        assertThat(blow.armBY).containsExactly(3, 5);
+    }
+}

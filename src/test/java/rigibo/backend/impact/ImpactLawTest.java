@@ -1,0 +1,215 @@
+package rigibo.backend.impact;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+import java.util.Random;
+import java.util.stream.IntStream;
+
+/** One point: Newton's law and Coulomb's against their 2 × 2 solution, and cases by hand. */
+class ImpactLawTest {
+
+    /** A few roundings of sums of terms of that size, multiplied by the condition of the 2 × 2. */
+    private static final double ROUND_OFF = 1e-10;
+
+    private static Impact resolved(Impact blow) {
+        new ImpactLaw().resolve(blow);
+        return blow;
+    }
+
+    @Test
+    void isTheTwoByTwoSolution() {
+        Random random = new Random(1);
+        int[] cases = new int[3];
+        for (int i = 0; i < 100_000; i++) {
+            Impact blow = Meet.any(random, 1);
+            if (blow.parting(0) < 0) {
+                TwoByTwo truth = new TwoByTwo(blow);
+                cases[truth.isScaled ? 0 : truth.sticks ? 1 : 2]++;
+                assertOutcome(i, blow, truth);
+            }
+        }
+        assertThat(IntStream.of(cases)).as("scaled back, sticking, sliding").allMatch(n -> n > 100);
+    }
+
+    private static void assertOutcome(int number, Impact blow, TwoByTwo truth) {
+        Impact after = resolved(Meet.copy(blow));
+        double scale = Math.abs(truth.x) + Math.abs(truth.y) + 1;
+        double jx = after.normalImpulse[0] * blow.normalX - after.tangentImpulse * blow.normalY;
+        double jy = after.normalImpulse[0] * blow.normalY + after.tangentImpulse * blow.normalX;
+        assertThat(jx)
+                .as("impact %d, seed 1", number)
+                .isCloseTo(truth.x, within(scale * ROUND_OFF));
+        assertThat(jy)
+                .as("impact %d, seed 1", number)
+                .isCloseTo(truth.y, within(scale * ROUND_OFF));
+        assertPushed(number, blow, after);
+    }
+
+    /**
+     * Both bodies get the impulse that is told, at the point where they meet, against each other.
+     */
+    static void assertPushed(int number, Impact before, Impact after) {
+        double nx = before.normalX;
+        double ny = before.normalY;
+        double jx = -after.tangentImpulse * ny;
+        double jy = after.tangentImpulse * nx;
+        double momentA = 0;
+        double momentB = 0;
+        int last = after.points - 1;
+        for (int i = 0; i <= last; i++) {
+            double share = 1.0 / after.points;
+            double px = after.normalImpulse[i] * nx - share * after.tangentImpulse * ny;
+            double py = after.normalImpulse[i] * ny + share * after.tangentImpulse * nx;
+            jx += after.normalImpulse[i] * nx;
+            jy += after.normalImpulse[i] * ny;
+            momentA += after.armAX[i] * py - after.armAY[i] * px;
+            momentB += after.armBX[i] * py - after.armBY[i] * px;
+        }
+        double off =
+                Math.abs(after.velocityAX - before.velocityAX + before.inverseMassA * jx)
+                        + Math.abs(after.velocityAY - before.velocityAY + before.inverseMassA * jy)
+                        + Math.abs(after.spinA - before.spinA + before.inverseInertiaA * momentA)
+                        + Math.abs(after.velocityBX - before.velocityBX - before.inverseMassB * jx)
+                        + Math.abs(after.velocityBY - before.velocityBY - before.inverseMassB * jy)
+                        + Math.abs(after.spinB - before.spinB - before.inverseInertiaB * momentB);
+        double scale = 1 + Math.abs(jx) + Math.abs(jy);
+        assertThat(off).as("impact %d", number).isLessThan(scale * ROUND_OFF);
+    }
+
+    /** However it rubs: sticking would hold a point whose friction presses it on. */
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2})
+    void holdsNothingThatParts(int points) {
+        Random random = new Random(2);
+        for (int i = 0; i < 20_000; i++) {
+            Impact blow = Meet.any(random, points);
+            if (blow.slowestParting() >= 0) {
+                Impact after = resolved(Meet.copy(blow));
+                assertThat(after.totalNormalImpulse()).as("impact %d, seed 2", i).isZero();
+                assertThat(after.tangentImpulse).isZero();
+                assertThat(energy(after)).isEqualTo(energy(blow));
+            }
+        }
+    }
+
+    /**
+     * With half of the speed e, 1 kg that comes at 2 m/s leaves at 1 m/s by an impulse of 3 N·s.
+     */
+    @Test
+    void reboundsFromAWallByItsElasticity() {
+        Impact blow = Meet.wall(-2, 0, 0, 0.5);
+        blow.addPoint(-1, 0, 0, 0, 0, 0);
+        blow.elasticity = 0.5;
+        resolved(blow);
+
+        assertThat(blow.velocityBX).isEqualTo(1);
+        assertThat(blow.totalNormalImpulse()).isEqualTo(3);
+        assertThat(blow.slowestParting()).isEqualTo(1);
+    }
+
+    @Test
+    void anotherElasticityStandsInForItsOwn() {
+        Impact blow = Meet.wall(-2, 0, 0, 0.5);
+        blow.addPoint(-1, 0, 0, 0, 0, 0);
+        blow.elasticity = 0.5;
+        new ImpactLaw().resolve(blow, 0);
+
+        assertThat(blow.velocityBX).isZero();
+        assertThat(blow.totalNormalImpulse()).isEqualTo(2);
+    }
+
+    /**
+     * A disc of 1 kg, radius 1 m and inertia ½ kg·m² that sticks: kₜ = 1 + 1/½ = 3, jₜ = −vₜ/3. It
+     * comes off with the two thirds of its speed at which it then rolls.
+     */
+    @ParameterizedTest
+    @ValueSource(doubles = {-1.5, 1.5})
+    void stickingDiscLeavesRolling(double sliding) {
+        Impact blow = Meet.wall(-2, sliding, 0, 0.5);
+        blow.addPoint(-1, 0, 0, 0, 0, 0);
+        blow.friction = 1;
+        resolved(blow);
+
+        assertThat(blow.tangentImpulse).isCloseTo(-sliding / 3, within(1e-15));
+        assertThat(blow.velocityBY).isCloseTo(sliding * 2 / 3, within(1e-15));
+        assertThat(blow.velocityBY - blow.spinB).as("rolls").isCloseTo(0, within(1e-15));
+    }
+
+    /** It needs |jₜ| = ½ of the normal 2 N·s and gets 0.1 of it. */
+    @ParameterizedTest
+    @ValueSource(doubles = {-3, 3})
+    void slidingDiscIsRubbedByCoulombsShare(double sliding) {
+        Impact blow = Meet.wall(-2, sliding, 0, 0.5);
+        blow.addPoint(-1, 0, 0, 0, 0, 0);
+        blow.friction = 0.1;
+        resolved(blow);
+
+        assertThat(blow.velocityBX).isCloseTo(0, within(1e-15));
+        assertThat(blow.tangentImpulse).isCloseTo(-Math.copySign(0.2, sliding), within(1e-15));
+    }
+
+    /** Rubbing starts from the speed of the belt, not from rest: jₜ = (1.5 − 0)/3. */
+    @Test
+    void sticksToARunningSurface() {
+        Impact blow = Meet.wall(-2, 0, 0, 0.5);
+        blow.addPoint(-1, 0, 0, 0, 0, 0);
+        blow.friction = 1;
+        blow.surfaceSpeed = 1.5;
+        resolved(blow);
+
+        assertThat(blow.tangentImpulse).isCloseTo(0.5, within(1e-15));
+        assertThat(blow.velocityBY - blow.spinB).isCloseTo(1.5, within(1e-15));
+    }
+
+    /**
+     * An end of a rod at (−0.4, −0.3) from its centre, with 1/I = 12: kₙ = 1 + 12·0.3² = 2.08 and
+     * kₙₜ = −12·0.4·0.3 = −1.44. Sliding down, friction turns the end into the wall, and less
+     * impulse does; sliding up it turns it away: jₙ = 3/(kₙ − μ·sgn(vₜ)·kₙₜ).
+     */
+    @ParameterizedTest
+    @CsvSource({"-9, 1.36", "9, 2.80"})
+    void frictionLiftsOrPressesTheEndOfARod(double sliding, double response) {
+        Impact blow = Meet.wall(-2, sliding, 0, 1.0 / 12);
+        blow.addPoint(-0.4, -0.3, 0, 0, 0, 0);
+        blow.friction = 0.5;
+        blow.elasticity = 0.5;
+        resolved(blow);
+
+        assertThat(blow.totalNormalImpulse()).isCloseTo(3 / response, within(1e-14));
+        assertThat(blow.parting(0)).isCloseTo(1, within(1e-14));
+    }
+
+    @Test
+    void noImpactAddsEnergy() {
+        Random random = new Random(3);
+        for (int points = 1; points <= 2; points++) {
+            for (int i = 0; i < 20_000; i++) {
+                Impact blow = Meet.any(random, points);
+                blow.surfaceSpeed = 0;
+                Meet.haltFixed(blow);
+                double before = energy(blow);
+                assertThat(energy(resolved(blow)))
+                        .as("impact %d of %d points, seed 3", i, points)
+                        .isLessThanOrEqualTo(before * (1 + 1e-12));
+            }
+        }
+    }
+
+    static double energy(Impact blow) {
+        return half(blow.inverseMassA, blow.velocityAX, blow.velocityAY)
+                + half(blow.inverseInertiaA, blow.spinA, 0)
+                + half(blow.inverseMassB, blow.velocityBX, blow.velocityBY)
+                + half(blow.inverseInertiaB, blow.spinB, 0);
+    }
+
+    /** ½mv², 0 for what is fixed. */
+    private static double half(double inverse, double x, double y) {
+        return inverse == 0 ? 0 : (x * x + y * y) / inverse / 2;
+    }
+}
