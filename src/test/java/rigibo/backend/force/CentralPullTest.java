@@ -3,6 +3,7 @@ package rigibo.backend.force;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -46,6 +47,17 @@ class CentralPullTest {
 
         assertThat(at.accelerationX).isEqualTo(1 - push * 4 / 5, within(1e-13));
         assertThat(at.accelerationY).isEqualTo(2 - push * 3 / 5, within(1e-13));
+    }
+
+    /** At 5 mm gravity is a million times as strong as at 5 m. */
+    @Test
+    void isSteepNearTheCentre() {
+        Instant at = pulled(10.003, 20.004, 3, -2);
+        double pull = 3 / (0.005 * 0.005);
+
+        // 20.004 is known to 2e-15, which is 1e-12 of the 0.004 that is left of it.
+        assertThat(at.accelerationX).isEqualTo(1 - pull * 3 / 5, within(1e-11 * pull));
+        assertThat(at.accelerationY).isEqualTo(2 - pull * 4 / 5, within(1e-11 * pull));
     }
 
     /** There is no direction to pull in, however steep the power. */

@@ -102,6 +102,14 @@ class ChangingForcesTest {
         assertThat(gust.accelerationY).isEqualTo(alone.accelerationY);
     }
 
+    @Test
+    void withoutWindTheAirIsCalm() {
+        Instant still = by(AIR);
+        Instant calm = by(AIR, new Wind(0, 0));
+        assertThat(still.accelerationX).isEqualTo(calm.accelerationX);
+        assertThat(still.accelerationY).isEqualTo(calm.accelerationY);
+    }
+
     /** The field is told all there is to know, and starts from nothing. */
     @Test
     void aFieldIsToldOfTheInstant() {

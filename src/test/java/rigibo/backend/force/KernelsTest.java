@@ -119,6 +119,18 @@ class KernelsTest {
         assertThat(data.thrusting.count).isZero();
     }
 
+    /** The list is what a step before left it, beyond its count. */
+    @Test
+    void onlyWhatIsOnTheListIsPushed() {
+        ask(second, 2, 4, -4);
+        data.thrusting.numbers[1] = first;
+        bodies.forceX[first] = 8;
+        bodies.torque[first] = 8;
+        new ThrustKernel(data, new TorqueKernel(data)).accelerate(DT);
+
+        requireUntouched(first);
+    }
+
     /** A body may have been made kinematic since, with its old mass: the force goes nowhere. */
     @Test
     void aForceOnWhatIsNoLongerDynamicIsForgotten() {
