@@ -23,13 +23,20 @@ import java.util.concurrent.Callable;
 final class FuzzCommand implements Callable<Integer> {
 
     private static final double MOST_MINUTES = 24 * 60;
+    private static final double MINUTES = 10;
+    private static final double SOAK_MINUTES = 60;
 
     @Option(
             names = "--minutes",
             paramLabel = "M",
-            defaultValue = "10",
-            description = "How long it tries, 10 unless said otherwise.")
-    private double minutes;
+            description = "How long it tries, 10 unless said otherwise, a soak 60.")
+    private Double minutes;
+
+    @Option(
+            names = "--soak",
+            description =
+                    "One pool for hours of its own time: bodies come and go, and nothing may grow.")
+    private boolean isSoak;
 
     @Option(
             names = "--programs",
@@ -68,20 +75,20 @@ final class FuzzCommand implements Callable<Integer> {
             names = "--only",
             paramLabel = "PART",
             defaultValue = "BOTH",
-            description = "engine or files, both unless said otherwise.")
+            description = "engine, files or soak; engine and files unless said otherwise.")
     private Only only;
 
     @Spec private CommandSpec spec;
 
     @Override
     public Integer call() throws InterruptedException {
-        if (!(minutes > 0 && minutes <= MOST_MINUTES)) {
+        if (minutes != null && !(minutes > 0 && minutes <= MOST_MINUTES)) {
             String range = "must be more than 0 and at most " + (int) MOST_MINUTES;
             throw Options.refused(spec, "--minutes", range + ", was " + minutes);
         }
         requireCount("--programs", programs);
         requireCount("--files", files);
-        Fuzz fuzz = new Fuzz(only, Path.of("build", "fuzz"));
+        Fuzz fuzz = new Fuzz(isSoak ? Only.SOAK : only, Path.of("build", "fuzz"));
         List<String> wrong = fuzz.run(order().failures(failures), this::tell);
         PrintWriter out = spec.commandLine().getOut();
         wrong.forEach(out::println);
@@ -92,8 +99,12 @@ final class FuzzCommand implements Callable<Integer> {
 
     private Order order() {
         return programs == null && files == null
-                ? Order.minutes(minutes, seed, first)
+                ? Order.minutes(minutes == null ? usualMinutes() : minutes, seed, first)
                 : Order.counted(orNone(programs), orNone(files), seed, first);
+    }
+
+    private double usualMinutes() {
+        return isSoak ? SOAK_MINUTES : MINUTES;
     }
 
     private static long orNone(Long count) {

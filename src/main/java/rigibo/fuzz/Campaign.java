@@ -80,14 +80,12 @@ final class Campaign {
     }
 
     private void tryOut(Subject subject, long index) {
-        present =
-                String.format(
-                        "again: ./rigibo fuzz --only %s --seed %d --first %d --%s 1",
-                        subject.title(),
-                        order.seed(),
-                        index,
-                        subject.title().equals("files") ? "files" : "programs");
-        subject.tried(order.seed(), index)
-                .ifPresent(found -> wrong.add(found + System.lineSeparator() + present));
+        present = "again: ./rigibo fuzz " + subject.again(order.seed(), index);
+        subject.tried(order.seed(), index).ifPresent(this::note);
+    }
+
+    private void note(String found) {
+        wrong.add(found + System.lineSeparator() + present);
+        progress.accept("found: " + found.lines().findFirst().orElse("") + ", " + present);
     }
 }

@@ -27,6 +27,11 @@ final class EngineSubject implements Subject {
     }
 
     @Override
+    public String again(long seed, long index) {
+        return Subject.super.again(seed, index) + " --programs 1";
+    }
+
+    @Override
     public Optional<String> tried(long seed, long index) {
         Program program = Programs.of(seed, index);
         return judge.judge(program).map(failure -> words(program, failure));

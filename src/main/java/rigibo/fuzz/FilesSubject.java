@@ -36,6 +36,11 @@ final class FilesSubject implements Subject {
     }
 
     @Override
+    public String again(long seed, long index) {
+        return Subject.super.again(seed, index) + " --files 1";
+    }
+
+    @Override
     public Optional<String> tried(long seed, long index) {
         watch.begins("making whole files");
         judge = judge == null ? new FileJudge() : judge;

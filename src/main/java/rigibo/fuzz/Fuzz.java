@@ -15,7 +15,9 @@ public final class Fuzz {
     public enum Only {
         ENGINE,
         FILES,
-        BOTH
+        BOTH,
+        /** One pool for as long as it goes. */
+        SOAK
     }
 
     private final Tally tally = new Tally();
@@ -51,6 +53,9 @@ public final class Fuzz {
 
     private List<Subject> subjects() {
         List<Subject> subjects = new ArrayList<>();
+        if (only == Only.SOAK) {
+            return List.of(new SoakSubject(tally, watch));
+        }
         if (only != Only.FILES) {
             subjects.add(new EngineSubject(tally, watch));
         }

@@ -38,6 +38,6 @@ public record Order(long seed, long first, long programs, long files, long failu
     }
 
     long most(String subject) {
-        return subject.equals("engine") ? programs : files;
+        return subject.equals("files") ? files : programs;
     }
 }

@@ -3,6 +3,8 @@ package rigibo.fuzz.judge;
 import rigibo.fuzz.program.Operation;
 import rigibo.fuzz.program.Program;
 
+import java.lang.management.ManagementFactory;
+import java.lang.management.ThreadMXBean;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -10,7 +12,11 @@ import java.util.Optional;
 /** Cuts a program down as long as it breaks the same law. */
 public final class Shrinking {
 
+    /** s of the processor's time after which what is left has to do. */
+    private static final double LONGEST = 15;
+
     private final Watch watch;
+    private final ThreadMXBean threads = ManagementFactory.getThreadMXBean();
 
     /** Whoever hangs while cutting down is found by the watch. */
     public Shrinking(Watch watch) {
@@ -22,12 +28,17 @@ public final class Shrinking {
         Program small = upTo(program, failure.operation());
         small = breaks(small, failure) ? small : program;
         int part = small.operations().size();
-        while (part > 0) {
+        double end = seconds() + LONGEST;
+        while (part > 0 && seconds() < end) {
             Optional<Program> smaller = withoutOne(small, part, failure);
             small = smaller.orElse(small);
             part = smaller.isPresent() ? Math.min(part, small.operations().size()) : part / 2;
         }
         return small;
+    }
+
+    private double seconds() {
+        return 1e-9 * threads.getCurrentThreadCpuTime();
     }
 
     private static Program upTo(Program program, int last) {

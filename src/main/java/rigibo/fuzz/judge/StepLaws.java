@@ -2,7 +2,6 @@ package rigibo.fuzz.judge;
 
 import static rigibo.fuzz.judge.LawBroken.unless;
 
-import rigibo.backend.ContactEvent;
 import rigibo.backend.Pool;
 import rigibo.backend.RigidBody;
 import rigibo.backend.StepReport;
@@ -17,10 +16,6 @@ final class StepLaws {
 
     private static final String STILL = "what is static stays where it is";
     private static final String REPORT = "a step's report is consistent";
-    private static final String EVENTS = "contact events are well formed";
-
-    /** Of a unit vector's square. */
-    private static final double ROUND_OFF = 1e-9;
 
     /** Rows of two points at most: normal, friction, rolling. */
     private static final int MOST_ROWS_PER_PAIR = 6;
@@ -33,6 +28,7 @@ final class StepLaws {
         }
     }
 
+    private final ContactStream contacts = new ContactStream();
     private final List<Place> places = new ArrayList<>();
     private double time;
 
@@ -53,7 +49,7 @@ final class StepLaws {
         }
         States.requireSound(pool);
         requireConsistent(pool, pool.report());
-        pool.contactEvents().forEach(event -> requireWellFormed(pool, event));
+        contacts.after(pool);
     }
 
     private static void requireConsistent(Pool pool, StepReport report) {
@@ -94,25 +90,5 @@ final class StepLaws {
                 least,
                 most,
                 count);
-    }
-
-    private static void requireWellFormed(Pool pool, ContactEvent event) {
-        unless(event.a() != event.b(), EVENTS, "%s is of one body", event);
-        boolean isEnd = event.phase() == ContactEvent.Phase.END;
-        unless(isEnd || event.bothAlive(), EVENTS, "%s is of a removed body", event);
-        double square = event.normalX() * event.normalX() + event.normalY() * event.normalY();
-        unless(Math.abs(square - 1) <= ROUND_OFF, EVENTS, "the normal of %s", event);
-        unless(Double.isFinite(event.x()) && Double.isFinite(event.y()), EVENTS, "%s", event);
-        boolean pushes = event.impulse() >= 0 && event.impulse() < Double.POSITIVE_INFINITY;
-        unless(pushes, EVENTS, "the impulse of %s", event);
-        if (event.bothAlive()) {
-            requireTouching(pool, event, isEnd);
-        }
-    }
-
-    private static void requireTouching(Pool pool, ContactEvent event, boolean isEnd) {
-        boolean touch = pool.touching(event.a(), event.b());
-        unless(touch == pool.touching(event.b(), event.a()), EVENTS, "touching one way: %s", event);
-        unless(!(touch && isEnd), EVENTS, "they touch and have ended: %s", event);
     }
 }

@@ -37,7 +37,8 @@ public record Operation(
         return new Operation(java, Kind.TRIED, "", bodies, act);
     }
 
-    static Operation refused(String java, String field, List<Integer> bodies, Consumer<Stage> act) {
+    /** Has to be refused, naming the field. */
+    public static Operation refused(String java, String field, List<Integer> bodies, Consumer<Stage> act) {
         return new Operation(java, Kind.REFUSED, field, bodies, act);
     }
 

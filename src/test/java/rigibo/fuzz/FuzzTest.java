@@ -1,0 +1,60 @@
+package rigibo.fuzz;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+import rigibo.fuzz.Fuzz.Only;
+import rigibo.fuzz.judge.Tally;
+
+import java.nio.file.Path;
+import java.util.List;
+
+/**
+ * What the engine and the game bear. {@code ./rigibo fuzz} asks for more; what is told of a failure
+ * says how to see it again.
+ */
+class FuzzTest {
+
+    private static final long SEED = 1;
+    private static final int PROGRAMS = 150;
+    private static final int FILES = 400;
+
+    /** Laps that a pool is given to grow to its size, and as many again. */
+    private static final int LAPS = 12;
+
+    @TempDir Path wrong;
+
+    @Test
+    void engineBearsRandomPrograms() throws InterruptedException {
+        Fuzz fuzz = new Fuzz(Only.ENGINE, wrong);
+        requireNothingWrong(fuzz, Order.counted(PROGRAMS, 0, SEED, 0));
+        assertThat(fuzz.tally().of(Tally.Of.PROGRAMS)).isEqualTo(PROGRAMS);
+        for (Tally.Of what :
+                List.of(Tally.Of.STEPS, Tally.Of.QUERIES, Tally.Of.COPIES, Tally.Of.REFUSALS)) {
+            assertThat(fuzz.tally().of(what)).as("%s", what).isGreaterThan(PROGRAMS);
+        }
+    }
+
+    @Test
+    void gameBearsMutatedFiles() throws InterruptedException {
+        Fuzz fuzz = new Fuzz(Only.FILES, wrong);
+        requireNothingWrong(fuzz, Order.counted(0, FILES, SEED, 0));
+        long refused = fuzz.tally().of(Tally.Of.FILES_REFUSED);
+        assertThat(fuzz.tally().of(Tally.Of.FILES)).isEqualTo(FILES);
+        assertThat(refused).isBetween(FILES / 10L, FILES - FILES / 50L);
+    }
+
+    @Test
+    void poolDoesNotGrowWhileBodiesComeAndGo() throws InterruptedException {
+        Fuzz fuzz = new Fuzz(Only.SOAK, wrong);
+        requireNothingWrong(fuzz, Order.counted(LAPS, 0, SEED, 0));
+        assertThat(fuzz.tally().of(Tally.Of.STEPS)).isGreaterThan(LAPS * 3600L);
+    }
+
+    private static void requireNothingWrong(Fuzz fuzz, Order order) throws InterruptedException {
+        List<String> found = fuzz.run(order, progress -> {});
+        assertThat(found).as("%s", String.join("\n", found)).isEmpty();
+    }
+}
