@@ -57,7 +57,9 @@ public final class PointAndRay {
 
     /**
      * The smaller root of |p + t·d|² = r². The discriminant is written with p × d, how far the ray
-     * passes the centre: (p·d)² − d²(p² − r²) would lose a small disc far from the ray's start.
+     * passes the centre: (p·d)² − d²(p² − r²) would lose a small disc far from the ray's start. So
+     * would the point p + t·d its direction from the centre: the normal is told by its parts along
+     * and across the ray.
      */
     private double entersDisc(double radius, double x, double y, double dx, double dy) {
         double a = dx * dx + dy * dy;
@@ -68,9 +70,10 @@ public final class PointAndRay {
         if (c < 0 || b >= 0 || discriminant < 0) {
             return MISS;
         }
-        double fraction = c / (-b + Math.sqrt(discriminant));
-        normalX = (x + fraction * dx) / radius;
-        normalY = (y + fraction * dy) / radius;
+        double root = Math.sqrt(discriminant);
+        double fraction = c / (-b + root);
+        normalX = (beside * dy - root * dx) / (a * radius);
+        normalY = (-beside * dx - root * dy) / (a * radius);
         return fraction <= 1 ? fraction : MISS;
     }
 

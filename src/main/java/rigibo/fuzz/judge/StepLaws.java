@@ -18,6 +18,9 @@ final class StepLaws {
     private static final String REPORT = "a step's report is consistent";
 
     /** Rows of two points at most: normal, friction, rolling. */
+    /** Of one pair in a pile: 32 together with others, and in 8 sweeps alone. */
+    private static final int MOST_BLOWS_PER_SUBSTEP = 40;
+
     private static final int MOST_ROWS_PER_PAIR = 6;
 
     /** Where a static body was. */
@@ -70,11 +73,11 @@ final class StepLaws {
         }
     }
 
-    /** Each pair as often as the accuracy allows, in flight and in each substep of a pile. */
+    /** Each pair as often as the accuracy allows in flight, and so often in each substep of a pile. */
     private static long mostImpacts(Pool pool, StepReport report) {
         Accuracy accuracy = pool.accuracy();
-        long ofPair = (accuracy.maxImpactsPerPair() + 1L) * (accuracy.substeps() + 1);
-        return ofPair * (report.pairs() + 1);
+        int inPiles = accuracy.substeps() * MOST_BLOWS_PER_SUBSTEP;
+        return (long) report.pairs() * (accuracy.maxImpactsPerPair() + inPiles);
     }
 
     private static long mostEvaluations(Pool pool, StepReport report) {

@@ -84,4 +84,17 @@ class PointAndRayTest {
         assertThat(fraction * 2e6 - 1e6).isEqualTo(-0.08, within(1e-9));
         assertThat(query.normalY).isEqualTo(0.6, within(1e-8));
     }
+
+    /**
+     * From 10¹⁴ m away, where coordinates are 1/64 m apart: where the disc is met is as uncertain,
+     * its normal is not. At 0.3 of the radius beside the centre it leans by 0.3.
+     */
+    @Test
+    void normalHasLengthOneHoweverFarTheRayBegins() {
+        query.enters(new Circle(0.5), pose(0, 0, 1), -1e14, 0.15, 1, 0.15);
+
+        assertThat(Math.hypot(query.normalX, query.normalY)).isEqualTo(1, within(ROUND_OFF));
+        assertThat(query.normalY).isEqualTo(0.3, within(1e-2));
+        assertThat(query.normalX).isNegative();
+    }
 }
