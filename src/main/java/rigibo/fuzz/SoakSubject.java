@@ -37,8 +37,8 @@ final class SoakSubject implements Subject {
 
     private static final double DT = 1.0 / 60;
 
-    /** A minute of simulated time. */
-    private static final int STEPS_PER_LAP = 3600;
+    /** Ten seconds of simulated time. */
+    private static final int STEPS_PER_LAP = 600;
 
     private static final int STEPS_BETWEEN_BODIES = 6;
     private static final int MOST_BODIES = 60;
@@ -47,7 +47,7 @@ final class SoakSubject implements Subject {
     private static final double HALF = 5;
 
     /** Laps in which columns, caches and compiled code grow to their size. */
-    private static final int WARM_UP = 10;
+    private static final int WARM_UP = 20;
 
     /** B that the heap may vary by: what the JVM compiles and profiles meanwhile. */
     private static final long MOST_GROWTH = 4 << 20;

@@ -56,25 +56,34 @@ public final class PointAndRay {
     }
 
     /**
-     * The smaller root of |p + t·d|² = r². The discriminant is written with p × d, how far the ray
-     * passes the centre: (p·d)² − d²(p² − r²) would lose a small disc far from the ray's start. So
-     * would the point p + t·d its direction from the centre: the normal is told by its parts along
-     * and across the ray.
+     * The smaller root of |p + t·d|² = r² along the unit vector d. The discriminant is written with
+     * p × d, how far the ray passes the centre: (p·d)² − (p² − r²) would lose a small disc far from
+     * the ray's start. So would the point p + t·d its direction from the centre: the normal is told
+     * by its parts along and across the ray.
      */
     private double entersDisc(double radius, double x, double y, double dx, double dy) {
-        double a = dx * dx + dy * dy;
-        double b = x * dx + y * dy;
-        double c = x * x + y * y - radius * radius;
-        double beside = x * dy - y * dx;
-        double discriminant = a * radius * radius - beside * beside;
-        if (c < 0 || b >= 0 || discriminant < 0) {
+        double length = StrictMath.hypot(dx, dy);
+        double ux = dx / length;
+        double uy = dy / length;
+        double ahead = -(x * ux + y * uy);
+        double beside = x * uy - y * ux;
+        double discriminant = (radius - beside) * (radius + beside);
+        boolean isInside = StrictMath.hypot(x, y) < radius;
+        if (isInside || !(ahead > 0) || !(discriminant >= 0)) {
             return MISS;
         }
         double root = Math.sqrt(discriminant);
-        double fraction = c / (-b + root);
-        normalX = (beside * dy - root * dx) / (a * radius);
-        normalY = (-beside * dx - root * dy) / (a * radius);
+        normalX = (beside * uy - root * ux) / radius;
+        normalY = (-beside * ux - root * uy) / radius;
+        double fraction = way(ahead, root, x * x + y * y - radius * radius) / length;
         return fraction <= 1 ? fraction : MISS;
+    }
+
+    /**
+     * The smaller root of t² − 2·ahead·t + c; of two like numbers their difference is mostly lost.
+     */
+    private static double way(double ahead, double root, double c) {
+        return ahead > 2 * root ? ahead - root : c / (ahead + root);
     }
 
     /** Clips the ray by every edge's line: it enters where the last of them lets it in. */

@@ -58,7 +58,7 @@ final class PileResults {
             double force = pairs.normalForce[2 * pair] + pairs.normalForce[2 * pair + 1];
             remember(2 * pair, Math.min(1, dt / LOAD_MEMORY));
             remember(2 * pair + 1, Math.min(1, dt / LOAD_MEMORY));
-            pairs.impulse[pair] += dt * force;
+            pairs.tellImpulse(pair, dt * force);
             noteTouch(pair, force);
         }
     }
@@ -85,7 +85,7 @@ final class PileResults {
         pairs.normalForce[2 * pair + 1] = d[at + Rows.IMPULSE1] * perSecond;
         remember(2 * pair, share);
         remember(2 * pair + 1, share);
-        pairs.impulse[pair] += d[at + Rows.TOTAL];
+        pairs.tellImpulse(pair, d[at + Rows.TOTAL]);
         noteTouch(pair, d[at + Rows.IMPULSE0] + d[at + Rows.IMPULSE1]);
     }
 

@@ -107,7 +107,7 @@ final class Blows {
         } else if (impact.points > 0) {
             law.resolve(impact, elasticity);
             impact.store(bodies, pairs, pair);
-            pairs.impulse[pair] += impact.totalNormalImpulse();
+            pairs.tellImpulse(pair, impact.totalNormalImpulse());
         }
     }
 

@@ -120,7 +120,7 @@ public final class TiedImpacts {
         }
         for (int i = 0; i < count; i++) {
             if (points[i] == 0) {
-                pairs.impulse[pairOf[i]] += row[i * STRIDE + IMPULSE];
+                pairs.tellImpulse(pairOf[i], row[i * STRIDE + IMPULSE]);
             }
         }
         return passes < MOST_PASSES;

@@ -384,4 +384,14 @@ public final class Pairs {
         crushed = Arrays.copyOf(crushed, capacity);
         activeStep = Arrays.copyOf(activeStep, capacity);
     }
+
+    /**
+     * Adds to the normal impulse that is told of a pair, N·s. A trace of pull is round-off; a blow
+     * beyond all bounds puts its bodies to rest, as if it had not been.
+     */
+    public void tellImpulse(int pair, double pushed) {
+        if (pushed > 0 && pushed < Double.POSITIVE_INFINITY) {
+            impulse[pair] += pushed;
+        }
+    }
 }

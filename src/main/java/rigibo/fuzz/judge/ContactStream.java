@@ -23,20 +23,14 @@ final class ContactStream {
     /** Of a unit vector's square. */
     private static final double ROUND_OFF = 1e-9;
 
-    private Pool pool;
-
     /** Who touched in the step before. */
     private Set<String> touching = new HashSet<>();
 
-    void after(Pool stepped) {
-        if (pool != stepped) {
-            forgetTheRemoved(stepped);
-        }
-        pool = stepped;
+    void after(Pool pool) {
         Set<String> now = new HashSet<>();
         Set<String> told = new HashSet<>();
-        for (ContactEvent event : stepped.contactEvents()) {
-            requireWellFormed(event);
+        for (ContactEvent event : pool.contactEvents()) {
+            requireWellFormed(pool, event);
             String pair = pair(event);
             unless(told.add(pair), LAW, "twice in a step: %s", event);
             unless(touching.contains(pair) == (event.phase() != Phase.BEGIN), LAW, "%s", event);
@@ -49,10 +43,9 @@ final class ContactStream {
         touching = now;
     }
 
-    /** A restored pool has no handle on who was removed before, and cannot tell of an end. */
-    private void forgetTheRemoved(Pool restored) {
-        Set<String> names =
-                restored.bodies().stream().map(RigidBody::name).collect(Collectors.toSet());
+    /** It has no handle on who was removed before, and cannot tell of an end. */
+    void restored(Pool pool) {
+        Set<String> names = pool.bodies().stream().map(RigidBody::name).collect(Collectors.toSet());
         touching.removeIf(pair -> !names.containsAll(Set.of(pair.split("-"))));
     }
 
@@ -62,7 +55,7 @@ final class ContactStream {
         return a.compareTo(b) < 0 ? a + "-" + b : b + "-" + a;
     }
 
-    private void requireWellFormed(ContactEvent event) {
+    private static void requireWellFormed(Pool pool, ContactEvent event) {
         boolean isEnd = event.phase() == Phase.END;
         unless(event.a() != event.b(), FORM, "%s is of one body", event);
         unless(event.bothAlive() || isEnd, FORM, "%s is of a removed body", event);

@@ -40,6 +40,11 @@ final class Observer implements Witness {
     }
 
     @Override
+    public void restored(Pool pool) {
+        steps.restored(pool);
+    }
+
+    @Override
     public void foundAt(Pool pool, double x, double y, Optional<RigidBody> found) {
         tally.count(Tally.Of.QUERIES);
         Answers.requireAt(pool, x, y, found);

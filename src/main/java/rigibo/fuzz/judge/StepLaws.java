@@ -35,6 +35,10 @@ final class StepLaws {
     private final List<Place> places = new ArrayList<>();
     private double time;
 
+    void restored(Pool pool) {
+        contacts.restored(pool);
+    }
+
     void before(Pool pool) {
         time = pool.time();
         places.clear();
@@ -73,7 +77,9 @@ final class StepLaws {
         }
     }
 
-    /** Each pair as often as the accuracy allows in flight, and so often in each substep of a pile. */
+    /**
+     * Each pair as often as the accuracy allows in flight, and so often in each substep of a pile.
+     */
     private static long mostImpacts(Pool pool, StepReport report) {
         Accuracy accuracy = pool.accuracy();
         int inPiles = accuracy.substeps() * MOST_BLOWS_PER_SUBSTEP;

@@ -38,7 +38,8 @@ public record Operation(
     }
 
     /** Has to be refused, naming the field. */
-    public static Operation refused(String java, String field, List<Integer> bodies, Consumer<Stage> act) {
+    public static Operation refused(
+            String java, String field, List<Integer> bodies, Consumer<Stage> act) {
         return new Operation(java, Kind.REFUSED, field, bodies, act);
     }
 

@@ -71,6 +71,7 @@ public final class Stage {
         for (RigidBody body : pool.bodies()) {
             bodies.put(Integer.parseInt(body.name().substring(1)), body);
         }
+        witness.restored(pool);
     }
 
     /** The functions among the effects cannot be written and are handed in again. */

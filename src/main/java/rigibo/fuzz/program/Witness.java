@@ -20,6 +20,9 @@ public interface Witness {
     /** A step of dt in s was made. */
     default void stepped(Pool pool, double dt) {}
 
+    /** The program goes on with a pool that was just restored. */
+    default void restored(Pool pool) {}
+
     /** What is at a point, m. */
     default void foundAt(Pool pool, double x, double y, Optional<RigidBody> found) {}
 

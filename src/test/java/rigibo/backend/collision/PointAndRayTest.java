@@ -86,15 +86,25 @@ class PointAndRayTest {
     }
 
     /**
-     * From 10¹⁴ m away, where coordinates are 1/64 m apart: where the disc is met is as uncertain,
-     * its normal is not. At 0.3 of the radius beside the centre it leans by 0.3.
+     * From 10¹⁴ m away, where coordinates are 1/64 m apart, which is 0.03 of the radius: so
+     * uncertain is where the disc is met, 0.3 of the radius beside its centre, but not how long the
+     * normal is.
      */
     @Test
     void normalHasLengthOneHoweverFarTheRayBegins() {
         query.enters(new Circle(0.5), pose(0, 0, 1), -1e14, 0.15, 1, 0.15);
 
         assertThat(Math.hypot(query.normalX, query.normalY)).isEqualTo(1, within(ROUND_OFF));
-        assertThat(query.normalY).isEqualTo(0.3, within(1e-2));
+        assertThat(query.normalY).isEqualTo(0.3, within(0.03));
         assertThat(query.normalX).isNegative();
+    }
+
+    /** Squares of 10²⁰⁰ are infinite; coordinates of it are allowed. */
+    @Test
+    void rayMeetsADiscFromWherePlacesHaveNoSquare() {
+        double fraction = query.enters(new Circle(0.5), pose(0, 0, 0), -1e200, 0, 1e200, 0);
+
+        assertThat(fraction).isEqualTo(0.5, within(ROUND_OFF));
+        assertThat(query.normalX).isEqualTo(-1, within(ROUND_OFF));
     }
 }
