@@ -101,7 +101,7 @@ public final class Pool {
      */
     public static Pool restore(byte[] snapshot) {
         Require.present("Pool.restore snapshot", snapshot);
-        return new Pool(PoolSnapshot.decoded(() -> Snapshot.decode(snapshot)));
+        return PoolSnapshot.restored(() -> new Pool(Snapshot.decode(snapshot)));
     }
 
     /**
@@ -116,7 +116,7 @@ public final class Pool {
     public static Pool restore(byte[] snapshot, Effects effects) {
         Require.present("Pool.restore snapshot", snapshot);
         Require.present("Pool.restore effects", effects);
-        return new Pool(PoolSnapshot.decoded(() -> Snapshot.decode(snapshot, effects)));
+        return PoolSnapshot.restored(() -> new Pool(Snapshot.decode(snapshot, effects)));
     }
 
     /**

@@ -20,9 +20,9 @@ final class PoolSnapshot {
         return snapshot.encode();
     }
 
-    static Snapshot decoded(Supplier<Snapshot> decoding) {
+    static Pool restored(Supplier<Pool> restoring) {
         try {
-            return decoding.get();
+            return restoring.get();
         } catch (IllegalArgumentException refusal) {
             throw new IllegalArgumentException(
                     "Pool.restore snapshot: " + refusal.getMessage(), refusal);
