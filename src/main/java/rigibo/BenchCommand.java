@@ -9,6 +9,7 @@ import rigibo.lab.bench.BenchStudy;
 import rigibo.lab.bench.Inquiry;
 import rigibo.lab.bench.moving.Contestant;
 import rigibo.lab.bench.moving.MovingBench;
+import rigibo.lab.bench.moving.MovingReport;
 import rigibo.lab.bench.scene.BenchScene;
 import rigibo.lab.bench.scene.BenchScenes;
 import rigibo.lab.bench.scene.MovingScenes;
@@ -166,10 +167,12 @@ final class BenchCommand implements Callable<Integer> {
                         steps == null ? MovingScenes.STEPS : steps,
                         runs,
                         out);
+        MovingReport report = bench.run(this::tell);
         if (page != null) {
-            MeasuredPart.write(page, bench.markdown(environment(), this::tell));
+            Environment measured = environment().withFlags(bench.method());
+            MeasuredPart.write(page, report.markdown(measured.provenance()));
         }
-        return bench.text(this::tell);
+        return report.text();
     }
 
     private List<BenchScene> chosenScenes() {

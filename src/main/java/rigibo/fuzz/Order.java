@@ -28,7 +28,7 @@ public record Order(long seed, long first, long programs, long files, long failu
         return new Order(seed, first, programs, files, 1, never);
     }
 
-    /** The same, which goes on until so many have gone wrong. */
+    /** This order, but it ends only after so many failures. */
     public Order failures(long most) {
         return new Order(seed, first, programs, files, most, end);
     }

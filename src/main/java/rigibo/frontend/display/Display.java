@@ -69,7 +69,7 @@ public final class Display implements Director {
         this(menu, menu, new Guest(Settings.initial("en")), vsync, new FrameClock());
     }
 
-    /** The same at a clock of a test's own. */
+    /** A display for tests, which bring the clock; a guest sits at it, without vsync. */
     Display(Function<Director, Scene> menu, FrameClock clock) {
         this(menu, menu, new Guest(Settings.initial("en")), false, clock);
     }

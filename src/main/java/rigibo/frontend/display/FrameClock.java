@@ -36,7 +36,7 @@ final class FrameClock {
     private static final double SMOOTHING = 30;
 
     /** What one turn counts for in the average at most, ns: a game that was stopped is not slow. */
-    private static final double LONGEST = 1e9;
+    private static final double LONGEST = SECOND;
 
     private final LongSupplier nanoseconds;
     private final LongConsumer sleep;

@@ -37,7 +37,7 @@ public final class Chance {
         return Math.min(Math.max(drawn, least), most);
     }
 
-    /** The same with either sign. */
+    /** As {@link #ofAnySize}, then negated with a probability of one half. */
     public double ofEitherSign(double least, double most) {
         return random.nextBoolean() ? ofAnySize(least, most) : -ofAnySize(least, most);
     }

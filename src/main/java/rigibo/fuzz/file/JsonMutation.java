@@ -101,7 +101,7 @@ final class JsonMutation {
         return marked(root, new Junk(chance).key(spot.key()));
     }
 
-    /** The same key twice, with two values. */
+    /** Writes a key twice in its object, or an element twice in its list; values may differ. */
     private String doubled(JsonNode root, Spot spot) {
         String value = spot.value().toString();
         String other = chance.happens(0.5) ? value : new Junk(chance).value();

@@ -28,7 +28,7 @@ final class UnsavedReader implements Reader {
     public String read(Path file) throws Refused {
         try {
             boolean isOffered = new Unsaved(file.getParent()).last().isPresent();
-            return isOffered ? "" : "it is left where it is, and not offered";
+            return isOffered ? "" : "it is set aside, or stays for the newer game that wrote it";
         } catch (IOException told) {
             throw new Refused(told);
         }

@@ -12,18 +12,21 @@ import java.util.Optional;
 /** Cuts a program down as long as it breaks the same law. */
 public final class Shrinking {
 
-    /** s of the processor's time after which what is left has to do. */
+    /** Processor time in s after which cutting down stops, however long the program still is. */
     private static final double LONGEST = 15;
 
     private final Watch watch;
     private final ThreadMXBean threads = ManagementFactory.getThreadMXBean();
 
-    /** Whoever hangs while cutting down is found by the watch. */
+    /** The watch reports a program that hangs while it is cut down. */
     public Shrinking(Watch watch) {
         this.watch = watch;
     }
 
-    /** What is left of a program that breaks a law when nothing more can be left out. */
+    /**
+     * A program that still breaks the law of a failure, with as few operations as were found in the
+     * time there is.
+     */
     public Program of(Program program, Failure failure) {
         Program small = upTo(program, failure.operation());
         small = breaks(small, failure) ? small : program;

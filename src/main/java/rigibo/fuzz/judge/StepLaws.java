@@ -17,10 +17,10 @@ final class StepLaws {
     private static final String STILL = "what is static stays where it is";
     private static final String REPORT = "a step's report is consistent";
 
-    /** Rows of two points at most: normal, friction, rolling. */
     /** Of one pair in a pile: 32 together with others, and in 8 sweeps alone. */
     private static final int MOST_BLOWS_PER_SUBSTEP = 40;
 
+    /** A normal, a friction and a rolling row for each of two points. */
     private static final int MOST_ROWS_PER_PAIR = 6;
 
     /** Where a static body was. */

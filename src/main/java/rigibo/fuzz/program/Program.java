@@ -17,7 +17,7 @@ import java.util.stream.Collectors;
 public record Program(
         Stated<Effects> effects, Stated<Accuracy> accuracy, List<Operation> operations) {
 
-    /** The same pool with other operations. */
+    /** A program with this one's effects and accuracy, and other operations. */
     public Program with(List<Operation> others) {
         return new Program(effects, accuracy, List.copyOf(others));
     }

@@ -3,18 +3,15 @@ package rigibo.lab.bench;
 import rigibo.backend.Pool;
 import rigibo.lab.bench.probe.BenchProbe;
 import rigibo.lab.bench.probe.Sample;
-import rigibo.lab.child.ClassFiles;
 import rigibo.lab.child.Kept;
 import rigibo.lab.child.MeasuringJava;
 import rigibo.lab.child.Progress;
-import rigibo.lab.engine.Engine;
+import rigibo.lab.engine.MeasuredClasses;
 import rigibo.lab.engine.World;
 import rigibo.lab.truth.Outline;
 
 import java.util.List;
 import java.util.function.Consumer;
-import java.util.stream.Collectors;
-import java.util.stream.Stream;
 
 /** Has every scene timed by every engine, each in a process of its own, one at a time. */
 final class BenchLab {
@@ -37,18 +34,14 @@ final class BenchLab {
     BenchLab(Inquiry inquiry, Class<?> process) {
         tasks = inquiry.tasks();
         this.process = process;
-        kept = new Kept(inquiry.out().resolve(LOG), key(inquiry.engines()));
-    }
-
-    /** The same for equal engines, ways to time them and Java. */
-    private static String key(List<Engine> engines) {
-        Stream<Class<?>> measured =
-                Stream.of(Pool.class, World.class, Outline.class, BenchProbe.class);
-        return Stream.concat(measured, engines.stream().map(Engine::getClass))
-                        .map(member -> ClassFiles.of(member).hash())
-                        .collect(Collectors.joining("-"))
-                + "-"
-                + Runtime.version();
+        String key =
+                MeasuredClasses.key(
+                        inquiry.engines(),
+                        Pool.class,
+                        World.class,
+                        Outline.class,
+                        BenchProbe.class);
+        kept = new Kept(inquiry.out().resolve(LOG), key);
     }
 
     /** How processes are run, in words. */

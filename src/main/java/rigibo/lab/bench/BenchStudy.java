@@ -49,13 +49,9 @@ public final class BenchStudy {
             Files.write(table.get(), BenchCsv.lines(results.runs()));
         }
         if (page.isPresent()) {
-            MeasuredPart.write(page.get(), report.markdown(provenance()));
+            MeasuredPart.write(
+                    page.get(), report.markdown(environment.withFlags(lab.method()).provenance()));
         }
         return report.text();
-    }
-
-    private String provenance() {
-        Environment measured = environment.withFlags(lab.method());
-        return measured.words() + " By `" + measured.command() + "`.";
     }
 }

@@ -55,7 +55,7 @@ public record Inquiry(List<BenchScene> scenes, List<Engine> engines, int rounds,
         return shortName(engine.name());
     }
 
-    /** The same of a name with its version. */
+    /** A name such as "JBox2D 2.2.1.1" in lower case and without its version. */
     public static String shortName(String engine) {
         return engine.split(" ")[0].toLowerCase(Locale.ROOT);
     }

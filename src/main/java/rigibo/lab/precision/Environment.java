@@ -18,7 +18,7 @@ import java.util.Map;
 public record Environment(
         String machine, String jvm, String flags, String commit, String date, String command) {
 
-    /** The same, of processes that were started otherwise. */
+    /** This environment with other flags, for processes that were started with them. */
     public Environment withFlags(String others) {
         return new Environment(machine, jvm, others, commit, date, command);
     }
@@ -35,10 +35,15 @@ public record Environment(
         return JsonMapper.shared().writerWithDefaultPrettyPrinter().writeValueAsString(fields);
     }
 
-    /** All of it, for people, in one sentence. */
+    /** All of it but the command, for people, in one sentence. */
     public String words() {
         return String.format(
                 "Measured on %s, on %s, with %s (%s), at commit %s.",
                 date, machine, jvm, flags, commit);
+    }
+
+    /** All of it, for people, in two sentences of Markdown. */
+    public String provenance() {
+        return words() + " By `" + command + "`.";
     }
 }

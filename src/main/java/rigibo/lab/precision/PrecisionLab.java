@@ -1,12 +1,12 @@
 package rigibo.lab.precision;
 
 import rigibo.backend.Pool;
-import rigibo.lab.child.ClassFiles;
 import rigibo.lab.child.Kept;
 import rigibo.lab.child.MeasuringJava;
 import rigibo.lab.child.Progress;
 import rigibo.lab.engine.Engine;
 import rigibo.lab.engine.Engines;
+import rigibo.lab.engine.MeasuredClasses;
 import rigibo.lab.engine.Setting;
 import rigibo.lab.precision.probe.Finding;
 import rigibo.lab.precision.probe.Patience;
@@ -26,7 +26,6 @@ import java.util.concurrent.Future;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
-import java.util.stream.Stream;
 
 /** Has every problem solved by every engine at every setting that is asked for. */
 final class PrecisionLab {
@@ -44,22 +43,13 @@ final class PrecisionLab {
         exams = inquiry.exams(engines);
         patience = inquiry.extent().patience();
         seed = inquiry.seed();
-        kept = new Kept(inquiry.out().resolve(LOG), key(engines));
+        String key = MeasuredClasses.key(engines, Pool.class, Problem.class, ProblemProbe.class);
+        kept = new Kept(inquiry.out().resolve(LOG), key);
         free =
                 new LinkedBlockingQueue<>(
                         inquiry.extent() == Extent.QUICK
                                 ? MeasuringJava.onEveryCore()
                                 : List.of(MeasuringJava.onLastCore()));
-    }
-
-    /** The same for equal engines, problems and Java. */
-    private static String key(List<Engine> engines) {
-        Stream<Class<?>> measured = Stream.of(Pool.class, Problem.class, ProblemProbe.class);
-        return Stream.concat(measured, engines.stream().map(Engine::getClass))
-                        .map(member -> ClassFiles.of(member).hash())
-                        .collect(Collectors.joining("-"))
-                + "-"
-                + Runtime.version();
     }
 
     /** Where what was found is kept. */

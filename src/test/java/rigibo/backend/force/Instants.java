@@ -19,7 +19,7 @@ final class Instants {
         return at;
     }
 
-    /** The same, of 1 kg and 1 kg·m²: accelerations are forces and torques. */
+    /** A body of 1 kg and 1 kg·m²: its accelerations are numerically forces and torques. */
     static Instant of(Shape shape, double angle) {
         return of(shape, 1, 1, angle);
     }

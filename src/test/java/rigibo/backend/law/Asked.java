@@ -22,7 +22,7 @@ final class Asked {
         return nearest;
     }
 
-    /** The same words where a figure is beyond its limit; a figure that is not a number is. */
+    /** A complaint where a figure is above its limit or NaN; nothing where it keeps it. */
     Optional<String> atMost(double limit, double figure, String words) {
         if (figure <= limit) {
             nearest = Math.max(nearest, limit == 0 ? 0 : figure / limit);

@@ -206,7 +206,7 @@ final class HostileScene {
         return pool;
     }
 
-    /** The same strangers, and the sick after them. */
+    /** A pool with the bodies of {@link #healthy}, then the sick. */
     Pool withSick() {
         Pool pool = healthy();
         sick.forEach(pool::add);

@@ -130,7 +130,7 @@ class IslandBuilderTest {
         assertThat(islands.count).isZero();
     }
 
-    /** The same builder, step after step: nothing is left of the islands before. */
+    /** One builder serves every step, and keeps nothing of the islands of the step before. */
     @Test
     void islandsAreBuiltAnewEveryStep() {
         int left = piled();

@@ -1,13 +1,13 @@
 package rigibo.lab.bench.moving;
 
 import rigibo.lab.bench.Inquiry;
+import rigibo.lab.bench.probe.Stage;
 import rigibo.lab.bench.scene.Scene;
 import rigibo.lab.engine.Engine;
 import rigibo.lab.engine.Engines;
 import rigibo.lab.engine.Line;
 import rigibo.lab.engine.RigiBoEngine;
 import rigibo.lab.engine.Setting;
-import rigibo.lab.engine.World;
 
 import java.util.List;
 import java.util.stream.Stream;
@@ -40,9 +40,9 @@ public record Contestant(String engine, String setting) {
                 : PRESETS.stream().map(preset -> new Contestant(engine.name(), preset));
     }
 
-    World world(Scene scene) {
+    Stage stage(Scene scene) {
         Engine asked = Engines.named(engine);
-        return asked.world(scene.effects(), Engines.setting(asked, setting));
+        return new Stage(asked, Engines.setting(asked, setting), scene);
     }
 
     boolean isOurs() {

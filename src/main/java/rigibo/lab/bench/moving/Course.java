@@ -1,5 +1,7 @@
 package rigibo.lab.bench.moving;
 
+import rigibo.lab.bench.probe.StepTimes;
+
 import java.util.Arrays;
 import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
@@ -76,16 +78,16 @@ record Course(
                         .toArray();
     }
 
-    /** Times of the first steps. */
-    Times times(int steps) {
-        return new Times(Arrays.copyOf(nanos, Math.min(steps, nanos.length)));
+    /** StepTimes of the first steps. */
+    StepTimes times(int steps) {
+        return new StepTimes(Arrays.copyOf(nanos, Math.min(steps, nanos.length)));
     }
 
     /**
-     * Times of those of the first steps that have at least half of the most contacts: what an even
-     * step of a heap takes.
+     * StepTimes of those of the first steps that have at least half of the most contacts: what an
+     * even step of a heap takes.
      */
-    Times busyTimes(int steps) {
+    StepTimes busyTimes(int steps) {
         int count = Math.min(steps, contacts.length);
         double most = Arrays.stream(contacts, 0, count).max().orElse(0);
         double[] busy = new double[count];
@@ -95,6 +97,6 @@ record Course(
                 busy[found++] = nanos[i];
             }
         }
-        return new Times(Arrays.copyOf(busy, found));
+        return new StepTimes(Arrays.copyOf(busy, found));
     }
 }

@@ -1,18 +1,18 @@
 package rigibo.lab.bench.moving;
 
-import com.sun.management.ThreadMXBean;
-
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.BodyType;
 import rigibo.lab.bench.probe.DeepestOverlap;
 import rigibo.lab.bench.probe.Look;
+import rigibo.lab.bench.probe.Stage;
+import rigibo.lab.bench.probe.StepMeter;
+import rigibo.lab.bench.probe.StepTimes;
 import rigibo.lab.bench.scene.BenchScene;
 import rigibo.lab.bench.scene.Driver;
 import rigibo.lab.bench.scene.MovingScenes;
 import rigibo.lab.bench.scene.Scene;
 import rigibo.lab.engine.World;
 
-import java.lang.management.ManagementFactory;
 import java.util.Arrays;
 import java.util.List;
 
@@ -24,8 +24,6 @@ import java.util.List;
 public final class MovingProbe {
 
     static final String MARK = "course ";
-
-    private static final ThreadMXBean THREADS = (ThreadMXBean) ManagementFactory.getThreadMXBean();
 
     private final Contestant contestant;
     private final Scene scene;
@@ -77,17 +75,18 @@ public final class MovingProbe {
     }
 
     private static double median(double[] values) {
-        return new Times(values).percentile(50);
+        return new StepTimes(values).median();
     }
 
     private void look() {
         boolean isDriven = !scene.driver().equals(Driver.NONE);
-        try (World world = begin()) {
+        try (Stage stage = contestant.stage(scene)) {
+            World world = stage.world();
             double start = Look.at(scene, world).energy();
             for (int i = 0; i < steps; i++) {
-                scene.driver().drive(world, i);
-                world.step(Scene.STEP);
-                contacts[i] = world.lastStep().contacts();
+                stage.drive();
+                stage.step();
+                contacts[i] = stage.lastStep().contacts();
                 left = DeepestOverlap.inWidths(scene, world);
                 deepest = Math.max(deepest, left);
                 double energy = Look.at(scene, world).energy();
@@ -97,33 +96,30 @@ public final class MovingProbe {
         }
     }
 
-    private World begin() {
-        World world = contestant.world(scene);
-        scene.bodies().forEach(world::add);
-        return world;
-    }
-
     private boolean isStill(World world) {
         List<BodyDefinition> bodies = scene.bodies();
         for (int i = 0; i < bodies.size(); i++) {
-            double speed = Math.hypot(world.velocityX(i), world.velocityY(i));
-            if (bodies.get(i).type() == BodyType.DYNAMIC && speed > contestant.still()) {
+            boolean isAsked = bodies.get(i).type() == BodyType.DYNAMIC && i != scene.loss().body();
+            if (isAsked && speed(world, i) > contestant.still()) {
                 return false;
             }
         }
         return true;
     }
 
+    private static double speed(World world, int body) {
+        return Math.hypot(world.velocityX(body), world.velocityY(body));
+    }
+
     private void time(int run, double[][] nanos, double[] bytes) {
-        try (World world = begin()) {
+        StepMeter meter = new StepMeter();
+        try (Stage stage = contestant.stage(scene)) {
             System.gc();
             for (int i = 0; i < steps; i++) {
-                scene.driver().drive(world, i);
-                long begun = THREADS.getCurrentThreadCpuTime();
-                long allocated = THREADS.getCurrentThreadAllocatedBytes();
-                world.step(Scene.STEP);
-                bytes[i] = THREADS.getCurrentThreadAllocatedBytes() - allocated;
-                nanos[i][run] = THREADS.getCurrentThreadCpuTime() - begun;
+                stage.drive();
+                meter.measure(stage);
+                bytes[i] = meter.bytes();
+                nanos[i][run] = meter.nanos();
             }
         }
     }

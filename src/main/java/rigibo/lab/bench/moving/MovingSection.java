@@ -1,5 +1,6 @@
 package rigibo.lab.bench.moving;
 
+import rigibo.lab.bench.probe.StepTimes;
 import rigibo.lab.report.Amount;
 import rigibo.lab.report.Table;
 
@@ -62,11 +63,11 @@ final class MovingSection {
     }
 
     private List<String> row(Contestant contestant, Course course) {
-        Times times = course.times(steps);
+        StepTimes times = course.times(steps);
         return List.of(
                 contestant.words(),
                 Amount.time(times.mean()),
-                Amount.time(times.percentile(99)),
+                Amount.time(times.p99()),
                 Amount.time(times.max()),
                 ours().map(our -> Amount.digits(times.mean() / our.times(steps).mean())).orElse(""),
                 widths(course.deepest()),
@@ -102,19 +103,19 @@ final class MovingSection {
         if (ours().isEmpty() || peer.isEmpty()) {
             return List.of();
         }
-        Times our = ours().get().times(steps);
-        Times their = peer.get().times(steps);
-        double even = ours().get().busyTimes(steps).percentile(50);
+        StepTimes our = ours().get().times(steps);
+        StepTimes their = peer.get().times(steps);
+        double even = ours().get().busyTimes(steps).median();
         List<String> sentences = new ArrayList<>();
         sentences.add(
                 "gdx-box2d's mean is "
                         + verdict(their.mean() / our.mean(), FASTER)
                         + "; our p99 is "
-                        + bound(our.percentile(99) / their.percentile(99), P99_BY_PEER)
+                        + bound(our.p99() / their.p99(), P99_BY_PEER)
                         + " of its p99, our max "
                         + bound(our.max() / their.max(), 1)
                         + " of its max; our p99 is "
-                        + bound(our.percentile(99) / even, P99_BY_EVEN_STEP)
+                        + bound(our.p99() / even, P99_BY_EVEN_STEP)
                         + " of a step with at least half of the most contacts.");
         return sentences;
     }

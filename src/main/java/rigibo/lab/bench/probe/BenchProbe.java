@@ -1,7 +1,5 @@
 package rigibo.lab.bench.probe;
 
-import com.sun.management.ThreadMXBean;
-
 import rigibo.lab.bench.scene.Pace;
 import rigibo.lab.bench.scene.Scene;
 import rigibo.lab.engine.Engine;
@@ -10,15 +8,12 @@ import rigibo.lab.engine.Line;
 import rigibo.lab.engine.Setting;
 import rigibo.lab.engine.Work;
 
-import java.lang.management.ManagementFactory;
-
 /** Times the steps of one scene by one engine, and looks at what became of it. */
 public final class BenchProbe {
 
     /** What the line begins with that holds a sample. */
     public static final String MARK = "sample ";
 
-    private static final ThreadMXBean THREADS = (ThreadMXBean) ManagementFactory.getThreadMXBean();
     private static final double NANOS_PER_SECOND = 1e9;
 
     /** A rehearsal ends after so many runs: of a short scene all is compiled by then. */
@@ -74,34 +69,28 @@ public final class BenchProbe {
             }
             // What rehearsal and settling left is collected now, not in the midst of a step.
             System.gc();
-            StepTimes nanos = new StepTimes(pace.timed());
-            StepTimes bytes = new StepTimes(pace.timed());
+            double[] nanos = new double[pace.timed()];
+            double[] bytes = new double[pace.timed()];
+            StepMeter meter = new StepMeter();
             Work work = Work.NONE;
             for (int i = 0; i < pace.timed(); i++) {
                 stage.drive();
-                time(stage, nanos, bytes);
+                meter.measure(stage);
+                nanos[i] = meter.nanos();
+                bytes[i] = meter.bytes();
                 work = work.plus(stage.lastStep());
             }
             Look after = Look.at(scene, stage.world());
+            StepTimes times = new StepTimes(nanos);
             return new Sample(
                     pace.timed(),
-                    nanos.percentile(50),
-                    nanos.percentile(99),
-                    bytes.percentile(50),
+                    times.median(),
+                    times.p99(),
+                    new StepTimes(bytes).median(),
                     DeepestOverlap.in(scene, stage.world()),
                     after.height() / before.height(),
                     after.energy() / before.energy(),
                     work);
         }
-    }
-
-    /** The processor's clock may allocate, so bytes are counted within it. */
-    private static void time(Stage stage, StepTimes nanos, StepTimes bytes) {
-        long begun = THREADS.getCurrentThreadCpuTime();
-        long allocated = THREADS.getCurrentThreadAllocatedBytes();
-        stage.step();
-        allocated = THREADS.getCurrentThreadAllocatedBytes() - allocated;
-        nanos.add(THREADS.getCurrentThreadCpuTime() - begun);
-        bytes.add(allocated);
     }
 }

@@ -1,8 +1,6 @@
 package rigibo.lab.bench.probe;
 
 import rigibo.backend.geometry.Aabb;
-import rigibo.backend.geometry.Circle;
-import rigibo.backend.geometry.Polygon;
 import rigibo.backend.geometry.Shape;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.BodyType;
@@ -12,18 +10,20 @@ import rigibo.lab.truth.Outline;
 
 import java.util.Comparator;
 import java.util.List;
+import java.util.function.ToDoubleFunction;
 import java.util.stream.IntStream;
 
 /** The deepest overlap of two bodies of a scene, from where they are, whatever the engine says. */
 public final class DeepestOverlap {
 
     private final List<BodyDefinition> bodies;
-    private final boolean isInWidths;
+    private final ToDoubleFunction<Shape> unit;
     private final Outline[] outlines;
     private final Aabb[] bounds;
 
-    private DeepestOverlap(Scene scene, World world, boolean isInWidths) {
-        this.isInWidths = isInWidths;
+    /** The scene as its world stands, to be measured by the lesser of the units of each two. */
+    private DeepestOverlap(Scene scene, World world, ToDoubleFunction<Shape> unit) {
+        this.unit = unit;
         bodies = scene.bodies();
         outlines = new Outline[bodies.size()];
         bounds = new Aabb[outlines.length];
@@ -44,12 +44,12 @@ public final class DeepestOverlap {
 
     /** m; 0 where none overlap. */
     static double in(Scene scene, World world) {
-        return new DeepestOverlap(scene, world, false).sweep();
+        return new DeepestOverlap(scene, world, shape -> 1).sweep();
     }
 
     /** In widths, the smallest extents, of the smaller of the two bodies; 0 where none overlap. */
     public static double inWidths(Scene scene, World world) {
-        return new DeepestOverlap(scene, world, true).sweep();
+        return new DeepestOverlap(scene, world, Shape::smallestWidth).sweep();
     }
 
     /** From left to right: only what begins before a body ends can overlap it. */
@@ -84,16 +84,11 @@ public final class DeepestOverlap {
         if (isBeside) {
             return 0;
         }
-        double depth = -outlines[a].separation(outlines[b]);
-        return isInWidths ? depth / Math.min(width(a), width(b)) : depth;
+        return -outlines[a].separation(outlines[b]) / Math.min(unit(a), unit(b));
     }
 
-    private double width(int body) {
-        Shape shape = outlines[body].shape();
-        return switch (shape.kind()) {
-            case CIRCLE -> 2 * ((Circle) shape).radius();
-            case POLYGON -> ((Polygon) shape).smallestWidth();
-        };
+    private double unit(int body) {
+        return unit.applyAsDouble(outlines[body].shape());
     }
 
     private boolean isDynamic(int body) {

@@ -8,13 +8,14 @@ import rigibo.lab.engine.Work;
 import rigibo.lab.engine.World;
 
 /** A scene in a world of some engine. */
-final class Stage implements AutoCloseable {
+public final class Stage implements AutoCloseable {
 
     private final Scene scene;
     private final World world;
     private int made;
 
-    Stage(Engine engine, Setting setting, Scene scene) {
+    /** A world with all bodies of a scene. */
+    public Stage(Engine engine, Setting setting, Scene scene) {
         this.scene = scene;
         world = engine.world(scene.effects(), setting);
         for (BodyDefinition body : scene.bodies()) {
@@ -22,29 +23,26 @@ final class Stage implements AutoCloseable {
         }
     }
 
-    Scene scene() {
-        return scene;
-    }
-
-    World world() {
+    /** Where to look at what became of the bodies; its steps are made here alone. */
+    public World world() {
         return world;
     }
 
     /** Moves what is driven: not part of what is timed, for it is ours and not the engine's. */
-    void drive() {
+    public void drive() {
         scene.driver().drive(world, made);
     }
 
     /**
      * The step alone, after {@link #drive}; and what a loss costs, for it wakes who leaned on it.
      */
-    void step() {
+    public void step() {
         scene.loss().befall(world, made);
         world.step(Scene.STEP);
         made++;
     }
 
-    Work lastStep() {
+    public Work lastStep() {
         return world.lastStep();
     }
 

@@ -1,32 +1,38 @@
 package rigibo.lab.bench.probe;
 
 import java.util.Arrays;
+import java.util.stream.DoubleStream;
 
-/** What each of a number of steps took or allocated, in the order in which they were made. */
-final class StepTimes {
+/** What each of a number of steps took or allocated; one step at least. */
+public final class StepTimes {
 
-    private final double[] values;
-    private int count;
+    private final double[] sorted;
 
-    StepTimes(int most) {
-        values = new double[most];
-    }
-
-    void add(double value) {
-        values[count] = value;
-        count++;
-    }
-
-    /**
-     * The least value that is no less than a share of all values, by the nearest rank: of fewer
-     * than 100 values the 99th percentile is the greatest.
-     *
-     * @param percent above 0, up to 100
-     */
-    double percentile(int percent) {
-        double[] sorted = Arrays.copyOf(values, count);
+    /** Values of steps in any order. */
+    public StepTimes(double[] values) {
+        sorted = values.clone();
         Arrays.sort(sorted);
-        int rank = (percent * count + 99) / 100;
-        return sorted[rank - 1];
+    }
+
+    public double mean() {
+        return DoubleStream.of(sorted).average().orElseThrow();
+    }
+
+    public double median() {
+        return percentile(50);
+    }
+
+    /** The 99th percentile: of fewer than 100 values the greatest. */
+    public double p99() {
+        return percentile(99);
+    }
+
+    public double max() {
+        return sorted[sorted.length - 1];
+    }
+
+    /** The least value that is no less than a share of all values, by the nearest rank. */
+    private double percentile(int percent) {
+        return sorted[(percent * sorted.length + 99) / 100 - 1];
     }
 }

@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import org.junit.jupiter.api.Test;
 
+import rigibo.lab.bench.probe.StepTimes;
+
 class CourseTest {
 
     private static final Course COURSE =
@@ -37,11 +39,11 @@ class CourseTest {
 
     @Test
     void timesAreOfTheFirstStepsOnly() {
-        Times times = COURSE.times(3);
+        StepTimes times = COURSE.times(3);
         assertThat(times.mean()).isEqualTo(700 / 3.0);
         assertThat(times.max()).isEqualTo(400);
-        assertThat(times.percentile(50)).isEqualTo(200);
-        assertThat(COURSE.times(99).percentile(99)).isEqualTo(400);
+        assertThat(times.median()).isEqualTo(200);
+        assertThat(COURSE.times(99).p99()).isEqualTo(400);
     }
 
     /** Of 0, 10, 4 and 6 contacts two are at least half of ten, in steps of 400 and 300 ns. */

@@ -20,6 +20,7 @@ import rigibo.lab.engine.Work;
 import rigibo.lab.engine.World;
 
 import java.util.List;
+import java.util.stream.IntStream;
 
 class BenchProbeTest {
 
@@ -65,17 +66,18 @@ class BenchProbeTest {
 
     @Test
     void percentilesAreByTheNearestRank() {
-        StepTimes times = new StepTimes(200);
-        for (int i = 10; i >= 1; i--) {
-            times.add(i);
-        }
-        assertThat(times.percentile(50)).isEqualTo(5);
-        assertThat(times.percentile(99)).isEqualTo(10);
-        for (int i = 11; i <= 200; i++) {
-            times.add(i);
-        }
-        assertThat(times.percentile(50)).isEqualTo(100);
-        assertThat(times.percentile(99)).isEqualTo(198);
+        StepTimes ten = downFrom(10);
+        assertThat(ten.median()).isEqualTo(5);
+        assertThat(ten.p99()).isEqualTo(10);
+        StepTimes more = downFrom(200);
+        assertThat(more.median()).isEqualTo(100);
+        assertThat(more.p99()).isEqualTo(198);
+        assertThat(more.mean()).isEqualTo(100.5);
+        assertThat(more.max()).isEqualTo(200);
+    }
+
+    private static StepTimes downFrom(int count) {
+        return new StepTimes(IntStream.range(0, count).mapToDouble(i -> count - i).toArray());
     }
 
     /** Free flight by exact parabolas keeps its energy; 10 s down from 1 km: 500 m of 1,000. */
