@@ -67,7 +67,8 @@ class ArchitectureTest {
             {"force", "broadphase", "collision"},
             {"impact"},
             {"flight", "contact", "rest"},
-            {"step"}
+            {"step"},
+            {"saved"}
         };
         Stream.Builder<Room> rooms = Stream.builder();
         String[] left = {};

@@ -1,11 +1,11 @@
 package rigibo.backend;
 
 import rigibo.backend.ContactEvent.Phase;
+import rigibo.backend.saved.SavedContact;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.PairIndex;
 import rigibo.backend.storage.Pairs;
-import rigibo.backend.storage.SavedContact;
 
 import java.util.ArrayList;
 import java.util.List;

@@ -2,14 +2,14 @@ package rigibo.backend;
 
 import rigibo.backend.effect.Effects;
 import rigibo.backend.geometry.Aabb;
+import rigibo.backend.saved.SavedContact;
+import rigibo.backend.saved.Snapshot;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.Require;
 import rigibo.backend.step.StepPlan;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
-import rigibo.backend.storage.SavedContact;
-import rigibo.backend.storage.Snapshot;
 
 import java.util.List;
 import java.util.Optional;

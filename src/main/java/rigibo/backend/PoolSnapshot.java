@@ -1,8 +1,8 @@
 package rigibo.backend;
 
+import rigibo.backend.saved.SavedContact;
+import rigibo.backend.saved.Snapshot;
 import rigibo.backend.storage.DataStorage;
-import rigibo.backend.storage.SavedContact;
-import rigibo.backend.storage.Snapshot;
 
 import java.util.function.Supplier;
 

@@ -1,10 +1,10 @@
 package rigibo.backend;
 
 import rigibo.backend.effect.Gravity;
+import rigibo.backend.saved.StateHash;
 import rigibo.backend.setup.BodyType;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
-import rigibo.backend.storage.StateHash;
 
 /** Sums over all bodies of a pool, in slot order. */
 final class PoolTotals {

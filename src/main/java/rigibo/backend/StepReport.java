@@ -42,7 +42,7 @@ public final class StepReport {
      * beforehand. It never shrinks.
      */
     public int pairRoom() {
-        return data.pairs.bodyA.length;
+        return data.pairs.room();
     }
 
     /** Pairs that touched. */

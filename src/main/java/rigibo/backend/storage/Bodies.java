@@ -1,26 +1,15 @@
 package rigibo.backend.storage;
 
-import static rigibo.backend.storage.Columns.declared;
-import static rigibo.backend.storage.Columns.grown;
-
-import rigibo.backend.effect.Contacts;
-import rigibo.backend.effect.Drag;
 import rigibo.backend.effect.Effects;
-import rigibo.backend.effect.Friction;
-import rigibo.backend.effect.Restitution;
-import rigibo.backend.effect.RollingResistance;
-import rigibo.backend.effect.Rotation;
-import rigibo.backend.effect.Sleep;
-import rigibo.backend.effect.SurfaceSpeed;
-import rigibo.backend.effect.Thrust;
 import rigibo.backend.geometry.Angle;
 import rigibo.backend.geometry.Shape;
 import rigibo.backend.setup.BodyType;
 import rigibo.backend.setup.Material;
 
-import java.util.Arrays;
-
-/** Columns of the bodies, one slot each. A slot whose {@link #type} is null is empty. */
+/**
+ * Columns of the bodies, one slot each. A slot whose {@link #type} is null is empty. Whatever is
+ * done to every column, {@link BodyColumns} does.
+ */
 public final class Bodies {
 
     private static final int FIRST_CAPACITY = 16;
@@ -150,71 +139,49 @@ public final class Bodies {
     public double[] pullY;
     public double[] pullTurn;
 
+    private final Room room = new Room(FIRST_CAPACITY, this::visitColumns);
+    private Effects effects;
+    private boolean pathsAreIntegrated;
+
     /** Creates the columns that a set of effects needs. */
     public Bodies(Effects effects) {
         declare(effects);
     }
 
+    /** Shows every column to a visitor, which may put others in their place. */
+    public void visitColumns(ColumnVisitor visitor) {
+        BodyColumns.visit(this, visitor);
+    }
+
     /**
      * Makes the columns of newly declared effects and drops those of effects no longer declared.
      */
-    public void declare(Effects effects) {
-        boolean rotation = effects.declares(Rotation.class);
-        spin = declared(spin, rotation, type.length);
-        angularAcceleration = declared(angularAcceleration, rotation, type.length);
-        startAngle = declared(startAngle, rotation, type.length);
-        inertia = declared(inertia, rotation, type.length);
-        inverseInertia = declared(inverseInertia, rotation, type.length);
-        boolean contacts = effects.declares(Contacts.class);
-        smallestWidth = declared(smallestWidth, contacts, type.length);
-        sweepRadius = declared(sweepRadius, contacts && rotation, type.length);
-        fixtureMinX = declared(fixtureMinX, contacts, type.length);
-        fixtureMinY = declared(fixtureMinY, contacts, type.length);
-        fixtureMaxX = declared(fixtureMaxX, contacts, type.length);
-        fixtureMaxY = declared(fixtureMaxY, contacts, type.length);
-        leaf = declared(leaf, contacts, type.length);
-        refitted = declared(refitted, contacts, type.length);
-        firstPair = declared(firstPair, contacts, type.length);
-        piled = declared(piled, contacts, type.length);
-        pileTime = declared(pileTime, contacts, type.length);
-        boolean sleep = effects.declares(Sleep.class);
-        stillTime = declared(stillTime, sleep, type.length);
-        stillX = declared(stillX, sleep, type.length);
-        stillY = declared(stillY, sleep, type.length);
-        stillAngle = declared(stillAngle, sleep && rotation, type.length);
-        friction = declared(friction, effects.declares(Friction.class), type.length);
-        elasticity = declared(elasticity, effects.declares(Restitution.class), type.length);
-        boolean thrust = effects.declares(Thrust.class);
-        forceX = declared(forceX, thrust, type.length);
-        forceY = declared(forceY, thrust, type.length);
-        torque = declared(torque, thrust && rotation, type.length);
-        rollingResistance =
-                declared(rollingResistance, effects.declares(RollingResistance.class), type.length);
-        surfaceSpeed = declared(surfaceSpeed, effects.declares(SurfaceSpeed.class), type.length);
-        drag = declared(drag, effects.declares(Drag.class), type.length);
+    public void declare(Effects declared) {
+        effects = declared;
+        visitColumns(new Declaring(effects, pathsAreIntegrated, room.slots()));
     }
 
     /** Makes or drops the columns that integrated paths need. */
     public void integratePaths(boolean isNeeded) {
-        pullX = declared(pullX, isNeeded, type.length);
-        pullY = declared(pullY, isNeeded, type.length);
-        pullTurn = declared(pullTurn, isNeeded && turns(), type.length);
+        pathsAreIntegrated = isNeeded;
+        declare(effects);
+    }
+
+    /** Whether the columns are there that integrated paths need. */
+    public boolean integratesPaths() {
+        return pathsAreIntegrated;
     }
 
     /** A free slot with room in every column. */
     public int take() {
         int slot = slots.take();
-        if (slot == type.length) {
-            grow(2 * slot);
-        }
+        room.hold(slot);
         return slot;
     }
 
     /** Makes room for so many slots. */
-    void reserve(int slotCount) {
-        while (type.length < slotCount) {
-            grow(2 * type.length);
-        }
+    public void reserve(int slotCount) {
+        room.reserve(slotCount);
     }
 
     /** Whether bodies turn: rotation is declared, and all columns of turning are there. */
@@ -375,145 +342,6 @@ public final class Bodies {
 
     /** How many bits the columns hold for each body; what they refer to is not counted. */
     public int bitsPerBody() {
-        return Columns.bits(columns());
-    }
-
-    /** Those there are and those that are null. */
-    private Object[] columns() {
-        return new Object[] {
-            type,
-            shape,
-            material,
-            group,
-            gravityScale,
-            statedMass,
-            statedInertia,
-            x,
-            y,
-            angle,
-            cos,
-            sin,
-            velocityX,
-            velocityY,
-            accelerationX,
-            accelerationY,
-            mass,
-            inverseMass,
-            boundingRadius,
-            awake,
-            startX,
-            startY,
-            spin,
-            angularAcceleration,
-            startAngle,
-            inertia,
-            inverseInertia,
-            smallestWidth,
-            sweepRadius,
-            fixtureMinX,
-            fixtureMinY,
-            fixtureMaxX,
-            fixtureMaxY,
-            leaf,
-            refitted,
-            firstPair,
-            piled,
-            pileTime,
-            stillTime,
-            stillX,
-            stillY,
-            stillAngle,
-            friction,
-            elasticity,
-            forceX,
-            forceY,
-            torque,
-            rollingResistance,
-            surfaceSpeed,
-            drag,
-            pullX,
-            pullY,
-            pullTurn
-        };
-    }
-
-    private void grow(int capacity) {
-        type = Arrays.copyOf(type, capacity);
-        shape = Arrays.copyOf(shape, capacity);
-        material = Arrays.copyOf(material, capacity);
-        group = Arrays.copyOf(group, capacity);
-        awake = Arrays.copyOf(awake, capacity);
-        growStated(capacity);
-        growMotion(capacity);
-        growTurning(capacity);
-        growContacts(capacity);
-        growStart(capacity);
-        growDeclared(capacity);
-    }
-
-    private void growStated(int capacity) {
-        gravityScale = Arrays.copyOf(gravityScale, capacity);
-        statedMass = Arrays.copyOf(statedMass, capacity);
-        statedInertia = Arrays.copyOf(statedInertia, capacity);
-        boundingRadius = Arrays.copyOf(boundingRadius, capacity);
-        mass = Arrays.copyOf(mass, capacity);
-        inverseMass = Arrays.copyOf(inverseMass, capacity);
-    }
-
-    private void growMotion(int capacity) {
-        x = Arrays.copyOf(x, capacity);
-        y = Arrays.copyOf(y, capacity);
-        angle = Arrays.copyOf(angle, capacity);
-        cos = Arrays.copyOf(cos, capacity);
-        sin = Arrays.copyOf(sin, capacity);
-        velocityX = Arrays.copyOf(velocityX, capacity);
-        velocityY = Arrays.copyOf(velocityY, capacity);
-        accelerationX = Arrays.copyOf(accelerationX, capacity);
-        accelerationY = Arrays.copyOf(accelerationY, capacity);
-    }
-
-    private void growTurning(int capacity) {
-        spin = grown(spin, capacity);
-        angularAcceleration = grown(angularAcceleration, capacity);
-        startAngle = grown(startAngle, capacity);
-        inertia = grown(inertia, capacity);
-        inverseInertia = grown(inverseInertia, capacity);
-        sweepRadius = grown(sweepRadius, capacity);
-        stillAngle = grown(stillAngle, capacity);
-        torque = grown(torque, capacity);
-        pullTurn = grown(pullTurn, capacity);
-    }
-
-    private void growContacts(int capacity) {
-        smallestWidth = grown(smallestWidth, capacity);
-        fixtureMinX = grown(fixtureMinX, capacity);
-        fixtureMinY = grown(fixtureMinY, capacity);
-        fixtureMaxX = grown(fixtureMaxX, capacity);
-        fixtureMaxY = grown(fixtureMaxY, capacity);
-        leaf = grown(leaf, capacity);
-        refitted = grown(refitted, capacity);
-        firstPair = grown(firstPair, capacity);
-        piled = grown(piled, capacity);
-        pileTime = grown(pileTime, capacity);
-        stillTime = grown(stillTime, capacity);
-        stillX = grown(stillX, capacity);
-        stillY = grown(stillY, capacity);
-        friction = grown(friction, capacity);
-        elasticity = grown(elasticity, capacity);
-    }
-
-    private void growStart(int capacity) {
-        startX = Arrays.copyOf(startX, capacity);
-        startY = Arrays.copyOf(startY, capacity);
-    }
-
-    private void growDeclared(int capacity) {
-        forceX = grown(forceX, capacity);
-        forceY = grown(forceY, capacity);
-        rollingResistance = grown(rollingResistance, capacity);
-        surfaceSpeed = grown(surfaceSpeed, capacity);
-        drag = grown(drag, capacity);
-        pullX = grown(pullX, capacity);
-        pullY = grown(pullY, capacity);
+        return SlotSize.of(this::visitColumns);
     }
 }

@@ -36,7 +36,8 @@ public final class PairIndex {
         }
     }
 
-    void put(int a, int b, int pair) {
+    /** Notes the pair of bodies {@code a < b}, who are none so far. */
+    public void put(int a, int b, int pair) {
         if (2 * ++size > keys.length) {
             grow();
         }

@@ -6,7 +6,7 @@ package rigibo.backend.storage;
  * once per column and pair. When to sort them again follows from their order alone, and nothing
  * that is simulated depends on their numbers.
  */
-public final class PairOrder {
+public final class PairOrder implements ColumnVisitor {
 
     /** Pairs up to which all columns fit into the cache. */
     private static final int FEW = 1000;
@@ -38,6 +38,10 @@ public final class PairOrder {
 
     /** Sorts the pairs if the active ones, which were just listed, lie too far about. */
     public void restore() {
+        if (olds.length > 0) {
+            // While the columns grow one by one, so do these.
+            lengthenOne(pairs.roomAhead());
+        }
         if (pairs.activeCount > FEW && stepsBack() > SCATTERED * pairs.activeCount) {
             listOrder();
             renumber();
@@ -54,15 +58,8 @@ public final class PairOrder {
 
     /** Active pairs first, as they are listed, then the others as they are. */
     private void listOrder() {
-        int capacity = pairs.bodyA.length;
-        if (numbers.length != capacity) {
-            olds = new int[capacity];
-            news = new int[capacity];
-            numbers = new double[capacity];
-            twinNumbers = new double[2 * capacity];
-            integers = new int[capacity];
-            twinIntegers = new int[2 * capacity];
-            flags = new boolean[capacity];
+        while (lengthenOne(pairs.room())) {
+            // The first time all of them, later only those that could not be made ahead.
         }
         int count = 0;
         for (int i = 0; i < pairs.activeCount; i++) {
@@ -79,34 +76,9 @@ public final class PairOrder {
     }
 
     private void renumber() {
-        int count = pairs.slots.inUse();
-        pairs.bodyA = sorted(pairs.bodyA, count);
-        pairs.bodyB = sorted(pairs.bodyB, count);
-        pairs.next = sortedTwins(linked(pairs.next), count);
-        pairs.previous = sortedTwins(linked(pairs.previous), count);
-        pairs.normalX = sorted(pairs.normalX, count);
-        pairs.normalY = sorted(pairs.normalY, count);
-        pairs.faceOf = sorted(pairs.faceOf, count);
-        pairs.points = sorted(pairs.points, count);
-        pairs.reach = sorted(pairs.reach, count);
-        pairs.pointX = sortedTwins(pairs.pointX, count);
-        pairs.pointY = sortedTwins(pairs.pointY, count);
-        pairs.separation = sortedTwins(pairs.separation, count);
-        pairs.feature = sortedTwins(pairs.feature, count);
-        pairs.former = sortedTwins(pairs.former, count);
-        pairs.normalForce = sortedTwins(pairs.normalForce, count);
-        pairs.load = sortedTwins(pairs.load, count);
-        pairs.friction = sorted(pairs.friction, count);
-        pairs.elasticity = sorted(pairs.elasticity, count);
-        pairs.frictionForce = sorted(pairs.frictionForce, count);
-        pairs.rollingTorque = sorted(pairs.rollingTorque, count);
-        pairs.impulse = sorted(pairs.impulse, count);
-        pairs.impacts = sorted(pairs.impacts, count);
-        pairs.crushed = sorted(pairs.crushed, count);
-        pairs.resting = sorted(pairs.resting, count);
-        pairs.touching = sorted(pairs.touching, count);
-        pairs.touchedBefore = sorted(pairs.touchedBefore, count);
-        pairs.activeStep = sorted(pairs.activeStep, count);
+        linkAnew(pairs.next);
+        linkAnew(pairs.previous);
+        pairs.visitColumns(this);
         for (int slot = 0; slot < bodies.slots.high; slot++) {
             int first = bodies.type[slot] == null ? Pairs.NONE : bodies.firstPair[slot];
             bodies.firstPair[slot] = first == Pairs.NONE ? Pairs.NONE : news[first];
@@ -119,20 +91,48 @@ public final class PairOrder {
     }
 
     /** Writes the new numbers of the pairs that a column of links names. */
-    private int[] linked(int[] links) {
+    private void linkAnew(int[] links) {
         for (int i = 0; i < pairs.slots.inUse(); i++) {
             int at = 2 * olds[i];
             links[at] = links[at] == Pairs.NONE ? Pairs.NONE : news[links[at]];
             links[at + 1] = links[at + 1] == Pairs.NONE ? Pairs.NONE : news[links[at + 1]];
         }
-        return links;
     }
 
-    private double[] sorted(double[] column, int count) {
+    /** Makes room in one of the columns to sort with; answers whether any was too short. */
+    private boolean lengthenOne(int capacity) {
+        if (twinNumbers.length < 2 * capacity) {
+            twinNumbers = new double[2 * capacity];
+        } else if (numbers.length < capacity) {
+            numbers = new double[capacity];
+        } else if (twinIntegers.length < 2 * capacity) {
+            twinIntegers = new int[2 * capacity];
+        } else if (integers.length < capacity) {
+            integers = new int[capacity];
+        } else if (olds.length < capacity) {
+            olds = new int[capacity];
+        } else if (news.length < capacity) {
+            news = new int[capacity];
+        } else if (flags.length < capacity) {
+            flags = new boolean[capacity];
+        } else {
+            return false;
+        }
+        return true;
+    }
+
+    @Override
+    public <T> T[] column(String name, Role role, T[] column) {
+        throw new AssertionError("pairs have no column of references, but " + name);
+    }
+
+    @Override
+    public double[] column(String name, Role role, Need need, double[] column) {
         if (column == null) {
             return null;
         }
         double[] to = numbers;
+        int count = pairs.slots.inUse();
         for (int i = 0; i < count; i++) {
             to[i] = column[olds[i]];
         }
@@ -140,8 +140,13 @@ public final class PairOrder {
         return to;
     }
 
-    private double[] sortedTwins(double[] column, int count) {
+    @Override
+    public double[] twins(String name, Role role, Need need, double[] column) {
+        if (column == null) {
+            return null;
+        }
         double[] to = twinNumbers;
+        int count = pairs.slots.inUse();
         for (int i = 0; i < count; i++) {
             to[2 * i] = column[2 * olds[i]];
             to[2 * i + 1] = column[2 * olds[i] + 1];
@@ -150,8 +155,13 @@ public final class PairOrder {
         return to;
     }
 
-    private int[] sorted(int[] column, int count) {
+    @Override
+    public int[] column(String name, Role role, Need need, int[] column) {
+        if (column == null) {
+            return null;
+        }
         int[] to = integers;
+        int count = pairs.slots.inUse();
         for (int i = 0; i < count; i++) {
             to[i] = column[olds[i]];
         }
@@ -159,8 +169,13 @@ public final class PairOrder {
         return to;
     }
 
-    private int[] sortedTwins(int[] column, int count) {
+    @Override
+    public int[] twins(String name, Role role, Need need, int[] column) {
+        if (column == null) {
+            return null;
+        }
         int[] to = twinIntegers;
+        int count = pairs.slots.inUse();
         for (int i = 0; i < count; i++) {
             to[2 * i] = column[2 * olds[i]];
             to[2 * i + 1] = column[2 * olds[i] + 1];
@@ -169,8 +184,13 @@ public final class PairOrder {
         return to;
     }
 
-    private boolean[] sorted(boolean[] column, int count) {
+    @Override
+    public boolean[] column(String name, Role role, Need need, boolean[] column) {
+        if (column == null) {
+            return null;
+        }
         boolean[] to = flags;
+        int count = pairs.slots.inUse();
         for (int i = 0; i < count; i++) {
             to[i] = column[olds[i]];
         }

@@ -1,19 +1,14 @@
 package rigibo.backend.storage;
 
-import static rigibo.backend.storage.Columns.declared;
-import static rigibo.backend.storage.Columns.grown;
-
 import rigibo.backend.effect.Effects;
-import rigibo.backend.effect.Friction;
-import rigibo.backend.effect.Restitution;
-import rigibo.backend.effect.RollingResistance;
 
 import java.util.Arrays;
 
 /**
  * Columns of the candidate pairs: two bodies whose size fixtures overlap, and what is known of the
  * contact between them. Body A always has the lower slot. A pair sits in the lists of both its
- * bodies; columns of two values per pair are indexed {@code 2 * pair + point}.
+ * bodies; columns of two values per pair are indexed {@code 2 * pair + point}. Whatever is done to
+ * every column, {@link PairColumns} does.
  */
 public final class Pairs {
 
@@ -105,29 +100,39 @@ public final class Pairs {
 
     private int step;
 
+    private final Room room = new Room(FIRST_CAPACITY, this::visitColumns);
+
     /** Creates the columns that a set of effects needs. */
     public Pairs(Effects effects) {
         declare(effects);
+    }
+
+    /** Shows every column to a visitor, which may put others in their place. */
+    public void visitColumns(ColumnVisitor visitor) {
+        PairColumns.visit(this, visitor);
     }
 
     /**
      * Makes the columns of newly declared effects and drops those of effects no longer declared.
      */
     public void declare(Effects effects) {
-        boolean rubs = effects.declares(Friction.class);
-        friction = declared(friction, rubs, bodyA.length);
-        frictionForce = declared(frictionForce, rubs, bodyA.length);
-        elasticity = declared(elasticity, effects.declares(Restitution.class), bodyA.length);
-        rollingTorque =
-                declared(rollingTorque, effects.declares(RollingResistance.class), bodyA.length);
+        visitColumns(new Declaring(effects, false, room.slots()));
+    }
+
+    /** How many pairs every column has room for. */
+    public int room() {
+        return room.slots();
+    }
+
+    /** How many some columns have room for already; more than all while the room grows. */
+    int roomAhead() {
+        return room.slotsAhead();
     }
 
     /** A new pair of bodies {@code a < b}, linked into both their lists, without contact. */
     public int add(Bodies bodies, int a, int b) {
         int pair = slots.take();
-        if (pair == bodyA.length) {
-            grow(2 * pair);
-        }
+        room.hold(pair);
         bodyA[pair] = a;
         bodyB[pair] = b;
         link(bodies, pair, 0, a);
@@ -139,10 +144,8 @@ public final class Pairs {
     }
 
     /** Makes room for so many slots. */
-    void reserve(int slotCount) {
-        while (bodyA.length < slotCount) {
-            grow(2 * bodyA.length);
-        }
+    public void reserve(int slotCount) {
+        room.reserve(slotCount);
     }
 
     /** Writes what follows from the pairs and their bodies, all of which were just read. */
@@ -353,36 +356,6 @@ public final class Pairs {
 
     private int sideOf(int pair, int body) {
         return bodyA[pair] == body ? 0 : 1;
-    }
-
-    private void grow(int capacity) {
-        bodyA = Arrays.copyOf(bodyA, capacity);
-        bodyB = Arrays.copyOf(bodyB, capacity);
-        next = Arrays.copyOf(next, 2 * capacity);
-        previous = Arrays.copyOf(previous, 2 * capacity);
-        normalX = Arrays.copyOf(normalX, capacity);
-        normalY = Arrays.copyOf(normalY, capacity);
-        faceOf = Arrays.copyOf(faceOf, capacity);
-        points = Arrays.copyOf(points, capacity);
-        reach = Arrays.copyOf(reach, capacity);
-        pointX = Arrays.copyOf(pointX, 2 * capacity);
-        pointY = Arrays.copyOf(pointY, 2 * capacity);
-        separation = Arrays.copyOf(separation, 2 * capacity);
-        feature = Arrays.copyOf(feature, 2 * capacity);
-        former = Arrays.copyOf(former, 2 * capacity);
-        normalForce = Arrays.copyOf(normalForce, 2 * capacity);
-        load = Arrays.copyOf(load, 2 * capacity);
-        friction = grown(friction, capacity);
-        elasticity = grown(elasticity, capacity);
-        frictionForce = grown(frictionForce, capacity);
-        rollingTorque = grown(rollingTorque, capacity);
-        impulse = Arrays.copyOf(impulse, capacity);
-        impacts = Arrays.copyOf(impacts, capacity);
-        resting = Arrays.copyOf(resting, capacity);
-        touching = Arrays.copyOf(touching, capacity);
-        touchedBefore = Arrays.copyOf(touchedBefore, capacity);
-        crushed = Arrays.copyOf(crushed, capacity);
-        activeStep = Arrays.copyOf(activeStep, capacity);
     }
 
     /**

@@ -40,7 +40,7 @@ public final class Slots {
     }
 
     /** Makes room for as many free slots as there can be. */
-    void reserveFree() {
+    public void reserveFree() {
         if (free.length < high) {
             free = Arrays.copyOf(free, high);
         }
@@ -51,7 +51,7 @@ public final class Slots {
      *
      * @throws IllegalArgumentException when a free slot was never handed out or is listed twice
      */
-    int[] occupied() {
+    public int[] occupied() {
         boolean[] isFree = new boolean[high];
         for (int i = 0; i < freeCount; i++) {
             int slot = free[i];

@@ -11,12 +11,13 @@ import rigibo.backend.effect.Restitution;
 import rigibo.backend.effect.RollingResistance;
 import rigibo.backend.effect.Rotation;
 import rigibo.backend.setup.BodyType;
+import rigibo.backend.storage.ShownColumns.Shown;
 
 import java.lang.reflect.Array;
-import java.lang.reflect.Field;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.Map;
 import java.util.Random;
 import java.util.Set;
 
@@ -28,7 +29,7 @@ class PairOrderTest {
 
     /** What says who a pair is and where its lists go on: checked by what is found through it. */
     private static final Set<String> LINKS =
-            Set.of("bodyA", "bodyB", "next", "previous", "active", "activeStep");
+            Set.of("bodyA", "bodyB", "next", "previous", "activeStep");
 
     private final DataStorage data = new DataStorage(everyColumn());
     private final Pairs pairs = data.pairs;
@@ -43,13 +44,14 @@ class PairOrderTest {
     }
 
     @Test
-    void everyColumnGoesWithItsPair() throws IllegalAccessException {
+    void everyColumnGoesWithItsPair() {
         pairUpAtRandom();
         listActive();
         mark();
         List<List<Integer>> neighbours = neighbours();
         new PairOrder(data).restore();
         assertThat(pairs.slots.freeCount).isZero();
+        assertThat(pairs.roomAhead()).as("sorted while it grows").isGreaterThan(pairs.room());
         for (int i = 0; i < pairs.activeCount; i++) {
             assertThat(pairs.active[i]).as("active pairs stand in their order").isEqualTo(i);
         }
@@ -63,9 +65,7 @@ class PairOrderTest {
             int a = pairs.bodyA[pair];
             int b = pairs.bodyB[pair];
             assertThat(pairs.index.find(a, b)).isEqualTo(pair);
-            for (Field column : columns()) {
-                requireMark(column, pair, a * BODIES + b);
-            }
+            columns().forEach((name, column) -> requireMark(name, column, pair, a * BODIES + b));
         }
     }
 
@@ -114,27 +114,27 @@ class PairOrderTest {
         }
     }
 
-    private void mark() throws IllegalAccessException {
+    private void mark() {
         for (int pair : pairs.slots.occupied()) {
             int mark = pairs.bodyA[pair] * BODIES + pairs.bodyB[pair];
-            for (Field column : columns()) {
-                for (int i = 0; i < width(column); i++) {
-                    set(column.get(pairs), width(column) * pair + i, mark + i);
+            for (Shown column : columns().values()) {
+                for (int i = 0; i < column.perSlot(); i++) {
+                    set(column.array(), column.perSlot() * pair + i, mark + i);
                 }
             }
         }
     }
 
-    private void requireMark(Field column, int pair, int mark) throws IllegalAccessException {
-        for (int i = 0; i < width(column); i++) {
-            Object found = Array.get(column.get(pairs), width(column) * pair + i);
+    private static void requireMark(String name, Shown column, int pair, int mark) {
+        for (int i = 0; i < column.perSlot(); i++) {
+            Object found = Array.get(column.array(), column.perSlot() * pair + i);
             Object expected =
                     found instanceof Boolean
                             ? (Object) ((mark + i) % 2 == 0)
                             : found instanceof Double
                                     ? (Object) (double) (mark + i)
                                     : (Object) (mark + i);
-            assertThat(found).as(column.getName()).isEqualTo(expected);
+            assertThat(found).as(name).isEqualTo(expected);
         }
     }
 
@@ -148,19 +148,10 @@ class PairOrderTest {
         }
     }
 
-    /** Values of a column for each pair. */
-    private int width(Field column) throws IllegalAccessException {
-        return Array.getLength(column.get(pairs)) / pairs.bodyA.length;
-    }
-
-    /** Found by reflection, so that a column that is added later is not forgotten here. */
-    private static List<Field> columns() {
-        List<Field> columns = new ArrayList<>();
-        for (Field field : Pairs.class.getDeclaredFields()) {
-            if (field.getType().isArray() && !LINKS.contains(field.getName())) {
-                columns.add(field);
-            }
-        }
+    /** All of the table but the links, so that a column that is added later is not forgotten. */
+    private Map<String, Shown> columns() {
+        Map<String, Shown> columns = ShownColumns.of(pairs);
+        columns.keySet().removeAll(LINKS);
         return columns;
     }
 

@@ -1,4 +1,4 @@
-package rigibo.backend.storage;
+package rigibo.backend.saved;
 
 /**
  * Goes through the numbers of a state one by one. It is handed what there is and answers what there

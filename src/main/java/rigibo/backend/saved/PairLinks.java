@@ -1,6 +1,10 @@
-package rigibo.backend.storage;
+package rigibo.backend.saved;
 
 import rigibo.backend.setup.Require;
+import rigibo.backend.storage.Bodies;
+import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.PairIndex;
+import rigibo.backend.storage.Pairs;
 
 /** Refuses pairs that were read whose bodies, points or lists cannot be. */
 final class PairLinks {

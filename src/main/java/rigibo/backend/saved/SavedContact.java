@@ -1,6 +1,7 @@
-package rigibo.backend.storage;
+package rigibo.backend.saved;
 
 import rigibo.backend.setup.Require;
+import rigibo.backend.storage.Bodies;
 
 /**
  * A contact that an edit took from the pairs, as a snapshot keeps it.

@@ -1,4 +1,6 @@
-package rigibo.backend.storage;
+package rigibo.backend.saved;
+
+import rigibo.backend.storage.DataStorage;
 
 import java.util.List;
 

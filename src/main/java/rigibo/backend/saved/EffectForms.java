@@ -1,4 +1,4 @@
-package rigibo.backend.storage;
+package rigibo.backend.saved;
 
 import rigibo.backend.effect.AirDrag;
 import rigibo.backend.effect.Buoyancy;

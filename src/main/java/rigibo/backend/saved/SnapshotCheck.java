@@ -1,8 +1,9 @@
-package rigibo.backend.storage;
+package rigibo.backend.saved;
 
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.BodyType;
 import rigibo.backend.setup.Require;
+import rigibo.backend.storage.Bodies;
 
 /**
  * Refuses a snapshot that was written well but states what no pool can be in: numbers that are not
@@ -48,6 +49,13 @@ final class SnapshotCheck {
         Require.finite("velocityY", bodies.velocityY[slot], "m/s");
         Require.finite("accelerationX", bodies.accelerationX[slot], "m/s²");
         Require.finite("accelerationY", bodies.accelerationY[slot], "m/s²");
+        if (bodies.pullX != null) {
+            Require.finite("pullX", bodies.pullX[slot], "m/s²");
+            Require.finite("pullY", bodies.pullY[slot], "m/s²");
+        }
+        if (bodies.pullTurn != null) {
+            Require.finite("pullTurn", bodies.pullTurn[slot], "rad/s²");
+        }
         if (bodies.turns()) {
             Require.finite("spin", bodies.spin[slot], "rad/s");
             Require.finite("angularAcceleration", bodies.angularAcceleration[slot], "rad/s²");

@@ -1,4 +1,4 @@
-package rigibo.backend.storage;
+package rigibo.backend.saved;
 
 /** Mixes 64-bit words into a 64-bit hash. */
 final class Bits {

@@ -1,7 +1,8 @@
-package rigibo.backend.storage;
+package rigibo.backend.saved;
 
 import rigibo.backend.effect.Effects;
 import rigibo.backend.setup.Accuracy;
+import rigibo.backend.storage.DataStorage;
 
 import java.util.Arrays;
 import java.util.function.Function;
@@ -76,6 +77,8 @@ public final class Snapshot {
         accuracy = SavedAccuracy.visit(accuracy, codec);
         codec.label("time");
         time = codec.number(time);
+        // Which forces change along the way no column tells, but whether those of such are there.
+        data.bodies.integratePaths(codec.flag(data.bodies.integratesPaths()));
         State.visit(data, codec);
         codec.label("bodies in the order they were added");
         reserve(codec.count(order.length, LEAST_BYTES));

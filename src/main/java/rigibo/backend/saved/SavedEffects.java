@@ -1,4 +1,4 @@
-package rigibo.backend.storage;
+package rigibo.backend.saved;
 
 import rigibo.backend.effect.Effect;
 import rigibo.backend.effect.Effects;

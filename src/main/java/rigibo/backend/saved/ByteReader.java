@@ -1,4 +1,4 @@
-package rigibo.backend.storage;
+package rigibo.backend.saved;
 
 import java.util.ArrayList;
 import java.util.HashMap;

@@ -1,8 +1,9 @@
-package rigibo.backend.storage;
+package rigibo.backend.saved;
 
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.geometry.Shape;
+import rigibo.backend.setup.BodyType;
 import rigibo.backend.setup.Material;
 
 import java.util.function.Function;
@@ -38,6 +39,21 @@ record Form<T>(String name, int count, Function<T, double[]> numbers, Function<d
                                 m.drag()
                             },
                     n -> new Material(n[0], n[1], n[2], n[3], n[4], n[5]));
+
+    private static final BodyType[] TYPES = BodyType.values();
+
+    static final Form<BodyType> BODY_TYPE =
+            new Form<>("body type", 1, t -> new double[] {t.ordinal()}, n -> typeOf(n[0]));
+
+    private static BodyType typeOf(double number) {
+        for (BodyType type : TYPES) {
+            if (type.ordinal() == number) {
+                return type;
+            }
+        }
+        throw new IllegalArgumentException(
+                "a body's type must be 0 to " + (TYPES.length - 1) + ", was " + number);
+    }
 
     private static double[] numbersOf(Shape shape) {
         return switch (shape.kind()) {

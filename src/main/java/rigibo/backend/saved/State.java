@@ -1,0 +1,149 @@
+package rigibo.backend.saved;
+
+import rigibo.backend.geometry.Shape;
+import rigibo.backend.setup.BodyType;
+import rigibo.backend.setup.Material;
+import rigibo.backend.storage.ColumnVisitor;
+import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.Need;
+import rigibo.backend.storage.Role;
+import rigibo.backend.storage.Slots;
+
+import java.util.Arrays;
+import java.util.Map;
+
+/**
+ * Shows a codec what a pool's columns carry from step to step: those that their tables call saved,
+ * in the order of the tables.
+ */
+final class State implements ColumnVisitor {
+
+    private static final Map<Class<?>, Form<?>> FORMS =
+            Map.of(
+                    BodyType[].class, Form.BODY_TYPE,
+                    Shape[].class, Form.SHAPE,
+                    Material[].class, Form.MATERIAL);
+
+    /** Fewer bytes than any body or pair takes when it is written. */
+    private static final int LEAST_BYTES = 100;
+
+    private static final int NUMBER_BYTES = 4;
+
+    private final Codec codec;
+
+    /** The occupied slots of the table in hand, ascending. */
+    private int[] rows = {};
+
+    private State(Codec codec) {
+        this.codec = codec;
+    }
+
+    /** Shows all bodies and pairs to a codec, which may write them. */
+    static void visit(DataStorage data, Codec codec) {
+        State state = new State(codec);
+        // Of types only their order is written, so that their names stand in the label.
+        codec.label("body types " + Arrays.toString(BodyType.values()));
+        data.bodies.reserve(state.visitSlots("body slots", data.bodies.slots));
+        data.bodies.visitColumns(state);
+        data.pairs.reserve(state.visitSlots("pair slots", data.pairs.slots));
+        data.pairs.visitColumns(state);
+    }
+
+    /** Slots and which of them are free, in the order they will be handed out; answers how many. */
+    private int visitSlots(String name, Slots slots) {
+        codec.label(name);
+        int inUse = codec.count(slots.inUse(), LEAST_BYTES);
+        int freeCount = codec.count(slots.freeCount, NUMBER_BYTES);
+        slots.high = inUse + freeCount;
+        slots.freeCount = freeCount;
+        slots.reserveFree();
+        for (int i = 0; i < freeCount; i++) {
+            slots.free[i] = codec.number(slots.free[i]);
+        }
+        rows = slots.occupied();
+        return slots.high;
+    }
+
+    @Override
+    @SuppressWarnings("unchecked") // A column holds what its form states.
+    public <T> T[] column(String name, Role role, T[] column) {
+        if (role == Role.SAVED) {
+            codec.label(name);
+            Form<T> form = (Form<T>) FORMS.get(column.getClass());
+            for (int slot : rows) {
+                column[slot] = codec.value(form, column[slot]);
+            }
+        }
+        return column;
+    }
+
+    @Override
+    public double[] column(String name, Role role, Need need, double[] column) {
+        return column(name, role, need, column, null);
+    }
+
+    @Override
+    public double[] column(String name, Role role, Need need, double[] column, double[] idle) {
+        if (isShown(role, column) && isUsed(name, need, column, idle)) {
+            codec.label(name);
+            for (int slot : rows) {
+                column[slot] = codec.number(column[slot]);
+            }
+        }
+        return column;
+    }
+
+    private static boolean isShown(Role role, Object column) {
+        return role == Role.SAVED && column != null;
+    }
+
+    private boolean isUsed(String name, Need need, double[] column, double[] idle) {
+        return need == Need.ALWAYS || codec.keeps(name, column, idle, rows);
+    }
+
+    @Override
+    public int[] column(String name, Role role, Need need, int[] column) {
+        if (isShown(role, column)) {
+            codec.label(name);
+            for (int slot : rows) {
+                column[slot] = codec.number(column[slot]);
+            }
+        }
+        return column;
+    }
+
+    @Override
+    public boolean[] column(String name, Role role, Need need, boolean[] column) {
+        if (isShown(role, column)) {
+            codec.label(name);
+            for (int slot : rows) {
+                column[slot] = codec.flag(column[slot]);
+            }
+        }
+        return column;
+    }
+
+    @Override
+    public double[] twins(String name, Role role, Need need, double[] column) {
+        if (isShown(role, column)) {
+            codec.label(name);
+            for (int slot : rows) {
+                column[2 * slot] = codec.number(column[2 * slot]);
+                column[2 * slot + 1] = codec.number(column[2 * slot + 1]);
+            }
+        }
+        return column;
+    }
+
+    @Override
+    public int[] twins(String name, Role role, Need need, int[] column) {
+        if (isShown(role, column)) {
+            codec.label(name);
+            for (int slot : rows) {
+                column[2 * slot] = codec.number(column[2 * slot]);
+                column[2 * slot + 1] = codec.number(column[2 * slot + 1]);
+            }
+        }
+        return column;
+    }
+}

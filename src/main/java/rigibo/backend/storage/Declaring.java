@@ -1,0 +1,52 @@
+package rigibo.backend.storage;
+
+import rigibo.backend.effect.Effects;
+
+/** Makes the columns that are newly needed, and drops those that are needed no more. */
+final class Declaring implements ColumnVisitor {
+
+    private final Effects effects;
+    private final boolean pathsAreIntegrated;
+    private final int slots;
+
+    /** Makes columns with room for so many slots. */
+    Declaring(Effects effects, boolean pathsAreIntegrated, int slots) {
+        this.effects = effects;
+        this.pathsAreIntegrated = pathsAreIntegrated;
+        this.slots = slots;
+    }
+
+    private boolean isMet(Need need) {
+        return need.isMet(effects, pathsAreIntegrated);
+    }
+
+    @Override
+    public <T> T[] column(String name, Role role, T[] column) {
+        return column;
+    }
+
+    @Override
+    public double[] column(String name, Role role, Need need, double[] column) {
+        return !isMet(need) ? null : column != null ? column : new double[slots];
+    }
+
+    @Override
+    public int[] column(String name, Role role, Need need, int[] column) {
+        return !isMet(need) ? null : column != null ? column : new int[slots];
+    }
+
+    @Override
+    public boolean[] column(String name, Role role, Need need, boolean[] column) {
+        return !isMet(need) ? null : column != null ? column : new boolean[slots];
+    }
+
+    @Override
+    public double[] twins(String name, Role role, Need need, double[] column) {
+        return !isMet(need) ? null : column != null ? column : new double[2 * slots];
+    }
+
+    @Override
+    public int[] twins(String name, Role role, Need need, int[] column) {
+        return !isMet(need) ? null : column != null ? column : new int[2 * slots];
+    }
+}
