@@ -8,9 +8,12 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
+import rigibo.backend.effect.Buoyancy;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Gravity;
+import rigibo.backend.effect.Sleep;
 import rigibo.backend.geometry.Circle;
+import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.BodyType;
@@ -150,6 +153,29 @@ class SnapshotTest {
         // Without the force, gravity would have given it 0.1 m/s² to the right.
         assertThat(restored.bodies().get(0).velocityX()).isGreaterThan(5 * Scenes.DT);
         assertThat(restored.stateHash()).isEqualTo(pool.stateHash());
+    }
+
+    /** What the water adds to a sleeper's weight was forgotten: it went on 15 mm elsewhere. */
+    @Test
+    void sleepersInWaterThatAreStruckGoOnTheSame() {
+        Effects water = Effects.usual().with(new Buoyancy(2, 0.5, 1)).with(new Sleep(0.2, 1e-3));
+        Pool pool = new Pool(water, Accuracy.GAME);
+        Scenes.addTray(pool);
+        for (int i = 0; i < 3; i++) {
+            pool.add(BodyDefinition.dynamic(Polygon.box(0.6, 0.6)).at(0, 0.3 + 0.6 * i));
+        }
+        Scenes.run(pool, TAKEN);
+        assertThat(pool.bodies())
+                .filteredOn(body -> body.type() == BodyType.DYNAMIC && !body.isAwake())
+                .hasSize(3);
+        pool.add(BodyDefinition.dynamic(new Circle(0.3)).at(0.1, 2.3).velocity(0, -3));
+        Pool restored = Pool.restore(pool.snapshot());
+        for (int i = 0; i < TAKEN; i++) {
+            pool.step(Scenes.DT);
+            restored.step(Scenes.DT);
+            requireSameHash(restored, pool, "step " + i);
+        }
+        requireSame(restored, pool, "at the end");
     }
 
     @Test

@@ -10,7 +10,9 @@ import java.util.Arrays;
  */
 final class Whereabouts {
 
+    /** m and rad; NaN of whom nobody has looked for yet, who may have been anywhere. */
     private double[] x = {};
+
     private double[] y = {};
     private double[] angle = {};
     private boolean[] stayed = {};
@@ -25,7 +27,9 @@ final class Whereabouts {
         step++;
         int capacity = bodies.type.length;
         if (x.length < capacity) {
+            int known = x.length;
             x = Arrays.copyOf(x, capacity);
+            Arrays.fill(x, known, capacity, Double.NaN);
             y = Arrays.copyOf(y, capacity);
             angle = Arrays.copyOf(angle, capacity);
             stayed = Arrays.copyOf(stayed, capacity);

@@ -175,6 +175,6 @@ final class Bystanders {
     }
 
     private boolean isFromStart(int slot) {
-        return !paths.isFlyer(slot) && !(bodies.isDynamic(slot) && bodies.pileTime[slot] > 0);
+        return !paths.isFlyer(slot) && !(bodies.isDynamic(slot) && bodies.pileTimeOf(slot) > 0);
     }
 }

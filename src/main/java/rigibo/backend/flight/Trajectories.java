@@ -111,7 +111,7 @@ final class Trajectories {
 
     /** What does not fly goes straight on, as fast as it is expected to, or stands still. */
     private void loadUnflying(int slot, Motion out) {
-        out.startTime = bodies.isDynamic(slot) ? bodies.pileTime[slot] : since[slot];
+        out.startTime = bodies.isDynamic(slot) ? bodies.pileTimeOf(slot) : since[slot];
         out.accelerationX = 0;
         out.accelerationY = 0;
         if (hasLanded[slot]) {

@@ -215,6 +215,14 @@ public final class Bodies {
         return isDynamic(slot) ? awake[slot] : isDriven(slot);
     }
 
+    /**
+     * When in the step a dynamic body becomes part of a pile, s after its start; 0 for a sleeper,
+     * which nothing moves.
+     */
+    public double pileTimeOf(int slot) {
+        return awake[slot] ? pileTime[slot] : 0;
+    }
+
     /** Empties a slot. */
     public void release(int slot) {
         type[slot] = null;

@@ -38,6 +38,11 @@ final class Draw {
         return least + random.nextInt(most - least + 1);
     }
 
+    /** So many numbers from 0 to before the last, which need not differ. */
+    List<Integer> steps(int count, int last) {
+        return random.ints(count, 0, last).boxed().toList();
+    }
+
     boolean chance(double probability) {
         return random.nextDouble() < probability;
     }

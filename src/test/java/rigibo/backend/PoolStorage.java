@@ -1,0 +1,22 @@
+package rigibo.backend;
+
+import rigibo.backend.storage.DataStorage;
+
+import java.lang.reflect.Field;
+
+/** The columns of a pool, which it shows nobody. */
+public final class PoolStorage {
+
+    private PoolStorage() {}
+
+    /** What a pool computes with. */
+    public static DataStorage of(Pool pool) {
+        try {
+            Field data = Pool.class.getDeclaredField("data");
+            data.setAccessible(true);
+            return (DataStorage) data.get(pool);
+        } catch (ReflectiveOperationException moved) {
+            throw new AssertionError("where a pool keeps its columns", moved);
+        }
+    }
+}

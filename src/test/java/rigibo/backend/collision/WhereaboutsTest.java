@@ -1,0 +1,49 @@
+package rigibo.backend.collision;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.Test;
+
+import rigibo.backend.FilledStorage;
+import rigibo.backend.effect.Contacts;
+import rigibo.backend.effect.Rotation;
+import rigibo.backend.geometry.Circle;
+import rigibo.backend.setup.BodyDefinition;
+
+/** Who stayed is who was looked for before, and is there to the last bit. */
+class WhereaboutsTest {
+
+    private final FilledStorage scene = new FilledStorage(new Contacts(), new Rotation());
+    private final Whereabouts whereabouts = new Whereabouts();
+
+    /** At the origin, where whatever is not written yet seems to be. */
+    private final int body = scene.add(BodyDefinition.dynamic(new Circle(1)));
+
+    @Test
+    void whoWasNeverLookedForHasNotStayed() {
+        whereabouts.begin(scene.bodies);
+        assertThat(whereabouts.hasStayed(scene.bodies, body)).isFalse();
+    }
+
+    @Test
+    void whoIsWhereItWasHasStayedAndWhoMovedALittleHasNot() {
+        whereabouts.begin(scene.bodies);
+        whereabouts.hasStayed(scene.bodies, body);
+        whereabouts.begin(scene.bodies);
+        assertThat(whereabouts.hasStayed(scene.bodies, body)).isTrue();
+        scene.bodies.angle[body] = Double.MIN_VALUE;
+        whereabouts.begin(scene.bodies);
+        assertThat(whereabouts.hasStayed(scene.bodies, body)).isFalse();
+    }
+
+    /** More bodies than the first columns have room for. */
+    @Test
+    void whoComesLaterHasNotStayedEither() {
+        whereabouts.begin(scene.bodies);
+        for (int i = 0; i < 100; i++) {
+            scene.add(BodyDefinition.dynamic(new Circle(1)));
+        }
+        whereabouts.begin(scene.bodies);
+        assertThat(whereabouts.hasStayed(scene.bodies, 100)).isFalse();
+    }
+}
