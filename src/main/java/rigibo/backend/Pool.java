@@ -23,6 +23,9 @@ import java.util.function.LongSupplier;
  */
 public final class Pool {
 
+    /** Revision of the simulation, raised with every change of the bits that a pool goes on to. */
+    public static final int REVISION = Snapshot.REVISION;
+
     /** Longest step accepted, s. */
     public static final double LONGEST_STEP = 10;
 
@@ -77,7 +80,7 @@ public final class Pool {
         totals = new PoolTotals(this, data);
     }
 
-    private Pool(Snapshot snapshot) {
+    Pool(Snapshot snapshot) {
         this(snapshot.data, snapshot.effects, snapshot.accuracy);
         time = snapshot.time;
         editor.derive();
@@ -95,13 +98,12 @@ public final class Pool {
      * clock, and its report is empty until it has made a step.
      *
      * @param snapshot as {@link #snapshot} wrote it
-     * @throws IllegalArgumentException when it is cut short, altered or of a newer version, states
-     *     what no pool can be in, or declares an effect that holds a function of the caller's,
-     *     which is named
+     * @throws IllegalArgumentException when it is cut short, altered, of another format or another
+     *     {@link #REVISION}, states what no pool can be in, or declares an effect that holds a
+     *     function of the caller's, which is named
      */
     public static Pool restore(byte[] snapshot) {
-        Require.present("Pool.restore snapshot", snapshot);
-        return PoolSnapshot.restored(() -> new Pool(Snapshot.decode(snapshot)));
+        return PoolSnapshot.restore(snapshot);
     }
 
     /**
@@ -114,9 +116,7 @@ public final class Pool {
      *     difference
      */
     public static Pool restore(byte[] snapshot, Effects effects) {
-        Require.present("Pool.restore snapshot", snapshot);
-        Require.present("Pool.restore effects", effects);
-        return PoolSnapshot.restored(() -> new Pool(Snapshot.decode(snapshot, effects)));
+        return PoolSnapshot.restore(snapshot, effects);
     }
 
     /**

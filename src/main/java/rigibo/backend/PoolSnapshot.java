@@ -1,15 +1,80 @@
 package rigibo.backend;
 
+import rigibo.backend.effect.Effects;
 import rigibo.backend.saved.SavedContact;
 import rigibo.backend.saved.Snapshot;
+import rigibo.backend.setup.Require;
 import rigibo.backend.storage.DataStorage;
 
 import java.util.function.Supplier;
 
-/** Writes a pool as bytes, and says whose fault it is when they cannot be read. */
-final class PoolSnapshot {
+/**
+ * Snapshots of other revisions of the simulation: {@link Pool#restore(byte[])} refuses them, for a
+ * pool restored from one goes on from the same state, but to other bits than it once did.
+ */
+public final class PoolSnapshot {
+
+    private static final String RESTORE = "Pool.restore";
+    private static final String OF_ANY = "PoolSnapshot.restoreOfAnyRevision";
 
     private PoolSnapshot() {}
+
+    /**
+     * The {@link Pool#REVISION} of the engine that wrote a snapshot.
+     *
+     * @throws IllegalArgumentException when it is cut short, altered or of another format
+     */
+    public static int revision(byte[] snapshot) {
+        Require.present("PoolSnapshot.revision snapshot", snapshot);
+        return told("PoolSnapshot.revision", () -> Snapshot.revision(snapshot));
+    }
+
+    /**
+     * A pool with the state of a snapshot, whatever its revision.
+     *
+     * @throws IllegalArgumentException as {@link Pool#restore(byte[])}, but for the revision
+     */
+    public static Pool restoreOfAnyRevision(byte[] snapshot) {
+        Require.present(OF_ANY + " snapshot", snapshot);
+        return told(OF_ANY, () -> new Pool(Snapshot.decode(snapshot)));
+    }
+
+    /**
+     * The same with effects of the caller's in place of those declared.
+     *
+     * @throws IllegalArgumentException as {@link Pool#restore(byte[], Effects)}, but for the
+     *     revision
+     */
+    public static Pool restoreOfAnyRevision(byte[] snapshot, Effects effects) {
+        Require.present(OF_ANY + " snapshot", snapshot);
+        Require.present(OF_ANY + " effects", effects);
+        return told(OF_ANY, () -> new Pool(Snapshot.decode(snapshot, effects)));
+    }
+
+    static Pool restore(byte[] snapshot) {
+        Require.present(RESTORE + " snapshot", snapshot);
+        return told(RESTORE, () -> new Pool(Snapshot.decode(present(snapshot))));
+    }
+
+    static Pool restore(byte[] snapshot, Effects effects) {
+        Require.present(RESTORE + " snapshot", snapshot);
+        Require.present(RESTORE + " effects", effects);
+        return told(RESTORE, () -> new Pool(Snapshot.decode(present(snapshot), effects)));
+    }
+
+    private static byte[] present(byte[] snapshot) {
+        int revision = Snapshot.revision(snapshot);
+        if (revision != Pool.REVISION) {
+            throw new IllegalArgumentException(
+                    "must be of revision "
+                            + Pool.REVISION
+                            + " of the simulation, was "
+                            + revision
+                            + ": it would go on to other bits, as"
+                            + " PoolSnapshot.restoreOfAnyRevision lets it");
+        }
+        return snapshot;
+    }
 
     static byte[] encode(Pool pool, DataStorage data) {
         Snapshot snapshot = new Snapshot(pool.effects(), pool.accuracy(), data);
@@ -20,12 +85,13 @@ final class PoolSnapshot {
         return snapshot.encode();
     }
 
-    static Pool restored(Supplier<Pool> restoring) {
+    /** Says whose snapshot it is that cannot be read. */
+    private static <T> T told(String verb, Supplier<T> reading) {
         try {
-            return restoring.get();
+            return reading.get();
         } catch (IllegalArgumentException refusal) {
             throw new IllegalArgumentException(
-                    "Pool.restore snapshot: " + refusal.getMessage(), refusal);
+                    verb + " snapshot: " + refusal.getMessage(), refusal);
         }
     }
 }

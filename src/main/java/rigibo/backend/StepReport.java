@@ -37,9 +37,9 @@ public final class StepReport {
     }
 
     /**
-     * Pairs that the columns have room for. Where it is more than after the step before, this step
-     * has copied every column of the pairs into one twice as long; {@link Pool#reserve} does so
-     * beforehand. It never shrinks.
+     * Pairs that every column has room for. From three quarters of it on, steps that meet new pairs
+     * copy column after column into one twice as long, and when the last one is done it doubles;
+     * {@link Pool#reserve} makes room beforehand. It never shrinks.
      */
     public int pairRoom() {
         return data.pairs.room();

@@ -10,8 +10,13 @@ import java.util.function.Function;
 /** All of a pool that lasts from step to step, to be written as bytes and read again. */
 public final class Snapshot {
 
+    /** Of the simulation at present; see {@code Pool.REVISION}. */
+    public static final int REVISION = 1;
+
     /** A body's slot, and how many characters its name has. */
     private static final int LEAST_BYTES = 8;
+
+    private static final String REVISION_LABEL = "revision";
 
     public final Effects effects;
     public final DataStorage data;
@@ -38,6 +43,8 @@ public final class Snapshot {
     /** Writes it. */
     public byte[] encode() {
         ByteWriter writer = new ByteWriter();
+        writer.label(REVISION_LABEL);
+        writer.number(REVISION);
         SavedEffects.write(effects, writer);
         visit(writer);
         return Envelope.seal(writer.bytes());
@@ -63,8 +70,23 @@ public final class Snapshot {
         return decode(bytes, saved -> saved.replacedBy(given));
     }
 
+    /**
+     * Of which revision of the simulation a snapshot is.
+     *
+     * @throws IllegalArgumentException when it was altered
+     */
+    public static int revision(byte[] bytes) {
+        return readRevision(Envelope.open(bytes));
+    }
+
+    private static int readRevision(ByteReader reader) {
+        reader.label(REVISION_LABEL);
+        return reader.number(0);
+    }
+
     private static Snapshot decode(byte[] bytes, Function<SavedEffects, Effects> choice) {
         ByteReader reader = Envelope.open(bytes);
+        readRevision(reader);
         Effects effects = choice.apply(SavedEffects.read(reader));
         Snapshot read = new Snapshot(effects, Accuracy.GAME, new DataStorage(effects));
         read.visit(reader);

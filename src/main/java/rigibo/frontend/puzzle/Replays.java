@@ -1,5 +1,6 @@
 package rigibo.frontend.puzzle;
 
+import rigibo.frontend.document.Problem;
 import rigibo.frontend.puzzle.level.Level;
 import rigibo.frontend.puzzle.replay.LoadedReplay;
 import rigibo.frontend.puzzle.replay.ReplayLoader;
@@ -34,11 +35,24 @@ public final class Replays {
         return new Replays(List.of(Levels.level(level)));
     }
 
-    /** The player's best run of a level, as it is watched; nothing where none was kept. */
+    /**
+     * The player's best run of a level, as it is watched, or what is told of runs that cannot be
+     * played any more; nothing where none was kept.
+     */
     static Optional<Scene> best(Director director, Level level) {
         return director.replays()
-                .flatMap(folder -> new ReplayShelf(folder, level).watchable())
+                .map(folder -> new ReplayShelf(folder, level))
+                .flatMap(shelf -> watched(director, shelf).or(() -> told(director, shelf)));
+    }
+
+    private static Optional<Scene> watched(Director director, ReplayShelf shelf) {
+        return shelf.watchable()
                 .map(run -> new ReplayScene(director, run, ReplayScene.Audience.PLAYER));
+    }
+
+    private static Optional<Scene> told(Director director, ReplayShelf shelf) {
+        List<Problem> told = shelf.ofOtherRevisions();
+        return told.isEmpty() ? Optional.empty() : Optional.of(new ProblemsScene(director, told));
     }
 
     /** Reads a replay file; what is wrong with it is told all at once. */

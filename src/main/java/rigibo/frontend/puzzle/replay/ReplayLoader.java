@@ -1,5 +1,6 @@
 package rigibo.frontend.puzzle.replay;
 
+import rigibo.backend.Pool;
 import rigibo.frontend.document.Document;
 import rigibo.frontend.document.FormatRule;
 import rigibo.frontend.document.JsonSchema;
@@ -10,21 +11,28 @@ import rigibo.frontend.puzzle.rules.Checkpoint;
 import rigibo.frontend.puzzle.rules.Deletion;
 import rigibo.frontend.puzzle.rules.Replay;
 
+import tools.jackson.databind.JsonNode;
+
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.OptionalLong;
 
 /**
  * Reads replay files. Everything that is wrong with one is told at once; a replay of another
- * version, of another level or of one that was altered since would play to something else, and is
- * refused.
+ * revision of the simulation, of another level or of one that was altered since would play to
+ * something else, and is refused.
  */
 public final class ReplayLoader {
 
     /** The format this version reads and writes. */
-    static final int FORMAT = 1;
+    static final int FORMAT = 2;
 
+    /** The format that did not say in which revision of the simulation it was played. */
+    private static final int FORMAT_WITHOUT_REVISION = 1;
+
+    private static final String REVISION = "/revision";
     private static final String SCHEMA = "/rigibo/replay.schema.json";
 
     private final JsonSchema schema = new JsonSchema(SCHEMA);
@@ -52,15 +60,22 @@ public final class ReplayLoader {
     }
 
     private LoadedReplay loaded(Optional<Document> document, Problems problems) {
-        return new LoadedReplay(document.flatMap(this::read), problems.inOrder());
+        Optional<Recording> recording = document.flatMap(this::read);
+        OptionalInt otherRevision =
+                document.map(ReplayLoader::otherRevision).orElse(OptionalInt.empty());
+        return new LoadedReplay(recording, otherRevision, problems.inOrder());
     }
 
     private Optional<Recording> read(Document json) {
-        if (FormatRule.isNewer(json, FORMAT) || !schema.admits(json)) {
+        if (FormatRule.isNewer(json, FORMAT)) {
+            return Optional.empty();
+        }
+        OptionalInt otherRevision = otherRevision(json);
+        otherRevision.ifPresent(revision -> tellRevision(revision, json));
+        if (isWithoutRevision(json) || !schema.admits(json)) {
             return Optional.empty();
         }
         ReplaySketch sketch = new ReplaySketch(json);
-        requireThisVersion(json);
         Optional<Level> level = level(json);
         OptionalLong hash = sketch.hash("/level/hash");
         level.ifPresent(found -> requireUnaltered(found, hash, json));
@@ -78,20 +93,33 @@ public final class ReplayLoader {
         return checkpoints.get(checkpoints.size() - 1);
     }
 
-    private static void requireThisVersion(Document json) {
-        String pointer = "/game";
-        String version = json.node(pointer).asString("");
-        String present = GameVersion.present();
-        if (json.node(pointer).isString() && !version.equals(present)) {
-            json.error(
-                    pointer,
-                    () ->
-                            "was played in RigiBo "
-                                    + version
-                                    + "; this is "
-                                    + present
-                                    + ", in which bodies may move otherwise");
+    private static boolean isWithoutRevision(Document json) {
+        JsonNode format = json.node("/format");
+        return format.isInt() && format.intValue() == FORMAT_WITHOUT_REVISION;
+    }
+
+    private static OptionalInt otherRevision(Document json) {
+        if (isWithoutRevision(json)) {
+            return OptionalInt.of(0);
         }
+        JsonNode revision = json.node(REVISION);
+        return revision.isInt() && revision.intValue() != Pool.REVISION
+                ? OptionalInt.of(revision.intValue())
+                : OptionalInt.empty();
+    }
+
+    private static void tellRevision(int revision, Document json) {
+        String version = json.node("/game").asString("");
+        json.error(
+                isWithoutRevision(json) ? "/format" : REVISION,
+                () ->
+                        "was played in revision "
+                                + revision
+                                + " of the simulation"
+                                + (version.isEmpty() ? "" : ", by RigiBo " + version)
+                                + "; this is revision "
+                                + Pool.REVISION
+                                + ", in which bodies move otherwise: it is kept, and not played");
     }
 
     private Optional<Level> level(Document json) {

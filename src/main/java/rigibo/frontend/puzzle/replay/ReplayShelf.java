@@ -1,5 +1,6 @@
 package rigibo.frontend.puzzle.replay;
 
+import rigibo.frontend.document.Problem;
 import rigibo.frontend.puzzle.level.Level;
 import rigibo.frontend.save.FolderLock;
 import rigibo.frontend.save.SafeFile;
@@ -8,9 +9,12 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
 import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
+import java.util.stream.Stream;
 
 /** Where solved runs of a level are kept: the best and the last. */
 public final class ReplayShelf {
@@ -49,9 +53,19 @@ public final class ReplayShelf {
         return recording(best()).or(() -> recording(last()));
     }
 
+    /** What is told of the runs here that were played in another revision of the simulation. */
+    public List<Problem> ofOtherRevisions() {
+        return Stream.of(best(), last())
+                .map(this::read)
+                .filter(loaded -> loaded.otherRevision().isPresent())
+                .flatMap(loaded -> loaded.problems().stream())
+                .toList();
+    }
+
     /**
      * Keeps a solved run as the last, and as the best where it is, or where the best is of an
-     * altered level or of another version, and could never be watched again.
+     * altered level, and could never be watched again. What was played in another revision of the
+     * simulation is set aside.
      *
      * @throws IOException when nothing can be written there
      */
@@ -64,6 +78,8 @@ public final class ReplayShelf {
 
     /** Under the lock: another game may have kept a better one. */
     private void replace(Recording recording) throws IOException {
+        setAside(last());
+        setAside(best());
         write(last(), recording);
         Optional<Recording> before = recording(best());
         if (before.isEmpty() || recording.isBetterThan(before.get())) {
@@ -71,8 +87,22 @@ public final class ReplayShelf {
         }
     }
 
+    /** Puts the revision into the name of a file that was played in another one. */
+    private void setAside(Path file) throws IOException {
+        OptionalInt revision = read(file).otherRevision();
+        if (revision.isPresent()) {
+            String name = file.getFileName().toString().replace(ENDING, "");
+            String kept = name + ".revision-" + revision.getAsInt() + ENDING;
+            Files.move(file, folder.resolve(kept), StandardCopyOption.REPLACE_EXISTING);
+        }
+    }
+
     private Optional<Recording> recording(Path file) {
-        return Files.isRegularFile(file) ? loader.load(file).recording() : Optional.empty();
+        return read(file).recording();
+    }
+
+    private LoadedReplay read(Path file) {
+        return Files.isRegularFile(file) ? loader.load(file) : LoadedReplay.NONE;
     }
 
     private static void write(Path file, Recording recording) throws IOException {

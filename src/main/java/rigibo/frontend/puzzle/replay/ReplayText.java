@@ -1,5 +1,6 @@
 package rigibo.frontend.puzzle.replay;
 
+import rigibo.backend.Pool;
 import rigibo.backend.setup.Accuracy;
 import rigibo.frontend.puzzle.rules.Checkpoint;
 import rigibo.frontend.puzzle.rules.Deletion;
@@ -21,6 +22,7 @@ final class ReplayText {
         ObjectNode root = JSON.createObjectNode();
         root.put("format", ReplayLoader.FORMAT);
         root.put("game", GameVersion.present());
+        root.put("revision", Pool.REVISION);
         level(root.putObject("level"), recording);
         accuracy(root.putObject("accuracy"), recording.replay().accuracy());
         clicks(root.putArray("clicks"), recording);

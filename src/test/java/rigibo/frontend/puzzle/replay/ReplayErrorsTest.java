@@ -8,6 +8,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
+import rigibo.backend.Pool;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.ContactSolver;
 import rigibo.backend.setup.Correction;
@@ -27,14 +28,19 @@ import java.util.stream.Stream;
 class ReplayErrorsTest {
 
     private static final String HASH = Hex.of(LevelTexts.sound().hash());
-    private static final String VERSION = GameVersion.present();
+
+    private static final String OTHER_REVISION =
+            "was played in revision 99 of the simulation, by RigiBo 0.0.9; this is revision "
+                    + Pool.REVISION
+                    + ", in which bodies move otherwise: it is kept, and not played";
 
     /** Places in the tests count in this text. */
     private static final String SOUND =
             """
             {
-              "format": 1,
-              "game": "VERSION",
+              "format": 2,
+              "game": "0.0.9",
+              "revision": REVISION,
               "level": {"id": "drop", "title": "Drop", "hash": "HASH"},
               "accuracy": {
                 "substeps": 4, "velocityIterations": 1, "impacts": "EVENTS",
@@ -51,7 +57,7 @@ class ReplayErrorsTest {
               }
             }
             """
-                    .replace("VERSION", VERSION)
+                    .replace("REVISION", "" + Pool.REVISION)
                     .replace("HASH", HASH);
 
     @TempDir Path folder;
@@ -65,6 +71,16 @@ class ReplayErrorsTest {
     private static List<String> words(LoadedReplay loaded) {
         assertThat(loaded.recording().isPresent()).isEqualTo(loaded.problems().isEmpty());
         return loaded.problems().stream().map(Problem::toString).toList();
+    }
+
+    @Test
+    void onlyAReplayOfAnotherRevisionIsSaidToBeOne() {
+        assertThat(loader.parse("a", SOUND).otherRevision()).isEmpty();
+        assertThat(loader.parse("a", "{").otherRevision()).isEmpty();
+        String other = with("\"revision\": " + Pool.REVISION, "\"revision\": 99");
+        assertThat(loader.parse("a", other).otherRevision()).hasValue(99);
+        String first = with("\"format\": 2", "\"format\": 1");
+        assertThat(loader.parse("a", first).otherRevision()).hasValue(0);
     }
 
     private static String with(String part, String replacement) {
@@ -89,80 +105,82 @@ class ReplayErrorsTest {
     static Stream<Arguments> broken() {
         return Stream.of(
                 Arguments.of(
-                        "\"game\": \"" + VERSION + "\"",
-                        "\"game\": \"0.0.9\"",
-                        "3:11: /game: was played in RigiBo 0.0.9; this is "
-                                + VERSION
-                                + ", in which bodies may move otherwise"),
+                        "\"revision\": " + Pool.REVISION,
+                        "\"revision\": 99",
+                        "4:15: /revision: " + OTHER_REVISION),
+                Arguments.of(
+                        "\"format\": 2",
+                        "\"format\": 1",
+                        "2:13: /format: " + OTHER_REVISION.replace("revision 99", "revision 0")),
                 Arguments.of(
                         "\"id\": \"drop\"",
                         "\"id\": \"drip\"",
-                        "4:19: /level/id: belongs to the level \"drip\", which is not here, did you"
+                        "5:19: /level/id: belongs to the level \"drip\", which is not here, did you"
                                 + " mean \"drop\"?"),
                 Arguments.of(
                         "\"hash\": \"" + HASH,
                         "\"hash\": \"0123456789abcdef",
-                        "4:52: /level/hash: the level \"drop\" was altered since this was played:"
+                        "5:52: /level/hash: the level \"drop\" was altered since this was played:"
                                 + " its hash is "
                                 + HASH
                                 + " now, and was 0123456789abcdef"),
                 Arguments.of(
                         "\"hash\": \"" + HASH,
                         "\"hash\": \"12",
-                        "4:52: /level/hash: must be 16 hexadecimal digits, was \"12\""),
+                        "5:52: /level/hash: must be 16 hexadecimal digits, was \"12\""),
                 Arguments.of(
-                        "\"format\": 1",
                         "\"format\": 2",
-                        "2:13: /format: made for a newer RigiBo (format 2); this version reads 1"),
-                Arguments.of("\"search\": \"ITP\", ", "", "5:15: /accuracy: \"search\" is missing"),
+                        "\"format\": 3",
+                        "2:13: /format: made for a newer RigiBo (format 3); this version reads 2"),
+                Arguments.of("\"search\": \"ITP\", ", "", "6:15: /accuracy: \"search\" is missing"),
                 Arguments.of(
                         "\"substeps\": 4",
                         "\"substeps\": 65",
-                        "6:17: /accuracy/substeps: must be 64 or less, was 65"),
+                        "7:17: /accuracy/substeps: must be 64 or less, was 65"),
                 Arguments.of(
                         "\"EVENTS\"",
                         "\"EVENT\"",
-                        "6:56: /accuracy/impacts: \"EVENT\" is not one of DISCRETE, SPLIT, EVENTS,"
+                        "7:56: /accuracy/impacts: \"EVENT\" is not one of DISCRETE, SPLIT, EVENTS,"
                                 + " did you mean \"EVENTS\"?"),
                 Arguments.of(
                         "\"step\": 130",
                         "\"step\": 30",
-                        "12:14: /clicks/1/step: is before the click at step 60"),
+                        "13:14: /clicks/1/step: is before the click at step 60"),
                 Arguments.of(
                         "\"step\": 130",
                         "\"step\": 269",
-                        "12:14: /clicks/1/step: is not before the end, which is at step 269"),
+                        "13:14: /clicks/1/step: is not before the end, which is at step 269"),
                 Arguments.of(
                         "\"step\": 130",
                         "\"step\": 1.5",
-                        "12:14: /clicks/1/step: must be an integer, was 1.5"),
+                        "13:14: /clicks/1/step: must be an integer, was 1.5"),
                 Arguments.of(
                         "\"995bca2a5ba82fbb\"",
                         "\"995bca2a5ba82fbX\"",
-                        "15:10: /hashes/0: must be 16 hexadecimal digits, was"
+                        "16:10: /hashes/0: must be 16 hexadecimal digits, was"
                                 + " \"995bca2a5ba82fbX\""),
                 Arguments.of(
                         "\"0\": \"995bca2a5ba82fbb\"",
                         "\"-1\": \"995bca2a5ba82fbb\"",
-                        "14:13: /hashes: \"-1\" is no number of steps"),
+                        "15:13: /hashes: \"-1\" is no number of steps"),
                 Arguments.of(
                         "\"0\": \"995bca2a5ba82fbb\"",
                         "\"99999999\": \"995bca2a5ba82fbb\"",
-                        "15:17: /hashes/99999999: is beyond the 216000 steps of an hour, the most"
+                        "16:17: /hashes/99999999: is beyond the 216000 steps of an hour, the most"
                                 + " we play"),
                 Arguments.of(
                         "\"0\": \"995bca2a5ba82fbb\"",
                         "\"269\": \"995bca2a5ba82fbb\"",
-                        "16:5: /hashes/269: \"269\" is given twice (first at 15:5)"),
+                        "17:5: /hashes/269: \"269\" is given twice (first at 16:5)"),
                 Arguments.of(
                         "\"box\"},",
                         "\"box\"}",
-                        "12:5: /clicks/0: not JSON: Unexpected character ('{' (code 123)): was"
+                        "13:5: /clicks/0: not JSON: Unexpected character ('{' (code 123)): was"
                                 + " expecting comma to separate Array entries"),
                 Arguments.of(
                         "cb4ef448aff17123\"\n  }\n}\n",
                         "cb4ef",
-                        "16:18: /hashes/269: not JSON: Unexpected end-of-input: was expecting"
+                        "17:18: /hashes/269: not JSON: Unexpected end-of-input: was expecting"
                                 + " closing quote for a string value"));
     }
 
@@ -177,23 +195,21 @@ class ReplayErrorsTest {
         int hashes = SOUND.indexOf("\"0\": ");
         assertThat(problems(SOUND.substring(0, hashes) + "}}"))
                 .containsExactly(
-                        "a.replay.json:14:13: /hashes: is empty: nothing tells whether it plays"
+                        "a.replay.json:15:13: /hashes: is empty: nothing tells whether it plays"
                                 + " back the same");
     }
 
     @Test
     void whatIsWrongIsToldAllAtOnceInTheOrderOfTheFile() {
         String text =
-                with(VERSION, "0.0.9")
+                with("\"revision\": " + Pool.REVISION, "\"revision\": 99")
                         .replace(HASH, "0123456789abcdef")
                         .replace("\"substeps\": 4", "\"substeps\": 0")
                         .replace("\"step\": 130", "\"step\": 300");
         assertThat(problems(text))
                 .extracting(line -> line.replaceFirst("^a\\.replay\\.json:\\d+:\\d+: ", ""))
                 .containsExactly(
-                        "/game: was played in RigiBo 0.0.9; this is "
-                                + VERSION
-                                + ", in which bodies may move otherwise",
+                        "/revision: " + OTHER_REVISION,
                         "/level/hash: the level \"drop\" was altered since this was played: its"
                                 + " hash is "
                                 + HASH

@@ -6,6 +6,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
+import rigibo.backend.Pool;
 import rigibo.backend.setup.Accuracy;
 import rigibo.frontend.puzzle.level.Click;
 import rigibo.frontend.puzzle.level.Level;
@@ -87,6 +88,33 @@ class ReplayShelfTest {
         Files.writeString(shelf.best(), "{");
         shelf.keep(wasteful);
         assertThat(read(shelf.best())).isEqualTo(wasteful);
+    }
+
+    /** As another revision of the simulation would have written them. */
+    @Test
+    void runsOfAnotherRevisionAreToldKeptAndNeverPlayed() throws IOException {
+        shelf.keep(quick);
+        String revision = "\"revision\" : " + Pool.REVISION;
+        String sound = Files.readString(shelf.best());
+        assertThat(sound).contains(revision);
+        String other = sound.replace(revision, "\"revision\" : 99");
+        Files.writeString(shelf.best(), other);
+        Files.writeString(shelf.last(), other);
+        assertThat(shelf.watchable()).isEmpty();
+        assertThat(shelf.ofOtherRevisions())
+                .hasSize(2)
+                .allSatisfy(
+                        problem ->
+                                assertThat(problem.toString())
+                                        .contains("revision 99 of the simulation", "is kept"));
+        shelf.keep(wasteful);
+        assertThat(read(shelf.best())).isEqualTo(wasteful);
+        assertThat(read(shelf.last())).isEqualTo(wasteful);
+        assertThat(shelf.ofOtherRevisions()).isEmpty();
+        for (String name : List.of("drop.best", "drop.last")) {
+            Path kept = shelf.best().resolveSibling(name + ".revision-99" + ReplayShelf.ENDING);
+            assertThat(kept).hasContent(other);
+        }
     }
 
     @Test
