@@ -52,6 +52,16 @@ public final class Outline {
         }
     }
 
+    /** No part of it is farther left, m. */
+    double left() {
+        return x - shape.boundingRadius();
+    }
+
+    /** No part of it is farther right, m. */
+    double right() {
+        return x + shape.boundingRadius();
+    }
+
     /** Whether the circles around the two overlap: if not, they are apart. */
     public boolean isNear(Outline other) {
         double dx = other.x - x;

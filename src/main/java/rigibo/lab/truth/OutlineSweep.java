@@ -1,0 +1,63 @@
+package rigibo.lab.truth;
+
+import rigibo.backend.geometry.Shape;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.function.ToDoubleFunction;
+
+/**
+ * The deepest overlap of outlines, wherever they are placed. It goes from left to right: only what
+ * begins before an outline ends can overlap it.
+ */
+public final class OutlineSweep {
+
+    private record Entry(Outline outline, boolean givesWay, double unit) {
+
+        double left() {
+            return outline.left();
+        }
+    }
+
+    private final ToDoubleFunction<Shape> unit;
+    private final List<Entry> entries = new ArrayList<>();
+
+    /**
+     * A sweep of nothing yet.
+     *
+     * @param unit of overlap by shape, m; of two shapes the lesser counts
+     */
+    public OutlineSweep(ToDoubleFunction<Shape> unit) {
+        this.unit = unit;
+    }
+
+    /**
+     * Adds an outline, which may be placed anew before each {@link #deepest}.
+     *
+     * @param givesWay false for what nothing moves: two such may overlap as they like
+     */
+    public void add(Outline outline, boolean givesWay) {
+        entries.add(new Entry(outline, givesWay, unit.applyAsDouble(outline.shape())));
+    }
+
+    /** In units of the two that overlap deepest; 0 where none overlap. */
+    public double deepest() {
+        // Between two steps hardly any outline overtakes another: the list is nearly sorted.
+        entries.sort(Comparator.comparingDouble(Entry::left));
+        double deepest = 0;
+        for (int i = 0; i < entries.size(); i++) {
+            Entry one = entries.get(i);
+            double right = one.outline.right();
+            for (int j = i + 1; j < entries.size() && entries.get(j).left() <= right; j++) {
+                deepest = Math.max(deepest, depth(one, entries.get(j)));
+            }
+        }
+        return deepest;
+    }
+
+    private static double depth(Entry a, Entry b) {
+        boolean isAsked = (a.givesWay || b.givesWay) && a.outline.isNear(b.outline);
+        return isAsked ? -a.outline.separation(b.outline) / Math.min(a.unit, b.unit) : 0;
+    }
+}
