@@ -9,6 +9,7 @@ import rigibo.lab.hardcase.CaseTable;
 import rigibo.lab.hardcase.Cases;
 import rigibo.lab.hardcase.HardCase;
 import rigibo.lab.hardcase.Preset;
+import rigibo.lab.hardcase.Sampling;
 
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -44,8 +45,23 @@ final class CasesCommand implements Callable<Integer> {
             split = ",",
             description =
                     "Rows of the list, such as 55 or 20/10, with all their figures. Row 59, an hour"
-                            + " of simulated time, runs only when it is named here.")
+                            + " of simulated time, and the largest crowds of M1 run only when they"
+                            + " are named here.")
     private List<String> rows = List.of();
+
+    @Option(
+            names = "--full",
+            description =
+                    "Every variant of the cases that have many: a few of each are tried unless it"
+                            + " is said. Takes hours.")
+    private boolean isFull;
+
+    @Option(
+            names = "--seed",
+            paramLabel = "N",
+            defaultValue = "1",
+            description = "Draws the variants of such cases, 1 unless said otherwise.")
+    private long seed;
 
     @Option(names = "--csv", paramLabel = "FILE", description = "Writes every figure as CSV.")
     private Path csv;
@@ -74,7 +90,8 @@ final class CasesCommand implements Callable<Integer> {
 
     private Cases choose() {
         try {
-            return new Cases(rows, presets);
+            Sampling.Extent extent = isFull ? Sampling.Extent.FULL : Sampling.Extent.SMALL;
+            return new Cases(rows, presets, new Sampling(extent, seed));
         } catch (IllegalArgumentException unknown) {
             throw Options.refused(spec, "--only", unknown.getMessage());
         }
@@ -116,6 +133,7 @@ final class CasesCommand implements Callable<Integer> {
         String chosen = rows.isEmpty() ? "" : " --only " + String.join(",", rows);
         boolean isAll = presets.equals(List.of(Preset.values()));
         String names = presets.stream().map(Preset::name).collect(Collectors.joining(","));
-        return (isAll ? "" : " --preset " + names) + chosen;
+        String sample = (isFull ? " --full" : "") + (seed == 1 ? "" : " --seed " + seed);
+        return (isAll ? "" : " --preset " + names) + chosen + sample;
     }
 }

@@ -50,4 +50,9 @@ public final class RigiBoEngine implements Engine {
     public static World world(Effects effects, Accuracy accuracy) {
         return new RigiBoWorld(new Pool(effects, accuracy));
     }
+
+    /** A world that is somebody's pool, with the bodies that are in it now. */
+    public static World world(Pool pool) {
+        return new RigiBoWorld(pool);
+    }
 }

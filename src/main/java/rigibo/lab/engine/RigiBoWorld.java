@@ -17,6 +17,7 @@ final class RigiBoWorld implements World {
 
     RigiBoWorld(Pool pool) {
         this.pool = pool;
+        bodies.addAll(pool.bodies());
     }
 
     @Override

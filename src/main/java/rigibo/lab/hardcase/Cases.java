@@ -20,6 +20,7 @@ public final class Cases {
 
     private final List<HardCase> cases = new ArrayList<>();
     private final List<Preset> presets = new ArrayList<>();
+    private final Sampling sampling;
 
     /**
      * Every chosen case at every preset that it is counted for.
@@ -27,9 +28,11 @@ public final class Cases {
      * @param rows numbers such as {@code 20/10}, or {@code 20} for all its parts; empty means all
      *     cases but the long runs
      * @param atPresets at least one
+     * @param sampling which variants of each
      * @throws IllegalArgumentException when a row names no case
      */
-    public Cases(List<String> rows, List<Preset> atPresets) {
+    public Cases(List<String> rows, List<Preset> atPresets, Sampling sampling) {
+        this.sampling = sampling;
         List<HardCase> chosen = rows.isEmpty() ? HardCases.all() : chosen(rows);
         for (HardCase hardCase : chosen) {
             for (Preset preset : atPresets) {
@@ -86,9 +89,9 @@ public final class Cases {
     }
 
     /** One broken case must not hide what the others measure. */
-    private static HardCase.Result run(HardCase hardCase, Preset preset) {
+    private HardCase.Result run(HardCase hardCase, Preset preset) {
         try {
-            return hardCase.run(preset);
+            return hardCase.run(preset, sampling);
         } catch (RuntimeException | AssertionError | StackOverflowError broken) {
             return hardCase.broken(preset, broken);
         }

@@ -34,11 +34,16 @@ public interface HardCase {
     /** Simulates every variant of the case and hands each figure to the trial. */
     void run(Trial trial);
 
-    /** Runs the case twice, for the second run must end in the same bits. */
+    /** Runs a few variants of the case. */
     default Result run(Preset preset) {
-        Trial first = new Trial(preset, limitedFrom());
+        return run(preset, Sampling.USUAL);
+    }
+
+    /** Runs the case twice, for the second run must end in the same bits. */
+    default Result run(Preset preset, Sampling sampling) {
+        Trial first = new Trial(preset, limitedFrom(), sampling);
         run(first);
-        Trial second = new Trial(preset, limitedFrom());
+        Trial second = new Trial(preset, limitedFrom(), sampling);
         run(second);
         first.compare(second);
         return new Result(this, preset, first.measures(), first.work());

@@ -69,9 +69,14 @@ public final class HardCases {
                     new ButtedBoxes(),
                     new BornInOverlap());
 
-    private static final List<HardCase> OPEN = List.of(new ManyCornered());
+    private static final List<HardCase> OPEN =
+            Stream.concat(Stream.of(new ManyCornered()), MovingPiles.open().stream()).toList();
 
-    private static final List<HardCase> LONG = List.of(new LongStack(), new LongBilliard());
+    private static final List<HardCase> LONG =
+            Stream.concat(
+                            Stream.of(new LongStack(), new LongBilliard()),
+                            MovingPiles.longRuns().stream())
+                    .toList();
 
     private HardCases() {}
 
@@ -85,7 +90,7 @@ public final class HardCases {
         return OPEN;
     }
 
-    /** Cases that simulate an hour; they run only when asked for by their row. */
+    /** Cases that take minutes; they run only when asked for by their row. */
     public static List<HardCase> longRuns() {
         return LONG;
     }

@@ -26,11 +26,15 @@ public final class Trial {
     /** Momentum that may go astray, as a share of all momentum there is. */
     private static final double MOST_MOMENTUM_LOST = 1e-9;
 
+    /** Round-off of energies that change from height to motion and back, as a share of them. */
+    private static final double MOST_ENERGY_BEYOND = 1e-9;
+
     /** A prime, so that the order of hashes counts. */
     private static final long HASH_FACTOR = 0x100000001b3L;
 
     private final Preset preset;
     private final Preset limitedFrom;
+    private final Sampling sampling;
     private final Map<String, Measure> measures = new LinkedHashMap<>();
     private final Map<String, Measure> invariants = new LinkedHashMap<>();
     private final Work work = new Work();
@@ -38,13 +42,19 @@ public final class Trial {
     private long hash;
 
     /** A run at a preset of a case whose own figures are limited from another on. */
-    Trial(Preset preset, Preset limitedFrom) {
+    Trial(Preset preset, Preset limitedFrom, Sampling sampling) {
         this.preset = preset;
         this.limitedFrom = limitedFrom;
+        this.sampling = sampling;
     }
 
     Preset preset() {
         return preset;
+    }
+
+    /** Which variants a case of many is to try. */
+    Sampling sampling() {
+        return sampling;
     }
 
     /** Names the variant that is tried from now on, for the figures that fail. */
@@ -63,6 +73,11 @@ public final class Trial {
         double limit = preset == Preset.EXACT ? exact : game;
         double held = isReported ? Double.POSITIVE_INFINITY : limit;
         keep(measures, name, figure, unit, held, variant);
+    }
+
+    /** Keeps a figure whose limits say themselves which presets are held to one. */
+    void measure(String name, double figure, String unit, Limits limits) {
+        keep(measures, name, figure, unit, limits.of(preset), variant);
     }
 
     /** Keeps a figure with the same limit for all presets that are held to one. */
@@ -88,6 +103,11 @@ public final class Trial {
     void energyGain(double share, String where) {
         double limit = preset == Preset.EXACT ? 1e-6 : 1e-3;
         keep(invariants, "energy gained in a step", share, "of E0", limit, where);
+    }
+
+    void energyBeyondStart(double share, String where) {
+        String unit = "of what could be released";
+        keep(invariants, "energy beyond the start", share, unit, MOST_ENERGY_BEYOND, where);
     }
 
     void overlap(double share, String where) {

@@ -19,6 +19,7 @@ import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.BodyType;
 
 import java.util.List;
+import java.util.function.DoubleSupplier;
 
 /** A pool whose every step is held to what is true in every case. */
 final class WatchedPool {
@@ -45,6 +46,8 @@ final class WatchedPool {
     private final Gravity gravity;
     private final Balance balance;
     private final Overlap overlap = new Overlap();
+    private EnergyGuard guard;
+    private DoubleSupplier workOfStep;
     private boolean isEnergyKept;
     private boolean isMomentumKept;
     private boolean mayOverlap;
@@ -75,6 +78,43 @@ final class WatchedPool {
         mayOverlap = true;
         isEnergyKept = false;
         return this;
+    }
+
+    /** For scenes whose limit of overlap is their own. */
+    WatchedPool withOverlapOfItsOwn() {
+        mayOverlap = true;
+        return this;
+    }
+
+    /**
+     * Holds the energy from now on to what there is now.
+     *
+     * @param floorY height to which all that is above can fall, m
+     */
+    void guardEnergy(double floorY) {
+        guardEnergy(floorY, () -> 0);
+    }
+
+    /**
+     * Holds the energy from now on to what there is now and what is done from outside.
+     *
+     * @param floorY height to which all that is above can fall, m
+     * @param work of the last step, J, asked after each
+     */
+    void guardEnergy(double floorY, DoubleSupplier work) {
+        guard = new EnergyGuard(pool.bodies(), gravity, floorY);
+        workOfStep = work;
+    }
+
+    /** Fastest dynamic body now, m/s. */
+    double fastest() {
+        double fastest = 0;
+        for (RigidBody body : pool.bodies()) {
+            boolean isAsked = body.type() == BodyType.DYNAMIC;
+            double speed = Math.hypot(body.velocityX(), body.velocityY());
+            fastest = isAsked ? Math.max(fastest, speed) : fastest;
+        }
+        return fastest;
     }
 
     /** After something was changed from outside, the books begin anew. */
@@ -153,6 +193,10 @@ final class WatchedPool {
         trial.notFinite(balance.end(pool.bodies(), dt), where);
         if (isEnergyKept) {
             trial.energyGain(balance.energyGainShare(), where);
+        }
+        if (guard != null) {
+            guard.add(workOfStep.getAsDouble());
+            trial.energyBeyondStart(guard.beyond(pool.bodies()), where);
         }
         if (isMomentumKept) {
             trial.momentumError(balance.momentumErrorShare(), where);

@@ -15,6 +15,7 @@ import rigibo.lab.hardcase.Cases;
 import rigibo.lab.hardcase.HardCase;
 import rigibo.lab.hardcase.MarginFigure;
 import rigibo.lab.hardcase.Preset;
+import rigibo.lab.hardcase.Sampling;
 import rigibo.lab.report.Section;
 
 import java.util.ArrayList;
@@ -87,7 +88,7 @@ final class MoreFigures {
     private Section margins() {
         tell.accept("hard cases");
         List<HardCase.Result> results =
-                new Cases(List.of(), List.of(Preset.values())).run(result -> {});
+                new Cases(List.of(), List.of(Preset.values()), Sampling.USUAL).run(result -> {});
         MarginFigure wide = new MarginFigure(results, FigureSize.WIDE.width());
         MarginFigure narrow = new MarginFigure(results, FigureSize.NARROW.width());
         return new Section(

@@ -12,7 +12,7 @@ import java.util.List;
  * What was built and is set into motion. All declare what a {@link Crowd} does; the struck pyramid
  * also thrust, by which it is struck.
  */
-final class Commotions {
+public final class Commotions {
 
     private static final double FLOOR = 400;
     private static final Polygon BOX = Polygon.box(1, 1);
@@ -20,14 +20,14 @@ final class Commotions {
     private Commotions() {}
 
     /** A pyramid that falls together from equal vertical gaps in m. */
-    static Scene settling(int base, double gap) {
+    public static Scene settling(int base, double gap) {
         List<BodyDefinition> bodies = floor();
         addPyramid(bodies, base, gap);
         return scene(bodies);
     }
 
     /** A pyramid whose foot is struck each second, as hard as makes one of its boxes go 10 m/s. */
-    static Scene struck(int base) {
+    public static Scene struck(int base) {
         List<BodyDefinition> bodies = floor();
         addPyramid(bodies, base, 0);
         double impulse = 10 * bodies.get(1).massProperties().mass();
@@ -36,7 +36,7 @@ final class Commotions {
     }
 
     /** Towers of boxes side by side, the topmost of each pushed to the right at 2 m/s. */
-    static Scene towers(int towers, int storeys) {
+    public static Scene towers(int towers, int storeys) {
         List<BodyDefinition> bodies = floor();
         for (int tower = 0; tower < towers; tower++) {
             double x = 4 * (tower - (towers - 1) / 2.0);
@@ -49,7 +49,7 @@ final class Commotions {
     }
 
     /** So many boxes on a belt of 3 m/s that carries them against a wall. */
-    static Scene belt(int boxes) {
+    public static Scene belt(int boxes) {
         List<BodyDefinition> bodies = new ArrayList<>();
         bodies.add(BodyDefinition.kinematic(Polygon.box(FLOOR, 2)).at(0, -1));
         bodies.add(BodyDefinition.fixed(Polygon.box(2, 40)).at(31, 20));
@@ -58,7 +58,7 @@ final class Commotions {
     }
 
     /** So many boxes in a closed box that is shaken at 6 g and 3 Hz. */
-    static Scene shaken(int boxes) {
+    public static Scene shaken(int boxes) {
         int columns = (int) Math.ceil(Math.sqrt(boxes));
         double side = 1.2 * columns + 1;
         double pulsation = 2 * Math.PI * 3;
@@ -69,7 +69,7 @@ final class Commotions {
     }
 
     /** Rods of 2 m by 0.02 m that fall onto each other crosswise. */
-    static Scene rods(int rods) {
+    public static Scene rods(int rods) {
         List<BodyDefinition> bodies = floor();
         Polygon rod = Polygon.box(2, 0.02);
         int columns = 6;

@@ -22,12 +22,13 @@ import java.util.SplittableRandom;
  * <p>They call for gravity, contacts, rotation, friction, the little restitution that stones have,
  * and continuous impacts, since the last rows land faster than a body's width in a step.
  */
-enum Crowd {
+public enum Crowd {
     BOXES(0),
     DISCS(1),
     MIXED(0.5);
 
-    static final Effects EFFECTS =
+    /** What a crowd calls for. */
+    public static final Effects EFFECTS =
             Effects.of(
                     new Gravity(0, -9.81),
                     new Contacts(),
@@ -36,7 +37,8 @@ enum Crowd {
                     new Restitution(),
                     new ContinuousImpacts());
 
-    static final Material STONE = new Material(1, 0.6, 0.1);
+    /** What its bodies and its trough are of. */
+    public static final Material STONE = new Material(1, 0.6, 0.1);
 
     /** From one body to the next as they begin, m: the largest have room to stand at any angle. */
     private static final double SPACING = 1.2;
@@ -60,7 +62,7 @@ enum Crowd {
     }
 
     /** So many of them over a trough about as wide as they then lie high. */
-    List<BodyDefinition> rain(int count, long seed) {
+    public List<BodyDefinition> rain(int count, long seed) {
         double width = Math.max(NARROWEST, Math.sqrt(AREA * count));
         int columns = (int) (width / SPACING);
         double top = (count / columns + 1) * SPACING + MARGIN;
@@ -74,7 +76,7 @@ enum Crowd {
     }
 
     /** So many in rows of so many columns about x = 0, the lowest row at a height in m. */
-    List<BodyDefinition> rows(int count, int columns, double height, long seed) {
+    public List<BodyDefinition> rows(int count, int columns, double height, long seed) {
         SplittableRandom random = new SplittableRandom(seed);
         List<BodyDefinition> bodies = new ArrayList<>();
         for (int i = 0; i < count; i++) {

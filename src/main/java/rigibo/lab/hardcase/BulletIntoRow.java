@@ -1,0 +1,166 @@
+package rigibo.lab.hardcase;
+
+import rigibo.backend.RigidBody;
+import rigibo.backend.geometry.Aabb;
+import rigibo.backend.geometry.Circle;
+import rigibo.backend.geometry.Polygon;
+import rigibo.backend.setup.BodyDefinition;
+import rigibo.backend.setup.Material;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+
+/**
+ * A disc of 1 to 10⁴ times a box's mass flies at 50 to 2,000 m/s into a row of boxes that lean on a
+ * wall of 1 mm to 1 m. Truth: nothing is ever through the wall or the floor, nor the disc through a
+ * box; over the wall is a way. Where something must give, the boxes overlap, and it is told.
+ */
+final class BulletIntoRow implements HardCase {
+
+    private static final int FEW = 100;
+    private static final int ALL = 4000;
+    private static final int STEPS = 30;
+    private static final double WALL_HEIGHT = 20;
+
+    /** Of a body's width, into what nobody moves. */
+    private static final double MOST_INTO_FIXED = 0.02;
+
+    /** Of a body's width: the engine tells of what is crushed deeper. */
+    private static final double CRUSHED = 0.05;
+
+    @Override
+    public String row() {
+        return "M3";
+    }
+
+    @Override
+    public String title() {
+        return "a heavy bullet drives nothing through a wall, nor itself through a box";
+    }
+
+    @Override
+    public String finding() {
+        return "Between a wall and what is a thousand times as heavy the passes give"
+                + " way wherever they leave off, at the wall as well as between boxes;"
+                + " only what kinematic bodies crush is told.";
+    }
+
+    @Override
+    public void run(Trial trial) {
+        int count = trial.sampling().count(FEW, ALL);
+        double[] failed = new double[4];
+        for (int i = 0; i < count; i++) {
+            trial.variant("seed " + trial.sampling().seed() + ", bullet " + i);
+            Shot shot = new Shot(trial, trial.sampling().random(i));
+            shot.fly();
+            failed[0] += shot.isThroughFixed ? 1 : 0;
+            failed[1] += shot.isThroughBox ? 1 : 0;
+            failed[2] += shot.deepest > MOST_INTO_FIXED ? 1 : 0;
+            failed[3] += shot.isDeep && !shot.isTold ? 1 : 0;
+            trial.measure("deepest in wall or floor", shot.deepest, "width", Limits.NONE);
+        }
+        String of = "of " + count;
+        Limits none = Limits.fromGame(0, 0);
+        trial.measure("through wall or floor", failed[0], of, none);
+        trial.measure("bullet through a box", failed[1], of, none);
+        trial.measure("2 % in wall or floor", failed[2], of, none);
+        trial.measure("crushed and not told", failed[3], of, none);
+    }
+
+    /** One bullet. The wall's near face is x = 0, the floor y = 0. */
+    private static final class Shot {
+
+        private final WatchedPool pool;
+        private final List<RigidBody> boxes = new ArrayList<>();
+        private final RigidBody bullet;
+        private final double thickness;
+        private boolean isThroughFixed;
+        private boolean isThroughBox;
+        private boolean isDeep;
+        private boolean isTold;
+        private double deepest;
+
+        Shot(Trial trial, SplittableRandom random) {
+            Material matter = Surroundings.matter(0.5, 0.5 * random.nextDouble());
+            thickness = between(random, 1e-3, 1);
+            pool = trial.pool(Surroundings.earth()).withOverlapOfItsOwn();
+            pool.add(BodyDefinition.fixed(Polygon.box(8000, 2)).at(0, -1).material(matter));
+            pool.add(
+                    BodyDefinition.fixed(Polygon.box(thickness, WALL_HEIGHT))
+                            .at(thickness / 2, WALL_HEIGHT / 2)
+                            .material(matter));
+            int count = 1 + random.nextInt(5);
+            BodyDefinition box = BodyDefinition.dynamic(Polygon.box(1, 1)).material(matter);
+            for (int i = 0; i < count; i++) {
+                boxes.add(pool.add(box.at(-0.5 - i, 0.5)));
+            }
+            double radius = 0.1 + 0.3 * random.nextDouble();
+            bullet =
+                    pool.add(
+                            BodyDefinition.dynamic(new Circle(radius))
+                                    .at(
+                                            -count - radius - 0.01 - 3 * random.nextDouble(),
+                                            radius
+                                                    + 0.01
+                                                    + (0.98 - 2 * radius) * random.nextDouble())
+                                    .velocity(between(random, 50, 2000), 0)
+                                    .mass(between(random, 1, 1e4) * boxes.get(0).mass())
+                                    .material(matter));
+            pool.guardEnergy(0);
+        }
+
+        void fly() {
+            for (int step = 0; step < STEPS; step++) {
+                List<double[]> before = places();
+                isTold |= pool.step().crushed() > 0;
+                isDeep |= pool.overlapNow() > CRUSHED;
+                judge(before, places());
+            }
+        }
+
+        private List<double[]> places() {
+            List<double[]> places = new ArrayList<>();
+            places.add(new double[] {bullet.x(), bullet.y()});
+            boxes.forEach(box -> places.add(new double[] {box.x(), box.y()}));
+            return places;
+        }
+
+        private void judge(List<double[]> before, List<double[]> after) {
+            for (int i = 0; i < before.size(); i++) {
+                double[] from = before.get(i);
+                double[] to = after.get(i);
+                boolean isBelowTop = from[1] < WALL_HEIGHT && to[1] < WALL_HEIGHT;
+                isThroughFixed |= isBelowTop && from[0] < thickness && to[0] > thickness;
+                isThroughFixed |= to[1] < 0;
+                isThroughBox |= i > 0 && isPassed(before.get(0), from, after.get(0), to);
+                deepest = Math.max(deepest, intoFixed(i == 0 ? bullet : boxes.get(i - 1)));
+            }
+        }
+
+        /** Whether the bullet was left of a box and is right of it, beside it both times. */
+        private boolean isPassed(double[] was, double[] boxWas, double[] is, double[] boxIs) {
+            double beside = 0.5 + bullet.shape().boundingRadius();
+            return was[0] < boxWas[0]
+                    && is[0] > boxIs[0]
+                    && Math.abs(was[1] - boxWas[1]) < beside
+                    && Math.abs(is[1] - boxIs[1]) < beside;
+        }
+
+        /** How deep a body that is before the wall is in it or in the floor, in its widths. */
+        private double intoFixed(RigidBody body) {
+            Aabb bounds = new Aabb();
+            double cos = Math.cos(body.angle());
+            double sin = Math.sin(body.angle());
+            body.shape().bounds(body.x(), body.y(), cos, sin, bounds);
+            boolean isBefore = body.x() < 0 && bounds.maxY < WALL_HEIGHT;
+            double deep = Math.max(-bounds.minY, isBefore ? bounds.maxX : 0);
+            return Math.max(0, deep) / body.shape().smallestWidth();
+        }
+
+        /** Evenly over the logarithm: as many light ones as heavy ones. */
+        private static double between(SplittableRandom random, double least, double most) {
+            return least * Math.pow(most / least, random.nextDouble());
+        }
+    }
+}

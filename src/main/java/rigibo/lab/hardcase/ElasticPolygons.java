@@ -1,0 +1,98 @@
+package rigibo.lab.hardcase;
+
+import rigibo.backend.RigidBody;
+import rigibo.backend.geometry.Polygon;
+import rigibo.backend.setup.BodyDefinition;
+import rigibo.backend.setup.BodyType;
+import rigibo.lab.truth.Room;
+
+import java.util.List;
+import java.util.SplittableRandom;
+
+/**
+ * Smooth polygons, e = 1, in a closed room without weight. Truth: no impact takes energy, however
+ * fast they are and however often they meet in a step; and nobody leaves.
+ */
+final class ElasticPolygons implements HardCase {
+
+    private static final double HORIZON = 5;
+    private static final Limits MOST_ENERGY =
+            new Limits(Double.POSITIVE_INFINITY, 1e-3, 1e-9, 1e-9);
+
+    /** The walls of a room whose disc is left away. */
+    private static final Room ROOM = new Room(0, 0);
+
+    private final String row;
+    private final List<Double> few;
+    private final List<Double> all;
+
+    private ElasticPolygons(String row, List<Double> few, List<Double> all) {
+        this.row = row;
+        this.few = few;
+        this.all = all;
+    }
+
+    static List<HardCase> cases() {
+        return List.of(
+                new ElasticPolygons("M11/slow", List.of(35.0), List.of(30.0, 50.0, 80.0)),
+                new ElasticPolygons(
+                        "M11/fast", List.of(330.0, 900.0), List.of(200.0, 330.0, 600.0, 1000.0)));
+    }
+
+    @Override
+    public String row() {
+        return row;
+    }
+
+    @Override
+    public String title() {
+        return "elastic polygons keep their energy at any speed";
+    }
+
+    @Override
+    public String finding() {
+        return "A pair that meets more often in a step than the cap allows is left to"
+                + " the pile, where e = 1 is lost.";
+    }
+
+    @Override
+    public void run(Trial trial) {
+        int draws = trial.sampling().count(5, 20);
+        for (double speed : trial.sampling().of(few, all)) {
+            for (int draw = 0; draw < draws; draw++) {
+                trial.variant(speed + " m/s, draw " + draw);
+                fly(trial, speed, trial.sampling().random(Math.round(10 * speed) + draw));
+            }
+        }
+    }
+
+    private static void fly(Trial trial, double speed, SplittableRandom random) {
+        WatchedPool pool = trial.pool(Surroundings.space()).withOverlapOfItsOwn();
+        ROOM.walls().forEach(pool::add);
+        int count = 1 + random.nextInt(4);
+        for (int i = 0; i < count; i++) {
+            double way = 2 * Math.PI * random.nextDouble();
+            Polygon shape = Polygon.regular(3 + random.nextInt(4), 0.4 + 0.5 * random.nextDouble());
+            pool.add(
+                    BodyDefinition.dynamic(shape)
+                            .at(1.5 + 2.2 * i, 3 + 2 * random.nextDouble())
+                            .velocity(speed * Math.cos(way), speed * Math.sin(way))
+                            .spin(40 * random.nextDouble() - 20)
+                            .material(Surroundings.matter(0, 1)));
+        }
+        pool.guardEnergy(0);
+        double start = pool.pool().kineticEnergy();
+        double most = 0;
+        while (pool.time() < HORIZON) {
+            pool.step();
+            most = Math.max(most, Math.abs(pool.pool().kineticEnergy() / start - 1));
+        }
+        trial.measure("energy", most, "of start", MOST_ENERGY);
+        long out = pool.pool().bodies().stream().filter(ElasticPolygons::isOutside).count();
+        trial.measure("out of the room", out, "bodies", Limits.fromGame(0, 0));
+    }
+
+    private static boolean isOutside(RigidBody body) {
+        return body.type() == BodyType.DYNAMIC && !ROOM.holds(body.x(), body.y());
+    }
+}

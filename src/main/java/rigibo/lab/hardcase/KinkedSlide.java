@@ -1,0 +1,52 @@
+package rigibo.lab.hardcase;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * A body that slides to and fro in a bowl without friction and loses a share of its energy of
+ * motion at every kink. Between kinks energy is kept, so that heights of kinks are all there is to
+ * know.
+ */
+final class KinkedSlide {
+
+    private final double[] heights;
+    private final double loss;
+    private double energy;
+    private int next;
+    private int direction = 1;
+
+    /**
+     * At rest, about to slide to the right.
+     *
+     * @param heights of the body's centre at the kinks, m, from the left
+     * @param loss share of the energy of motion that a kink takes
+     * @param height of the centre where it starts, m
+     * @param next number of the first kink to the right
+     */
+    KinkedSlide(double[] heights, double loss, double height, int next) {
+        this.heights = heights;
+        this.loss = loss;
+        this.next = next;
+        energy = height;
+    }
+
+    /** Energies at the turning points, as heights in m, down to a last one. */
+    List<Double> swings(double lowest, int most) {
+        List<Double> turns = new ArrayList<>();
+        while (turns.size() < most && energy > lowest) {
+            if (next < 0 || next >= heights.length) {
+                break;
+            }
+            if (energy > heights[next]) {
+                energy -= loss * (energy - heights[next]);
+                next += direction;
+            } else {
+                turns.add(energy);
+                direction = -direction;
+                next += direction;
+            }
+        }
+        return turns;
+    }
+}

@@ -1,0 +1,116 @@
+package rigibo.lab.hardcase;
+
+import rigibo.backend.RigidBody;
+import rigibo.lab.bench.scene.Scene;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * A pile on a floor that moves at a constant speed, and all of it with the floor. Truth: the laws
+ * are the same in both frames, so the pile does what it does on a floor at rest, at the same cost.
+ */
+final class MovingFloor implements HardCase {
+
+    private static final List<Double> SPEEDS = List.of(0.5, 5.0, 50.0);
+    private static final Limits MOST_OFF = Limits.fromGame(1e-6, 1e-6);
+    private static final Limits MOST_WORK = Limits.fromGame(0.05, 0.05);
+
+    /** A pile that stands goes on standing: looked at again after so many s. */
+    private static final double LATE = 3;
+
+    @Override
+    public String row() {
+        return "M8";
+    }
+
+    @Override
+    public String title() {
+        return "a pile on a moving floor fares as on a floor at rest";
+    }
+
+    @Override
+    public String finding() {
+        return "What rests is known by its speed against the world, and not against"
+                + " what carries it: a pile that moves with its floor is solved anew at"
+                + " every step, and creeps.";
+    }
+
+    @Override
+    public void run(Trial trial) {
+        Piles.some(trial.sampling())
+                .forEach(
+                        (name, pile) -> {
+                            trial.variant(name + " at rest");
+                            Course rest = new Course(trial, pile);
+                            for (double speed : SPEEDS) {
+                                trial.variant(name + " at " + speed + " m/s");
+                                compare(trial, rest, new Course(trial, Piles.moving(pile, speed)));
+                            }
+                        });
+    }
+
+    private static void compare(Trial trial, Course rest, Course moving) {
+        int second = (int) Math.round(1 / Trial.DT);
+        trial.measure("place within 1 s", rest.off(moving, 0, second), "m", MOST_OFF);
+        double creep = rest.off(moving, 0, rest.places.size());
+        trial.measure("place within 3 s", creep, "m", Limits.NONE);
+        if (rest.isStanding()) {
+            trial.measure("creeps in 3 s", creep, "m", MOST_OFF);
+        }
+        double work = Math.abs(moving.work - rest.work) / Math.max(rest.work, rest.contacts);
+        trial.measure("work", work, "of that at rest", MOST_WORK);
+    }
+
+    /** Where all bodies are against the first, step by step, and what it costs. */
+    private static final class Course {
+
+        private final List<double[]> places = new ArrayList<>();
+        private double work;
+        private double contacts;
+
+        Course(Trial trial, Scene scene) {
+            StagedScene stage = new StagedScene(trial, scene);
+            RigidBody floor = stage.bodies().get(0);
+            while (stage.pool().time() < LATE) {
+                stage.step();
+                places.add(against(floor, stage.dynamic()));
+                Costs costs = Costs.of(stage.pool().pool().report());
+                work += costs.work();
+                contacts += costs.contacts();
+            }
+        }
+
+        private static double[] against(RigidBody floor, List<RigidBody> bodies) {
+            double[] place = new double[2 * bodies.size()];
+            for (int i = 0; i < bodies.size(); i++) {
+                place[2 * i] = bodies.get(i).x() - floor.x();
+                place[2 * i + 1] = bodies.get(i).y();
+            }
+            return place;
+        }
+
+        /** Greatest difference of a coordinate between two steps, m. */
+        double off(Course other, int from, int to) {
+            double most = 0;
+            for (int step = from; step < to; step++) {
+                for (int i = 0; i < places.get(step).length; i++) {
+                    double off = places.get(step)[i] - other.places.get(step)[i];
+                    most = Math.max(most, Math.abs(off));
+                }
+            }
+            return most;
+        }
+
+        /** Whether nothing moves. */
+        boolean isStanding() {
+            double[] first = places.get(0);
+            double[] last = places.get(places.size() - 1);
+            double most = 0;
+            for (int i = 0; i < first.length; i++) {
+                most = Math.max(most, Math.abs(first[i] - last[i]));
+            }
+            return most < MOST_OFF.exact();
+        }
+    }
+}

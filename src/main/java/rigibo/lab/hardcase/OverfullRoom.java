@@ -1,0 +1,113 @@
+package rigibo.lab.hardcase;
+
+import rigibo.backend.ContactEvent;
+import rigibo.backend.RigidBody;
+import rigibo.backend.geometry.Circle;
+import rigibo.backend.geometry.Polygon;
+import rigibo.backend.geometry.Shape;
+import rigibo.backend.setup.BodyDefinition;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+
+/**
+ * A closed room that holds more than it has room for. Truth: nothing can be parted there, so that
+ * it comes to rest in overlap, which is told; forces are of the size of weights, for no law says
+ * more; and a step of rest costs no more than one before.
+ */
+final class OverfullRoom implements HardCase {
+
+    private static final double SIDE = 5;
+    private static final double HORIZON = 10;
+    private static final double TOLD_FROM = 0.05;
+    private static final Limits AT_REST = Limits.fromGame(1e-3, 1e-3);
+    private static final Limits MOST_IMPULSE = Limits.fromGame(10, 10);
+    private static final Limits MOST_WORK = Limits.fromGame(1.05, 1.05);
+    private static final Limits NEVER = Limits.fromGame(0, 0);
+
+    @Override
+    public String row() {
+        return "M10";
+    }
+
+    @Override
+    public String title() {
+        return "a room that is too full comes to rest and says so";
+    }
+
+    @Override
+    public String finding() {
+        return "Only what a kinematic body crushes is told; discs that cannot part go"
+                + " on being pushed to and fro.";
+    }
+
+    @Override
+    public void run(Trial trial) {
+        List<Double> fills = trial.sampling().of(List.of(1.07, 1.28), List.of(1.05, 1.1, 1.2, 1.3));
+        for (double fill : fills) {
+            for (boolean isRound : new boolean[] {false, true}) {
+                trial.variant((isRound ? "discs, " : "boxes, ") + fill + " × the room");
+                settle(trial, fill, isRound ? new Circle(0.3) : Polygon.box(0.7, 0.5));
+            }
+        }
+    }
+
+    private static void settle(Trial trial, double fill, Shape shape) {
+        WatchedPool pool = trial.pool(Surroundings.earth()).allowingOverlap();
+        BodyDefinition wall = BodyDefinition.fixed(Polygon.box(SIDE + 4, 2));
+        pool.add(wall.at(0, -1));
+        pool.add(wall.at(0, SIDE + 1));
+        pool.add(wall.at(-SIDE / 2 - 1, SIDE / 2).angle(Math.PI / 2));
+        pool.add(wall.at(SIDE / 2 + 1, SIDE / 2).angle(Math.PI / 2));
+        List<RigidBody> bodies = fill(trial, pool, fill, shape);
+        double early = work(pool, 1);
+        pool.run(HORIZON - 2);
+        double late = work(pool, 1);
+        trial.measure("fastest after 10 s", pool.fastest(), "m/s", AT_REST);
+        double weight = bodies.stream().mapToDouble(RigidBody::mass).sum() * Trial.GRAVITY;
+        double impulse = largestImpulse(pool) / (weight * Trial.DT);
+        trial.measure("impulse at rest", impulse, "weights·dt", MOST_IMPULSE);
+        trial.measure("work of a step, against the first second", late / early, "times", MOST_WORK);
+        boolean isTold = pool.pool().report().crushed() > 0;
+        boolean isDeep = pool.overlapNow() > TOLD_FROM;
+        trial.measure("crushed and not told", isDeep && !isTold ? 1 : 0, "rooms", NEVER);
+        trial.measure("overlap", pool.overlapNow(), "width", Limits.NONE);
+    }
+
+    /** As many as have so many times the room's area, at places drawn in it. */
+    private static List<RigidBody> fill(Trial trial, WatchedPool pool, double fill, Shape shape) {
+        SplittableRandom random = trial.sampling().random(Math.round(fill * 100));
+        int count = (int) Math.ceil(fill * SIDE * SIDE / shape.area());
+        double inside = SIDE - 2 * shape.boundingRadius();
+        List<RigidBody> bodies = new ArrayList<>();
+        int columns = (int) Math.ceil(Math.sqrt(count));
+        int rows = (count + columns - 1) / columns;
+        for (int i = 0; i < count; i++) {
+            double x = inside * ((i % columns + random.nextDouble()) / columns - 0.5);
+            double y = SIDE / 2 + inside * ((i / columns + random.nextDouble()) / rows - 0.5);
+            bodies.add(
+                    pool.add(
+                            BodyDefinition.dynamic(shape)
+                                    .at(x, y)
+                                    .angle(2 * Math.PI * random.nextDouble())
+                                    .material(Surroundings.matter(0.5, 0))));
+        }
+        return bodies;
+    }
+
+    private static double work(WatchedPool pool, double seconds) {
+        double work = 0;
+        for (int i = 0; i < Math.round(seconds / Trial.DT); i++) {
+            work += Costs.of(pool.step()).work();
+        }
+        return work;
+    }
+
+    private static double largestImpulse(WatchedPool pool) {
+        return pool.pool().contactEvents().stream()
+                .mapToDouble(ContactEvent::impulse)
+                .max()
+                .orElse(0);
+    }
+}

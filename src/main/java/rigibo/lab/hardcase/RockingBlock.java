@@ -1,0 +1,112 @@
+package rigibo.lab.hardcase;
+
+import rigibo.backend.RigidBody;
+import rigibo.backend.geometry.Polygon;
+import rigibo.backend.setup.BodyDefinition;
+
+import java.util.SplittableRandom;
+
+/**
+ * A block rocks from corner to corner, e = 0, μ = 2. Truth: the angular momentum about the corner
+ * that lands is kept, so ω⁺/ω⁻ = 1 − (3/2)·sin²α with tan α = width/height (Housner, The behavior
+ * of inverted pendulum structures during earthquakes, 1963, eq. 6), and the energy of rocking is
+ * multiplied by its square; between impacts it is kept.
+ */
+final class RockingBlock implements HardCase {
+
+    private static final int IMPACTS = 10;
+    private static final double FRICTION = 2;
+    private static final double PATIENCE = 60;
+
+    /** A corner that lifts less is not judged, m. */
+    private static final double LEAST_LIFT = 1e-3;
+
+    private static final Limits LIMITS = Limits.fromGame(0.01, 0.001);
+
+    @Override
+    public String row() {
+        return "M7";
+    }
+
+    @Override
+    public String title() {
+        return "a rocking block loses at each impact what Housner says, and nothing between";
+    }
+
+    @Override
+    public String finding() {
+        return "The corner that lands does so at the end of a substep, with the other"
+                + " one still held.";
+    }
+
+    @Override
+    public void run(Trial trial) {
+        int count = trial.sampling().count(4, 30);
+        for (int i = 0; i < count; i++) {
+            SplittableRandom random = trial.sampling().random(i);
+            double height = 0.5 + 3 * random.nextDouble();
+            double width = height * (0.15 + 0.35 * random.nextDouble());
+            double start = (0.3 + 0.5 * random.nextDouble()) * Math.atan(width / height);
+            trial.variant(width + " m × " + height + " m, from " + start + " rad");
+            rock(trial, width, height, start);
+        }
+    }
+
+    private static void rock(Trial trial, double width, double height, double start) {
+        double half = Math.hypot(width, height) / 2;
+        double alpha = Math.atan(width / height);
+        WatchedPool pool = trial.pool(Surroundings.earth()).withOverlapOfItsOwn();
+        pool.add(Surroundings.floor(FRICTION, 0));
+        // Turned counter-clockwise about its lower left corner, which is at the origin.
+        RigidBody block =
+                pool.add(
+                        BodyDefinition.dynamic(Polygon.box(width, height))
+                                .at(-half * Math.sin(start - alpha), half * Math.cos(start - alpha))
+                                .angle(start)
+                                .material(Surroundings.matter(FRICTION, 0)));
+        pool.guardEnergy(0);
+        double truth = 1 - 1.5 * Math.pow(Math.sin(alpha), 2);
+        double least = energyOfLift(LEAST_LIFT, width, height);
+        double before = energy(block, height);
+        for (int impact = 0; impact < IMPACTS && before > least; impact++) {
+            double[] swing = swing(pool, block, height);
+            trial.measure("energy between impacts", off(swing[0], before), "of it", LIMITS);
+            if (swing[1] < least) {
+                return;
+            }
+            double ratio = Math.sqrt(swing[1] / swing[0]);
+            trial.measure("spin kept by an impact", off(ratio, truth), "of truth", LIMITS);
+            before = swing[1];
+        }
+    }
+
+    /** Steps until the block leans to the other side: energies before and after its impact. */
+    private static double[] swing(WatchedPool pool, RigidBody block, double height) {
+        double sign = Math.signum(block.angle());
+        double before = energy(block, height);
+        while (pool.time() < PATIENCE) {
+            pool.step();
+            double now = energy(block, height);
+            if (block.angle() * sign <= 0) {
+                return new double[] {before, now};
+            }
+            before = now;
+        }
+        return new double[] {before, 0};
+    }
+
+    /** Of motion, and of height over that of the block at rest, per weight: m. */
+    private static double energy(RigidBody block, double height) {
+        return block.y() - height / 2 + block.kineticEnergy() / (block.mass() * Trial.GRAVITY);
+    }
+
+    /** Energy, per weight, of the block at rest on a corner while the other is so high. */
+    private static double energyOfLift(double lift, double width, double height) {
+        double angle = Math.asin(lift / width);
+        return (width * Math.sin(angle) + height * Math.cos(angle) - height) / 2;
+    }
+
+    private static double off(double value, double truth) {
+        return Math.abs(value / truth - 1);
+    }
+}

@@ -1,0 +1,75 @@
+package rigibo.lab.hardcase;
+
+import rigibo.backend.RigidBody;
+import rigibo.backend.geometry.Circle;
+import rigibo.backend.setup.BodyDefinition;
+
+import java.util.SplittableRandom;
+
+/**
+ * A disc leaves a round hill, from rest 1° beside its top. Truth: v² = 2g(R + r)(cos θ₀ − cos θ)
+ * without friction, 4/3 in place of 2 where it rolls; it leaves where its weight no longer bends
+ * its way, v² = g(R + r)·cos θ: at cos θ = (2/3)·cos θ₀, and (4/7)·cos θ₀ where it rolls. From then
+ * on its horizontal speed is v·cos θ, so vₓ² = g(R + r)·cos³θ tells θ.
+ */
+final class RoundHill implements HardCase {
+
+    private static final double START = Math.toRadians(1);
+
+    /** With less, a disc slips as its weight on the hill falls to 0. */
+    private static final double FRICTION = 100;
+
+    private static final double PATIENCE = 30;
+    private static final Limits DEGREES = Limits.fromGame(0.4, 0.05);
+
+    @Override
+    public String row() {
+        return "M6";
+    }
+
+    @Override
+    public String title() {
+        return "a disc leaves a round hill where its weight no longer holds it";
+    }
+
+    @Override
+    public String finding() {
+        return "The normal is that of the beginning of a substep, while the way bends"
+                + " it by way/(R + r).";
+    }
+
+    @Override
+    public void run(Trial trial) {
+        int count = trial.sampling().count(5, 40);
+        for (int i = 0; i < count; i++) {
+            SplittableRandom random = trial.sampling().random(i);
+            double reach = 2 + 8 * random.nextDouble();
+            double radius = reach * (0.03 + 0.4 * random.nextDouble());
+            String words = ", R + r " + reach + " m, r " + radius + " m";
+            trial.variant("smooth" + words);
+            trial.measure("smooth", off(trial, reach, radius, 0, 2.0 / 3), "°", DEGREES);
+            trial.variant("rolling" + words);
+            trial.measure("rolling", off(trial, reach, radius, FRICTION, 4.0 / 7), "°", DEGREES);
+        }
+    }
+
+    private static double off(
+            Trial trial, double reach, double radius, double friction, double share) {
+        WatchedPool pool = trial.pool(Surroundings.earth()).withOverlapOfItsOwn();
+        pool.add(
+                BodyDefinition.fixed(new Circle(reach - radius))
+                        .material(Surroundings.matter(friction, 0)));
+        RigidBody disc =
+                pool.add(
+                        BodyDefinition.dynamic(new Circle(radius))
+                                .at(reach * Math.sin(START), reach * Math.cos(START))
+                                .material(Surroundings.matter(friction, 0)));
+        pool.guardEnergy(0);
+        while (disc.y() > 0 && pool.time() < PATIENCE) {
+            pool.step();
+        }
+        double vx = disc.velocityX();
+        double cos = Math.cbrt(vx * vx / (Trial.GRAVITY * reach));
+        return Math.toDegrees(Math.abs(Math.acos(cos) - Math.acos(share * Math.cos(START))));
+    }
+}

@@ -1,0 +1,114 @@
+package rigibo.lab.hardcase;
+
+import rigibo.backend.setup.BodyDefinition;
+import rigibo.lab.bench.scene.Commotions;
+import rigibo.lab.bench.scene.Scene;
+
+import java.util.List;
+
+/**
+ * A pyramid built with equal vertical gaps falls together, e = 0. Truth: no box falls farther than
+ * all gaps below it, so none is ever faster than √(2g·Σgaps), and nothing throws any; no energy
+ * comes from nowhere; 10 s later it stands.
+ */
+final class SettlingPyramid implements HardCase {
+
+    private static final double HORIZON = 10;
+    private static final double MOST_SPEED_AT_REST = 1e-3;
+
+    /** Substeps and the speed of what is pushed apart may add so much. */
+    private static final double SLACK = 1.01;
+
+    private record Variant(int base, double gap) {}
+
+    private final String row;
+    private final List<Variant> few;
+    private final List<Variant> all;
+
+    private SettlingPyramid(String row, List<Variant> few, List<Variant> all) {
+        this.row = row;
+        this.few = few;
+        this.all = all;
+    }
+
+    /** Up to 20 storeys. */
+    static SettlingPyramid low() {
+        return new SettlingPyramid(
+                "M2/20",
+                List.of(new Variant(10, 0.001), new Variant(13, 0.05), new Variant(17, 0.02)),
+                List.of(
+                        new Variant(10, 0.001),
+                        new Variant(10, 0.05),
+                        new Variant(12, 0.007),
+                        new Variant(13, 0.05),
+                        new Variant(15, 0.03),
+                        new Variant(17, 0.02),
+                        new Variant(20, 0.002),
+                        new Variant(20, 0.02)));
+    }
+
+    /** Up to 100 storeys. */
+    static SettlingPyramid high() {
+        return new SettlingPyramid(
+                "M2/100",
+                List.of(new Variant(33, 0.02), new Variant(50, 0.01)),
+                List.of(
+                        new Variant(33, 0.02),
+                        new Variant(40, 0.001),
+                        new Variant(50, 0.02),
+                        new Variant(50, 0.05),
+                        new Variant(71, 0.005),
+                        new Variant(100, 0.001),
+                        new Variant(100, 0.02)));
+    }
+
+    @Override
+    public String row() {
+        return row;
+    }
+
+    @Override
+    public String title() {
+        return "a pyramid that falls together throws nothing";
+    }
+
+    @Override
+    public String finding() {
+        return "Storeys that land at the same time are pushed out of overlap, and the"
+                + " pushes of many storeys add up to a throw.";
+    }
+
+    @Override
+    public void run(Trial trial) {
+        for (Variant variant : trial.sampling().of(few, all)) {
+            trial.variant(variant.base + " storeys, gaps of " + variant.gap + " m");
+            fall(trial, variant);
+        }
+    }
+
+    private static void fall(Trial trial, Variant variant) {
+        StagedScene stage =
+                new StagedScene(trial, dead(Commotions.settling(variant.base, variant.gap)));
+        WatchedPool pool = stage.pool();
+        pool.guardEnergy(0);
+        double gaps = variant.base * variant.gap;
+        double most = Math.sqrt(2 * Trial.GRAVITY * gaps);
+        double fastest = 0;
+        while (pool.time() < HORIZON) {
+            stage.step();
+            fastest = Math.max(fastest, pool.fastest());
+        }
+        trial.measure("fastest", fastest / most, "of a fall", Limits.fromGame(SLACK, SLACK));
+        Limits rest = Limits.fromGame(MOST_SPEED_AT_REST, MOST_SPEED_AT_REST);
+        trial.measure("fastest after 10 s", pool.fastest(), "m/s", rest);
+        trial.measure("deepest overlap", pool.deepestShare(), "width", Limits.NONE);
+    }
+
+    private static Scene dead(Scene scene) {
+        List<BodyDefinition> bodies =
+                scene.bodies().stream()
+                        .map(body -> body.material(body.material().elasticity(0)))
+                        .toList();
+        return new Scene(scene.effects(), bodies);
+    }
+}

@@ -1,0 +1,96 @@
+package rigibo.lab.hardcase;
+
+import rigibo.backend.RigidBody;
+import rigibo.backend.effect.Effects;
+import rigibo.backend.effect.Gravity;
+import rigibo.backend.effect.Thrust;
+import rigibo.backend.geometry.Circle;
+import rigibo.backend.geometry.Polygon;
+import rigibo.backend.geometry.Shape;
+import rigibo.backend.setup.BodyDefinition;
+
+import java.util.List;
+
+/**
+ * A weak push on a smooth floor. Truth: without friction nothing opposes it, so v = a·t however
+ * small a is, and whatever its neighbour weighs: no body's calm is judged by another's loads.
+ */
+final class WeakPush implements HardCase {
+
+    private static final double HORIZON = 5;
+    private static final double HEAVY = 1e6;
+    private static final Limits MOST_OFF = Limits.fromGame(1e-3, 1e-6);
+
+    private static final BodyDefinition BOX =
+            BodyDefinition.dynamic(Polygon.box(1, 1)).material(Surroundings.matter(0, 0));
+
+    @Override
+    public String row() {
+        return "M12";
+    }
+
+    @Override
+    public String title() {
+        return "a weak push moves what nothing holds, whatever lies beside it";
+    }
+
+    @Override
+    public String finding() {
+        return "What counts as still is set by the loads of the whole island, so that"
+                + " a weak push beside a heavy body is taken for rest.";
+    }
+
+    @Override
+    public void run(Trial trial) {
+        List<Double> pushes =
+                trial.sampling().of(List.of(1e-6, 1e-3), List.of(1e-6, 1e-5, 1e-4, 1e-3));
+        for (double push : pushes) {
+            trial.variant("box under sideways gravity of " + push);
+            sideways(trial, Polygon.box(1, 1), push);
+            trial.variant("disc under sideways gravity of " + push);
+            sideways(trial, new Circle(0.5), push);
+            trial.variant("box pushed by " + push + " away from a heavy one");
+            beside(trial, push, 0);
+            trial.variant("box pushed by " + push + " on a raft with a heavy one");
+            beside(trial, push, 1);
+        }
+    }
+
+    private static void sideways(Trial trial, Shape shape, double push) {
+        Effects effects = Surroundings.earth().with(new Gravity(push, -Trial.GRAVITY));
+        WatchedPool pool = trial.pool(effects);
+        pool.add(Surroundings.floor(0, 0));
+        RigidBody body =
+                pool.add(
+                        BodyDefinition.dynamic(shape)
+                                .at(0, 0.5)
+                                .material(Surroundings.matter(0, 0)));
+        pool.run(HORIZON);
+        trial.measure("speed", off(body, push), "of a·t", MOST_OFF);
+    }
+
+    /** Touching a body of a million times its weight, on a raft of some height or on the floor. */
+    private static void beside(Trial trial, double push, double raft) {
+        WatchedPool pool =
+                trial.pool(Surroundings.earth().with(new Thrust())).withOverlapOfItsOwn();
+        pool.add(Surroundings.floor(0, 0));
+        if (raft > 0) {
+            pool.add(
+                    BodyDefinition.dynamic(Polygon.box(8, raft))
+                            .at(0, raft / 2)
+                            .material(Surroundings.matter(0, 0)));
+        }
+        double y = raft + 0.5;
+        pool.add(BOX.at(-0.5, y).gravityScale(HEAVY));
+        RigidBody body = pool.add(BOX.at(0.5, y));
+        while (pool.time() < HORIZON) {
+            body.applyForce(body.mass() * push, 0, body.x(), body.y());
+            pool.step();
+        }
+        trial.measure("speed beside a heavy one", off(body, push), "of a·t", MOST_OFF);
+    }
+
+    private static double off(RigidBody body, double push) {
+        return Math.abs(body.velocityX() / (push * HORIZON) - 1);
+    }
+}
