@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
+import rigibo.backend.Pool;
 import rigibo.frontend.puzzle.level.LevelTexts;
 import rigibo.frontend.puzzle.replay.Recording;
 import rigibo.frontend.puzzle.replay.Recordings;
@@ -54,6 +55,18 @@ class ReplayCommandTest {
         assertThat(replay(folder.resolve("none.replay.json").toString(), file)).isEqualTo(1);
         assertThat(err.toString())
                 .contains("there is no such file", "belongs to the level \"drop\"");
+    }
+
+    @Test
+    void aReplayOfAnotherRevisionIsToldAndNotPlayed() throws IOException {
+        Path file = kept();
+        String revision = "\"revision\" : " + Pool.REVISION;
+        String text = Files.readString(file);
+        assertThat(text).contains(revision);
+        Files.writeString(file, text.replace(revision, "\"revision\" : 99"));
+        assertThat(replay("--level", level(), file.toString())).isEqualTo(1);
+        assertThat(err.toString()).contains("was played in revision 99 of the simulation");
+        assertThat(out.toString()).isEmpty();
     }
 
     @Test

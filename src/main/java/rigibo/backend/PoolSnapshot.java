@@ -6,6 +6,7 @@ import rigibo.backend.saved.Snapshot;
 import rigibo.backend.setup.Require;
 import rigibo.backend.storage.DataStorage;
 
+import java.util.function.IntConsumer;
 import java.util.function.Supplier;
 
 /**
@@ -16,6 +17,9 @@ public final class PoolSnapshot {
 
     private static final String RESTORE = "Pool.restore";
     private static final String OF_ANY = "PoolSnapshot.restoreOfAnyRevision";
+
+    private static final IntConsumer PRESENT = PoolSnapshot::requirePresent;
+    private static final IntConsumer ANY = revision -> {};
 
     private PoolSnapshot() {}
 
@@ -36,7 +40,7 @@ public final class PoolSnapshot {
      */
     public static Pool restoreOfAnyRevision(byte[] snapshot) {
         Require.present(OF_ANY + " snapshot", snapshot);
-        return told(OF_ANY, () -> new Pool(Snapshot.decode(snapshot)));
+        return told(OF_ANY, () -> new Pool(Snapshot.decode(snapshot, ANY)));
     }
 
     /**
@@ -48,32 +52,30 @@ public final class PoolSnapshot {
     public static Pool restoreOfAnyRevision(byte[] snapshot, Effects effects) {
         Require.present(OF_ANY + " snapshot", snapshot);
         Require.present(OF_ANY + " effects", effects);
-        return told(OF_ANY, () -> new Pool(Snapshot.decode(snapshot, effects)));
+        return told(OF_ANY, () -> new Pool(Snapshot.decode(snapshot, ANY, effects)));
     }
 
     static Pool restore(byte[] snapshot) {
         Require.present(RESTORE + " snapshot", snapshot);
-        return told(RESTORE, () -> new Pool(Snapshot.decode(present(snapshot))));
+        return told(RESTORE, () -> new Pool(Snapshot.decode(snapshot, PRESENT)));
     }
 
     static Pool restore(byte[] snapshot, Effects effects) {
         Require.present(RESTORE + " snapshot", snapshot);
         Require.present(RESTORE + " effects", effects);
-        return told(RESTORE, () -> new Pool(Snapshot.decode(present(snapshot), effects)));
+        return told(RESTORE, () -> new Pool(Snapshot.decode(snapshot, PRESENT, effects)));
     }
 
-    private static byte[] present(byte[] snapshot) {
-        int revision = Snapshot.revision(snapshot);
+    private static void requirePresent(int revision) {
         if (revision != Pool.REVISION) {
             throw new IllegalArgumentException(
                     "must be of revision "
                             + Pool.REVISION
                             + " of the simulation, was "
                             + revision
-                            + ": it would go on to other bits, as"
-                            + " PoolSnapshot.restoreOfAnyRevision lets it");
+                            + ": it would go on to other bits;"
+                            + " PoolSnapshot.restoreOfAnyRevision goes on all the same");
         }
-        return snapshot;
     }
 
     static byte[] encode(Pool pool, DataStorage data) {

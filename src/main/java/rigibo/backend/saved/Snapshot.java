@@ -6,6 +6,7 @@ import rigibo.backend.storage.DataStorage;
 
 import java.util.Arrays;
 import java.util.function.Function;
+import java.util.function.IntConsumer;
 
 /** All of a pool that lasts from step to step, to be written as bytes and read again. */
 public final class Snapshot {
@@ -53,11 +54,12 @@ public final class Snapshot {
     /**
      * Reads what {@link #encode} wrote. Columns that follow from others are left empty.
      *
+     * @param revision is told of which revision it is before anything else is read, and may refuse
      * @throws IllegalArgumentException when it was altered, states what cannot be, or declares an
      *     effect that holds a function
      */
-    public static Snapshot decode(byte[] bytes) {
-        return decode(bytes, SavedEffects::declared);
+    public static Snapshot decode(byte[] bytes, IntConsumer revision) {
+        return decode(bytes, revision, SavedEffects::declared);
     }
 
     /**
@@ -66,8 +68,8 @@ public final class Snapshot {
      * @throws IllegalArgumentException when it was altered, states what cannot be, or the effects
      *     are not of the kinds it declares
      */
-    public static Snapshot decode(byte[] bytes, Effects given) {
-        return decode(bytes, saved -> saved.replacedBy(given));
+    public static Snapshot decode(byte[] bytes, IntConsumer revision, Effects given) {
+        return decode(bytes, revision, saved -> saved.replacedBy(given));
     }
 
     /**
@@ -84,9 +86,10 @@ public final class Snapshot {
         return reader.number(0);
     }
 
-    private static Snapshot decode(byte[] bytes, Function<SavedEffects, Effects> choice) {
+    private static Snapshot decode(
+            byte[] bytes, IntConsumer revision, Function<SavedEffects, Effects> choice) {
         ByteReader reader = Envelope.open(bytes);
-        readRevision(reader);
+        revision.accept(readRevision(reader));
         Effects effects = choice.apply(SavedEffects.read(reader));
         Snapshot read = new Snapshot(effects, Accuracy.GAME, new DataStorage(effects));
         read.visit(reader);

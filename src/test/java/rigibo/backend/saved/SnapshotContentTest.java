@@ -213,7 +213,7 @@ class SnapshotContentTest {
         pool.add(BodyDefinition.dynamic(Polygon.box(1, 1)).at(0, 1.5));
         pool.remove(pool.add(BodyDefinition.dynamic(new Circle(1)).at(9, 9)));
         pool.step(DT);
-        return Snapshot.decode(pool.snapshot()).data;
+        return Snapshot.decode(pool.snapshot(), revision -> {}).data;
     }
 
     private static Snapshot snapshotOf(DataStorage data) {

@@ -18,6 +18,7 @@ import rigibo.frontend.scene.RecordingDirector;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 
 class KeptReplayTest {
@@ -41,6 +42,20 @@ class KeptReplayTest {
         new Tally(director, level).ended(won(new PuzzleGame(level, Accuracy.GAME)));
         assertThat(new ReplayShelf(folder, level).watchable())
                 .hasValueSatisfying(kept -> assertThat(Proof.of(kept).isSame()).isTrue());
+    }
+
+    @Test
+    void aRunOfAnotherRevisionIsToldInPlaceOfBeingPlayed() throws IOException {
+        director.replays = Optional.of(folder);
+        assertThat(Replays.best(director, level)).isEmpty();
+        new Tally(director, level).ended(won(new PuzzleGame(level, Accuracy.GAME)));
+        assertThat(Replays.best(director, level)).containsInstanceOf(ReplayScene.class);
+        ReplayShelf shelf = new ReplayShelf(folder, level);
+        for (Path file : List.of(shelf.best(), shelf.last())) {
+            String text = Files.readString(file);
+            Files.writeString(file, text.replace("\"format\" : 2", "\"format\" : 1"));
+        }
+        assertThat(Replays.best(director, level)).containsInstanceOf(ProblemsScene.class);
     }
 
     @Test
