@@ -18,7 +18,7 @@ import java.util.TreeSet;
 /** What the tables call scratch is written in a step before it is read. */
 class ScratchLawTest {
 
-    private static final int PROGRAMS = 40;
+    private static final int PROGRAMS = 24;
     private static final int STEPS = 160;
 
     @Test
