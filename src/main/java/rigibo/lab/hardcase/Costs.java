@@ -14,4 +14,8 @@ record Costs(double work, double contacts) {
         double work = report.rows() + report.evaluations() + report.impacts();
         return new Costs(work, report.contacts());
     }
+
+    Costs plus(Costs other) {
+        return new Costs(work + other.work, contacts + other.contacts);
+    }
 }

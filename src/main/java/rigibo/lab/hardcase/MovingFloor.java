@@ -58,7 +58,8 @@ final class MovingFloor implements HardCase {
         if (rest.isStanding()) {
             trial.measure("creeps in 3 s", creep, "m", MOST_OFF);
         }
-        double work = Math.abs(moving.work - rest.work) / Math.max(rest.work, rest.contacts);
+        double more = Math.abs(moving.costs.work() - rest.costs.work());
+        double work = more / Math.max(rest.costs.work(), rest.costs.contacts());
         trial.measure("work", work, "of that at rest", MOST_WORK);
     }
 
@@ -66,8 +67,7 @@ final class MovingFloor implements HardCase {
     private static final class Course {
 
         private final List<double[]> places = new ArrayList<>();
-        private double work;
-        private double contacts;
+        private Costs costs = new Costs(0, 0);
 
         Course(Trial trial, Scene scene) {
             StagedScene stage = new StagedScene(trial, scene);
@@ -75,9 +75,7 @@ final class MovingFloor implements HardCase {
             while (stage.pool().time() < LATE) {
                 stage.step();
                 places.add(against(floor, stage.dynamic()));
-                Costs costs = Costs.of(stage.pool().pool().report());
-                work += costs.work();
-                contacts += costs.contacts();
+                costs = costs.plus(Costs.of(stage.pool().pool().report()));
             }
         }
 

@@ -31,6 +31,9 @@ final class MovingPiles {
         cases.add(new OverfullRoom());
         cases.addAll(ElasticPolygons.cases());
         cases.add(new WeakPush());
+        cases.addAll(DrivenCrowd.cases());
+        cases.add(new FarPiles());
+        cases.add(new ScaledScene());
         return cases;
     }
 

@@ -1,0 +1,136 @@
+package rigibo.lab.hardcase;
+
+import rigibo.backend.RigidBody;
+import rigibo.backend.setup.BodyType;
+import rigibo.lab.bench.scene.Commotions;
+import rigibo.lab.bench.scene.Scene;
+
+import java.util.List;
+import java.util.function.IntFunction;
+import java.util.function.Predicate;
+
+/**
+ * Crowds under a belt, in a shaken box, of thin rods, of towers that are pushed. Truth: nobody
+ * leaves, bodies overlap no deeper than in a crowd that rains, and all energy is that of the start
+ * and the work of what is driven.
+ */
+final class DrivenCrowd implements HardCase {
+
+    private static final int FEW_BODIES = 100;
+
+    private final String name;
+    private final IntFunction<Scene> scene;
+    private final double horizon;
+    private final Predicate<StagedScene> isKept;
+    private final List<Integer> few;
+    private final List<Integer> all;
+
+    private DrivenCrowd(
+            String name,
+            IntFunction<Scene> scene,
+            double horizon,
+            Predicate<StagedScene> isKept,
+            List<Integer> few,
+            List<Integer> all) {
+        this.name = name;
+        this.scene = scene;
+        this.horizon = horizon;
+        this.isKept = isKept;
+        this.few = few;
+        this.all = all;
+    }
+
+    static List<HardCase> cases() {
+        return List.of(
+                new DrivenCrowd(
+                        "belt",
+                        Commotions::belt,
+                        10,
+                        DrivenCrowd::isBeforeTheWall,
+                        List.of(24),
+                        List.of(24, 52, 80)),
+                new DrivenCrowd(
+                        "shaken",
+                        Commotions::shaken,
+                        5,
+                        DrivenCrowd::isInTheBox,
+                        List.of(23),
+                        List.of(23, 61, 100)),
+                new DrivenCrowd(
+                        "rods",
+                        Commotions::rods,
+                        8,
+                        DrivenCrowd::isAboveTheFloor,
+                        List.of(41),
+                        List.of(41, 140, 300)),
+                new DrivenCrowd(
+                        "towers",
+                        storeys -> Commotions.towers(storeys / 4, storeys),
+                        8,
+                        DrivenCrowd::isAboveTheFloor,
+                        List.of(9),
+                        List.of(9, 17, 30)));
+    }
+
+    @Override
+    public String row() {
+        return "M13/" + name;
+    }
+
+    @Override
+    public String title() {
+        return "nobody leaves a crowd that is driven (" + name + "), and no energy comes in unseen";
+    }
+
+    @Override
+    public String finding() {
+        return "What is driven into a crowd is found in overlap where passes leave off, and pushed"
+                + " out of it with energy from nothing.";
+    }
+
+    @Override
+    public void run(Trial trial) {
+        for (int size : trial.sampling().of(few, all)) {
+            trial.variant("of " + size);
+            StagedScene stage = new StagedScene(trial, scene.apply(size));
+            RigidBody first = stage.bodies().get(0);
+            if (first.type() == BodyType.KINEMATIC) {
+                CarrierWork work = new CarrierWork(stage.pool(), first);
+                stage.pool().guardEnergy(0, work::ofStep);
+            } else {
+                stage.pool().guardEnergy(0);
+            }
+            boolean isAlwaysKept = true;
+            while (stage.pool().time() < horizon) {
+                stage.step();
+                isAlwaysKept &= isKept.test(stage);
+            }
+            double most = stage.dynamic().size() <= FEW_BODIES ? 0.02 : 0.05;
+            Limits limits = new Limits(0.5, most, most);
+            trial.measure("deepest overlap", stage.pool().deepestShare(), "width", limits);
+            trial.measure("left", isAlwaysKept ? 0 : 1, "crowds", Limits.same(0));
+        }
+    }
+
+    private static boolean isAboveTheFloor(StagedScene stage) {
+        return stage.dynamic().stream().allMatch(body -> body.y() > 0);
+    }
+
+    private static boolean isBeforeTheWall(StagedScene stage) {
+        RigidBody wall = stage.bodies().get(1);
+        return isAboveTheFloor(stage)
+                && stage.dynamic().stream().allMatch(body -> body.x() < wall.x());
+    }
+
+    /** Between the middles of its walls: floor, ceiling, left, right. */
+    private static boolean isInTheBox(StagedScene stage) {
+        List<RigidBody> walls = stage.bodies();
+        return stage.dynamic().stream()
+                .allMatch(
+                        body ->
+                                body.y() > walls.get(0).y()
+                                        && body.y() < walls.get(1).y()
+                                        && body.x() > walls.get(2).x()
+                                        && body.x() < walls.get(3).x());
+    }
+}
