@@ -45,8 +45,8 @@ final class CasesCommand implements Callable<Integer> {
             split = ",",
             description =
                     "Rows of the list, such as 55 or 20/10, with all their figures. Row 59, an hour"
-                            + " of simulated time, and the largest crowds of M1 run only when they"
-                            + " are named here.")
+                        + " of simulated time, and the largest crowds of M1 and M16 run only when"
+                        + " they are named here.")
     private List<String> rows = List.of();
 
     @Option(

@@ -32,7 +32,7 @@ final class FarPiles implements HardCase {
     @Override
     public String finding() {
         return "Where doubles are coarse a pile does not stay to the last bit, and is solved anew"
-                   + " at every step.";
+                + " at every step.";
     }
 
     @Override

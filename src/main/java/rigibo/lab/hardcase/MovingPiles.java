@@ -15,8 +15,8 @@ final class MovingPiles {
         List<HardCase> cases = new ArrayList<>();
         for (Crowd crowd : Crowd.values()) {
             cases.add(
-                    new Rain(crowd, 100, 0.02, List.of(11, 37), List.of(10, 17, 29, 50, 73, 100)));
-            cases.add(new Rain(crowd, 400, 0.05, List.of(140), List.of(101, 163, 240, 310, 400)));
+                    new Rain(crowd, 100, 0.02, List.of(11, 29), List.of(10, 17, 29, 50, 73, 100)));
+            cases.add(new Rain(crowd, 400, 0.05, List.of(110), List.of(101, 163, 240, 310, 400)));
         }
         cases.add(SettlingPyramid.low());
         cases.add(SettlingPyramid.high());
@@ -42,6 +42,9 @@ final class MovingPiles {
         List<HardCase> cases = new ArrayList<>();
         for (Crowd crowd : Crowd.values()) {
             cases.add(new Rain(crowd, 1500, 0.10, List.of(900), List.of(500, 800, 1100, 1500)));
+        }
+        for (Avalanche avalanche : Avalanche.values()) {
+            cases.add(new CalmWithoutDamping(avalanche));
         }
         return cases;
     }

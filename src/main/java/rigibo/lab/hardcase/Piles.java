@@ -28,11 +28,13 @@ final class Piles {
         Map<String, Scene> piles = new LinkedHashMap<>();
         piles.put("pyramid", Commotions.settling(sampling.count(10, 30), 0));
         piles.put("settling pyramid", Commotions.settling(sampling.count(7, 15), 0.01));
-        piles.put("heap", settled(Crowd.BOXES.rain(sampling.count(25, 100), seed)));
+        List<BodyDefinition> heap = Crowd.BOXES.rain(sampling.count(25, 100), seed);
+        piles.put("heap", new Scene(Crowd.EFFECTS, settled(heap)));
         return piles;
     }
 
-    private static Scene settled(List<BodyDefinition> bodies) {
+    /** A crowd where it lies in the end, at rest. */
+    static List<BodyDefinition> settled(List<BodyDefinition> bodies) {
         Pool pool = new Pool(Crowd.EFFECTS, Preset.GAME.accuracy());
         List<RigidBody> heap = bodies.stream().map(pool::add).toList();
         while (pool.time() < SETTLED) {
@@ -43,7 +45,7 @@ final class Piles {
             RigidBody body = heap.get(i);
             lying.add(bodies.get(i).at(body.x(), body.y()).angle(body.angle()));
         }
-        return new Scene(Crowd.EFFECTS, lying);
+        return lying;
     }
 
     /** The pile so many m to the right. */

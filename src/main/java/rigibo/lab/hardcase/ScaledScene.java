@@ -38,7 +38,7 @@ final class ScaledScene implements HardCase {
     @Override
     public String finding() {
         return "Some tolerance is a length or a speed of its own and does not grow with the"
-                   + " bodies.";
+                + " bodies.";
     }
 
     @Override

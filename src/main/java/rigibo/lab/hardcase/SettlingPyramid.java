@@ -51,7 +51,7 @@ final class SettlingPyramid implements HardCase {
     static SettlingPyramid high() {
         return new SettlingPyramid(
                 "M2/100",
-                List.of(new Variant(33, 0.02), new Variant(50, 0.01)),
+                List.of(new Variant(33, 0.02)),
                 List.of(
                         new Variant(33, 0.02),
                         new Variant(40, 0.001),

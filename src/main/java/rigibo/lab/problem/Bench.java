@@ -44,6 +44,11 @@ public final class Bench implements AutoCloseable {
         return world;
     }
 
+    /** Whether errors are found; else steps are timed, and what nobody asks is not looked at. */
+    public boolean isCounting() {
+        return isCounting;
+    }
+
     /** Length of a step, s. */
     public double step() {
         return setting.step();

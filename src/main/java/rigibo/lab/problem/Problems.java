@@ -20,7 +20,10 @@ public final class Problems {
                     new Billiards(),
                     new DiscHeap(),
                     new HeavyOnLight(),
-                    new Demos());
+                    new Demos(),
+                    new RainOfBoxes(400),
+                    new SettlingPyramid(30),
+                    new StruckPyramid(40));
 
     private Problems() {}
 

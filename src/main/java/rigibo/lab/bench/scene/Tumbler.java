@@ -20,7 +20,7 @@ import java.util.List;
  * box that falls through half of the drum goes 0.23 m in a step, as far as it is wide. They do not
  * bounce.
  */
-final class Tumbler {
+public final class Tumbler {
 
     private static final Effects EFFECTS =
             Effects.of(
@@ -47,7 +47,7 @@ final class Tumbler {
     private Tumbler() {}
 
     /** So many columns of as many boxes. */
-    static Scene of(int columns) {
+    public static Scene of(int columns) {
         double side = SPACING * (columns - 1) + 2 * MARGIN;
         Drum drum = new Drum(HEIGHT_BY_SIDE * side, side, SPIN);
         List<BodyDefinition> bodies = new ArrayList<>(drum.bodies(STONE));

@@ -1,0 +1,86 @@
+package rigibo.lab.problem;
+
+import rigibo.backend.setup.BodyType;
+import rigibo.lab.bench.probe.DeepestOverlap;
+import rigibo.lab.bench.probe.Look;
+import rigibo.lab.bench.scene.Scene;
+import rigibo.lab.engine.World;
+
+/** A crowd in a world of its own, looked at after every step that is not only timed. */
+final class CrowdWatch {
+
+    private final Bench bench;
+    private final Scene scene;
+    private final World world;
+    private final double start;
+    private double work;
+    private double deepest;
+    private double gain;
+
+    CrowdWatch(Bench bench, Scene scene) {
+        this.bench = bench;
+        this.scene = scene;
+        world = bench.world(scene.effects());
+        scene.bodies().forEach(world::add);
+        start = Look.at(scene, world).energy();
+    }
+
+    World world() {
+        return world;
+    }
+
+    /**
+     * Strikes a body to the right in the next step. At most that does the work J·v + J²/2m, which
+     * it does where nothing is in the body's way.
+     *
+     * @param impulse J, N·s
+     */
+    void strike(int body, double impulse) {
+        world.push(body, impulse / bench.step(), 0);
+        double mass = scene.bodies().get(body).massProperties().mass();
+        work += Math.max(0, impulse * (world.velocityX(body) + impulse / (2 * mass)));
+    }
+
+    void step() {
+        bench.step(world);
+        if (bench.isCounting()) {
+            deepest = Math.max(deepest, DeepestOverlap.inWidths(scene, world));
+            double energy = Look.at(scene, world).energy();
+            gain = Math.max(gain, (energy - start - work) / start);
+        }
+    }
+
+    /** Deepest overlap after any step up to now, in widths of the smaller body. */
+    double deepest() {
+        return deepest;
+    }
+
+    /** Most energy beyond the start and all strikes, as a share of the start's. */
+    double gain() {
+        return gain;
+    }
+
+    /** m/s. */
+    double fastest() {
+        double fastest = 0;
+        for (int i = 0; i < scene.bodies().size(); i++) {
+            double speed = Math.hypot(world.velocityX(i), world.velocityY(i));
+            fastest = isMoved(i) ? Math.max(fastest, speed) : fastest;
+        }
+        return fastest;
+    }
+
+    /** Whether something is below the floor, whose top is at 0, or nowhere. */
+    boolean isLost() {
+        for (int i = 0; i < scene.bodies().size(); i++) {
+            if (isMoved(i) && !(world.y(i) > 0)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private boolean isMoved(int body) {
+        return scene.bodies().get(body).type() == BodyType.DYNAMIC;
+    }
+}

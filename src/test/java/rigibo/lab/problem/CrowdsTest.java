@@ -1,0 +1,73 @@
+package rigibo.lab.problem;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+import rigibo.lab.engine.Engine;
+import rigibo.lab.engine.Engines;
+import rigibo.lab.engine.RigiBoEngine;
+import rigibo.lab.engine.Setting;
+
+import java.util.List;
+
+/** The problems of crowds, each with few bodies. */
+class CrowdsTest {
+
+    private static List<Problem> crowds() {
+        return List.of(new RainOfBoxes(6), new SettlingPyramid(3), new StruckPyramid(3));
+    }
+
+    private static Errors errors(Engine engine, Problem problem, String preset) {
+        try (Bench bench = Bench.counting(engine, setting(engine, preset))) {
+            return problem.set(bench).run();
+        }
+    }
+
+    private static Setting setting(Engine engine, String preset) {
+        return Engines.setting(engine, preset);
+    }
+
+    @ParameterizedTest
+    @MethodSource("crowds")
+    void fewBodiesHardlyOverlapAndGainNothing(Problem problem) {
+        Errors errors = errors(new RigiBoEngine(), problem, "GAME");
+        assertThat(errors.failure()).isEmpty();
+        assertThat(errors.main()).as(problem.id()).isLessThan(problem.equalBelow());
+        // Round-off of the sums of energy.
+        assertThat(errors.others().get("energy gained / start")).isLessThan(1e-9);
+    }
+
+    /** Places that are 1 % nearer to each other overlap by 1 % of a width at the least. */
+    @ParameterizedTest
+    @MethodSource("crowds")
+    void overlapIsSeen(Problem problem) {
+        assertThat(errors(new Exaggerating(0.99), problem, "GAME").main()).isGreaterThan(0.01);
+    }
+
+    /** Half of what falls is soon motion, and 1 % more speed is 2 % more of it, height but 1 %. */
+    @Test
+    void energyThatNobodyPutInIsSeen() {
+        Errors errors = errors(new Exaggerating(1.01), new RainOfBoxes(6), "GAME");
+        assertThat(errors.others().get("energy gained / start")).isBetween(1e-3, 1e-2);
+    }
+
+    /** Upside down everything is below the floor. */
+    @ParameterizedTest
+    @MethodSource("crowds")
+    void lostBodiesFail(Problem problem) {
+        Errors errors = errors(new Exaggerating(-1), problem, "GAME");
+        assertThat(errors.failure()).contains("fell through the floor");
+    }
+
+    @ParameterizedTest
+    @MethodSource("crowds")
+    void nothingIsLookedAtWhereStepsAreTimed(Problem problem) {
+        Engine engine = new RigiBoEngine();
+        try (Bench bench = Bench.timed(engine, setting(engine, "DRAFT"))) {
+            assertThat(problem.set(bench).run().main()).isZero();
+        }
+    }
+}
