@@ -17,9 +17,9 @@ import java.util.List;
 final class BornAtOneSpot implements HardCase {
 
     private static final double HORIZON = 10;
-    private static final Limits MOST_WIDTHS_PER_SECOND = Limits.fromGame(3, 3);
-    private static final Limits PARTED = Limits.fromGame(0.005, 0.005);
-    private static final Limits AT_REST = Limits.fromGame(1e-3, 1e-3);
+    private static final Limits MOST_WIDTHS_PER_SECOND = Limits.same(3);
+    private static final Limits PARTED = Limits.same(0.005);
+    private static final Limits AT_REST = Limits.same(1e-3);
 
     private final String row;
     private final Shape shape;
@@ -53,6 +53,11 @@ final class BornAtOneSpot implements HardCase {
     @Override
     public String title() {
         return "bodies born at one spot part slowly, however many there are";
+    }
+
+    @Override
+    public Preset limitedFrom() {
+        return Preset.GAME;
     }
 
     @Override

@@ -40,6 +40,11 @@ final class BulletIntoRow implements HardCase {
     }
 
     @Override
+    public Preset limitedFrom() {
+        return Preset.GAME;
+    }
+
+    @Override
     public String finding() {
         return "Between a wall and what is a thousand times as heavy the passes give"
                 + " way wherever they leave off, at the wall as well as between boxes;"
@@ -61,7 +66,7 @@ final class BulletIntoRow implements HardCase {
             trial.measure("deepest in wall or floor", shot.deepest, "width", Limits.NONE);
         }
         String of = "of " + count;
-        Limits none = Limits.fromGame(0, 0);
+        Limits none = Limits.same(0);
         trial.measure("through wall or floor", failed[0], of, none);
         trial.measure("bullet through a box", failed[1], of, none);
         trial.measure("2 % in wall or floor", failed[2], of, none);

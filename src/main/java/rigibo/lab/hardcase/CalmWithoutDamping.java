@@ -17,7 +17,7 @@ final class CalmWithoutDamping implements HardCase {
 
     private static final int REFERENCE_PARTS = 16;
     private static final double HORIZON = 6;
-    private static final Limits MOST_OFF = Limits.fromGame(0.03, 0.03);
+    private static final Limits MOST_OFF = Limits.same(0.03);
 
     private final Avalanche avalanche;
 
@@ -39,6 +39,11 @@ final class CalmWithoutDamping implements HardCase {
 
     private String name() {
         return avalanche.name().toLowerCase(Locale.ROOT);
+    }
+
+    @Override
+    public Preset limitedFrom() {
+        return Preset.GAME;
     }
 
     @Override

@@ -15,9 +15,9 @@ final class FarPiles implements HardCase {
     private static final double FARTHEST = 1e8;
     private static final double COUNTED = 3;
     private static final double HORIZON = 10;
-    private static final Limits MOST_WORK = Limits.fromGame(1.5, 1.5);
-    private static final Limits AT_REST = Limits.fromGame(1e-3, 1e-3);
-    private static final Limits AWAKE = Limits.fromGame(0, 0);
+    private static final Limits MOST_WORK = Limits.same(1.5);
+    private static final Limits AT_REST = Limits.same(1e-3);
+    private static final Limits AWAKE = Limits.same(0);
 
     @Override
     public String row() {
@@ -27,6 +27,11 @@ final class FarPiles implements HardCase {
     @Override
     public String title() {
         return "far away a pile costs the same and finds its rest";
+    }
+
+    @Override
+    public Preset limitedFrom() {
+        return Preset.GAME;
     }
 
     @Override

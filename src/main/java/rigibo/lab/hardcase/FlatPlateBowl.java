@@ -27,9 +27,9 @@ final class FlatPlateBowl implements HardCase {
     private static final double LEAST_ENERGY = 0.05;
 
     /** Of what kinks took, and of the start: by so much energy may be off. */
-    private static final Limits BY_LOSS = Limits.fromGame(0.03, 0.005);
+    private static final Limits BY_LOSS = Limits.of(0.03, 0.005);
 
-    private static final Limits BY_START = Limits.fromGame(1e-3, 1e-5);
+    private static final Limits BY_START = Limits.of(1e-3, 1e-5);
 
     private enum Slider {
         DISC,
@@ -59,6 +59,11 @@ final class FlatPlateBowl implements HardCase {
     public String title() {
         String name = slider == Slider.DISC ? "disc" : "box";
         return "a " + name + " in a bowl of plates loses what the kinks take, and gains nothing";
+    }
+
+    @Override
+    public Preset limitedFrom() {
+        return Preset.GAME;
     }
 
     @Override
@@ -108,7 +113,8 @@ final class FlatPlateBowl implements HardCase {
         }
     }
 
-    private static double cornerLoss(double kink, double width, double height) {
+    /** What one corner of a box takes of its energy of motion at a kink, as a share. */
+    static double cornerLoss(double kink, double width, double height) {
         double sin = Math.sin(kink);
         double along = Math.cos(kink) - height / (2 * width) * sin;
         double spin = (width * width + height * height) / (12 * width * width);
@@ -145,7 +151,7 @@ final class FlatPlateBowl implements HardCase {
             trial.measure("energy off", off / first, "of start", Limits.NONE);
             trial.measure("energy off, by what may be", off / allowed, "times", Limits.same(1));
         }
-        trial.measure("swings missed", isTurning(pool) ? 0 : 1, "swings", Limits.fromGame(0, 0));
+        trial.measure("swings missed", isTurning(pool) ? 0 : 1, "swings", Limits.same(0));
     }
 
     private static boolean isTurning(WatchedPool pool) {

@@ -3,7 +3,7 @@ package rigibo.lab.hardcase;
 /**
  * What a figure may be at most, by preset.
  *
- * @param draft infinite where DRAFT only reports the figure
+ * @param draft of DRAFT, where the case holds it to limits of its own
  * @param game of GAME
  * @param fine of FINE, as a rule that of GAME
  * @param exact of EXACT
@@ -23,9 +23,9 @@ record Limits(double draft, double game, double fine, double exact) {
         return new Limits(most, most, most);
     }
 
-    /** DRAFT only reports. */
-    static Limits fromGame(double game, double exact) {
-        return new Limits(Double.POSITIVE_INFINITY, game, exact);
+    /** DRAFT is held to the limit of GAME, if to any. */
+    static Limits of(double game, double exact) {
+        return new Limits(game, game, exact);
     }
 
     double of(Preset preset) {

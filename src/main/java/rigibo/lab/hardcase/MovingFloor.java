@@ -13,8 +13,8 @@ import java.util.List;
 final class MovingFloor implements HardCase {
 
     private static final List<Double> SPEEDS = List.of(0.5, 5.0, 50.0);
-    private static final Limits MOST_OFF = Limits.fromGame(1e-6, 1e-6);
-    private static final Limits MOST_WORK = Limits.fromGame(0.05, 0.05);
+    private static final Limits MOST_OFF = Limits.same(1e-6);
+    private static final Limits MOST_WORK = Limits.same(0.05);
 
     /** A pile that stands goes on standing: looked at again after so many s. */
     private static final double LATE = 3;
@@ -27,6 +27,11 @@ final class MovingFloor implements HardCase {
     @Override
     public String title() {
         return "a pile on a moving floor fares as on a floor at rest";
+    }
+
+    @Override
+    public Preset limitedFrom() {
+        return Preset.GAME;
     }
 
     @Override

@@ -21,10 +21,10 @@ final class OverfullRoom implements HardCase {
     private static final double SIDE = 5;
     private static final double HORIZON = 10;
     private static final double TOLD_FROM = 0.05;
-    private static final Limits AT_REST = Limits.fromGame(1e-3, 1e-3);
-    private static final Limits MOST_IMPULSE = Limits.fromGame(10, 10);
-    private static final Limits MOST_WORK = Limits.fromGame(1.05, 1.05);
-    private static final Limits NEVER = Limits.fromGame(0, 0);
+    private static final Limits AT_REST = Limits.same(1e-3);
+    private static final Limits MOST_IMPULSE = Limits.same(10);
+    private static final Limits MOST_WORK = Limits.same(1.05);
+    private static final Limits NEVER = Limits.same(0);
 
     @Override
     public String row() {
@@ -34,6 +34,11 @@ final class OverfullRoom implements HardCase {
     @Override
     public String title() {
         return "a room that is too full comes to rest and says so";
+    }
+
+    @Override
+    public Preset limitedFrom() {
+        return Preset.GAME;
     }
 
     @Override

@@ -21,7 +21,7 @@ final class RockingBlock implements HardCase {
     /** A corner that lifts less is not judged, m. */
     private static final double LEAST_LIFT = 1e-3;
 
-    private static final Limits LIMITS = Limits.fromGame(0.01, 0.001);
+    private static final Limits LIMITS = Limits.of(0.01, 0.001);
 
     @Override
     public String row() {
@@ -31,6 +31,11 @@ final class RockingBlock implements HardCase {
     @Override
     public String title() {
         return "a rocking block loses at each impact what Housner says, and nothing between";
+    }
+
+    @Override
+    public Preset limitedFrom() {
+        return Preset.GAME;
     }
 
     @Override

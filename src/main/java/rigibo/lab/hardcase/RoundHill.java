@@ -20,7 +20,7 @@ final class RoundHill implements HardCase {
     private static final double FRICTION = 100;
 
     private static final double PATIENCE = 30;
-    private static final Limits DEGREES = Limits.fromGame(0.4, 0.05);
+    private static final Limits DEGREES = Limits.of(0.4, 0.05);
 
     @Override
     public String row() {
@@ -30,6 +30,11 @@ final class RoundHill implements HardCase {
     @Override
     public String title() {
         return "a disc leaves a round hill where its weight no longer holds it";
+    }
+
+    @Override
+    public Preset limitedFrom() {
+        return Preset.GAME;
     }
 
     @Override

@@ -73,6 +73,11 @@ final class SettlingPyramid implements HardCase {
     }
 
     @Override
+    public Preset limitedFrom() {
+        return Preset.GAME;
+    }
+
+    @Override
     public String finding() {
         return "Storeys that land at the same time are pushed out of overlap, and the"
                 + " pushes of many storeys add up to a throw.";
@@ -98,8 +103,8 @@ final class SettlingPyramid implements HardCase {
             stage.step();
             fastest = Math.max(fastest, pool.fastest());
         }
-        trial.measure("fastest", fastest / most, "of a fall", Limits.fromGame(SLACK, SLACK));
-        Limits rest = Limits.fromGame(MOST_SPEED_AT_REST, MOST_SPEED_AT_REST);
+        trial.measure("fastest", fastest / most, "of a fall", Limits.same(SLACK));
+        Limits rest = Limits.same(MOST_SPEED_AT_REST);
         trial.measure("fastest after 10 s", pool.fastest(), "m/s", rest);
         trial.measure("deepest overlap", pool.deepestShare(), "width", Limits.NONE);
     }

@@ -38,6 +38,11 @@ final class StepClimb implements HardCase {
     }
 
     @Override
+    public Preset limitedFrom() {
+        return Preset.GAME;
+    }
+
+    @Override
     public String finding() {
         return "The disc rests on the floor, so that the step meets it inside a pile,"
                 + " as overlap at the end of a substep and not at its time: it loses more"
@@ -63,7 +68,7 @@ final class StepClimb implements HardCase {
                 climb.measureSpeedAbove(trial);
             }
         }
-        trial.measure("wrong outcomes", wrong, "of " + tried, Limits.fromGame(0, 0));
+        trial.measure("wrong outcomes", wrong, "of " + tried, Limits.same(0));
     }
 
     /**
@@ -90,7 +95,7 @@ final class StepClimb implements HardCase {
             double impact = keptByImpact() * speed;
             double truth = Math.sqrt(impact * impact - 4 * Trial.GRAVITY * height / 3);
             double error = Math.abs(after(trial, speed).velocityX() - truth) / speed;
-            trial.measure("speed above", error, "of v", Limits.fromGame(0.02, 0.005));
+            trial.measure("speed above", error, "of v", Limits.of(0.02, 0.005));
         }
 
         /** The disc when it has turned back, rolls on above the step, or time is up. */

@@ -69,15 +69,14 @@ public final class Trial {
 
     /** Keeps a figure with a limit for EXACT and one for all others that are held to one. */
     void measure(String name, double figure, String unit, double exact, double game) {
-        boolean isReported = preset.compareTo(limitedFrom) < 0;
-        double limit = preset == Preset.EXACT ? exact : game;
-        double held = isReported ? Double.POSITIVE_INFINITY : limit;
-        keep(measures, name, figure, unit, held, variant);
+        measure(name, figure, unit, Limits.of(game, exact));
     }
 
-    /** Keeps a figure whose limits say themselves which presets are held to one. */
+    /** Keeps a figure with limits by preset, for all that are held to one. */
     void measure(String name, double figure, String unit, Limits limits) {
-        keep(measures, name, figure, unit, limits.of(preset), variant);
+        boolean isReported = preset.compareTo(limitedFrom) < 0;
+        double held = isReported ? Double.POSITIVE_INFINITY : limits.of(preset);
+        keep(measures, name, figure, unit, held, variant);
     }
 
     /** Keeps a figure with the same limit for all presets that are held to one. */

@@ -19,7 +19,7 @@ final class WeakPush implements HardCase {
 
     private static final double HORIZON = 5;
     private static final double HEAVY = 1e6;
-    private static final Limits MOST_OFF = Limits.fromGame(1e-3, 1e-6);
+    private static final Limits MOST_OFF = Limits.of(1e-3, 1e-6);
 
     private static final BodyDefinition BOX =
             BodyDefinition.dynamic(Polygon.box(1, 1)).material(Surroundings.matter(0, 0));
@@ -32,6 +32,11 @@ final class WeakPush implements HardCase {
     @Override
     public String title() {
         return "a weak push moves what nothing holds, whatever lies beside it";
+    }
+
+    @Override
+    public Preset limitedFrom() {
+        return Preset.GAME;
     }
 
     @Override
