@@ -25,10 +25,6 @@ final class CrowdWatch {
         start = Look.at(scene, world).energy();
     }
 
-    World world() {
-        return world;
-    }
-
     /**
      * Strikes a body to the right in the next step. At most that does the work J·v + J²/2m, which
      * it does where nothing is in the body's way.
@@ -68,6 +64,12 @@ final class CrowdWatch {
             fastest = isMoved(i) ? Math.max(fastest, speed) : fastest;
         }
         return fastest;
+    }
+
+    /** By how much the last body, the tip of a pyramid, is lower than at the start, m. */
+    double sinkingOfLast() {
+        int last = scene.bodies().size() - 1;
+        return scene.bodies().get(last).y() - world.y(last);
     }
 
     /** Whether something is below the floor, whose top is at 0, or nowhere. */

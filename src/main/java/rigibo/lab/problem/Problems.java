@@ -21,9 +21,9 @@ public final class Problems {
                     new DiscHeap(),
                     new HeavyOnLight(),
                     new Demos(),
-                    new RainOfBoxes(400),
-                    new SettlingPyramid(30),
-                    new StruckPyramid(40));
+                    CrowdProblem.rain(400),
+                    CrowdProblem.settling(30),
+                    CrowdProblem.struck(40));
 
     private Problems() {}
 

@@ -22,7 +22,7 @@ class ProblemsTest {
     /** Whose errors at the faster presets are beyond what EXACT promises. */
     private static final Set<String> TOLD_APART = Set.of("R3", "R4", "R11", "R13");
 
-    /** Of hundreds of bodies, which take minutes; small ones of theirs are in CrowdsTest. */
+    /** Of hundreds of bodies, which take minutes; small ones of theirs are in CrowdProblemTest. */
     private static final Set<String> CROWDS = Set.of("R14", "R15", "R16");
 
     private static List<Problem> problems() {

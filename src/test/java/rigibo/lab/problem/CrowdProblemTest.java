@@ -14,10 +14,10 @@ import rigibo.lab.engine.Setting;
 import java.util.List;
 
 /** The problems of crowds, each with few bodies. */
-class CrowdsTest {
+class CrowdProblemTest {
 
     private static List<Problem> crowds() {
-        return List.of(new RainOfBoxes(6), new SettlingPyramid(3), new StruckPyramid(3));
+        return List.of(CrowdProblem.rain(6), CrowdProblem.settling(3), CrowdProblem.struck(3));
     }
 
     private static Errors errors(Engine engine, Problem problem, String preset) {
@@ -50,7 +50,7 @@ class CrowdsTest {
     /** Half of what falls is soon motion, and 1 % more speed is 2 % more of it, height but 1 %. */
     @Test
     void energyThatNobodyPutInIsSeen() {
-        Errors errors = errors(new Exaggerating(1.01), new RainOfBoxes(6), "GAME");
+        Errors errors = errors(new Exaggerating(1.01), CrowdProblem.rain(6), "GAME");
         assertThat(errors.others().get("energy gained / start")).isBetween(1e-3, 1e-2);
     }
 
