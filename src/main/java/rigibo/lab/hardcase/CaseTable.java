@@ -21,7 +21,8 @@ public final class CaseTable {
             overlap below 2 %% of a body's width, no energy out of nothing, momentum kept, the \
             same bits in a second run. `EXACT` is held to limits of its own, the other presets to \
             those of a game, but for `DRAFT` in these cases, where it is held to the invariants \
-            alone: %s. Sleep is off unless the case is about sleep.
+            alone: %s. Sleep is off unless the case is about sleep. \
+            Of cases with many variants, sizes and draws, a few are tried; `--full` tries all.
 
             Each line shows of all figures of a case that have a limit the one that comes nearest \
             to it. The margin says how many times the figure fits into its limit: below 1 the case \

@@ -36,8 +36,8 @@ final class FarPiles implements HardCase {
 
     @Override
     public String finding() {
-        return "Where doubles are coarse a pile does not stay to the last bit, and is solved anew"
-                + " at every step.";
+        return "A pyramid that falls together is pushed out of overlap with energy from nothing, at"
+                + " EXACT more than its limit, where it stands as well as far away.";
     }
 
     @Override

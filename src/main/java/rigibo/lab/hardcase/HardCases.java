@@ -6,7 +6,7 @@ import java.util.stream.Stream;
 /** Every hard case there is. To add one, write its class and its line here. */
 public final class HardCases {
 
-    private static final List<HardCase> HELD =
+    private static final List<HardCase> NUMBERED =
             List.of(
                     new FreeFlight(),
                     new LinearDrag(),
@@ -68,6 +68,9 @@ public final class HardCases {
                     new TurningPress(),
                     new ButtedBoxes(),
                     new BornInOverlap());
+
+    private static final List<HardCase> HELD =
+            Stream.concat(NUMBERED.stream(), MovingPiles.held().stream()).toList();
 
     private static final List<HardCase> OPEN =
             Stream.concat(Stream.of(new ManyCornered()), MovingPiles.open().stream()).toList();
