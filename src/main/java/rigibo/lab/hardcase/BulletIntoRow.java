@@ -112,7 +112,6 @@ final class BulletIntoRow implements HardCase {
                                     .velocity(between(random, 50, 2000), 0)
                                     .mass(between(random, 1, 1e4) * boxes.get(0).mass())
                                     .material(matter));
-            pool.guardEnergy(0);
         }
 
         void fly() {

@@ -18,7 +18,8 @@ public final class CaseTable {
             Scenes that are hard to simulate and whose truth is known, in closed form or as an \
             invariant; the class of each case in `src/main/java/rigibo/lab/hardcase` derives it. \
             Every run is also held to what is true in every case: nothing that is not finite, \
-            overlap below 2 %% of a body's width, no energy out of nothing, momentum kept, the \
+            overlap below 2 %% of a body's width, no energy out of nothing, neither in a step nor \
+            since the start, momentum kept, the \
             same bits in a second run. `EXACT` is held to limits of its own, the other presets to \
             those of a game, but for `DRAFT` in these cases, where it is held to the invariants \
             alone: %s. Sleep is off unless the case is about sleep. \

@@ -37,6 +37,12 @@ final class Dominoes implements HardCase {
     }
 
     @Override
+    public String finding() {
+        return "At FINE and EXACT a domino struck at 1.01 of the threshold has some millionths more"
+                + " energy, when it falls, than it began with.";
+    }
+
+    @Override
     public void run(Trial trial) {
         trial.variant("row");
         row(trial);

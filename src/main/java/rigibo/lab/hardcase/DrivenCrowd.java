@@ -104,9 +104,7 @@ final class DrivenCrowd implements HardCase {
             RigidBody first = stage.bodies().get(0);
             if (first.type() == BodyType.KINEMATIC) {
                 CarrierWork work = new CarrierWork(stage.pool(), first);
-                stage.pool().guardEnergy(0, work::ofStep);
-            } else {
-                stage.pool().guardEnergy(0);
+                stage.pool().countWork(work::ofStep);
             }
             boolean isAlwaysKept = true;
             while (stage.pool().time() < horizon) {

@@ -96,7 +96,6 @@ final class ElasticPolygons implements HardCase {
                             .spin(40 * random.nextDouble() - 20)
                             .material(Surroundings.matter(0, 1)));
         }
-        pool.guardEnergy(0);
         double start = pool.pool().kineticEnergy();
         double most = 0;
         while (pool.time() < HORIZON) {

@@ -13,18 +13,14 @@ import java.util.List;
 final class EnergyGuard {
 
     private final Gravity gravity;
-    private final double floorY;
     private final double start;
+    private double mass;
+    private double lowest = Double.POSITIVE_INFINITY;
     private double work;
 
-    /**
-     * Begins with what there is now.
-     *
-     * @param floorY height to which all that is above can fall, m
-     */
-    EnergyGuard(List<RigidBody> bodies, Gravity gravity, double floorY) {
+    /** Begins with what there is now. */
+    EnergyGuard(List<RigidBody> bodies, Gravity gravity) {
         this.gravity = gravity;
-        this.floorY = floorY;
         start = energy(bodies);
     }
 
@@ -33,22 +29,34 @@ final class EnergyGuard {
         work += joules;
     }
 
-    /** Energy beyond the start and the work, as a share of what could be released by now. */
+    /**
+     * Energy beyond the start and the work, as a share of what could be released by now: the motion
+     * at the start, and a fall from there to the lowest point that anything has reached.
+     */
     double beyond(List<RigidBody> bodies) {
         double excess = energy(bodies) - start - work;
-        double could = start + Math.max(0, work);
+        double could = start - mass * lowest + Math.max(0, work);
         return could > 0 ? Math.max(0, excess) / could : Math.max(0, excess);
     }
 
-    /** Energy of motion and of height over the floor, J. */
-    double energy(List<RigidBody> bodies) {
+    /** Energy of motion and height, J. */
+    private double energy(List<RigidBody> bodies) {
         double sum = 0;
+        mass = 0;
         for (RigidBody body : bodies) {
             if (body.type() == BodyType.DYNAMIC) {
-                double fall = gravity.x() * body.x() + gravity.y() * (body.y() - floorY);
-                sum += body.kineticEnergy() - body.mass() * fall;
+                mass += body.mass();
+                sum += body.kineticEnergy() + body.mass() * height(body);
             }
         }
         return sum;
+    }
+
+    /** Potential energy of a body's centre, J/kg; notes that of its lowest point. */
+    private double height(RigidBody body) {
+        double height = -gravity.x() * body.x() - gravity.y() * body.y();
+        double pull = Math.hypot(gravity.x(), gravity.y());
+        lowest = Math.min(lowest, height - pull * body.shape().boundingRadius());
+        return height;
     }
 }

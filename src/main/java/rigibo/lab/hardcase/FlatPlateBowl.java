@@ -78,8 +78,10 @@ final class FlatPlateBowl implements HardCase {
     public void run(Trial trial) {
         for (int plates : trial.sampling().of(FEW, ALL)) {
             double radius = 3 + 4 * trial.sampling().random(plates).nextDouble();
-            trial.variant(plates + " plates, bowl of " + radius + " m");
-            swing(trial, new PlateBowl(radius, plates));
+            trial.variant(plates + " lapped plates, bowl of " + radius + " m");
+            swing(trial, new PlateBowl(radius, plates, PlateBowl.LAPPED));
+            trial.variant(plates + " butted plates, bowl of " + radius + " m");
+            swing(trial, new PlateBowl(radius, plates, PlateBowl.BUTTED));
         }
     }
 
@@ -138,7 +140,6 @@ final class FlatPlateBowl implements HardCase {
                                 .angle(bowl.slope(plate))
                                 .material(Surroundings.matter(0, 0)));
         double bottom = -bowl.radius();
-        pool.guardEnergy(bottom);
         double first = start[1] - bottom;
         List<Double> swings = truth.swings(bottom + LEAST_ENERGY * first, MOST_SWINGS);
         for (double swing : swings) {

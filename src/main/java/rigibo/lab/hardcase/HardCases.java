@@ -55,7 +55,6 @@ public final class HardCases {
                     new SkinnyBox(),
                     new Bernoulli(),
                     new Rack(),
-                    new Dominoes(),
                     new DominoWave(),
                     new Painleve(),
                     new Arch(),
@@ -73,7 +72,10 @@ public final class HardCases {
             Stream.concat(NUMBERED.stream(), MovingPiles.held().stream()).toList();
 
     private static final List<HardCase> OPEN =
-            Stream.concat(Stream.of(new ManyCornered()), MovingPiles.open().stream()).toList();
+            Stream.concat(
+                            Stream.of(new ManyCornered(), new Dominoes()),
+                            MovingPiles.open().stream())
+                    .toList();
 
     private static final List<HardCase> LONG =
             Stream.concat(

@@ -12,20 +12,24 @@ import java.util.List;
  *
  * @param radius of the circle, m
  * @param plates n
+ * @param lap length of a plate, in chords
  */
-record PlateBowl(double radius, int plates) {
+record PlateBowl(double radius, int plates, double lap) {
 
     private static final double THICKNESS = 0.5;
 
-    /** Plates reach below the faces of their neighbours, so that no face ends in a corner. */
-    private static final double LAP = 1.4;
+    /** Plates that end where they meet. */
+    static final double BUTTED = 1;
+
+    /** Plates that reach below the faces of their neighbours, so that no face ends in a corner. */
+    static final double LAPPED = 1.4;
 
     /** Of a kink, rad. */
     double kink() {
         return Math.PI / plates;
     }
 
-    /** Of a plate, m. */
+    /** Of a plate's face, m. */
     double length() {
         return 2 * radius * Math.sin(kink() / 2);
     }
@@ -46,7 +50,7 @@ record PlateBowl(double radius, int plates) {
         for (int plate = 0; plate < plates; plate++) {
             double[] at = on(plate, 0, -THICKNESS / 2);
             bodies.add(
-                    BodyDefinition.fixed(Polygon.box(LAP * length(), THICKNESS))
+                    BodyDefinition.fixed(Polygon.box(lap * length(), THICKNESS))
                             .at(at[0], at[1])
                             .angle(slope(plate))
                             .material(Surroundings.matter(0, 0)));

@@ -113,7 +113,6 @@ final class Rain implements HardCase {
     private void fall(Trial trial, Scene scene, double rest) {
         StagedScene stage = new StagedScene(trial, scene);
         WatchedPool pool = stage.pool();
-        pool.guardEnergy(0);
         Passages passages = new Passages(stage.bodies());
         int passed = 0;
         while (pool.time() < rest) {

@@ -69,7 +69,6 @@ final class RockingBlock implements HardCase {
                                 .at(-half * Math.sin(start - alpha), half * Math.cos(start - alpha))
                                 .angle(start)
                                 .material(Surroundings.matter(FRICTION, 0)));
-        pool.guardEnergy(0);
         double truth = 1 - 1.5 * Math.pow(Math.sin(alpha), 2);
         double least = energyOfLift(LEAST_LIFT, width, height);
         double before = energy(block, height);

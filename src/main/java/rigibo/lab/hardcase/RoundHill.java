@@ -69,7 +69,6 @@ final class RoundHill implements HardCase {
                         BodyDefinition.dynamic(new Circle(radius))
                                 .at(reach * Math.sin(START), reach * Math.cos(START))
                                 .material(Surroundings.matter(friction, 0)));
-        pool.guardEnergy(0);
         while (disc.y() > 0 && pool.time() < PATIENCE) {
             pool.step();
         }

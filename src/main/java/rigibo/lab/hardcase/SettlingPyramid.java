@@ -95,7 +95,6 @@ final class SettlingPyramid implements HardCase {
         StagedScene stage =
                 new StagedScene(trial, dead(Commotions.settling(variant.base, variant.gap)));
         WatchedPool pool = stage.pool();
-        pool.guardEnergy(0);
         double gaps = variant.base * variant.gap;
         double most = Math.sqrt(2 * Trial.GRAVITY * gaps);
         double fastest = 0;

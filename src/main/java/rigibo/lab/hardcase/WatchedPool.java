@@ -47,7 +47,8 @@ final class WatchedPool {
     private final Balance balance;
     private final Overlap overlap = new Overlap();
     private EnergyGuard guard;
-    private DoubleSupplier workOfStep;
+    private DoubleSupplier workOfStep = () -> 0;
+    private boolean isWorkKnown;
     private boolean isEnergyKept;
     private boolean isMomentumKept;
     private boolean mayOverlap;
@@ -69,7 +70,7 @@ final class WatchedPool {
     RigidBody add(BodyDefinition definition) {
         isMomentumKept &= definition.type() == BodyType.DYNAMIC && definition.gravityScale() == 1;
         isEnergyKept &= definition.type() != BodyType.KINEMATIC && definition.gravityScale() == 1;
-        balance.restart();
+        changed();
         return pool.add(definition);
     }
 
@@ -87,23 +88,13 @@ final class WatchedPool {
     }
 
     /**
-     * Holds the energy from now on to what there is now.
+     * Has the energy held to that of the start and to what driven bodies do.
      *
-     * @param floorY height to which all that is above can fall, m
-     */
-    void guardEnergy(double floorY) {
-        guardEnergy(floorY, () -> 0);
-    }
-
-    /**
-     * Holds the energy from now on to what there is now and what is done from outside.
-     *
-     * @param floorY height to which all that is above can fall, m
      * @param work of the last step, J, asked after each
      */
-    void guardEnergy(double floorY, DoubleSupplier work) {
-        guard = new EnergyGuard(pool.bodies(), gravity, floorY);
+    void countWork(DoubleSupplier work) {
         workOfStep = work;
+        isWorkKnown = true;
     }
 
     /** Fastest dynamic body now, m/s. */
@@ -120,6 +111,7 @@ final class WatchedPool {
     /** After something was changed from outside, the books begin anew. */
     void changed() {
         balance.restart();
+        guard = null;
     }
 
     void remove(RigidBody body) {
@@ -133,6 +125,9 @@ final class WatchedPool {
 
     StepReport step(double dt) {
         balance.begin(pool.bodies());
+        if (guard == null && (isEnergyKept || isWorkKnown)) {
+            guard = new EnergyGuard(pool.bodies(), gravity);
+        }
         long before = Heap.allocated();
         StepReport report = pool.step(dt);
         allocated += Heap.allocated() - before;
