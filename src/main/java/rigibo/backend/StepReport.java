@@ -65,6 +65,16 @@ public final class StepReport {
         return counters.rows;
     }
 
+    /** How often a contact was solved in passes: some 60 multiplications each. */
+    public long contactSolves() {
+        return counters.contactSolves;
+    }
+
+    /** Multiplications by which small islands were solved whole. */
+    public double multiplications() {
+        return counters.multiplications;
+    }
+
     /** Islands of touching bodies that got their answer by a method. */
     public int islands(SolveMethod method) {
         return counters.islandsBy[method.ordinal()];

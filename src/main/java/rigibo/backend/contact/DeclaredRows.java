@@ -28,10 +28,11 @@ final class DeclaredRows {
             Rows rows,
             Kick kick,
             FreshRows fresh,
+            Rubbing rubbing,
             double straight) {
         this.kick = kick;
         this.fresh = fresh;
-        rubbing = rubbing(data, effects, motions, rows);
+        this.rubbing = rubbing;
         boolean runs = effects.declares(SurfaceSpeed.class);
         running = runs ? new RunningRows(data, rows) : null;
         boolean turns = effects.declares(Rotation.class);
@@ -40,7 +41,8 @@ final class DeclaredRows {
         blows = bounces ? new PileBlows(data, motions, rows, kick) : null;
     }
 
-    private static Rubbing rubbing(DataStorage data, Effects effects, Motions motions, Rows rows) {
+    /** What the declared effects make surfaces do to each other. */
+    static Rubbing rubbing(DataStorage data, Effects effects, Motions motions, Rows rows) {
         boolean rubs = effects.declares(Friction.class);
         FrictionSolver friction = rubs ? new FrictionSolver(motions, rows, data.pairs) : null;
         if (effects.declares(RollingResistance.class)) {
@@ -107,16 +109,6 @@ final class DeclaredRows {
     /** How many rows a pass along the tangents solves. */
     int rowCount() {
         return rubbing.rowCount();
-    }
-
-    /** One pass along the tangents; returns the largest change of speed in it, m/s. */
-    double rub(int substep) {
-        return rubbing.solve(substep);
-    }
-
-    /** One pass back over contacts of all kinds, in a pile that is not solved whole. */
-    void relax(NormalSolver normals, double h, int substep, boolean isLast) {
-        normals.relax(h, substep, rubbing, isLast);
     }
 
     /** Keeps what held in the last substep of h seconds. */

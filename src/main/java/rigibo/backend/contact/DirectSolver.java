@@ -3,8 +3,6 @@ package rigibo.backend.contact;
 import static rigibo.backend.contact.SingleRows.ROWS_PER_CONTACT;
 import static rigibo.backend.contact.SingleRows.TANGENT;
 
-import rigibo.backend.setup.SolveMethod;
-
 /**
  * Solves all loaded rows of a small island at once. Passing over the contacts one by one carries a
  * load through a stack of N only after some N² passes, and its bending after N⁴, so that a tower
@@ -16,7 +14,7 @@ import rigibo.backend.setup.SolveMethod;
  * kinetic energy never rises from one step to the next. K is factored by Cholesky within its
  * envelope, which in a stack is a band of six rows.
  */
-final class DirectSolver implements WholeSolver {
+final class DirectSolver {
 
     /** Largest island in rows; beyond it the elimination costs more than it gains. */
     static final int MOST_ROWS = 192;
@@ -30,6 +28,9 @@ final class DirectSolver implements WholeSolver {
     /** Sets tried within one solve, for each substep; passes over the rows see to what is left. */
     private static final int TRIES_PER_SUBSTEP = 8;
 
+    /** Multiplications that a row takes in one try beside those of factoring. */
+    private static final int WORK_OF_ROW = 100;
+
     private final Motions motions;
     private final Rows rows;
     private final OverlapSolver overlap;
@@ -37,6 +38,9 @@ final class DirectSolver implements WholeSolver {
     private final ContactOrder order;
     private final RowFactor factor;
     private final int mostTries;
+
+    /** Multiplications that a substep is worth. */
+    private double worth;
 
     /** The rows of the present set: 3·contact + point, or + 2 for the tangent. */
     private int[] set = new int[64];
@@ -67,33 +71,38 @@ final class DirectSolver implements WholeSolver {
         mostTries = TRIES_PER_SUBSTEP * substeps;
     }
 
-    /** Begins the packed island, unless it is too large. */
-    boolean prepare() {
+    /**
+     * Begins the packed island, unless it is too large, or factoring all of its rows takes more
+     * multiplications than a substep is worth.
+     */
+    boolean prepare(double worthOfSubstep) {
         if (ROWS_PER_CONTACT * rows.count > MOST_ROWS) {
             return false;
         }
+        worth = worthOfSubstep;
         forget();
         order.find();
-        return true;
+        return factor.workOfAll() <= worth;
     }
 
-    @Override
-    public void forget() {
+    /** The rows are not what they were: a factor of them is worth nothing. */
+    void forget() {
         factor.forget();
     }
 
-    @Override
-    public SolveMethod method() {
-        return SolveMethod.ELIMINATION;
+    /** Begins a substep: what was spent counts anew. */
+    void begin() {
+        factor.clearWork();
     }
 
-    @Override
-    public void begin() {}
+    /** Multiplications of this substep. */
+    double work() {
+        return factor.work();
+    }
 
-    /** Small as it is, it is solved. */
-    @Override
-    public boolean isSpent() {
-        return false;
+    /** Whether what is left of the rows is not worth more in this substep. */
+    boolean isSpent() {
+        return factor.work() > worth;
     }
 
     /** A lone disc's normal and friction do not feel each other: nothing is to be eliminated. */
@@ -101,17 +110,21 @@ final class DirectSolver implements WholeSolver {
         return rows.count == 1 && rows.points[0] == 1;
     }
 
-    @Override
-    public void solve(double h, int substep, double settled, double fastest) {
+    /**
+     * Brings the rows to rest against each other, for a substep of h seconds, but for a speed of
+     * {@code settled} m/s.
+     */
+    void solve(double h, int substep, double settled) {
         if (isUncoupled()) {
             return;
         }
         least = settled;
         chooseLoaded(h, substep);
-        for (int attempt = 0; attempt < mostTries && !isSolved(h, TO_SPARE * settled); attempt++) {
+        for (int i = 0; i < mostTries && !isSpent() && !isSolved(h, TO_SPARE * settled); i++) {
             factor.factorize(set, size);
-            for (int i = 0; i < size; i++) {
-                unknown[i] = -approach(set[i], h);
+            factor.addWork(WORK_OF_ROW * size);
+            for (int k = 0; k < size; k++) {
+                unknown[k] = -approach(set[k], h);
             }
             factor.solve(unknown);
             if (stepToAllBounds(h)) {
@@ -122,14 +135,8 @@ final class DirectSolver implements WholeSolver {
         }
     }
 
-    @Override
-    public double finestShare() {
-        return 0;
-    }
-
     /** Takes the overlap of loaded rows back, or of all that overlap where nothing is loaded. */
-    @Override
-    public void correct(double h, int substep, double fastest) {
+    void correct(double h, int substep) {
         if (factor.size() == 0) {
             chooseOverlapping(h, substep);
             factor.factorize(set, size);

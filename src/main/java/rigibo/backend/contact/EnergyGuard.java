@@ -2,8 +2,6 @@ package rigibo.backend.contact;
 
 import static rigibo.backend.contact.SingleRows.ROWS_PER_CONTACT;
 
-import rigibo.backend.storage.Counters;
-
 /**
  * Keeps contacts from adding energy. What impulses j do to bodies beside the work of what is driven
  * is Σ j·(w₀ + w₁)/2, with w₀ and w₁ the speeds along the rows before and after; contacts only push
@@ -18,38 +16,36 @@ final class EnergyGuard {
 
     private final Motions motions;
     private final Rows rows;
-    private final Counters counters;
     private final SingleRows single;
 
     /** The energy of motion before the contacts, J, and the blows that had been struck by then. */
     private double energyBefore;
 
-    private int impactsBefore;
+    private int blowsBefore;
 
     /** Velocities before the contacts, laid out as the motions. */
     private double[] before = new double[16 * Motions.STRIDE];
 
-    EnergyGuard(Motions motions, Rows rows, Counters counters) {
+    EnergyGuard(Motions motions, Rows rows) {
         this.motions = motions;
         this.rows = rows;
-        this.counters = counters;
         single = new SingleRows(motions, rows);
     }
 
     /** Notes the energy that there is before the contacts answer. */
     void begin() {
         energyBefore = motions.energy(motions.data);
-        impactsBefore = counters.impacts;
+        blowsBefore = rows.blows;
     }
 
     /**
      * Whether the energy alone tells that impulses added no more than a multiple of it: it does
      * where nothing else, which is driven or strikes, had a part in what it is now.
      */
-    private boolean isWithin(double multiple) {
+    private boolean isWithin(double most) {
         boolean isDriven = motions.isAnyDriven || rows.isAnyRunning;
-        boolean isOfContacts = !isDriven && counters.impacts == impactsBefore;
-        return isOfContacts && motions.energy(motions.data) <= (1 + multiple) * energyBefore;
+        boolean isOfContacts = !isDriven && rows.blows == blowsBefore;
+        return isOfContacts && motions.energy(motions.data) <= energyBefore + most;
     }
 
     /** Scales all impulses back to what adds no energy, if they do. */
@@ -57,19 +53,20 @@ final class EnergyGuard {
         limitWork(0);
     }
 
-    /**
-     * Scales all impulses back to what adds no more than a multiple of the energy of motion there
-     * was, if they do.
-     */
-    void limitWork(double multiple) {
-        if (isWithin(multiple)) {
+    /** To what adds no more than a multiple of the energy of motion that there was. */
+    void limitGrowth(double multiple) {
+        limitWork(multiple * energyBefore);
+    }
+
+    /** To what adds no more than some J. */
+    void limitWork(double most) {
+        if (isWithin(most)) {
             return;
         }
         takeBack();
         double first = work(before);
         // The work of impulses scaled by s is s·Σ j·w₀ + s²·Σ j·(w₁ − w₀)/2.
         double growth = (work(motions.data) - first) / 2;
-        double most = multiple > 0 ? multiple * motions.energy(before) : 0;
         if (first + growth > most + ROUND_OFF * growth) {
             double root = Math.sqrt(first * first + 4 * growth * most);
             scale(growth > 0 ? (root - first) / (2 * growth) : 0);

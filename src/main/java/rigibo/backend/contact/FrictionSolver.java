@@ -17,12 +17,6 @@ final class FrictionSolver implements Rubbing {
     private int[] rubbing = new int[16];
     private int count;
 
-    /** Of these the rows that do not roll as well. */
-    private int[] sliding = new int[16];
-
-    private int slidingCount;
-    private double largestChange;
-
     FrictionSolver(Motions motions, Rows rows, Pairs pairs) {
         this.motions = motions;
         this.rows = rows;
@@ -33,10 +27,8 @@ final class FrictionSolver implements Rubbing {
     public void begin(double firstKick) {
         if (rubbing.length < rows.count) {
             rubbing = new int[rows.pair.length];
-            sliding = new int[rows.pair.length];
         }
         count = 0;
-        slidingCount = 0;
         for (int row = 0; row < rows.count; row++) {
             double friction = pairs.friction[rows.pair[row]];
             if (friction > 0) {
@@ -44,9 +36,6 @@ final class FrictionSolver implements Rubbing {
                 rows.data[at + Rows.FRICTION] = friction;
                 rows.data[at + Rows.IMPULSE_T] = pairs.heldFriction(rows.pair[row]) * firstKick;
                 rubbing[count++] = row;
-                if (rows.data[at + Rows.ROLLING] == 0) {
-                    sliding[slidingCount++] = row;
-                }
             }
         }
         refresh();
@@ -70,23 +59,9 @@ final class FrictionSolver implements Rubbing {
     }
 
     @Override
-    public double solve(int substep) {
-        largestChange = 0;
-        for (int i = 0; i < slidingCount; i++) {
-            if (rows.firstSubstep[sliding[i]] <= substep) {
-                slide(sliding[i]);
-            }
-        }
-        return largestChange;
-    }
-
-    @Override
     public void rub(int row) {
-        int at = row * Rows.STRIDE;
-        if (rows.data[at + Rows.FRICTION] > 0) {
-            double impulse = impulseWithinLoad(row);
-            apply(row, impulse - rows.data[at + Rows.IMPULSE_T]);
-            rows.data[at + Rows.IMPULSE_T] = impulse;
+        if (rows.data[row * Rows.STRIDE + Rows.FRICTION] > 0) {
+            slide(row);
         }
     }
 
@@ -131,7 +106,6 @@ final class FrictionSolver implements Rubbing {
         int at = row * Rows.STRIDE;
         double change = impulse - d[at + Rows.IMPULSE_T];
         d[at + Rows.IMPULSE_T] = impulse;
-        largestChange = Math.max(largestChange, Math.abs(change) / d[at + Rows.MASS_T]);
         apply(row, change);
     }
 
@@ -150,11 +124,6 @@ final class FrictionSolver implements Rubbing {
         m[b + VX] -= mb * d[at + Rows.NY];
         m[b + VY] += mb * d[at + Rows.NX];
         m[b + SPIN] += m[b + INVERSE_INERTIA] * d[at + Rows.LEVER_TB] * impulse;
-    }
-
-    /** The largest change of speed since the pass began, m/s. */
-    double largestChange() {
-        return largestChange;
     }
 
     /** The impulse nearest to one that is wanted, of those up to a bound either way. */

@@ -211,6 +211,7 @@ final class JointBlows {
         together.add(rows.pair[row], impact, strikes ? d[at + Rows.ELASTICITY] : 0);
         if (strikes) {
             pairs.impacts[rows.pair[row]]++;
+            rows.blows++;
             counters.impacts++;
         }
     }

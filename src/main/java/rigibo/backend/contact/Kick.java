@@ -72,6 +72,19 @@ final class Kick {
         return most;
     }
 
+    /** The energy of motion in J that a kick of h seconds gives what rests. */
+    double energy(double h) {
+        double sum = 0;
+        for (int entry = 1; entry < motions.count; entry++) {
+            int slot = motions.slots[entry];
+            double ax = bodies.accelerationX[slot];
+            double ay = bodies.accelerationY[slot];
+            double inverseMass = motions.data[entry * Motions.STRIDE + Motions.INVERSE_MASS];
+            sum += inverseMass > 0 ? (ax * ax + ay * ay) / inverseMass : 0;
+        }
+        return sum * h * h / 2;
+    }
+
     /** Measures what all velocities have gained per second of the kick, by loads too. */
     void measureGain() {
         for (int at = Motions.STRIDE; at < motions.count * Motions.STRIDE; at += Motions.STRIDE) {

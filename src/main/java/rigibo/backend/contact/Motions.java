@@ -32,6 +32,9 @@ final class Motions {
     /** The slot of each entry. */
     int[] slots = new int[16];
 
+    /** How far the outline of each entry reaches from its centre, m; 0 where nothing turns. */
+    double[] reach = new double[16];
+
     int count;
 
     /** Whether any of them moves as it is told. */
@@ -71,10 +74,12 @@ final class Motions {
     private int pack(Bodies bodies, int slot) {
         if (count == slots.length) {
             slots = Arrays.copyOf(slots, 2 * count);
+            reach = Arrays.copyOf(reach, 2 * count);
             data = Arrays.copyOf(data, 2 * count * STRIDE);
         }
         isAnyDriven |= bodies.isDriven(slot);
         slots[count] = slot;
+        reach[count] = turns ? bodies.boundingRadius[slot] : 0;
         entries[slot] = count;
         int at = count++ * STRIDE;
         data[at + VX] = bodies.velocityX[slot];

@@ -15,11 +15,6 @@ final class NoRubbing implements Rubbing {
     }
 
     @Override
-    public double solve(int substep) {
-        return 0;
-    }
-
-    @Override
     public void rub(int row) {}
 
     @Override

@@ -33,13 +33,30 @@ final class OverlapSolver {
         this.rows = rows;
     }
 
-    /** One pass over all rows for a substep of h seconds. */
-    void correct(double h, int substep) {
-        for (int row = 0; row < rows.count; row++) {
-            if (rows.firstSubstep[row] <= substep) {
-                correct(row, h);
-            }
+    /**
+     * Passes over all rows for a substep of h seconds, from the ground up and back; all of them
+     * together part two bodies no faster than one pass may.
+     */
+    void correctInPasses(double h, int substep, int passes) {
+        boolean isAny = true;
+        for (int pass = 0; pass < passes && isAny; pass++) {
+            isAny = correct(h, substep, pass % 2 == 0, MOST_PUSH / passes);
         }
+    }
+
+    /** One pass over all rows. */
+    void correct(double h, int substep) {
+        correct(h, substep, false, MOST_PUSH);
+    }
+
+    /** Returns whether there was anything to be taken back, at so many widths a second at most. */
+    private boolean correct(double h, int substep, boolean isUpwards, double speed) {
+        boolean isAny = false;
+        for (int i = 0; i < rows.count; i++) {
+            int row = isUpwards ? rows.count - 1 - i : i;
+            isAny |= rows.firstSubstep[row] <= substep && correct(row, h, speed);
+        }
+        return isAny;
     }
 
     /** Whether a gap is to open by more than a share of a width within h seconds. */
@@ -67,11 +84,12 @@ final class OverlapSolver {
         return overlap > 0 ? Math.min(overlap * rate * h / (1 + rate * h), most) : 0;
     }
 
-    private void correct(int row, double h) {
-        double want0 = wanted(row, 0, h);
-        double want1 = rows.points[row] == 2 ? wanted(row, 1, h) : 0;
+    private boolean correct(int row, double h, double speed) {
+        double most = speed * rows.data[row * Rows.STRIDE + Rows.WIDTH] * h;
+        double want0 = Math.min(most, wanted(row, 0, h));
+        double want1 = rows.points[row] == 2 ? Math.min(most, wanted(row, 1, h)) : 0;
         if (want0 == 0 && want1 == 0) {
-            return;
+            return false;
         }
         double[] d = rows.data;
         int at = row * Rows.STRIDE;
@@ -84,6 +102,7 @@ final class OverlapSolver {
         } else {
             move(row, both0, both1);
         }
+        return true;
     }
 
     /** Moves both bodies as impulses at the points would in one second, kg·m. */

@@ -150,6 +150,7 @@ final class PileImpacts {
         struckIn[0] = NEVER; // The ground goes on as before.
         rows.data[row * Rows.STRIDE + Rows.TOTAL] += impact.totalNormalImpulse();
         pairs.impacts[rows.pair[row]]++;
+        rows.blows++;
         counters.impacts++;
     }
 

@@ -3,12 +3,10 @@ package rigibo.backend.contact;
 import rigibo.backend.collision.Narrowphase;
 import rigibo.backend.effect.Drag;
 import rigibo.backend.effect.Effects;
-import rigibo.backend.geometry.ShapeKind;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.ContactSolver;
 import rigibo.backend.setup.Correction;
 import rigibo.backend.setup.SolveMethod;
-import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.Counters;
 import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.Islands;
@@ -20,24 +18,16 @@ public final class PileSolver {
     /** Share of a substep that stands for no time at all, yet lets a gap of round-off rest. */
     private static final double NO_TIME = 1e-3;
 
-    /** Share of what a free body would gain in a step up to which a pile is calm. */
+    /** Share of what a free body would gain in a step up to which an island is calm. */
     private static final double CALM = 0.25;
 
-    /** Share of the fastest speed that may be left unsolved, per metre of the tolerance. */
-    private static final double SETTLED = 1e-2;
-
-    /** Share of the strongest answer below which a change is round-off: some 64 ulp. */
-    private static final double ROUND_OFF = 1e-14;
-
-    /**
-     * Rounds that a small pile is given per substep beside one for each substep of the accuracy.
-     */
-    private static final int LEAST_ROUNDS = 4;
+    /** Least share of the fastest speed that is asked for of what passes solve. */
+    private static final double FINEST_OF_PASSES = 1e-5;
 
     /** How many times faster than anything in the step before rows not solved may leave a body. */
     private static final double MOST_LEVERAGE = 2;
 
-    private static final double MOST_LEVERAGE_IF_LARGE = 8;
+    private static final double MOST_LEVERAGE_OF_PASSES = 8;
 
     /**
      * How many times faster than anything moves an impulse by itself may make what it pushes. A box
@@ -46,53 +36,40 @@ public final class PileSolver {
      */
     private static final double MOST_STRESS = 1e6;
 
+    /**
+     * How many times what it carried in the substep before a contact may be begun with, where
+     * passes solve: loads that they leave a little off may grow again, and a blow does not come
+     * twice.
+     */
+    private static final double MOST_GROWTH = 2;
+
     /** Turn in a step, rad, by which loads may miss what they carried in the substep before. */
     private static final double MOST_TURN = 0.5;
 
-    /** Share of its bodies that have corners from which on a wide pile is built, not poured. */
-    private static final double LEAST_ANGULAR = 0.1;
-
-    /** A round that changes more than this share of what the last one did goes half its way. */
-    private static final double SHRINKS = 0.5;
-
-    private final Bodies bodies;
     private final Islands islands;
     private final Counters counters;
     private final Accuracy accuracy;
-    private final boolean isCorrecting;
     private final Motions motions;
     private final Rows rows = new Rows();
     private final RowBuilder builder;
     private final Kick kick;
     private final WarmStart warmStart;
-    private final NormalSolver normals;
-    private final OverlapSolver overlap;
     private final EnergyGuard guard;
-    private final Halfway halfway;
-    private final DirectSolver direct;
-    private final SplitSolver split;
-
     private final LateJoiners lateJoiners;
     private final Repose repose;
+    private final Rounds rounds;
     private final Passes passes;
-    private final boolean isDirect;
     private final DeclaredRows declared;
     private final PileResults results;
 
-    /** Which of the two solves the packed island whole, null where it is too large for both. */
-    private WholeSolver whole;
-
-    /** Whether hardly anything in the packed island has a face to stand on. */
-    private boolean isRound;
+    /** Whether the packed island is small enough to be solved to the end. */
+    private boolean isWhole;
 
     /** The highest speed before contacts answer, m/s. */
     private double fastest;
 
     /** The highest speed at which rows that were not solved may leave a body in this step, m/s. */
     private double limit;
-
-    /** What may be left in a small pile that counts as solved, m/s. */
-    private double settled;
 
     /** Whether every body of the packed island was found to be held where it is. */
     private boolean isHeld;
@@ -110,43 +87,32 @@ public final class PileSolver {
             Effects effects,
             Accuracy accuracy,
             PileForces forces) {
-        bodies = data.bodies;
-        motions = new Motions(bodies.turns());
+        motions = new Motions(data.bodies.turns());
         islands = data.islands;
         counters = data.counters;
         this.accuracy = accuracy;
-        isCorrecting = accuracy.correction() == Correction.SOFT;
-        isDirect = accuracy.contactSolver() == ContactSolver.DIRECT;
-        PackedTurns turns = bodies.turns() ? new PackedTurns(bodies, motions) : null;
+        boolean turn = data.bodies.turns();
+        PackedTurns turns = turn ? new PackedTurns(data.bodies, motions) : null;
         builder = new RowBuilder(data, motions, rows, turns);
         warmStart = new WarmStart(motions, rows);
-        normals =
-                new NormalSolver(
-                        motions, rows, accuracy.contactSolver() != ContactSolver.SEQUENTIAL);
-        overlap = new OverlapSolver(motions, rows);
-        guard = new EnergyGuard(motions, rows, counters);
-        halfway = new Halfway(motions, rows);
-        direct = new DirectSolver(motions, rows, overlap, accuracy.substeps());
-        split = new SplitSolver(motions, rows, overlap, accuracy.substeps());
+        guard = new EnergyGuard(motions, rows);
         results = new PileResults(data, motions, rows, turns);
         boolean drags = effects.declares(Drag.class);
-        DragKick drag = drags ? new DragKick(bodies, motions) : null;
-        kick = new Kick(bodies, motions, forces, drag, turns);
-        lateJoiners = new LateJoiners(bodies, motions, rows);
-        repose =
-                new Repose(
-                        data,
-                        motions,
-                        rows,
-                        isCorrecting ? overlap : null,
-                        kick,
-                        builder,
-                        accuracy);
+        DragKick drag = drags ? new DragKick(data.bodies, motions) : null;
+        kick = new Kick(data.bodies, motions, forces, drag, turns);
+        lateJoiners = new LateJoiners(data.bodies, motions, rows);
+        OverlapSolver overlap = new OverlapSolver(motions, rows);
+        boolean isCorrecting = accuracy.correction() == Correction.SOFT;
+        OverlapSolver wanted = isCorrecting ? overlap : null;
+        repose = new Repose(data, motions, rows, wanted, kick, builder, accuracy);
         FreshRows fresh = new FreshRows(data, narrowphase, motions, rows, builder);
-        declared =
-                new DeclaredRows(
-                        data, effects, motions, rows, kick, fresh, accuracy.impactTolerance());
-        passes = new Passes(motions, normals, declared, guard, accuracy);
+        Rubbing rubbing = DeclaredRows.rubbing(data, effects, motions, rows);
+        double straight = accuracy.impactTolerance();
+        declared = new DeclaredRows(data, effects, motions, rows, kick, fresh, rubbing, straight);
+        boolean isBlock = accuracy.contactSolver() != ContactSolver.SEQUENTIAL;
+        ContactSweep sweep = new ContactSweep(motions, rows, counters, rubbing, isBlock);
+        rounds = new Rounds(motions, rows, counters, declared, guard, sweep, overlap, accuracy);
+        passes = new Passes(motions, rows, kick, guard, sweep, overlap, accuracy);
     }
 
     /** Advances every island to the end of a step of {@code dt} seconds. */
@@ -169,39 +135,32 @@ public final class PileSolver {
         builder.build(island, h / 2);
         declared.begin(h);
         warmStart.prepare();
-        isRound = isRound();
-        whole = isDirect ? wholeSolver(dt) : null;
+        isWhole = rounds.prepare(motions.fastest() <= CALM * dt * kick.strongest());
         lateJoiners.delay(start, h);
         isHeld = false;
         boolean wasStill = repose.isStill(dt, share());
-        SolveMethod method = whole == null ? SolveMethod.PASSES : whole.method();
-        counters.solve(method, declared.rowCount() + rows.count);
         for (int substep = 0; substep < substeps; substep++) {
             double middle = start + (substep + 0.5) * h;
             kick.remember();
             double left = (substeps - substep) * h;
-            if (declared.measureAnew(substep, h, dt - left, left) && whole != null) {
-                whole.forget();
+            if (declared.measureAnew(substep, h, dt - left, left)) {
+                rounds.forget();
             }
             kick.accelerate(substep == 0 ? start : middle - h, middle);
             fastest = motions.fastest();
             setLimit(substep);
-            begin(substep == 1 ? 2 : 1, substep);
-            if (substep == 0 && wasStill && isCarried(start, h)) {
-                rest();
-                break;
+            guard.begin();
+            if (!isWhole) {
+                // What contacts carried may throw bodies about until it is answered: a blow between
+                // bodies that were only thrown would be for good.
+                declared.strikeApart(h, substep);
             }
-            if (whole != null) {
-                settleSubstep(h, substep);
-                if (substep == 0 && repose.isFound(start, h, substeps, settled)) {
-                    rest();
-                    break;
-                }
-                rows.addUpImpulses(1);
-                motions.drift(h);
-                takeOverlapBack(h, substep);
-            } else {
-                passes.advance(h, substep, isRound, limit);
+            begin(substep == 1 ? 2 : 1, substep);
+            boolean rests =
+                    substep == 0 && wasStill && isCarried(start, h)
+                            || advanceSubstep(start, h, substep);
+            if (rests) {
+                rest();
             }
         }
         if (isHeld) {
@@ -209,8 +168,31 @@ public final class PileSolver {
         } else {
             finish(h, dt);
         }
+        SolveMethod method = isWhole ? SolveMethod.ELIMINATION : SolveMethod.PASSES;
+        counters.solve(method, declared.rowCount() + rows.count);
         results.store(h, dt - start);
         declared.store(h);
+    }
+
+    /** Returns whether the first substep has shown that the island rests. */
+    private boolean advanceSubstep(double start, double h, int substep) {
+        if (!isWhole) {
+            passes.advance(h, substep, fastest, limit);
+            return false;
+        }
+        declared.strikeJointly(h, substep);
+        isWhole = rounds.settle(h, substep, fastest, limit);
+        if (!isWhole) {
+            passes.advance(h, substep, fastest, limit);
+            return false;
+        }
+        if (substep == 0 && repose.isFound(start, h, substeps, rounds.settled())) {
+            return true;
+        }
+        rows.addUpImpulses(1);
+        motions.drift(h);
+        rounds.takeOverlapBack(h, substep);
+        return false;
     }
 
     /**
@@ -222,126 +204,46 @@ public final class PileSolver {
         substeps = 1;
     }
 
-    /**
-     * An island whose bodies move less than a falling one gains in a step counts as calm. Without
-     * friction, or of discs, nothing is stacked wide: what is poured is left to passes, which are
-     * faster.
-     */
-    private WholeSolver wholeSolver(double dt) {
-        if (direct.prepare()) {
-            return direct;
-        }
-        if (declared.rowCount() == 0 || isRound) {
-            return null;
-        }
-        boolean isCalm = motions.fastest() <= CALM * dt * kick.strongest();
-        return split.prepare(isCalm) ? split : null;
-    }
-
-    private boolean isRound() {
-        int angular = 0;
-        for (int entry = 1; entry < motions.count; entry++) {
-            boolean isDisc = bodies.shape[motions.slots[entry]].kind() == ShapeKind.CIRCLE;
-            angular += isDisc ? 0 : 1;
-        }
-        return angular < LEAST_ANGULAR * motions.count;
-    }
-
     private void begin(double scale, int substep) {
-        if (whole != null) {
-            guard.begin();
-        }
-        if (whole != null && rows.strongestAnswer() > MOST_STRESS * fastest) {
+        if (isWhole && rows.strongestAnswer() > MOST_STRESS * fastest) {
             rows.unload();
         }
-        if (whole != null && substep > 0) {
-            warmStart.leaveOutBlows();
+        if (substep > 0) {
+            warmStart.leaveOutBlows(isWhole ? 1 : MOST_GROWTH);
         }
-        if (whole != null) {
-            warmStart.scaleBefore(scale, substep);
-        }
+        warmStart.scaleBefore(scale, substep);
         warmStart.apply(scale, substep);
         // What contacts carried throws bodies about if what they carried it against is gone.
         guard.limitSpeed(leverage() * fastest);
-        if (whole != null) {
+        if (isWhole) {
             double turn = MOST_TURN / substeps;
-            guard.limitWork(turn * turn);
+            guard.limitGrowth(turn * turn);
         }
     }
 
-    /** A large pile may also part as fast as overlap is taken back. */
+    /** What passes solve may also part as fast as overlap is taken back. */
     private void setLimit(int substep) {
         if (substep == 0) {
-            double parting = whole != null ? 0 : OverlapSolver.MOST_PUSH * rows.widest();
+            double parting = isWhole ? 0 : OverlapSolver.MOST_PUSH * rows.widest();
             limit = Math.max(leverage() * fastest, parting);
-        } else if (whole != null) {
+        } else if (isWhole) {
             limit = Math.max(limit, fastest);
         }
     }
 
-    /** A large pile is never solved to the end: only what would blow it up is held back there. */
+    /** Passes never solve to the end: only what would blow up is held back there. */
     private double leverage() {
-        return whole != null ? MOST_LEVERAGE : MOST_LEVERAGE_IF_LARGE;
-    }
-
-    private void settleSubstep(double h, int substep) {
-        whole.begin();
-        declared.strikeJointly(h, substep);
-        settle(h, substep);
+        return isWhole ? MOST_LEVERAGE : MOST_LEVERAGE_OF_PASSES;
     }
 
     /** Share of the fastest speed that counts as solved. */
     private double share() {
-        double finest = whole == null ? SplitSolver.FINEST : whole.finestShare();
-        return Math.max(SETTLED * accuracy.impactTolerance(), finest);
+        return isWhole ? rounds.share() : Math.max(rounds.share(), FINEST_OF_PASSES);
     }
 
     private boolean isCarried(double start, double h) {
-        settled = share() * fastest;
-        isHeld = repose.isCarried(start, h, substeps, settled, fastest);
+        isHeld = repose.isCarried(start, h, substeps, share() * fastest, fastest);
         return isHeld;
-    }
-
-    private void takeOverlapBack(double h, int substep) {
-        if (isCorrecting) {
-            whole.correct(h, substep, fastest);
-            overlap.correct(h, substep);
-        }
-    }
-
-    /** Goes on until a small pile is solved, which at rest it is after the first round. */
-    private void settle(double h, int substep) {
-        boolean isSettled = settleRows(h, substep);
-        guard.limitEnergy();
-        if (!isSettled) {
-            guard.limitSpeed(limit);
-        }
-    }
-
-    private boolean settleRows(double h, int substep) {
-        settled = share() * fastest;
-        double before = Double.POSITIVE_INFINITY;
-        for (int i = 0; i < LEAST_ROUNDS + accuracy.substeps(); i++) {
-            double change = declared.rub(substep);
-            change = Math.max(change, normals.back(h, substep));
-            settled = Math.max(settled, ROUND_OFF * rows.strongestAnswer());
-            boolean isStuck = whole == split && change > SHRINKS * before;
-            if (change <= settled || isStuck) {
-                return true;
-            }
-            halfway.begin();
-            whole.solve(h, substep, settled, fastest);
-            if (whole.isSpent()) {
-                break;
-            }
-            if (change > SHRINKS * before) {
-                halfway.end();
-            }
-            before = change;
-        }
-        declared.rub(substep);
-        normals.forth(h, substep);
-        return false;
     }
 
     /** What held the first half of a kick holds its second half as well: nothing moves at all. */
@@ -352,27 +254,29 @@ public final class PileSolver {
 
     /**
      * The second half of the last kick: velocities are those at the end of the step. Nothing moves
-     * any more, so in a small pile a gap that would close in the next step is no reason to slow
-     * down in this one. A large pile is never solved so well: there that reason keeps it calm.
+     * any more, so in what is solved to the end a gap that would close in the next step is no
+     * reason to slow down in this one. Passes never solve so well: there that reason keeps it calm.
      */
     private void finish(double h, double dt) {
         int last = substeps;
-        boolean isChanged = declared.measureAnew(last, 0, dt, 0);
-        if (whole != null) {
-            if (isChanged) {
-                whole.forget();
-            }
+        if (declared.measureAnew(last, 0, dt, 0)) {
+            rounds.forget();
+        }
+        if (isWhole) {
             closeLoadedGaps();
         }
         kick.accelerate(dt - h / 2, dt);
         fastest = motions.fastest();
+        guard.begin();
         begin(last == 1 ? 1 : 0.5, last);
-        if (whole != null) {
+        if (isWhole) {
             declared.strikeAtOnce(h * NO_TIME, last);
-            settle(h * NO_TIME, last);
+            isWhole = rounds.settle(h * NO_TIME, last, fastest, limit);
+        }
+        if (isWhole) {
             rows.addUpImpulses(1);
         } else {
-            passes.hold(h, last, isRound, limit);
+            passes.hold(h, last, fastest, limit);
         }
     }
 

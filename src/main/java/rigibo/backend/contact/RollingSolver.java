@@ -23,7 +23,6 @@ final class RollingSolver implements Rubbing {
 
     private int[] rolling = new int[16];
     private int count;
-    private double largestChange;
 
     RollingSolver(DataStorage data, Motions motions, Rows rows, FrictionSolver friction) {
         bodies = data.bodies;
@@ -70,17 +69,6 @@ final class RollingSolver implements Rubbing {
     @Override
     public int rowCount() {
         return count + (friction == null ? 0 : friction.rowCount());
-    }
-
-    @Override
-    public double solve(int substep) {
-        largestChange = friction == null ? 0 : friction.solve(substep);
-        for (int i = 0; i < count; i++) {
-            if (rows.firstSubstep[rolling[i]] <= substep) {
-                rollWithoutSliding(rolling[i]);
-            }
-        }
-        return friction == null ? largestChange : Math.max(largestChange, friction.largestChange());
     }
 
     @Override
@@ -155,9 +143,7 @@ final class RollingSolver implements Rubbing {
         int a = rows.bodyA[row];
         int b = rows.bodyB[row];
         double change = impulse - d[at + Rows.IMPULSE_R];
-        double reach = Math.abs(d[at + Rows.LEVER_TB] - d[at + Rows.LEVER_TA]);
         d[at + Rows.IMPULSE_R] = impulse;
-        largestChange = Math.max(largestChange, reach * Math.abs(change) / d[at + Rows.INERTIA_R]);
         m[a + SPIN] -= m[a + INVERSE_INERTIA] * change;
         m[b + SPIN] += m[b + INVERSE_INERTIA] * change;
     }

@@ -39,6 +39,34 @@ final class RowFactor {
         this.order = order;
     }
 
+    /** Multiplications that writing one entry of the matrix takes. */
+    private static final int WORK_OF_ENTRY = 40;
+
+    private double work;
+
+    /** Multiplications made since they were counted last. */
+    double work() {
+        return work;
+    }
+
+    void addWork(int multiplications) {
+        work += multiplications;
+    }
+
+    void clearWork() {
+        work = 0;
+    }
+
+    /** Multiplications that factoring takes where all rows are loaded, by their envelope. */
+    double workOfAll() {
+        double all = 0;
+        for (int place = 0; place < rows.count; place++) {
+            double width = ROWS_PER_CONTACT * (place - order.firstNeighbour[place] + 1);
+            all += ROWS_PER_CONTACT * width * width / 2;
+        }
+        return all;
+    }
+
     void forget() {
         size = 0;
     }
@@ -83,6 +111,7 @@ final class RowFactor {
                     sum += single.give(factored[i]);
                 }
                 int from = Math.max(first[i], first[j]);
+                work += WORK_OF_ENTRY + j - from;
                 for (int k = from; k < j; k++) {
                     sum -= factor[start[i] + k - first[i]] * factor[start[j] + k - first[j]];
                 }

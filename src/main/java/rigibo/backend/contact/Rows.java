@@ -133,6 +133,9 @@ final class Rows {
      */
     int groundStart;
 
+    /** Impacts that were resolved between them. */
+    int blows;
+
     /** The largest change of speed by which a contact answers, m/s. */
     double strongestAnswer() {
         double most = 0;
@@ -170,6 +173,7 @@ final class Rows {
     /** Empties the pack. */
     void clear() {
         count = 0;
+        blows = 0;
         isAnyRunning = false;
         lastJoining = ALWAYS;
     }

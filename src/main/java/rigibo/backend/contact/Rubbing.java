@@ -12,9 +12,6 @@ interface Rubbing {
     /** How many rows a pass solves. */
     int rowCount();
 
-    /** One pass over all rows; returns the largest change of speed in it, m/s. */
-    double solve(int substep);
-
     /** Solves what one contact has of them. */
     void rub(int row);
 

@@ -81,21 +81,6 @@ final class SingleRows {
                 : rows.data[at + Rows.GIVE];
     }
 
-    /** Writes what a unit impulse of a row gives A and B, x, y and turn of each. */
-    void writeGradient(int id, double[] to, int at) {
-        int row = id / ROWS_PER_CONTACT;
-        to[at] = -directionX(id);
-        to[at + 1] = -directionY(id);
-        to[at + 2] = turns(rows.bodyA[row]) ? -leverA(id) : 0;
-        to[at + 3] = directionX(id);
-        to[at + 4] = directionY(id);
-        to[at + 5] = turns(rows.bodyB[row]) ? leverB(id) : 0;
-    }
-
-    private boolean turns(int body) {
-        return motions.data[body + Motions.INVERSE_INERTIA] > 0;
-    }
-
     private double directionX(int id) {
         int at = id / ROWS_PER_CONTACT * Rows.STRIDE;
         return id % ROWS_PER_CONTACT == TANGENT

@@ -27,8 +27,8 @@ final class TurningRows {
     /** An island is given at most this many times the substeps of a calm one; */
     private static final double MOST_MORE = 16;
 
-    /** no more than this over its number of bodies, for one wild body in a heap costs them all. */
-    private static final double MOST_IN_ALL = 1024;
+    /** no more than this over the square of its bodies, for one wild body in a heap costs all. */
+    private static final double MOST_IN_ALL = 4096;
 
     /** Turn within a substep up to which the arc is that of a parabola, rad. */
     private static final double MOST_BEND = 0.1;
@@ -71,7 +71,8 @@ final class TurningRows {
                 wanted = Math.max(wanted, facesTurned(slot, left) / (usual * MOST_OF_FACE));
             }
         }
-        double most = Math.min(MOST_MORE, MOST_IN_ALL / (end - islands.bodyStart[island]));
+        double count = end - islands.bodyStart[island];
+        double most = Math.min(MOST_MORE, MOST_IN_ALL / (count * count));
         double more = Math.max(1, Math.min(most, wanted));
         fresh.recovery = OverlapSolver.RATE + (more - 1) * AT_ONCE;
         return (int) Math.ceil(usual * more);

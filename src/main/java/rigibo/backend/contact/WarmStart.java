@@ -9,8 +9,8 @@ import static rigibo.backend.contact.Motions.VY;
 /**
  * Begins a kick with the impulses of the one before, scaled by the kicks' lengths. What a contact
  * carries it carries for two kicks at least; what stopped a fall it did once, and given again it
- * would throw the body back. So a pile that is solved whole begins with the lesser of its last two
- * impulses.
+ * would throw the body back. So a kick begins with no more than a multiple of what a contact
+ * carried in the one before the last.
  */
 final class WarmStart {
 
@@ -29,12 +29,12 @@ final class WarmStart {
         }
     }
 
-    /** Leaves out of every impulse what it has more than the one before. */
-    void leaveOutBlows() {
+    /** Leaves out of every impulse what it has more than a multiple of the one before. */
+    void leaveOutBlows(double growth) {
         double[] d = rows.data;
         for (int at = 0; at < rows.count * Rows.STRIDE; at += Rows.STRIDE) {
-            double j0 = Math.min(d[at + Rows.IMPULSE0], d[at + Rows.BEFORE0]);
-            double j1 = Math.min(d[at + Rows.IMPULSE1], d[at + Rows.BEFORE1]);
+            double j0 = Math.min(d[at + Rows.IMPULSE0], growth * d[at + Rows.BEFORE0]);
+            double j1 = Math.min(d[at + Rows.IMPULSE1], growth * d[at + Rows.BEFORE1]);
             double both = d[at + Rows.IMPULSE0] + d[at + Rows.IMPULSE1];
             double share = both > 0 ? (j0 + j1) / both : 0;
             keep(at);

@@ -7,9 +7,8 @@ public enum ContactSolver {
     /** Both points of a flat contact at once, contact after contact. */
     BLOCK,
     /**
-     * Islands that are not too large solved whole: up to 192 rows by trying sets of loaded ones, to
-     * some thousand, if they hardly move, by splitting rows from their bounds; what is larger as
-     * {@link #BLOCK}.
+     * Islands of up to 192 rows solved whole, by trying sets of loaded ones, as far as that is
+     * worth its time; what is larger as {@link #BLOCK}.
      */
     DIRECT
 }

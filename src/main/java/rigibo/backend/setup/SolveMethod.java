@@ -6,8 +6,6 @@ public enum SolveMethod {
     AT_REST,
     /** All its rows at once, by elimination. */
     ELIMINATION,
-    /** All its rows at once, by splitting them from their bounds. */
-    SPLITTING,
-    /** Row by row, in passes over all rows in every substep. */
+    /** Contact by contact, in passes over them in every substep. */
     PASSES
 }

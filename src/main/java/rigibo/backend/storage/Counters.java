@@ -21,6 +21,11 @@ public final class Counters {
 
     public final int[] rowsBy = new int[SolveMethod.values().length];
 
+    /** How often a contact was solved in a pass, and what eliminations multiplied. */
+    public long contactSolves;
+
+    public double multiplications;
+
     /** m, 0 or more. */
     public double deepestOverlap;
 
@@ -43,6 +48,8 @@ public final class Counters {
         settledPairs = 0;
         Arrays.fill(islandsBy, 0);
         Arrays.fill(rowsBy, 0);
+        contactSolves = 0;
+        multiplications = 0;
         deepestOverlap = 0;
         quarantinedCount = 0;
         Arrays.fill(nanos, 0);

@@ -45,6 +45,12 @@ final class CardHouse implements HardCase {
     }
 
     @Override
+    public String finding() {
+        return "at EXACT taking back the overlap of the first steps lifts what lies above by 3e-6"
+                   + " of E0 in a step";
+    }
+
+    @Override
     public void run(Trial trial) {
         WatchedPool pool = trial.pool(Surroundings.earth());
         pool.add(Surroundings.floor(FRICTION, 0));

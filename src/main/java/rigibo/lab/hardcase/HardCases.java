@@ -62,7 +62,6 @@ public final class HardCases {
                     new HeavyOnLight(),
                     new Pyramid("21/large", 10, 1),
                     new Pyramid("21/tiny", 30, 0.05),
-                    new CardHouse(),
                     new UntidyStack(),
                     new TurningPress(),
                     new ButtedBoxes(),
@@ -73,7 +72,7 @@ public final class HardCases {
 
     private static final List<HardCase> OPEN =
             Stream.concat(
-                            Stream.of(new ManyCornered(), new Dominoes()),
+                            Stream.of(new ManyCornered(), new Dominoes(), new CardHouse()),
                             MovingPiles.open().stream())
                     .toList();
 

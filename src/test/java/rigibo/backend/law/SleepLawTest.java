@@ -35,7 +35,7 @@ class SleepLawTest {
     private static final Seeds LEANING_AT_GAME = Seeds.of(248L);
 
     /** Heaps that one substep does not hold still. */
-    private static final Seeds ROUGH_AT_DRAFT = Seeds.of(65L, 75L, 124L, 172L);
+    private static final Seeds ROUGH_AT_DRAFT = Seeds.of(65L);
 
     private static final Seeds ROUGH_AT_GAME = Seeds.of(122L);
 
@@ -69,9 +69,8 @@ class SleepLawTest {
     }
 
     @Disabled(
-            "at DRAFT four heaps of 200 go on: in 5 s seed 75 by 8.3e-4 widths, 124 by 2.1e-4, 172"
-                    + " by 8.4e-3, and 65, where a box of an arch slips, by 0.29; at GAME one of"
-                    + " 150, seed 122 by 4.7e-4")
+            "one heap of 200 goes on at DRAFT, seed 65 by 6.4e-4 widths in 5 s, and one of 150 at"
+                    + " GAME, seed 122 by 3e-3")
     @ParameterizedTest
     @EnumSource(
             value = Preset.class,

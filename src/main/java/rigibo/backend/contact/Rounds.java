@@ -1,0 +1,168 @@
+package rigibo.backend.contact;
+
+import rigibo.backend.setup.Accuracy;
+import rigibo.backend.setup.ContactSolver;
+import rigibo.backend.setup.Correction;
+import rigibo.backend.storage.Counters;
+
+/**
+ * Solves a small island to the end, substep by substep: rounds of one pass, which looks whether
+ * anything is left, and one elimination. What takes more work than it is worth is given up, and
+ * left as it was for {@link Passes}.
+ */
+final class Rounds {
+
+    /** Share of the fastest speed that may be left unsolved, per metre of the tolerance. */
+    private static final double SETTLED = 1e-2;
+
+    /** Share of the strongest answer below which a change is round-off: some 64 ulp. */
+    private static final double ROUND_OFF = 1e-14;
+
+    /** Rounds that a substep is given beside one for each substep of the accuracy. */
+    private static final int LEAST_ROUNDS = 4;
+
+    /** A round that changes more than this share of what the last one did goes half its way. */
+    private static final double SHRINKS = 0.5;
+
+    /** How many times the work of passes elimination is worth. */
+    private static final double WORTH = 3;
+
+    /** The same for what hardly moves: solved once, it rests and costs nothing any more. */
+    private static final double WORTH_IF_CALM = 48;
+
+    /** Multiplications that the smallest island is worth in a substep: some ten microseconds. */
+    private static final double LEAST_WORTH = 20_000;
+
+    /** What passes take in multiplications: by a contact in a substep, mostly six times. */
+    private static final double WORK_OF_PASSES = 6 * 60;
+
+    /** Substeps in which a step by passes does as much as it ever does at the game's accuracy. */
+    private static final int SUBSTEPS_OF_GAME = 4;
+
+    /** Substeps of an accuracy from which on elimination is worth any work. */
+    private static final int SUBSTEPS_OF_EXACT = 16;
+
+    private final Rows rows;
+    private final Counters counters;
+    private final DeclaredRows declared;
+    private final EnergyGuard guard;
+    private final ContactSweep sweep;
+    private final OverlapSolver overlap;
+    private final DirectSolver direct;
+    private final Halfway halfway;
+    private final Halfway before;
+    private final boolean isDirect;
+    private final boolean isCorrecting;
+    private final int most;
+
+    /** Share of the fastest speed that counts as solved. */
+    private final double share;
+
+    /** Multiplications that a contact of an island is worth in a substep. */
+    private final double worth;
+
+    private final double worthIfCalm;
+
+    private double settled;
+
+    Rounds(
+            Motions motions,
+            Rows rows,
+            Counters counters,
+            DeclaredRows declared,
+            EnergyGuard guard,
+            ContactSweep sweep,
+            OverlapSolver overlap,
+            Accuracy accuracy) {
+        this.rows = rows;
+        this.counters = counters;
+        this.declared = declared;
+        this.guard = guard;
+        this.sweep = sweep;
+        this.overlap = overlap;
+        int substeps = accuracy.substeps();
+        direct = new DirectSolver(motions, rows, overlap, substeps);
+        halfway = new Halfway(motions, rows);
+        before = new Halfway(motions, rows);
+        isDirect = accuracy.contactSolver() == ContactSolver.DIRECT;
+        isCorrecting = accuracy.correction() == Correction.SOFT;
+        most = LEAST_ROUNDS + substeps;
+        share = SETTLED * accuracy.impactTolerance();
+        boolean isLimited = substeps < SUBSTEPS_OF_EXACT;
+        double fewer = Math.max(1, SUBSTEPS_OF_GAME / substeps);
+        worth = isLimited ? WORTH * fewer * WORK_OF_PASSES : Double.POSITIVE_INFINITY;
+        worthIfCalm = isLimited ? WORTH_IF_CALM * WORK_OF_PASSES : Double.POSITIVE_INFINITY;
+    }
+
+    /** Begins the packed island, unless it is too large. */
+    boolean prepare(boolean isCalm) {
+        double ofContact = isCalm ? worthIfCalm : worth;
+        return isDirect && direct.prepare(Math.max(LEAST_WORTH, ofContact * rows.count));
+    }
+
+    /** The rows are not what they were. */
+    void forget() {
+        direct.forget();
+    }
+
+    /** Share of the fastest speed that counts as solved. */
+    double share() {
+        return share;
+    }
+
+    /** What counted as solved in the last substep, m/s. */
+    double settled() {
+        return settled;
+    }
+
+    /**
+     * Solves a substep of h seconds, in which nothing went faster than {@code fastest} m/s before
+     * contacts answered, and nothing that is not solved may go faster than a limit in m/s.
+     *
+     * @return whether it was worth it; if not, everything is as it was
+     */
+    boolean settle(double h, int substep, double fastest, double limit) {
+        before.begin();
+        direct.begin();
+        boolean isSettled = settleRows(h, substep, fastest);
+        counters.multiplications += direct.work();
+        if (direct.isSpent()) {
+            before.takeBack();
+            return false;
+        }
+        guard.limitEnergy();
+        if (!isSettled) {
+            guard.limitSpeed(limit);
+        }
+        return true;
+    }
+
+    /** Goes on until nothing is left, which at rest it is after the first round. */
+    private boolean settleRows(double h, int substep, double fastest) {
+        settled = share * fastest;
+        double last = Double.POSITIVE_INFINITY;
+        for (int i = 0; i < most && !direct.isSpent(); i++) {
+            double change = sweep.once(h, substep);
+            settled = Math.max(settled, ROUND_OFF * rows.strongestAnswer());
+            if (change <= settled) {
+                return true;
+            }
+            halfway.begin();
+            direct.solve(h, substep, settled);
+            if (change > SHRINKS * last) {
+                halfway.end();
+            }
+            last = change;
+        }
+        sweep.once(h, substep);
+        return false;
+    }
+
+    /** Takes overlap back by moving bodies, after a substep of h seconds. */
+    void takeOverlapBack(double h, int substep) {
+        if (isCorrecting) {
+            direct.correct(h, substep);
+            overlap.correct(h, substep);
+        }
+    }
+}
