@@ -107,7 +107,7 @@ public final class Pool {
     }
 
     /**
-     * The same with effects of the caller's in place of those declared, functions and numbers
+     * Restores a snapshot with the caller's effects in place of those saved, functions and numbers
      * alike.
      *
      * @param snapshot as {@link #snapshot} wrote it

@@ -44,7 +44,7 @@ public final class PoolSnapshot {
     }
 
     /**
-     * The same with effects of the caller's in place of those declared.
+     * Restores a snapshot of any revision, with the caller's effects in place of those saved.
      *
      * @throws IllegalArgumentException as {@link Pool#restore(byte[], Effects)}, but for the
      *     revision

@@ -155,7 +155,7 @@ final class ContactSweep {
             double oldT = d[at + Rows.IMPULSE_T];
             double most = friction * (old0 + old1);
             double wanted = (oldT - d[at + Rows.MASS_T] * slides) / (1 + Rows.COMPLIANCE);
-            double kept = wanted > most ? most : wanted < -most ? -most : wanted;
+            double kept = FrictionSolver.clamp(wanted, most);
             slips = kept != wanted;
             d[at + Rows.IMPULSE_T] = kept;
             jt = kept - oldT;
@@ -175,7 +175,7 @@ final class ContactSweep {
         double jn;
         if (rows.points[row] == 1) {
             double wanted = old0 - w0 * d[at + Rows.M00];
-            double kept = wanted > 0 ? wanted : 0;
+            double kept = push(wanted);
             d[at + Rows.IMPULSE0] = kept;
             jn = kept - old0;
             turnA += la0 * jn;
@@ -213,7 +213,7 @@ final class ContactSweep {
     private void roll(int row, int a, int b) {
         double spinA = motions.data[a + SPIN];
         double spinB = motions.data[b + SPIN];
-        rubbing.rub(row);
+        rubbing.roll(row);
         changed[a / Motions.STRIDE] +=
                 motions.reach[a / Motions.STRIDE] * Math.abs(motions.data[a + SPIN] - spinA);
         changed[b / Motions.STRIDE] +=

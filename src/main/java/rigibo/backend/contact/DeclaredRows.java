@@ -28,11 +28,10 @@ final class DeclaredRows {
             Rows rows,
             Kick kick,
             FreshRows fresh,
-            Rubbing rubbing,
             double straight) {
         this.kick = kick;
         this.fresh = fresh;
-        this.rubbing = rubbing;
+        rubbing = rubbing(data, effects, motions, rows);
         boolean runs = effects.declares(SurfaceSpeed.class);
         running = runs ? new RunningRows(data, rows) : null;
         boolean turns = effects.declares(Rotation.class);
@@ -41,14 +40,18 @@ final class DeclaredRows {
         blows = bounces ? new PileBlows(data, motions, rows, kick) : null;
     }
 
-    /** What the declared effects make surfaces do to each other. */
-    static Rubbing rubbing(DataStorage data, Effects effects, Motions motions, Rows rows) {
+    private static Rubbing rubbing(DataStorage data, Effects effects, Motions motions, Rows rows) {
         boolean rubs = effects.declares(Friction.class);
         FrictionSolver friction = rubs ? new FrictionSolver(motions, rows, data.pairs) : null;
         if (effects.declares(RollingResistance.class)) {
             return new RollingSolver(data, motions, rows, friction);
         }
         return rubs ? friction : new NoRubbing();
+    }
+
+    /** What surfaces do to each other. */
+    Rubbing rubbing() {
+        return rubbing;
     }
 
     /** How many substeps an island needs for the rest of a step, {@code left} seconds. */

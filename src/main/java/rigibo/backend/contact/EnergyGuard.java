@@ -39,8 +39,8 @@ final class EnergyGuard {
     }
 
     /**
-     * Whether the energy alone tells that impulses added no more than a multiple of it: it does
-     * where nothing else, which is driven or strikes, had a part in what it is now.
+     * Whether the energy alone tells that impulses added no more than some J: it does where nothing
+     * else, which is driven or strikes, had a part in what it is now.
      */
     private boolean isWithin(double most) {
         boolean isDriven = motions.isAnyDriven || rows.isAnyRunning;

@@ -59,13 +59,6 @@ final class FrictionSolver implements Rubbing {
     }
 
     @Override
-    public void rub(int row) {
-        if (rows.data[row * Rows.STRIDE + Rows.FRICTION] > 0) {
-            slide(row);
-        }
-    }
-
-    @Override
     public void store(double h) {
         for (int i = 0; i < count; i++) {
             double impulse = rows.data[rubbing[i] * Rows.STRIDE + Rows.IMPULSE_T];

@@ -15,8 +15,5 @@ final class NoRubbing implements Rubbing {
     }
 
     @Override
-    public void rub(int row) {}
-
-    @Override
     public void store(double h) {}
 }

@@ -7,9 +7,9 @@ import static rigibo.backend.contact.Motions.INVERSE_MASS;
 import static rigibo.backend.contact.Motions.TURN;
 
 /**
- * Takes the overlap of a small pile back by moving bodies, not by speeding them up: a velocity that
- * pushes apart would stay behind in the impulses that the next substep starts from, and a resting
- * stack would never be quite at rest.
+ * Takes overlap back by moving bodies, not by speeding them up: a velocity that pushes apart would
+ * stay behind in the impulses that the next substep starts from, and a resting stack would never be
+ * quite at rest.
  */
 final class OverlapSolver {
 
@@ -76,18 +76,22 @@ final class OverlapSolver {
 
     /** How far in m a point's gap is to open within h seconds; 0 where it does not overlap. */
     double wanted(int row, int point, double h) {
+        return wanted(row, point, h, MOST_PUSH);
+    }
+
+    /** The same at so many widths a second at most. */
+    private double wanted(int row, int point, double h, double speed) {
         int at = row * Rows.STRIDE;
         double width = rows.data[at + Rows.WIDTH];
         double overlap = -motions.gap(rows, row, point) - KEPT_OVERLAP * width;
         double rate = rows.data[at + Rows.RECOVERY];
-        double most = MOST_PUSH * width * h;
+        double most = speed * width * h;
         return overlap > 0 ? Math.min(overlap * rate * h / (1 + rate * h), most) : 0;
     }
 
     private boolean correct(int row, double h, double speed) {
-        double most = speed * rows.data[row * Rows.STRIDE + Rows.WIDTH] * h;
-        double want0 = Math.min(most, wanted(row, 0, h));
-        double want1 = rows.points[row] == 2 ? Math.min(most, wanted(row, 1, h)) : 0;
+        double want0 = wanted(row, 0, h, speed);
+        double want1 = rows.points[row] == 2 ? wanted(row, 1, h, speed) : 0;
         if (want0 == 0 && want1 == 0) {
             return false;
         }

@@ -15,8 +15,6 @@ final class Passes {
      */
     private static final double QUIET = 0.03;
 
-    private static final double SUBSTEPS_OF_GAME = 4;
-
     /**
      * Substeps, cubed, for each pass that a substep may be given: twice the substeps halve what
      * counts some five times over, and each halving takes as many passes again.
@@ -28,7 +26,10 @@ final class Passes {
     /** Passes in which overlap is taken back in a substep; the next one goes on. */
     private static final int PASSES_OVER_OVERLAP = 6;
 
-    /** Share of the energy that a kick of the game gives what rests by which theirs may grow. */
+    /**
+     * Energy that the contacts of a substep may add, as a share of what a kick of the game's length
+     * gives to bodies at rest.
+     */
     private static final double NOISE = 0.1;
 
     private final Motions motions;
@@ -63,7 +64,7 @@ final class Passes {
         missed = missed(accuracy.impactTolerance());
         isCorrecting = accuracy.correction() == Correction.SOFT;
         int substeps = accuracy.substeps();
-        double shorter = Math.min(1, substeps / SUBSTEPS_OF_GAME);
+        double shorter = Math.min(1, substeps / (double) Accuracy.GAME.substeps());
         quiet = QUIET * shorter;
         noise = NOISE * shorter * shorter;
         int passes = Math.max(LEAST_PASSES, substeps * substeps * substeps / CUBES_PER_PASS);

@@ -91,8 +91,7 @@ public final class PileSolver {
         islands = data.islands;
         counters = data.counters;
         this.accuracy = accuracy;
-        boolean turn = data.bodies.turns();
-        PackedTurns turns = turn ? new PackedTurns(data.bodies, motions) : null;
+        PackedTurns turns = motions.turns ? new PackedTurns(data.bodies, motions) : null;
         builder = new RowBuilder(data, motions, rows, turns);
         warmStart = new WarmStart(motions, rows);
         guard = new EnergyGuard(motions, rows);
@@ -106,11 +105,10 @@ public final class PileSolver {
         OverlapSolver wanted = isCorrecting ? overlap : null;
         repose = new Repose(data, motions, rows, wanted, kick, builder, accuracy);
         FreshRows fresh = new FreshRows(data, narrowphase, motions, rows, builder);
-        Rubbing rubbing = DeclaredRows.rubbing(data, effects, motions, rows);
         double straight = accuracy.impactTolerance();
-        declared = new DeclaredRows(data, effects, motions, rows, kick, fresh, rubbing, straight);
+        declared = new DeclaredRows(data, effects, motions, rows, kick, fresh, straight);
         boolean isBlock = accuracy.contactSolver() != ContactSolver.SEQUENTIAL;
-        ContactSweep sweep = new ContactSweep(motions, rows, counters, rubbing, isBlock);
+        ContactSweep sweep = new ContactSweep(motions, rows, counters, declared.rubbing(), isBlock);
         rounds = new Rounds(motions, rows, counters, declared, guard, sweep, overlap, accuracy);
         passes = new Passes(motions, rows, kick, guard, sweep, overlap, accuracy);
     }
@@ -176,12 +174,10 @@ public final class PileSolver {
 
     /** Returns whether the first substep has shown that the island rests. */
     private boolean advanceSubstep(double start, double h, int substep) {
-        if (!isWhole) {
-            passes.advance(h, substep, fastest, limit);
-            return false;
+        if (isWhole) {
+            declared.strikeJointly(h, substep);
+            isWhole = rounds.settle(h, substep, fastest, limit);
         }
-        declared.strikeJointly(h, substep);
-        isWhole = rounds.settle(h, substep, fastest, limit);
         if (!isWhole) {
             passes.advance(h, substep, fastest, limit);
             return false;

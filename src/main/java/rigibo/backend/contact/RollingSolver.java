@@ -72,15 +72,6 @@ final class RollingSolver implements Rubbing {
     }
 
     @Override
-    public void rub(int row) {
-        if (rows.data[row * Rows.STRIDE + Rows.ROLLING] > 0) {
-            rollWithoutSliding(row);
-        } else if (friction != null) {
-            friction.rub(row);
-        }
-    }
-
-    @Override
     public void store(double h) {
         for (int i = 0; i < count; i++) {
             double impulse = rows.data[rolling[i] * Rows.STRIDE + Rows.IMPULSE_R];
@@ -95,7 +86,8 @@ final class RollingSolver implements Rubbing {
      * Rolling brakes the turning, and friction then the moving: where both hold they hold together,
      * or one would keep undoing a part of the other and the wheel would creep back.
      */
-    private void rollWithoutSliding(int row) {
+    @Override
+    public void roll(int row) {
         double[] d = rows.data;
         int at = row * Rows.STRIDE;
         double load = d[at + Rows.IMPULSE0] + d[at + Rows.IMPULSE1];
@@ -117,13 +109,13 @@ final class RollingSolver implements Rubbing {
                 return;
             }
         }
-        roll(row);
+        brakeTurning(row);
         if (mostSlide > 0) {
             friction.slide(row);
         }
     }
 
-    private void roll(int row) {
+    private void brakeTurning(int row) {
         double[] d = rows.data;
         int at = row * Rows.STRIDE;
         double most = d[at + Rows.ROLLING] * (d[at + Rows.IMPULSE0] + d[at + Rows.IMPULSE1]);

@@ -27,7 +27,10 @@ final class Rounds {
     /** How many times the work of passes elimination is worth. */
     private static final double WORTH = 3;
 
-    /** The same for what hardly moves: solved once, it rests and costs nothing any more. */
+    /**
+     * How many times the work of passes elimination is worth in an island that hardly moves: once
+     * solved it rests, and costs nothing any more.
+     */
     private static final double WORTH_IF_CALM = 48;
 
     /** Multiplications that the smallest island is worth in a substep: some ten microseconds. */
@@ -35,12 +38,6 @@ final class Rounds {
 
     /** What passes take in multiplications: by a contact in a substep, mostly six times. */
     private static final double WORK_OF_PASSES = 6 * 60;
-
-    /** Substeps in which a step by passes does as much as it ever does at the game's accuracy. */
-    private static final int SUBSTEPS_OF_GAME = 4;
-
-    /** Substeps of an accuracy from which on elimination is worth any work. */
-    private static final int SUBSTEPS_OF_EXACT = 16;
 
     private final Rows rows;
     private final Counters counters;
@@ -88,8 +85,9 @@ final class Rounds {
         isCorrecting = accuracy.correction() == Correction.SOFT;
         most = LEAST_ROUNDS + substeps;
         share = SETTLED * accuracy.impactTolerance();
-        boolean isLimited = substeps < SUBSTEPS_OF_EXACT;
-        double fewer = Math.max(1, SUBSTEPS_OF_GAME / substeps);
+        // From EXACT on elimination is worth any work.
+        boolean isLimited = substeps < Accuracy.EXACT.substeps();
+        double fewer = Math.max(1, Accuracy.GAME.substeps() / substeps);
         worth = isLimited ? WORTH * fewer * WORK_OF_PASSES : Double.POSITIVE_INFINITY;
         worthIfCalm = isLimited ? WORTH_IF_CALM * WORK_OF_PASSES : Double.POSITIVE_INFINITY;
     }

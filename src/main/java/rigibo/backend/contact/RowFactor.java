@@ -13,6 +13,9 @@ final class RowFactor {
     /** Room for any small island in motion: none grows once the first is solved. */
     private static final int FULL = DirectSolver.MOST_ROWS * (DirectSolver.MOST_ROWS + 1) / 2;
 
+    /** Multiplications that writing one entry of the matrix takes. */
+    private static final int WORK_OF_ENTRY = 40;
+
     private final Rows rows;
     private final SingleRows single;
     private final ContactOrder order;
@@ -33,16 +36,13 @@ final class RowFactor {
 
     private int[] placeInOrder = new int[64];
 
+    private double work;
+
     RowFactor(Rows rows, SingleRows single, ContactOrder order) {
         this.rows = rows;
         this.single = single;
         this.order = order;
     }
-
-    /** Multiplications that writing one entry of the matrix takes. */
-    private static final int WORK_OF_ENTRY = 40;
-
-    private double work;
 
     /** Multiplications made since they were counted last. */
     double work() {

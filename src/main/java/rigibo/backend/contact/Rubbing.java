@@ -12,8 +12,8 @@ interface Rubbing {
     /** How many rows a pass solves. */
     int rowCount();
 
-    /** Solves what one contact has of them. */
-    void rub(int row);
+    /** Solves rolling and friction of a contact that rolls: only where it is declared does any. */
+    default void roll(int row) {}
 
     /** Keeps what held in the last substep of h seconds. */
     void store(double h);

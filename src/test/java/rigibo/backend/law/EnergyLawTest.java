@@ -55,31 +55,24 @@ class EnergyLawTest {
     @CsvSource({"DRAFT, 300", "GAME, 300", "FINE, 300", "EXACT, 200"})
     void pilesGainNone(Preset preset, int scenes) {
         Seeds seeds = Seeds.upTo(scenes);
-        Laws.hold(
+        holdPiles(
                 preset == Preset.DRAFT ? seeds.without(LIFTED_AT_DRAFT) : seeds,
-                tray(preset),
-                (scene, asked) -> gainedAtMost(1e-3, scene, asked, Contacts::loadedInPiles),
+                preset,
+                1e-3,
                 LOADED_IN_PILES);
     }
 
     @Disabled("at DRAFT beyond it in one of 300 scenes, by 1.7e-3")
     @Test
     void pilesThatSankInDeepGainNone() {
-        Laws.hold(
-                LIFTED_AT_DRAFT,
-                tray(Preset.DRAFT),
-                (scene, asked) -> gainedAtMost(1e-3, scene, asked, Contacts::loadedInPiles),
-                new Quota(1, "loaded contacts in piles"));
+        Quota once = new Quota(1, "loaded contacts in piles");
+        holdPiles(LIFTED_AT_DRAFT, Preset.DRAFT, 1e-3, once);
     }
 
     @Disabled("at EXACT beyond it in 9 of 300 scenes, worst 1.5e-5 at seed 56")
     @Test
     void pilesGainNoMoreThanAMillionth() {
-        Laws.hold(
-                SEEDS,
-                tray(Preset.EXACT),
-                (scene, asked) -> gainedAtMost(1e-6, scene, asked, Contacts::loadedInPiles),
-                LOADED_IN_PILES);
+        holdPiles(SEEDS, Preset.EXACT, 1e-6, LOADED_IN_PILES);
     }
 
     /** Never more than at the start. */
@@ -87,6 +80,15 @@ class EnergyLawTest {
     @EnumSource(Preset.class)
     void pilesNeverHaveMoreThanAtTheStart(Preset preset) {
         Laws.hold(PILES, tray(preset), EnergyLawTest::neverMore, LOADED_IN_PILES);
+    }
+
+    /** Piles gain in no step more than so great a share of what there was at the start. */
+    private static void holdPiles(Seeds seeds, Preset preset, double limit, Quota quota) {
+        Laws.hold(
+                seeds,
+                tray(preset),
+                (scene, asked) -> gainedAtMost(limit, scene, asked, Contacts::loadedInPiles),
+                quota);
     }
 
     private static LongFunction<RandomScene> tray(Preset preset) {
