@@ -46,8 +46,8 @@ final class CardHouse implements HardCase {
 
     @Override
     public String finding() {
-        return "at EXACT taking back the overlap of the first steps lifts what lies above by 3e-6"
-                + " of E0 in a step";
+        return "At EXACT taking back the overlap of the first steps lifts what lies above by 3e-6"
+                + " of the energy at the start in a step.";
     }
 
     @Override
