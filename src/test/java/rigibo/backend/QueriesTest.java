@@ -6,9 +6,16 @@ import static org.assertj.core.api.Assertions.within;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
+import rigibo.backend.effect.Contacts;
+import rigibo.backend.effect.Effects;
+import rigibo.backend.effect.Restitution;
 import rigibo.backend.geometry.Aabb;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
+import rigibo.backend.setup.Accuracy;
+import rigibo.backend.setup.BodyDefinition;
+import rigibo.backend.setup.ImpactMode;
+import rigibo.backend.setup.Material;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -46,6 +53,24 @@ class QueriesTest {
             assertThat(fixture.maxX).isGreaterThanOrEqualTo(bounds.maxX - ON_THE_EDGE);
             assertThat(fixture.maxY).isGreaterThanOrEqualTo(bounds.maxY - ON_THE_EDGE);
         }
+    }
+
+    /** A step foresees that it goes on to the left; the pile's solver throws it to the right. */
+    @Test
+    void whatAPileThrowsBackIsFoundWhereItEndsTheStep() {
+        Pool room =
+                new Pool(
+                        Effects.of(new Contacts(), new Restitution()),
+                        Accuracy.GAME.withImpacts(ImpactMode.DISCRETE));
+        room.add(BodyDefinition.fixed(Polygon.box(1, 4)).at(-0.5, 0));
+        Material lively = new Material(1, 0, 1);
+        BodyDefinition thrown = BodyDefinition.dynamic(new Circle(0.5)).material(lively);
+        RigidBody ball = room.add(thrown.at(0.5, 0).velocity(-60, 0));
+        room.step(1.0 / 60);
+        assertThat(ball.x()).isCloseTo(1.5, within(1e-3));
+        assertThat(room.bodyAt(ball.x() + 0.45, 0)).contains(ball);
+        assertThat(room.rayCast(5, 0, 1.6, 0))
+                .hasValueSatisfying(hit -> assertThat(hit.body()).isSameAs(ball));
     }
 
     @Test

@@ -178,6 +178,28 @@ public final class Broadphase {
         }
     }
 
+    /**
+     * Ends a step: what impacts within a pile sent another way than the step foresaw is given a
+     * fixture where it is now, so that queries find it there. What lies still has not left its own.
+     */
+    public void coverPoses() {
+        for (int i = 0; i < roster.awakeCount; i++) {
+            int slot = roster.awake[i];
+            if (isMoving(slot)) {
+                sweep(slot, 0, 0);
+                if (!isCovered(slot)) {
+                    lay(slot, 0);
+                }
+            }
+        }
+    }
+
+    private boolean isMoving(int slot) {
+        return bodies.velocityX[slot] != 0
+                || bodies.velocityY[slot] != 0
+                || bodies.turns() && bodies.spin[slot] != 0;
+    }
+
     private void meetNeighbours(int slot) {
         bodies.refitted[slot] = false;
         findPairs(slot);

@@ -8,6 +8,10 @@ package rigibo.backend.geometry;
  * and W. Waite, Software Manual for the Elementary Functions, 1980), and the Taylor series finishes
  * there. The result is within one unit in the last place of the true value, or within 10⁻²⁷ where
  * that is nearly 0.
+ *
+ * <p>Beyond 10⁷ rad, whose neighbours are 10⁻⁹ rad apart and more, whole turns are taken off first,
+ * by the double next to 2π: the result is that of an angle nearer than the next double. {@link
+ * StrictMath} would be exact there, and allocates on some JVMs.
  */
 public final class Angle {
 
@@ -21,6 +25,7 @@ public final class Angle {
     private static final double HALF_PI_LOW = 0x1.313198a2e0370p-61;
 
     private static final double TWO_OVER_PI = 2 / Math.PI;
+    private static final double TWO_PI = 2 * Math.PI;
 
     /** Adding and subtracting 1.5·2⁵² rounds a double to the nearest whole number. */
     private static final double ROUNDER = 0x1.8p52;
@@ -47,20 +52,21 @@ public final class Angle {
 
     /** Sine of an angle in rad; NaN when the angle is not finite. */
     public static double sin(double angle) {
-        if (!(Math.abs(angle) <= LARGEST)) {
-            return StrictMath.sin(angle);
-        }
-        double turns = angle * TWO_OVER_PI + ROUNDER - ROUNDER;
-        return quarter((int) turns, angle, turns);
+        double less = withoutTurns(angle);
+        double turns = less * TWO_OVER_PI + ROUNDER - ROUNDER;
+        return quarter((int) turns, less, turns);
     }
 
     /** Cosine of an angle in rad; NaN when the angle is not finite. */
     public static double cos(double angle) {
-        if (!(Math.abs(angle) <= LARGEST)) {
-            return StrictMath.cos(angle);
-        }
-        double turns = angle * TWO_OVER_PI + ROUNDER - ROUNDER;
-        return quarter((int) turns + 1, angle, turns);
+        double less = withoutTurns(angle);
+        double turns = less * TWO_OVER_PI + ROUNDER - ROUNDER;
+        return quarter((int) turns + 1, less, turns);
+    }
+
+    /** The remainder is exact; it differs from the angle's own by 2π's rounding for each turn. */
+    private static double withoutTurns(double angle) {
+        return Math.abs(angle) <= LARGEST ? angle : angle % TWO_PI;
     }
 
     /** Sine of what is left of the angle after {@code turns} quarter turns, plus that many more. */

@@ -92,6 +92,9 @@ public final class StepPlan {
                                         "put islands to sleep that stayed in place",
                                         new Sleeping(data, sleep)::settle));
         add(StepStage.REPORT, "put to rest what stopped being finite", ledger::quarantine);
+        if (broadphase != null) {
+            add(StepStage.REPORT, "fixtures of what left its own", dt -> broadphase.coverPoses());
+        }
     }
 
     private void compileEffects(BodyLedger ledger, Course course) {

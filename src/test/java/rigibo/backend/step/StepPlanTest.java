@@ -132,7 +132,8 @@ class StepPlanTest {
                         "CONTACT    group piled bodies into islands",
                         "CONTACT    solve piles in 4 substeps: loads",
                         "REST       move driven bodies",
-                        "REPORT     put to rest what stopped being finite");
+                        "REPORT     put to rest what stopped being finite",
+                        "REPORT     fixtures of what left its own");
     }
 
     /** Impacts at their times only where both the effect and the accuracy ask for them. */
