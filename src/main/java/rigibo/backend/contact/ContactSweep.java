@@ -32,8 +32,11 @@ final class ContactSweep {
     /** By entry of the motions: how much its speed has changed so far in this sweep, m/s. */
     private double[] changed = new double[16];
 
-    /** By row: what that was of its two bodies when it was solved last, m/s. */
-    private double[] seen = new double[16];
+    /** By row: up to which sum of that, of its two bodies, it need not be solved again, m/s. */
+    private double[] solvedUntil = new double[16];
+
+    /** By row: the change of speed that does not count, m/s. */
+    private double[] uncounted = new double[16];
 
     /** By point: the speed at which it may close, for it has a gap left, m/s. */
     private double[] spare = new double[32];
@@ -54,10 +57,10 @@ final class ContactSweep {
      * @param most passes
      */
     void run(double h, int substep, double share, double quiet, int most) {
-        begin(h);
+        begin(h, substep, share / h, quiet);
         int solved = 1;
         for (int pass = 0; pass < most && solved > 0; pass++) {
-            solved = pass(pass % 2 == 1, substep, share / h, quiet);
+            solved = pass(pass % 2 == 1);
         }
     }
 
@@ -67,8 +70,8 @@ final class ContactSweep {
      * @return the largest change of a body's speed in it, m/s
      */
     double once(double h, int substep) {
-        begin(h);
-        pass(true, substep, 0, Double.NEGATIVE_INFINITY);
+        begin(h, substep, 0, 0);
+        pass(true);
         double most = 0;
         for (int body = 1; body < motions.count; body++) {
             most = Math.max(most, changed[body]);
@@ -77,13 +80,15 @@ final class ContactSweep {
     }
 
     /** Returns how many contacts were due. */
-    private int pass(boolean isBack, int substep, double perSubstep, double quiet) {
+    private int pass(boolean isBack) {
         int ground = rows.groundStart;
         int solved = 0;
         for (int i = 0; i < rows.count; i++) {
             int row = isBack && i < ground ? ground - 1 - i : i;
-            if (isDue(row, perSubstep, quiet) && rows.firstSubstep[row] <= substep) {
-                solve(row);
+            int a = rows.bodyA[row];
+            int b = rows.bodyB[row];
+            if (changed[a / Motions.STRIDE] + changed[b / Motions.STRIDE] > solvedUntil[row]) {
+                solve(row, a, b);
                 solved++;
             }
         }
@@ -92,18 +97,22 @@ final class ContactSweep {
     }
 
     /** Nothing moves within a sweep, so neither does a gap. */
-    private void begin(double h) {
+    private void begin(double h, int substep, double sharePerSecond, double quiet) {
         if (changed.length < motions.count) {
             changed = new double[motions.slots.length];
         }
-        if (seen.length < rows.count) {
-            seen = new double[rows.pair.length];
+        if (solvedUntil.length < rows.count) {
+            solvedUntil = new double[rows.pair.length];
+            uncounted = new double[rows.pair.length];
             spare = new double[2 * rows.pair.length];
         }
         Arrays.fill(changed, 0, motions.count, 0);
-        Arrays.fill(seen, 0, rows.count, Double.NEGATIVE_INFINITY);
         double perSubstep = 1 / h;
         for (int row = 0; row < rows.count; row++) {
+            boolean isThere = rows.firstSubstep[row] <= substep;
+            solvedUntil[row] = isThere ? Double.NEGATIVE_INFINITY : Double.POSITIVE_INFINITY;
+            double counts = sharePerSecond * rows.data[row * Rows.STRIDE + Rows.WIDTH];
+            uncounted[row] = counts < quiet ? counts : quiet;
             double nearing = rows.data[row * Rows.STRIDE + Rows.NEARING];
             for (int point = 0; point < rows.points[row]; point++) {
                 double gap = motions.gap(rows, row, point);
@@ -112,21 +121,11 @@ final class ContactSweep {
         }
     }
 
-    private boolean isDue(int row, double perSubstep, double quiet) {
-        double now =
-                changed[rows.bodyA[row] / Motions.STRIDE]
-                        + changed[rows.bodyB[row] / Motions.STRIDE];
-        double counts = perSubstep * rows.data[row * Rows.STRIDE + Rows.WIDTH];
-        return now - seen[row] > (counts < quiet ? counts : quiet);
-    }
-
     /** Friction first, by the load so far, then the load. */
-    private void solve(int row) {
+    private void solve(int row, int a, int b) {
         double[] d = rows.data;
         double[] m = motions.data;
         int at = row * Rows.STRIDE;
-        int a = rows.bodyA[row];
-        int b = rows.bodyB[row];
         boolean rolls = d[at + Rows.ROLLING] > 0;
         if (rolls) {
             roll(row, a, b);
@@ -206,7 +205,7 @@ final class ContactSweep {
         changed[entryB] += massB * j + motions.reach[entryB] * inertiaB * Math.abs(turnB);
         // What slips is braked by a load that has just changed.
         double unseen = slips ? friction * Math.abs(jn) * (massA + massB) : 0;
-        seen[row] = changed[entryA] + changed[entryB] - unseen;
+        solvedUntil[row] = changed[entryA] + changed[entryB] - unseen + uncounted[row];
     }
 
     /** Rolling and friction, where both may hold. */

@@ -87,19 +87,22 @@ final class DeclaredRows {
         return isAny;
     }
 
-    /** Resolves the blows in a substep of h seconds of a pile that is solved whole. */
-    void strikeJointly(double h, int substep) {
-        if (blows != null) {
-            kick.measureGain();
-            blows.resolveJointly(h, substep);
+    /**
+     * Resolves the blows in a substep of h seconds of a pile that is solved whole.
+     *
+     * @return whether so many multiplications were enough for that
+     */
+    boolean strikeJointly(double h, int substep, double worth) {
+        if (blows == null) {
+            return true;
         }
+        kick.measureGain();
+        return blows.resolveJointly(h, substep, worth);
     }
 
-    /** Resolves the blows of velocities as they are, within next to no time. */
-    void strikeAtOnce(double h, int substep) {
-        if (blows != null) {
-            blows.resolveAtOnce(h, substep);
-        }
+    /** The same of velocities as they are, within next to no time. */
+    boolean strikeAtOnce(double h, int substep, double worth) {
+        return blows == null || blows.resolveAtOnce(h, substep, worth);
     }
 
     /** Resolves the blows in a substep of h seconds one after the other. */

@@ -7,6 +7,8 @@ import rigibo.backend.storage.Counters;
 import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.Pairs;
 
+import java.util.Arrays;
+
 /**
  * Blows inside a small pile, in the order of time, each answered by all contacts that touch then: a
  * ball that falls on a box that stands on the floor rebounds as from the floor.
@@ -20,6 +22,9 @@ final class JointBlows {
 
     /** Blows in one substep; a longer chain goes on in the next one. */
     private static final int MOST_BLOWS = 32;
+
+    /** What a pass over a row takes, in multiplications of an elimination. */
+    private static final double WORK_OF_ROW = 60;
 
     /** Gap up to which a contact takes part, as a multiple of the overlap that is left alone. */
     private static final double TOUCHING = 10;
@@ -43,6 +48,14 @@ final class JointBlows {
     private double h;
     private double middle;
 
+    /** Multiplications that are left for the substep's blows. */
+    private double left;
+
+    /** The rows that strike at the present instant. */
+    private int[] striking = new int[16];
+
+    private int strikingCount;
+
     JointBlows(DataStorage data, Motions motions, Rows rows, Kick kick, BounceRows bounces) {
         bodies = data.bodies;
         pairs = data.pairs;
@@ -54,26 +67,33 @@ final class JointBlows {
         together = new TiedImpacts(bodies, pairs);
     }
 
-    /** Resolves all blows that fall into a substep of h seconds. */
-    void resolve(double length, int number) {
-        resolve(length, length / 2, number);
+    /**
+     * Resolves all blows that fall into a substep of h seconds, for so many multiplications at
+     * most. Returns whether that was enough; blows that it was not enough for are not struck.
+     */
+    boolean resolve(double length, int number, double worth) {
+        return resolve(length, length / 2, number, worth);
     }
 
     /** Resolves the blows of velocities as they are, within next to no time. */
-    void resolveAtOnce(double length, int number) {
-        resolve(length, 0, number);
+    boolean resolveAtOnce(double length, int number, double worth) {
+        return resolve(length, 0, number, worth);
     }
 
-    private void resolve(double length, double middleOfVelocities, int number) {
+    private boolean resolve(double length, double middleOfVelocities, int number, double worth) {
         h = length;
         middle = middleOfVelocities;
         substep = number;
-        for (int blow = 0; blow < MOST_BLOWS; blow++) {
+        left = worth;
+        boolean isAnswered = true;
+        for (int blow = 0; blow < MOST_BLOWS && isAnswered && left > 0; blow++) {
             double time = firstBlow();
-            if (time > h || !strike(time)) {
-                return;
+            if (time > h) {
+                return true;
             }
+            isAnswered = strike(time);
         }
+        return left > 0;
     }
 
     /** When the first row strikes, s into the substep; infinite where none does. */
@@ -155,24 +175,46 @@ final class JointBlows {
                 + d[at + 2 * point + lever] * kick.gained(body, Motions.SPIN);
     }
 
-    /** Whether the blows of one instant had an answer; without one, rows have to hold them. */
+    /**
+     * Whether the blows of one instant had an answer; without one, rows have to hold them. They are
+     * left out where they take more work than is left.
+     */
     private boolean strike(double time) {
         moveVelocities(time - middle);
         if (bodies.turns()) {
             moveSpins(time - middle);
         }
         together.clear();
+        strikingCount = 0;
         for (int row = 0; row < rows.count; row++) {
             if (rows.firstSubstep[row] <= substep) {
                 add(row, time);
             }
         }
-        boolean isAnswered = together.resolve();
-        takeVelocities(time);
-        if (bodies.turns()) {
-            takeSpins(time);
+        double workOfPass = WORK_OF_ROW * together.rows();
+        double affordable = Math.ceil(left / workOfPass);
+        int most = (int) Math.min(TiedImpacts.MOST_PASSES, affordable);
+        boolean isAnswered = together.solve(most);
+        double work = together.passes() * workOfPass;
+        left -= work;
+        counters.multiplications += work;
+        if (isAnswered || left > 0) {
+            together.keep(isAnswered);
+            takeVelocities(time);
+            if (bodies.turns()) {
+                takeSpins(time);
+            }
+            countStrikes();
         }
         return isAnswered;
+    }
+
+    private void countStrikes() {
+        for (int i = 0; i < strikingCount; i++) {
+            pairs.impacts[rows.pair[striking[i]]]++;
+        }
+        rows.blows += strikingCount;
+        counters.impacts += strikingCount;
     }
 
     /** Hands all velocities to the columns, as they are some seconds later. */
@@ -210,9 +252,10 @@ final class JointBlows {
         }
         together.add(rows.pair[row], impact, strikes ? d[at + Rows.ELASTICITY] : 0);
         if (strikes) {
-            pairs.impacts[rows.pair[row]]++;
-            rows.blows++;
-            counters.impacts++;
+            if (strikingCount == striking.length) {
+                striking = Arrays.copyOf(striking, 2 * strikingCount);
+            }
+            striking[strikingCount++] = row;
         }
     }
 

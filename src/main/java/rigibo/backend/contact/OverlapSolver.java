@@ -34,27 +34,34 @@ final class OverlapSolver {
     }
 
     /**
-     * Passes over all rows for a substep of h seconds, from the ground up and back; all of them
-     * together part two bodies no faster than one pass may.
+     * Passes over all rows for a substep of h seconds, from the ground up and back, until no
+     * overlap is left of more than so many widths; all of them together part two bodies no faster
+     * than one pass may.
      */
-    void correctInPasses(double h, int substep, int passes) {
+    void correctInPasses(double h, int substep, int passes, double enough) {
         boolean isAny = true;
         for (int pass = 0; pass < passes && isAny; pass++) {
-            isAny = correct(h, substep, pass % 2 == 0, MOST_PUSH / passes);
+            isAny = correct(h, substep, pass % 2 == 0, MOST_PUSH / passes, enough);
         }
     }
 
     /** One pass over all rows. */
     void correct(double h, int substep) {
-        correct(h, substep, false, MOST_PUSH);
+        correct(h, substep, false, MOST_PUSH, 0);
     }
 
-    /** Returns whether there was anything to be taken back, at so many widths a second at most. */
-    private boolean correct(double h, int substep, boolean isUpwards, double speed) {
+    /**
+     * Takes overlap back at so many widths a second at most. Returns whether one was deeper than so
+     * many widths.
+     */
+    private boolean correct(double h, int substep, boolean isUpwards, double speed, double enough) {
         boolean isAny = false;
         for (int i = 0; i < rows.count; i++) {
             int row = isUpwards ? rows.count - 1 - i : i;
-            isAny |= rows.firstSubstep[row] <= substep && correct(row, h, speed);
+            if (rows.firstSubstep[row] <= substep) {
+                double overlap = correct(row, h, speed);
+                isAny |= overlap > enough * rows.data[row * Rows.STRIDE + Rows.WIDTH];
+            }
         }
         return isAny;
     }
@@ -81,20 +88,33 @@ final class OverlapSolver {
 
     /** The same at so many widths a second at most. */
     private double wanted(int row, int point, double h, double speed) {
-        int at = row * Rows.STRIDE;
-        double width = rows.data[at + Rows.WIDTH];
-        double overlap = -motions.gap(rows, row, point) - KEPT_OVERLAP * width;
-        double rate = rows.data[at + Rows.RECOVERY];
-        double most = speed * width * h;
-        return overlap > 0 ? Math.min(overlap * rate * h / (1 + rate * h), most) : 0;
+        double overlap = overlap(row, point);
+        return overlap > 0 ? share(row, overlap, h, speed) : 0;
     }
 
-    private boolean correct(int row, double h, double speed) {
-        double want0 = wanted(row, 0, h, speed);
-        double want1 = rows.points[row] == 2 ? wanted(row, 1, h, speed) : 0;
-        if (want0 == 0 && want1 == 0) {
-            return false;
+    /** How deep a point is, in m, beyond what stays; negative where it does not overlap. */
+    private double overlap(int row, int point) {
+        double width = rows.data[row * Rows.STRIDE + Rows.WIDTH];
+        return -motions.gap(rows, row, point) - KEPT_OVERLAP * width;
+    }
+
+    private double share(int row, double overlap, double h, double speed) {
+        int at = row * Rows.STRIDE;
+        double rate = rows.data[at + Rows.RECOVERY] * h;
+        double most = speed * rows.data[at + Rows.WIDTH] * h;
+        double share = overlap * rate / (1 + rate);
+        return share < most ? share : most;
+    }
+
+    /** Returns how deep the contact was, m. */
+    private double correct(int row, double h, double speed) {
+        double overlap0 = overlap(row, 0);
+        double overlap1 = rows.points[row] == 2 ? overlap(row, 1) : 0;
+        if (overlap0 <= 0 && overlap1 <= 0) {
+            return 0;
         }
+        double want0 = overlap0 > 0 ? share(row, overlap0, h, speed) : 0;
+        double want1 = overlap1 > 0 ? share(row, overlap1, h, speed) : 0;
         double[] d = rows.data;
         int at = row * Rows.STRIDE;
         double both0 = d[at + Rows.M00] * want0 + d[at + Rows.M01] * want1;
@@ -106,7 +126,7 @@ final class OverlapSolver {
         } else {
             move(row, both0, both1);
         }
-        return true;
+        return overlap0 > overlap1 ? overlap0 : overlap1;
     }
 
     /** Moves both bodies as impulses at the points would in one second, kg·m. */

@@ -23,6 +23,11 @@ final class Passes {
 
     private static final int LEAST_PASSES = 16;
 
+    /**
+     * As many as the finest accuracy that has a name is given; what asks for more gains nothing.
+     */
+    private static final int MOST_PASSES = 2048;
+
     /** Passes in which overlap is taken back in a substep; the next one goes on. */
     private static final int PASSES_OVER_OVERLAP = 6;
 
@@ -68,7 +73,7 @@ final class Passes {
         quiet = QUIET * shorter;
         noise = NOISE * shorter * shorter;
         int passes = Math.max(LEAST_PASSES, substeps * substeps * substeps / CUBES_PER_PASS);
-        most = accuracy.velocityIterations() * passes;
+        most = Math.min(MOST_PASSES, accuracy.velocityIterations() * passes);
     }
 
     /**
@@ -88,7 +93,7 @@ final class Passes {
         hold(h, substep, fastest, limit);
         motions.drift(h);
         if (isCorrecting) {
-            overlap.correctInPasses(h, substep, PASSES_OVER_OVERLAP);
+            overlap.correctInPasses(h, substep, PASSES_OVER_OVERLAP, missed);
         }
     }
 

@@ -20,14 +20,18 @@ final class PileBlows {
         bounces.begin(h);
     }
 
-    /** Resolves all blows that fall into a substep of h seconds of a pile that is solved whole. */
-    void resolveJointly(double h, int substep) {
-        joint.resolve(h, substep);
+    /**
+     * Resolves all blows that fall into a substep of h seconds of a pile that is solved whole.
+     *
+     * @return whether so many multiplications were enough for that
+     */
+    boolean resolveJointly(double h, int substep, double worth) {
+        return joint.resolve(h, substep, worth);
     }
 
-    /** Resolves the blows of velocities as they are, within next to no time. */
-    void resolveAtOnce(double h, int substep) {
-        joint.resolveAtOnce(h, substep);
+    /** The same of velocities as they are, within next to no time. */
+    boolean resolveAtOnce(double h, int substep, double worth) {
+        return joint.resolveAtOnce(h, substep, worth);
     }
 
     /** Resolves all blows that fall into a substep of h seconds, one after the other. */

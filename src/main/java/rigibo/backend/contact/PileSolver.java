@@ -175,9 +175,12 @@ public final class PileSolver {
     /** Returns whether the first substep has shown that the island rests. */
     private boolean advanceSubstep(double start, double h, int substep) {
         if (isWhole) {
-            declared.strikeJointly(h, substep);
-            isWhole = rounds.settle(h, substep, fastest, limit);
+            isWhole = declared.strikeJointly(h, substep, rounds.worthOfBlows());
+            if (!isWhole) {
+                declared.strikeApart(h, substep);
+            }
         }
+        isWhole = isWhole && rounds.settle(h, substep, fastest, limit);
         if (!isWhole) {
             passes.advance(h, substep, fastest, limit);
             return false;
@@ -265,10 +268,10 @@ public final class PileSolver {
         fastest = motions.fastest();
         guard.begin();
         begin(last == 1 ? 1 : 0.5, last);
-        if (isWhole) {
-            declared.strikeAtOnce(h * NO_TIME, last);
-            isWhole = rounds.settle(h * NO_TIME, last, fastest, limit);
-        }
+        isWhole =
+                isWhole
+                        && declared.strikeAtOnce(h * NO_TIME, last, rounds.worthOfBlows())
+                        && rounds.settle(h * NO_TIME, last, fastest, limit);
         if (isWhole) {
             rows.addUpImpulses(1);
         } else {

@@ -17,7 +17,8 @@ import java.util.Arrays;
  */
 public final class TiedImpacts {
 
-    private static final int MOST_PASSES = 300;
+    /** Passes after which blows count as ones without an answer. */
+    public static final int MOST_PASSES = 300;
 
     /** A change of speed that is round-off, as a share of the fastest approach. */
     private static final double ROUND_OFF = 1e-15;
@@ -48,6 +49,7 @@ public final class TiedImpacts {
 
     private int count;
     private double fastest;
+    private int passes;
 
     /** Blows between bodies of these columns. */
     public TiedImpacts(Bodies bodies, Pairs pairs) {
@@ -104,18 +106,43 @@ public final class TiedImpacts {
         row[at + SPEED_BEFORE] = speed(count - 1);
     }
 
+    /** How many rows a pass goes over. */
+    public int rows() {
+        return count;
+    }
+
+    /** How many passes the last blows took. */
+    public int passes() {
+        return passes;
+    }
+
     /**
      * Changes the velocities of all bodies, and adds up the impulses of the pairs. Returns whether
      * the blows have an answer: between a driven body and a wall nothing can part from both.
      */
     public boolean resolve() {
+        boolean isAnswered = solve(MOST_PASSES);
+        keep(isAnswered);
+        return isAnswered;
+    }
+
+    /** Changes velocities alone. Returns whether so many passes came to an answer. */
+    public boolean solve(int mostPasses) {
         double settled = ROUND_OFF * fastest;
-        int passes = 0;
-        while (pass() > settled && passes < MOST_PASSES) {
+        passes = 0;
+        while (passes < mostPasses) {
             passes++;
+            if (pass() <= settled) {
+                return true;
+            }
         }
+        return false;
+    }
+
+    /** Adds up the impulses of the pairs, once they add no energy; or no speed, if unanswered. */
+    public void keep(boolean isAnswered) {
         limitEnergy();
-        if (passes == MOST_PASSES) {
+        if (!isAnswered) {
             limitSpeed();
         }
         for (int i = 0; i < count; i++) {
@@ -123,7 +150,6 @@ public final class TiedImpacts {
                 pairs.tellImpulse(pairOf[i], row[i * STRIDE + IMPULSE]);
             }
         }
-        return passes < MOST_PASSES;
     }
 
     /** The work of impulses scaled by s is s·j·v + ½s²·j·Δv; it must not be positive. */

@@ -20,6 +20,9 @@ final class StepLaws {
     /** Of one pair in a pile: 32 together with others, and in 8 sweeps alone. */
     private static final int MOST_BLOWS_PER_SUBSTEP = 40;
 
+    /** How many times the usual substeps a few bodies are given that spin. */
+    private static final int MOST_MORE_SUBSTEPS = 16;
+
     /** A normal, a friction and a rolling row for each of two points. */
     private static final int MOST_ROWS_PER_PAIR = 6;
 
@@ -82,7 +85,9 @@ final class StepLaws {
      */
     private static long mostImpacts(Pool pool, StepReport report) {
         Accuracy accuracy = pool.accuracy();
-        int inPiles = accuracy.substeps() * MOST_BLOWS_PER_SUBSTEP;
+        // Half a kick ends the step, in which blows are struck once more.
+        int substeps = accuracy.substeps() * MOST_MORE_SUBSTEPS + 1;
+        int inPiles = substeps * MOST_BLOWS_PER_SUBSTEP;
         return (long) report.pairs() * (accuracy.maxImpactsPerPair() + inPiles);
     }
 

@@ -2,13 +2,26 @@ package rigibo.backend.law;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 import rigibo.backend.Pool;
 import rigibo.backend.StepReport;
+import rigibo.backend.effect.Contacts;
+import rigibo.backend.effect.ContinuousImpacts;
+import rigibo.backend.effect.Effect;
+import rigibo.backend.effect.Effects;
+import rigibo.backend.effect.Friction;
+import rigibo.backend.effect.Gravity;
+import rigibo.backend.effect.Restitution;
+import rigibo.backend.effect.Rotation;
+import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
+import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.BodyDefinition;
+import rigibo.backend.setup.ContactSolver;
+import rigibo.backend.setup.Material;
 import rigibo.backend.setup.SolveMethod;
 
 /** What moves is solved with so much work for each of its rows, however many there are. */
@@ -21,6 +34,18 @@ class WorkLawTest {
     private static final int STEPS = 240;
 
     private static final double DROP = 1.2;
+
+    /** Multiplications that one island is worth, whatever it is. */
+    private static final double SMALLEST = 400_000;
+
+    private static final Effect[] CALLED_FOR = {
+        new Gravity(0, -9.81),
+        new Contacts(),
+        new Rotation(),
+        new Friction(),
+        new Restitution(),
+        new ContinuousImpacts()
+    };
 
     /**
      * Boxes in a trough. No step may take more than twice the passes it may be given: 32 in four
@@ -46,6 +71,55 @@ class WorkLawTest {
         }
         assertThat(rows).as("contacts asked").isGreaterThan(30 * count);
         assertThat(all / rows).isLessThan(PASS * mostPasses / 3 * 2);
+    }
+
+    /**
+     * Elastic discs on discs: what a blow goes through is the whole heap. Blows and elimination may
+     * each take 18 passes over all points, but for small islands, which take 200,000 whatever their
+     * size; what is eliminated because it is calm may take sixteen times that, once.
+     */
+    @Test
+    void blowsInAHeapOfDiscsAreWithinABudget() {
+        Pool pool = new Pool(Effects.of(CALLED_FOR), Preset.GAME.accuracy);
+        pool.add(BodyDefinition.fixed(Polygon.box(20, 2)).at(0, -1));
+        for (int side = -1; side <= 1; side += 2) {
+            pool.add(BodyDefinition.fixed(Polygon.box(2, 400)).at(side * 6, 0));
+        }
+        Draw draw = new Draw(1);
+        Material lively = new Material(1, 0.3, 0.4);
+        for (int i = 0; i < 300; i++) {
+            double x = 0.62 * (i % 16 - 7.5) + draw.between(-0.05, 0.05);
+            BodyDefinition disc = BodyDefinition.dynamic(new Circle(draw.between(0.2, 0.28)));
+            pool.add(disc.at(x, 0.4 + 0.7 * (i / 16)).material(lively));
+        }
+        int kicks = Preset.GAME.accuracy.substeps() + 1;
+        long impacts = 0;
+        for (int i = 0; i < STEPS; i++) {
+            StepReport report = pool.step(RandomScene.DT);
+            double contacts = report.rows() / 2.0;
+            double ofBlows = 18 * PASS * contacts;
+            double calm = 16 * ofBlows;
+            double small = 200_000.0 * report.islands(SolveMethod.ELIMINATION);
+            assertThat(report.multiplications())
+                    .isLessThan((long) (kicks * (ofBlows + calm + small) + SMALLEST));
+            impacts += report.impacts();
+        }
+        assertThat(impacts).isGreaterThan(1_000);
+    }
+
+    /**
+     * Between a wall and what is driven against it no load is enough: passes would go on for ever.
+     */
+    @Test
+    void passesEndWhateverAnAccuracyAsksFor() {
+        Accuracy most = Accuracy.GAME.withSubsteps(64).withVelocityIterations(8);
+        Pool pool = new Pool(new Pool().effects(), most.withContactSolver(ContactSolver.BLOCK));
+        pool.add(BodyDefinition.fixed(Polygon.box(1, 4)).at(-0.5, 0));
+        pool.add(BodyDefinition.kinematic(Polygon.box(1, 4)).at(2.5, 0).velocity(-1, 0));
+        pool.add(BodyDefinition.dynamic(Polygon.box(1, 1)).at(0.5, 0));
+        pool.add(BodyDefinition.dynamic(Polygon.box(1, 1)).at(1.5, 0));
+        StepReport report = pool.step(RandomScene.DT);
+        assertThat(report.contactSolves()).isBetween(1_000L, 2_048L * 65 * report.contacts());
     }
 
     private static Pool crowd(Preset preset, int count) {
