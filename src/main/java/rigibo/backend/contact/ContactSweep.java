@@ -32,8 +32,8 @@ final class ContactSweep {
     /** By entry of the motions: how much its speed has changed so far in this sweep, m/s. */
     private double[] changed = new double[16];
 
-    /** By row: up to which sum of that, of its two bodies, it need not be solved again, m/s. */
-    private double[] solvedUntil = new double[16];
+    /** By row: what that was of its two bodies when it was solved last, m/s. */
+    private double[] seen = new double[16];
 
     /** By row: the change of speed that does not count, m/s. */
     private double[] uncounted = new double[16];
@@ -87,7 +87,8 @@ final class ContactSweep {
             int row = isBack && i < ground ? ground - 1 - i : i;
             int a = rows.bodyA[row];
             int b = rows.bodyB[row];
-            if (changed[a / Motions.STRIDE] + changed[b / Motions.STRIDE] > solvedUntil[row]) {
+            double now = changed[a / Motions.STRIDE] + changed[b / Motions.STRIDE];
+            if (now - seen[row] > uncounted[row]) {
                 solve(row, a, b);
                 solved++;
             }
@@ -101,8 +102,8 @@ final class ContactSweep {
         if (changed.length < motions.count) {
             changed = new double[motions.slots.length];
         }
-        if (solvedUntil.length < rows.count) {
-            solvedUntil = new double[rows.pair.length];
+        if (seen.length < rows.count) {
+            seen = new double[rows.pair.length];
             uncounted = new double[rows.pair.length];
             spare = new double[2 * rows.pair.length];
         }
@@ -110,7 +111,7 @@ final class ContactSweep {
         double perSubstep = 1 / h;
         for (int row = 0; row < rows.count; row++) {
             boolean isThere = rows.firstSubstep[row] <= substep;
-            solvedUntil[row] = isThere ? Double.NEGATIVE_INFINITY : Double.POSITIVE_INFINITY;
+            seen[row] = isThere ? Double.NEGATIVE_INFINITY : Double.POSITIVE_INFINITY;
             double counts = sharePerSecond * rows.data[row * Rows.STRIDE + Rows.WIDTH];
             uncounted[row] = counts < quiet ? counts : quiet;
             double nearing = rows.data[row * Rows.STRIDE + Rows.NEARING];
@@ -205,7 +206,7 @@ final class ContactSweep {
         changed[entryB] += massB * j + motions.reach[entryB] * inertiaB * Math.abs(turnB);
         // What slips is braked by a load that has just changed.
         double unseen = slips ? friction * Math.abs(jn) * (massA + massB) : 0;
-        solvedUntil[row] = changed[entryA] + changed[entryB] - unseen + uncounted[row];
+        seen[row] = changed[entryA] + changed[entryB] - unseen;
     }
 
     /** Rolling and friction, where both may hold. */

@@ -59,14 +59,17 @@ final class DeclaredRows {
         return turning == null ? usual : turning.substepsFor(island, left, usual);
     }
 
-    /** Writes the rows of the packed island for substeps of h seconds. */
-    void begin(double h) {
+    /**
+     * Writes the rows of the packed island for substeps of h seconds. To answer its blows jointly
+     * is worth so many multiplications in this step.
+     */
+    void begin(double h, double worthOfBlows) {
         rubbing.begin(h / 2);
         if (running != null) {
             running.begin();
         }
         if (blows != null) {
-            blows.begin(h);
+            blows.begin(h, worthOfBlows);
         }
     }
 
@@ -90,19 +93,19 @@ final class DeclaredRows {
     /**
      * Resolves the blows in a substep of h seconds of a pile that is solved whole.
      *
-     * @return whether so many multiplications were enough for that
+     * @return whether what was left of the step's work was enough for that
      */
-    boolean strikeJointly(double h, int substep, double worth) {
+    boolean strikeJointly(double h, int substep) {
         if (blows == null) {
             return true;
         }
         kick.measureGain();
-        return blows.resolveJointly(h, substep, worth);
+        return blows.resolveJointly(h, substep);
     }
 
     /** The same of velocities as they are, within next to no time. */
-    boolean strikeAtOnce(double h, int substep, double worth) {
-        return blows == null || blows.resolveAtOnce(h, substep, worth);
+    boolean strikeAtOnce(double h, int substep) {
+        return blows == null || blows.resolveAtOnce(h, substep);
     }
 
     /** Resolves the blows in a substep of h seconds one after the other. */

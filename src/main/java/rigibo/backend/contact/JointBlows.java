@@ -48,7 +48,7 @@ final class JointBlows {
     private double h;
     private double middle;
 
-    /** Multiplications that are left for the substep's blows. */
+    /** Multiplications that are left for the blows of the step. */
     private double left;
 
     /** The rows that strike at the present instant. */
@@ -67,24 +67,28 @@ final class JointBlows {
         together = new TiedImpacts(bodies, pairs);
     }
 
+    /** Begins the packed island, whose blows are worth so many multiplications in this step. */
+    void begin(double worth) {
+        left = worth;
+    }
+
     /**
-     * Resolves all blows that fall into a substep of h seconds, for so many multiplications at
-     * most. Returns whether that was enough; blows that it was not enough for are not struck.
+     * Resolves all blows that fall into a substep of h seconds. Returns whether what was left of
+     * the step's work was enough; blows that it was not enough for are not struck.
      */
-    boolean resolve(double length, int number, double worth) {
-        return resolve(length, length / 2, number, worth);
+    boolean resolve(double length, int number) {
+        return resolve(length, length / 2, number);
     }
 
     /** Resolves the blows of velocities as they are, within next to no time. */
-    boolean resolveAtOnce(double length, int number, double worth) {
-        return resolve(length, 0, number, worth);
+    boolean resolveAtOnce(double length, int number) {
+        return resolve(length, 0, number);
     }
 
-    private boolean resolve(double length, double middleOfVelocities, int number, double worth) {
+    private boolean resolve(double length, double middleOfVelocities, int number) {
         h = length;
         middle = middleOfVelocities;
         substep = number;
-        left = worth;
         boolean isAnswered = true;
         for (int blow = 0; blow < MOST_BLOWS && isAnswered && left > 0; blow++) {
             double time = firstBlow();
@@ -195,7 +199,7 @@ final class JointBlows {
         double affordable = Math.ceil(left / workOfPass);
         int most = (int) Math.min(TiedImpacts.MOST_PASSES, affordable);
         boolean isAnswered = together.solve(most);
-        double work = together.passes() * workOfPass;
+        double work = (1 + together.passes()) * workOfPass;
         left -= work;
         counters.multiplications += work;
         if (isAnswered || left > 0) {

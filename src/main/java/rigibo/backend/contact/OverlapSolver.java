@@ -34,34 +34,27 @@ final class OverlapSolver {
     }
 
     /**
-     * Passes over all rows for a substep of h seconds, from the ground up and back, until no
-     * overlap is left of more than so many widths; all of them together part two bodies no faster
-     * than one pass may.
+     * Passes over all rows for a substep of h seconds, from the ground up and back; all of them
+     * together part two bodies no faster than one pass may.
      */
-    void correctInPasses(double h, int substep, int passes, double enough) {
+    void correctInPasses(double h, int substep, int passes) {
         boolean isAny = true;
         for (int pass = 0; pass < passes && isAny; pass++) {
-            isAny = correct(h, substep, pass % 2 == 0, MOST_PUSH / passes, enough);
+            isAny = correct(h, substep, pass % 2 == 0, MOST_PUSH / passes);
         }
     }
 
     /** One pass over all rows. */
     void correct(double h, int substep) {
-        correct(h, substep, false, MOST_PUSH, 0);
+        correct(h, substep, false, MOST_PUSH);
     }
 
-    /**
-     * Takes overlap back at so many widths a second at most. Returns whether one was deeper than so
-     * many widths.
-     */
-    private boolean correct(double h, int substep, boolean isUpwards, double speed, double enough) {
+    /** Returns whether there was anything to be taken back, at so many widths a second at most. */
+    private boolean correct(double h, int substep, boolean isUpwards, double speed) {
         boolean isAny = false;
         for (int i = 0; i < rows.count; i++) {
             int row = isUpwards ? rows.count - 1 - i : i;
-            if (rows.firstSubstep[row] <= substep) {
-                double overlap = correct(row, h, speed);
-                isAny |= overlap > enough * rows.data[row * Rows.STRIDE + Rows.WIDTH];
-            }
+            isAny |= rows.firstSubstep[row] <= substep && correct(row, h, speed);
         }
         return isAny;
     }
@@ -88,33 +81,20 @@ final class OverlapSolver {
 
     /** The same at so many widths a second at most. */
     private double wanted(int row, int point, double h, double speed) {
-        double overlap = overlap(row, point);
-        return overlap > 0 ? share(row, overlap, h, speed) : 0;
-    }
-
-    /** How deep a point is, in m, beyond what stays; negative where it does not overlap. */
-    private double overlap(int row, int point) {
-        double width = rows.data[row * Rows.STRIDE + Rows.WIDTH];
-        return -motions.gap(rows, row, point) - KEPT_OVERLAP * width;
-    }
-
-    private double share(int row, double overlap, double h, double speed) {
         int at = row * Rows.STRIDE;
-        double rate = rows.data[at + Rows.RECOVERY] * h;
-        double most = speed * rows.data[at + Rows.WIDTH] * h;
-        double share = overlap * rate / (1 + rate);
-        return share < most ? share : most;
+        double width = rows.data[at + Rows.WIDTH];
+        double overlap = -motions.gap(rows, row, point) - KEPT_OVERLAP * width;
+        double rate = rows.data[at + Rows.RECOVERY];
+        double most = speed * width * h;
+        return overlap > 0 ? Math.min(overlap * rate * h / (1 + rate * h), most) : 0;
     }
 
-    /** Returns how deep the contact was, m. */
-    private double correct(int row, double h, double speed) {
-        double overlap0 = overlap(row, 0);
-        double overlap1 = rows.points[row] == 2 ? overlap(row, 1) : 0;
-        if (overlap0 <= 0 && overlap1 <= 0) {
-            return 0;
+    private boolean correct(int row, double h, double speed) {
+        double want0 = wanted(row, 0, h, speed);
+        double want1 = rows.points[row] == 2 ? wanted(row, 1, h, speed) : 0;
+        if (want0 == 0 && want1 == 0) {
+            return false;
         }
-        double want0 = overlap0 > 0 ? share(row, overlap0, h, speed) : 0;
-        double want1 = overlap1 > 0 ? share(row, overlap1, h, speed) : 0;
         double[] d = rows.data;
         int at = row * Rows.STRIDE;
         double both0 = d[at + Rows.M00] * want0 + d[at + Rows.M01] * want1;
@@ -126,7 +106,7 @@ final class OverlapSolver {
         } else {
             move(row, both0, both1);
         }
-        return overlap0 > overlap1 ? overlap0 : overlap1;
+        return true;
     }
 
     /** Moves both bodies as impulses at the points would in one second, kg·m. */

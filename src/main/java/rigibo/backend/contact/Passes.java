@@ -93,7 +93,7 @@ final class Passes {
         hold(h, substep, fastest, limit);
         motions.drift(h);
         if (isCorrecting) {
-            overlap.correctInPasses(h, substep, PASSES_OVER_OVERLAP, missed);
+            overlap.correctInPasses(h, substep, PASSES_OVER_OVERLAP);
         }
     }
 

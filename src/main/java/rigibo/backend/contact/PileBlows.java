@@ -15,23 +15,27 @@ final class PileBlows {
         apart = new PileImpacts(data, motions, rows, bounces);
     }
 
-    /** Lists what can bounce in the packed island, for substeps of h seconds. */
-    void begin(double h) {
+    /**
+     * Lists what can bounce in the packed island, for substeps of h seconds; to answer it jointly
+     * is worth so many multiplications in this step.
+     */
+    void begin(double h, double worth) {
         bounces.begin(h);
+        joint.begin(worth);
     }
 
     /**
      * Resolves all blows that fall into a substep of h seconds of a pile that is solved whole.
      *
-     * @return whether so many multiplications were enough for that
+     * @return whether what was left of the step's work was enough for that
      */
-    boolean resolveJointly(double h, int substep, double worth) {
-        return joint.resolve(h, substep, worth);
+    boolean resolveJointly(double h, int substep) {
+        return joint.resolve(h, substep);
     }
 
     /** The same of velocities as they are, within next to no time. */
-    boolean resolveAtOnce(double h, int substep, double worth) {
-        return joint.resolveAtOnce(h, substep, worth);
+    boolean resolveAtOnce(double h, int substep) {
+        return joint.resolveAtOnce(h, substep);
     }
 
     /** Resolves all blows that fall into a substep of h seconds, one after the other. */

@@ -131,7 +131,7 @@ public final class PileSolver {
 
     private void advance(int island, double start, double h, double dt) {
         builder.build(island, h / 2);
-        declared.begin(h);
+        declared.begin(h, rounds.worthOfBlows(substeps + 1));
         warmStart.prepare();
         isWhole = rounds.prepare(motions.fastest() <= CALM * dt * kick.strongest());
         lateJoiners.delay(start, h);
@@ -175,9 +175,9 @@ public final class PileSolver {
     /** Returns whether the first substep has shown that the island rests. */
     private boolean advanceSubstep(double start, double h, int substep) {
         if (isWhole) {
-            isWhole = declared.strikeJointly(h, substep, rounds.worthOfBlows());
+            isWhole = declared.strikeJointly(h, substep);
             if (!isWhole) {
-                declared.strikeApart(h, substep);
+                strikeUnloaded(h, substep);
             }
         }
         isWhole = isWhole && rounds.settle(h, substep, fastest, limit);
@@ -192,6 +192,13 @@ public final class PileSolver {
         motions.drift(h);
         rounds.takeOverlapBack(h, substep);
         return false;
+    }
+
+    /** Strikes blows of bodies that what contacts carried has not thrown about. */
+    private void strikeUnloaded(double h, int substep) {
+        warmStart.add(-1, substep);
+        declared.strikeApart(h, substep);
+        warmStart.add(1, substep);
     }
 
     /**
@@ -270,7 +277,7 @@ public final class PileSolver {
         begin(last == 1 ? 1 : 0.5, last);
         isWhole =
                 isWhole
-                        && declared.strikeAtOnce(h * NO_TIME, last, rounds.worthOfBlows())
+                        && declared.strikeAtOnce(h * NO_TIME, last)
                         && rounds.settle(h * NO_TIME, last, fastest, limit);
         if (isWhole) {
             rows.addUpImpulses(1);

@@ -64,12 +64,26 @@ final class WarmStart {
     void apply(double scale, int substep) {
         for (int row = 0; row < rows.count; row++) {
             if (rows.firstSubstep[row] <= substep) {
-                apply(row, scale);
+                int at = row * Rows.STRIDE;
+                rows.data[at + Rows.IMPULSE0] *= scale;
+                rows.data[at + Rows.IMPULSE1] *= scale;
+                rows.data[at + Rows.IMPULSE_T] *= scale;
+                rows.data[at + Rows.IMPULSE_R] *= scale;
+            }
+        }
+        add(1, substep);
+    }
+
+    /** Gives bodies a multiple of all impulses; −1 takes back what they were given. */
+    void add(double multiple, int substep) {
+        for (int row = 0; row < rows.count; row++) {
+            if (rows.firstSubstep[row] <= substep) {
+                addOf(row, multiple);
             }
         }
     }
 
-    private void apply(int row, double scale) {
+    private void addOf(int row, double multiple) {
         double[] d = rows.data;
         double[] m = motions.data;
         int at = row * Rows.STRIDE;
@@ -77,9 +91,9 @@ final class WarmStart {
         int b = rows.bodyB[row];
         double nx = d[at + Rows.NX];
         double ny = d[at + Rows.NY];
-        double j0 = d[at + Rows.IMPULSE0] *= scale;
-        double j1 = d[at + Rows.IMPULSE1] *= scale;
-        double jt = d[at + Rows.IMPULSE_T] *= scale;
+        double j0 = multiple * d[at + Rows.IMPULSE0];
+        double j1 = multiple * d[at + Rows.IMPULSE1];
+        double jt = multiple * d[at + Rows.IMPULSE_T];
         double jx = (j0 + j1) * nx - jt * ny;
         double jy = (j0 + j1) * ny + jt * nx;
         m[a + VX] -= m[a + INVERSE_MASS] * jx;
@@ -87,7 +101,7 @@ final class WarmStart {
         m[b + VX] += m[b + INVERSE_MASS] * jx;
         m[b + VY] += m[b + INVERSE_MASS] * jy;
         if (motions.turns) {
-            turn(m, d, at, a, b, j0, j1, jt, d[at + Rows.IMPULSE_R] *= scale);
+            turn(m, d, at, a, b, j0, j1, jt, multiple * d[at + Rows.IMPULSE_R]);
         }
     }
 

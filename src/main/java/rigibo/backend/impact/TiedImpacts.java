@@ -111,7 +111,7 @@ public final class TiedImpacts {
         return count;
     }
 
-    /** How many passes the last blows took. */
+    /** How many passes the last blows took after the first. */
     public int passes() {
         return passes;
     }
@@ -130,13 +130,10 @@ public final class TiedImpacts {
     public boolean solve(int mostPasses) {
         double settled = ROUND_OFF * fastest;
         passes = 0;
-        while (passes < mostPasses) {
+        while (pass() > settled && passes < mostPasses) {
             passes++;
-            if (pass() <= settled) {
-                return true;
-            }
         }
-        return false;
+        return passes < mostPasses;
     }
 
     /** Adds up the impulses of the pairs, once they add no energy; or no speed, if unanswered. */

@@ -28,9 +28,12 @@ public final class Slots {
         return high++;
     }
 
-    /** Takes a slot back. */
+    /** Takes a slot back. Once all are back none waits: it is as if none had been handed out. */
     public void giveBack(int slot) {
         free[freeCount++] = slot;
+        if (freeCount == high) {
+            closeRanks();
+        }
     }
 
     /** What is in use has been moved to the lowest slots: none is free among them. */
