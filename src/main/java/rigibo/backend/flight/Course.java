@@ -55,7 +55,10 @@ public final class Course {
             if (bodies.isDynamic(slot)) {
                 bodies.pullX[slot] = 0;
                 bodies.pullY[slot] = 0;
-                lay(slot, 0, dt);
+                if (!isLaid(slot, 0, dt)) {
+                    // The ledger, which looks next, puts it to rest.
+                    bodies.accelerationX[slot] = Double.NaN;
+                }
             }
         }
     }
@@ -71,9 +74,15 @@ public final class Course {
 
     /**
      * Lays a body's path between two times in s after the step's start, from the first of which its
-     * columns hold.
+     * columns hold. Where its forces are beyond all bounds it goes on as it was until the next
+     * step.
      */
     void lay(int slot, double begin, double end) {
+        isLaid(slot, begin, end);
+    }
+
+    /** The same; returns whether the path is within bounds. */
+    private boolean isLaid(int slot, double begin, double end) {
         from[slot] = begin;
         to[slot] = end;
         lackX[slot] = 0;
@@ -82,16 +91,16 @@ public final class Course {
             turning.forget(slot);
         }
         double length = end - begin;
-        if (length > 0) {
-            deviation.of(bodies, slot, data.time + begin);
-            deviation.integrate(length, substeps);
-            if (isBounded(length)) {
-                write(slot, length);
-            } else if (begin == 0) {
-                // The ledger puts it to rest; within a step it goes on as it was until the next.
-                bodies.accelerationX[slot] = Double.NaN;
-            }
+        if (length <= 0) {
+            return true;
         }
+        deviation.of(bodies, slot, data.time + begin);
+        deviation.integrate(length, substeps);
+        if (!isBounded(length)) {
+            return false;
+        }
+        write(slot, length);
+        return true;
     }
 
     /** Whether the path, and the velocity it leads to, are such that bodies can meet on it. */

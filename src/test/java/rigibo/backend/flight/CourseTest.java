@@ -78,6 +78,23 @@ class CourseTest {
     }
 
     /**
+     * What a blow at the very start of a step sends into forces beyond all bounds goes on as it
+     * was: who is not finite then would spread to all that it meets before the step ends.
+     */
+    @Test
+    void aPathLaidAnewAtTheStartOfAStepStaysFinite() {
+        Thrown thrown =
+                new Thrown(by(Integrator.RK4), 0, at -> at.accelerate(1 / (4 - at.velocityX), 0));
+        thrown.step(0.01, 0, 0);
+        thrown.bodies.velocityX[0] = 4;
+        double before = thrown.bodies.accelerationX[0];
+        thrown.course.lay(0, 0, 0.01);
+        assertThat(thrown.bodies.accelerationX[0]).isFinite().isEqualTo(before);
+        thrown.course.begin(0.01);
+        assertThat(thrown.bodies.accelerationX[0]).as("for the ledger").isNaN();
+    }
+
+    /**
      * x = x₀ + v₀t + jt³/6, v = v₀ + jt²/2: what grows with time is exact for a method of order 4.
      */
     @ParameterizedTest
