@@ -73,15 +73,21 @@ final class FreshRows {
         motions.drift(rows.bodyB[row], -ahead);
     }
 
-    /** Measures a contact where its bodies are now, with {@code left} seconds to go. */
+    /**
+     * Measures a contact where its bodies are now, with {@code left} seconds to go. It stays as it
+     * is where one of them is nowhere any more: that one will be put to rest where the step began.
+     */
     void measure(int row, double left) {
         int pair = rows.pair[row];
+        place(pairs.bodyA[pair], rows.bodyA[row], poseA);
+        place(pairs.bodyB[pair], rows.bodyB[row], poseB);
+        if (!isSomewhere(poseA) || !isSomewhere(poseB)) {
+            return;
+        }
         int at = row * Rows.STRIDE;
         // The manifold hands on what its columns hold from the points it had to those it has.
         pairs.normalForce[2 * pair] = rows.data[at + Rows.IMPULSE0];
         pairs.normalForce[2 * pair + 1] = rows.data[at + Rows.IMPULSE1];
-        place(pairs.bodyA[pair], rows.bodyA[row], poseA);
-        place(pairs.bodyB[pair], rows.bodyB[row], poseB);
         narrowphase.measureContact(pair, poseA, poseB, reach(row, pair, left));
         rows.data[at + Rows.IMPULSE0] = pairs.normalForce[2 * pair];
         rows.data[at + Rows.IMPULSE1] = pairs.normalForce[2 * pair + 1];
@@ -91,6 +97,11 @@ final class FreshRows {
         rows.data[at + Rows.BEFORE1] = before1;
         builder.rewrite(row);
         rows.data[at + Rows.RECOVERY] = recovery;
+    }
+
+    private static boolean isSomewhere(Pose pose) {
+        double sum = Math.abs(pose.x) + Math.abs(pose.y) + Math.abs(pose.cos);
+        return sum < Double.POSITIVE_INFINITY;
     }
 
     private double before(int at, int point) {
