@@ -1,7 +1,7 @@
 package rigibo.frontend.editor.draft;
 
+import tools.jackson.core.io.JsonStringEncoder;
 import tools.jackson.databind.JsonNode;
-import tools.jackson.databind.node.JsonNodeFactory;
 
 /**
  * A document as the game's own levels are written: what fits on a line stands on one, the rest a
@@ -11,6 +11,7 @@ public final class DraftText {
 
     private static final int WIDTH = 100;
     private static final String INDENT = "  ";
+    private static final JsonStringEncoder ENCODER = JsonStringEncoder.getInstance();
 
     private final StringBuilder text = new StringBuilder();
 
@@ -38,9 +39,10 @@ public final class DraftText {
         String between = "\n";
         text.append(node.isObject() ? '{' : '[');
         for (var member : node.properties()) {
-            String name = quoted(member.getKey()) + ": ";
-            text.append(between).append(inner).append(name);
-            value(member.getValue(), inner, name.length() + 1);
+            text.append(between).append(inner);
+            int begin = text.length();
+            name(member.getKey());
+            value(member.getValue(), inner, text.length() - begin + 1);
             between = ",\n";
         }
         for (int i = 0; node.isArray() && i < node.size(); i++) {
@@ -61,14 +63,19 @@ public final class DraftText {
         if (node.isArray()) {
             return elements(node, end);
         }
-        text.append(node);
+        if (node.isString()) {
+            quote(node.asString());
+        } else {
+            text.append(node.asString("null"));
+        }
         return text.length() <= end;
     }
 
     private boolean members(JsonNode object, int end) {
         String between = "{";
         for (var member : object.properties()) {
-            text.append(between).append(quoted(member.getKey())).append(": ");
+            text.append(between);
+            name(member.getKey());
             if (!line(member.getValue(), end)) {
                 return false;
             }
@@ -91,7 +98,15 @@ public final class DraftText {
         return text.length() <= end;
     }
 
-    private static String quoted(String words) {
-        return JsonNodeFactory.instance.stringNode(words).toString();
+    private void name(String name) {
+        quote(name);
+        text.append(": ");
+    }
+
+    /** Printing a node by itself would begin a printer of a kilobyte for every word. */
+    private void quote(String words) {
+        text.append('"');
+        ENCODER.quoteAsString(words, text);
+        text.append('"');
     }
 }
