@@ -8,6 +8,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
+import rigibo.backend.Allocation;
 import rigibo.backend.effect.CentralForce;
 import rigibo.backend.geometry.Circle;
 
@@ -68,5 +69,19 @@ class CentralPullTest {
 
         assertThat(at.accelerationX).isEqualTo(1);
         assertThat(at.accelerationY).isEqualTo(2);
+    }
+
+    @Test
+    void allocatesNothingWhateverThePower() {
+        CentralPull pull = new CentralPull(new CentralForce(10, 20, 3, 0.3));
+        Instant at = Instants.of(new Circle(1), 7, 1, 0);
+        Runnable pulls =
+                () -> {
+                    for (int i = 0; i < 1000; i++) {
+                        pull.add(at);
+                    }
+                };
+
+        assertThat(Allocation.ofThirdRun(pulls)).isZero();
     }
 }
