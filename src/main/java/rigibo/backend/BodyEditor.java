@@ -254,6 +254,8 @@ final class BodyEditor {
                 waking.wake(slot);
             }
         }
+        // What is driven by its spin alone is driven only where bodies turn.
+        data.roster.isStale = true;
     }
 
     private void forgetAllPairs() {

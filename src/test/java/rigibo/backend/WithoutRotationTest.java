@@ -229,4 +229,14 @@ class WithoutRotationTest {
         assertThat(box.angle()).isEqualTo(angle);
         assertThat(box.angularVelocity()).isZero();
     }
+
+    /** It went on as one that moves, among others in another order than in a restored pool. */
+    @Test
+    void whatOnlySpunStandsStillOnceNothingTurns() {
+        Pool pool = new Pool(CONTACTS.with(new Rotation()), Accuracy.GAME);
+        pool.add(BodyDefinition.kinematic(Polygon.box(1, 1)).spin(3));
+        assertThat(pool.step(Scenes.DT).awake()).isEqualTo(1);
+        pool.effects(CONTACTS);
+        assertThat(pool.step(Scenes.DT).awake()).isZero();
+    }
 }
