@@ -118,6 +118,9 @@ public final class TimeOfImpact {
         double time = from;
         for (int round = 0; round < MOST_ROUNDS; round++) {
             double gap = measure(time, round);
+            if (round > 0 && !approach.mayMeet(poseA, poseB, time, end, tolerance)) {
+                return NEVER;
+            }
             if (gap > LARGEST_SHARE * tolerance) {
                 advance.stopBetween(LEAST_SHARE * tolerance, LARGEST_SHARE * tolerance);
             } else if (gap <= advance.largest) {

@@ -235,4 +235,19 @@ class TimeOfImpactTest {
         assertThat(find(floor, disc, STEP, 1e-4)).isEqualTo(TimeOfImpact.NEVER);
         assertThat(impact.evaluations).isLessThanOrEqualTo(2);
     }
+
+    /**
+     * A heptagon as it passes a disc at 2,900 m/s and spins at two million rad/s: its way is 9 mm
+     * off the disc's centre, twice as far as both reach. Each look saw a bit farther only, however
+     * far it had gone, and the last was taken for a hit 40 m away.
+     */
+    @Test
+    void whatHasPassedIsNotLookedAtAnyMore() {
+        Motion disc = resting(new Circle(0.004), 0.0065, 0.037, 0);
+        Motion heptagon = moving(Polygon.regular(7, 7e-4), -0.019, -0.0186, 814, 2774);
+        heptagon.spin = 2.1e6;
+
+        assertThat(find(disc, heptagon, STEP, 1e-6)).isEqualTo(TimeOfImpact.NEVER);
+        assertThat(impact.evaluations).isLessThan(1000);
+    }
 }
