@@ -54,6 +54,11 @@ public final class FilledStorage {
         return pair;
     }
 
+    /** Takes one step of so many seconds with all its parts. */
+    public void step(double dt) {
+        plan.run(dt, () -> 0);
+    }
+
     /** Where the bodies' fixtures hang; null where contacts are not declared. */
     public Broadphase broadphase() {
         return plan.broadphase();

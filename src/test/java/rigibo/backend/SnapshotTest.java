@@ -9,6 +9,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
 import rigibo.backend.effect.Buoyancy;
+import rigibo.backend.effect.Contacts;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Gravity;
 import rigibo.backend.effect.Sleep;
@@ -17,6 +18,7 @@ import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.BodyType;
+import rigibo.backend.setup.Correction;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -52,6 +54,31 @@ class SnapshotTest {
         }
         requireSame(restored, pool, preset + " at the end");
         assertThat(phases).containsExactlyInAnyOrder(ContactEvent.Phase.values());
+    }
+
+    /**
+     * Two discs part in the step in which they fall asleep. The one wakes within the next, and the
+     * other with it, for they touched; a driven disc beside that had it looked for before.
+     */
+    @Test
+    void whatPartedFallingAsleepAndWokeWithinAStepGoesOnToTheSameBits() {
+        Effects effects = Effects.of(new Contacts(), new Sleep(0.5, 1));
+        Pool pool = new Pool(effects, Accuracy.DRAFT.withCorrection(Correction.NONE));
+        RigidBody first = pool.add(BodyDefinition.dynamic(new Circle(1)));
+        RigidBody second = pool.add(BodyDefinition.dynamic(new Circle(1)).at(1.9, 0));
+        second.velocity(0.9, 0);
+        RigidBody driven = pool.add(BodyDefinition.kinematic(new Circle(1)).at(-3.5, 0));
+        driven.velocity(2, 0);
+        pool.add(BodyDefinition.kinematic(new Circle(1)).at(2.8, 2.01).velocity(0, 1e-3));
+        pool.step(1);
+        assertThat(List.of(first.isAwake(), second.isAwake())).containsOnly(false);
+        driven.velocity(-0.01, 0);
+        pool.step(1.0 / 1024);
+        assertThat(List.of(first.isAwake(), second.isAwake())).containsOnly(true);
+        Pool restored = Pool.restore(pool.snapshot());
+        pool.step(Scenes.DT);
+        restored.step(Scenes.DT);
+        requireSame(restored, pool, "a step later");
     }
 
     @ParameterizedTest

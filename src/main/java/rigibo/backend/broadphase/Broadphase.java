@@ -204,7 +204,7 @@ public final class Broadphase {
         bodies.refitted[slot] = false;
         findPairs(slot);
         for (int p = bodies.firstPair[slot]; p != Pairs.NONE; p = pairs.nextOf(p, slot)) {
-            pairs.activate(p);
+            pairs.activateLate(p);
         }
     }
 

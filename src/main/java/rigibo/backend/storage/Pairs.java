@@ -182,6 +182,14 @@ public final class Pairs {
         list(pair);
     }
 
+    /** Notes a pair within a step, before which nobody has measured it. */
+    public void activateLate(int pair) {
+        if (activeStep[pair] != step) {
+            reach[pair] = Double.NaN;
+            activate(pair);
+        }
+    }
+
     private void list(int pair) {
         if (activeCount == active.length) {
             active = Arrays.copyOf(active, 2 * activeCount);

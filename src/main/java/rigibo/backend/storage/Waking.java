@@ -47,7 +47,8 @@ public final class Waking {
 
     /**
      * Wakes a sleeper within a step, with all it leans on: they take part as a pile, and their
-     * pairs become active. Nothing moved there, so their manifolds still hold.
+     * pairs become active. Nothing has moved there but in the step in which they fell asleep, so
+     * their manifolds still hold; the next step measures them anew.
      */
     public void wakeIntoPile(int slot) {
         int first = data.roster.awakeCount;
@@ -61,7 +62,7 @@ public final class Waking {
                 bodies.keepStartAngle(woken);
             }
             for (int p = bodies.firstPair[woken]; p != Pairs.NONE; p = pairs.nextOf(p, woken)) {
-                pairs.activate(p);
+                pairs.activateLate(p);
             }
         }
     }
