@@ -158,7 +158,7 @@ public final class Narrowphase {
     /** The same without the points that lie in a seam: what the solver of piles is to see. */
     public void measureContact(int pair, Pose atA, Pose atB, double reach) {
         measure(pair, atA, atB, reach);
-        seams.leaveOutCovered(pair);
+        seams.leaveOutCovered(pair, atA, atB);
     }
 
     /** A pair of two awake bodies is met twice; the lower slot lists it. */

@@ -44,6 +44,11 @@ final class Seams {
     private int fixed;
     private double width;
 
+    /** Where the two are: neighbours that do not move are where their columns say. */
+    private final Pose moverPose = new Pose();
+
+    private final Pose fixedPose = new Pose();
+
     /** A point on the fixed body, world m, and the normal out of it. */
     private double x;
 
@@ -61,19 +66,46 @@ final class Seams {
         pairs = data.pairs;
     }
 
-    /** Drops the covered points of a contact between a body that moves and a fixed one. */
+    /**
+     * Drops the covered points of a contact between a body that moves and a fixed one, measured
+     * where the step began.
+     */
     void leaveOutCovered(int pair) {
+        if (mayBeCovered(pair)) {
+            place(mover, moverPose);
+            place(fixed, fixedPose);
+            leaveOut(pair);
+        }
+    }
+
+    /** The same of one measured at poses of its bodies. */
+    void leaveOutCovered(int pair, Pose atA, Pose atB) {
+        if (mayBeCovered(pair)) {
+            boolean isMoverA = mover == pairs.bodyA[pair];
+            moverPose.set(isMoverA ? atA : atB);
+            fixedPose.set(isMoverA ? atB : atA);
+            leaveOut(pair);
+        }
+    }
+
+    private void place(int slot, Pose pose) {
+        pose.set(bodies.x[slot], bodies.y[slot], bodies.cos[slot], bodies.sin[slot]);
+    }
+
+    private boolean mayBeCovered(int pair) {
         int a = pairs.bodyA[pair];
         int b = pairs.bodyB[pair];
-        if (bodies.isDynamic(a) == bodies.isDynamic(b)) {
-            return;
-        }
-        mover = bodies.isDynamic(a) ? a : b;
-        fixed = mover == a ? b : a;
+        boolean isAMoving = bodies.isDynamic(a);
+        mover = isAMoving ? a : b;
+        fixed = isAMoving ? b : a;
+        return pairs.points[pair] > 0
+                && isAMoving != bodies.isDynamic(b)
+                && bodies.shape[fixed].kind() == ShapeKind.POLYGON;
+    }
+
+    private void leaveOut(int pair) {
+        int a = pairs.bodyA[pair];
         width = bodies.smallestWidth[mover];
-        if (bodies.shape[fixed].kind() != ShapeKind.POLYGON) {
-            return;
-        }
         outX = fixed == a ? pairs.normalX[pair] : -pairs.normalX[pair];
         outY = fixed == a ? pairs.normalY[pair] : -pairs.normalY[pair];
         for (int i = pairs.points[pair] - 1; i >= 0; i--) {
@@ -118,8 +150,8 @@ final class Seams {
         double bestX = 0;
         double bestY = 0;
         for (int i = 0; i < polygon.corners(); i++) {
-            outX = bodies.cos[fixed] * polygon.normalX(i) - bodies.sin[fixed] * polygon.normalY(i);
-            outY = bodies.sin[fixed] * polygon.normalX(i) + bodies.cos[fixed] * polygon.normalY(i);
+            outX = fixedPose.cos * polygon.normalX(i) - fixedPose.sin * polygon.normalY(i);
+            outY = fixedPose.sin * polygon.normalX(i) + fixedPose.cos * polygon.normalY(i);
             if (outX * coveredX + outY * coveredY > 0) {
                 double separation = placeOnFace(polygon, i);
                 if (separation > best && findFace() && !isCovered(pair)) {
@@ -150,14 +182,14 @@ final class Seams {
     private double placeOnFace(Polygon polygon, int face) {
         Polygon shape = (Polygon) bodies.shape[mover];
         int next = face + 1 == polygon.corners() ? 0 : face + 1;
-        double startX = worldX(fixed, polygon, face);
-        double startY = worldY(fixed, polygon, face);
-        double endX = worldX(fixed, polygon, next);
-        double endY = worldY(fixed, polygon, next);
+        double startX = worldX(fixedPose, polygon, face);
+        double startY = worldY(fixedPose, polygon, face);
+        double endX = worldX(fixedPose, polygon, next);
+        double endY = worldY(fixedPose, polygon, next);
         double least = Double.POSITIVE_INFINITY;
         for (int i = 0; i < shape.corners(); i++) {
-            double cx = worldX(mover, shape, i);
-            double cy = worldY(mover, shape, i);
+            double cx = worldX(moverPose, shape, i);
+            double cy = worldY(moverPose, shape, i);
             double height = outX * (cx - startX) + outY * (cy - startY);
             if (height < least) {
                 least = height;
@@ -172,16 +204,12 @@ final class Seams {
         return isOver ? least : Double.NEGATIVE_INFINITY;
     }
 
-    private double worldX(int slot, Polygon polygon, int corner) {
-        return bodies.x[slot]
-                + bodies.cos[slot] * polygon.cornerX(corner)
-                - bodies.sin[slot] * polygon.cornerY(corner);
+    private static double worldX(Pose pose, Polygon polygon, int corner) {
+        return pose.x + pose.cos * polygon.cornerX(corner) - pose.sin * polygon.cornerY(corner);
     }
 
-    private double worldY(int slot, Polygon polygon, int corner) {
-        return bodies.y[slot]
-                + bodies.sin[slot] * polygon.cornerX(corner)
-                + bodies.cos[slot] * polygon.cornerY(corner);
+    private static double worldY(Pose pose, Polygon polygon, int corner) {
+        return pose.y + pose.sin * polygon.cornerX(corner) + pose.cos * polygon.cornerY(corner);
     }
 
     private boolean isCovered(int pair) {
@@ -216,8 +244,8 @@ final class Seams {
         ahead = 0;
         behind = 0;
         for (int i = 0; i < polygon.corners(); i++) {
-            double dx = worldX(fixed, polygon, i) - x;
-            double dy = worldY(fixed, polygon, i) - y;
+            double dx = worldX(fixedPose, polygon, i) - x;
+            double dy = worldY(fixedPose, polygon, i) - y;
             double height = outX * dx + outY * dy;
             double along = outX * dy - outY * dx;
             if (height >= -parallel * Math.abs(along)) {
@@ -234,8 +262,8 @@ final class Seams {
             return false;
         }
         Polygon polygon = (Polygon) bodies.shape[mover];
-        double localX = bodies.cos[mover] * outX + bodies.sin[mover] * outY;
-        double localY = bodies.cos[mover] * outY - bodies.sin[mover] * outX;
+        double localX = moverPose.cos * outX + moverPose.sin * outY;
+        double localY = moverPose.cos * outY - moverPose.sin * outX;
         for (int i = 0; i < polygon.corners(); i++) {
             double nx = polygon.normalX(i);
             double ny = polygon.normalY(i);
