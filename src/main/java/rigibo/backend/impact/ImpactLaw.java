@@ -61,7 +61,7 @@ public final class ImpactLaw {
     /** Pushes the point that closes faster, alone. */
     private void pushFaster() {
         Arrays.fill(result, 0);
-        int first = impact.points == 1 || velocity[0] <= velocity[1] ? 0 : 1;
+        int first = velocity[0] <= velocity[1] ? 0 : 1;
         result[first] = (target[first] - velocity[first]) / k[4 * first];
     }
 
@@ -151,10 +151,10 @@ public final class ImpactLaw {
             }
             result[i] = wanted / sliding;
             result[TANGENT] = slope * result[i];
-            return result[i] >= 0;
+        } else {
+            result[i] = wanted / kn;
         }
-        result[i] = wanted / kn;
-        return result[i] >= 0;
+        return true;
     }
 
     private boolean solveBoth(double friction) {
@@ -187,7 +187,7 @@ public final class ImpactLaw {
 
     /** Slides the way that sticking would have had to be held against. */
     private boolean slideBoth(double friction) {
-        double slope = friction == 0 ? 0 : result[TANGENT] > 0 ? friction : -friction;
+        double slope = result[TANGENT] > 0 ? friction : -friction;
         double k00 = k[0] + slope * k[2];
         double k01 = k[1] + slope * k[2];
         double k10 = k[1] + slope * k[5];

@@ -88,7 +88,8 @@ public final class SupportLoss {
 
     /** Whether a body of a pair lies under the other, by its own gravity. */
     private boolean isUnder(int pair, int body) {
-        return findDown(body) && sideOf(pair, body) < -UPRIGHT;
+        findDown(body);
+        return sideOf(pair, body) < -UPRIGHT;
     }
 
     /** Cosine between gravity and the normal out of the body: 1 where the other supports it. */
@@ -97,13 +98,13 @@ public final class SupportLoss {
         return sign * (pairs.normalX[pair] * downX + pairs.normalY[pair] * downY);
     }
 
-    private boolean findDown(int body) {
+    /** Without weight nothing is down: what is not a number is neither under nor above anything. */
+    private void findDown(int body) {
         double ax = bodies.accelerationX[body];
         double ay = bodies.accelerationY[body];
         double length = Math.sqrt(ax * ax + ay * ay);
         downX = ax / length;
         downY = ay / length;
-        return length > 0;
     }
 
     /**
@@ -129,7 +130,8 @@ public final class SupportLoss {
     }
 
     private boolean isSteadyOnItsSupports(int body) {
-        if (!findDown(body) || !measure(body)) {
+        findDown(body);
+        if (!measure(body)) {
             return false;
         }
         double slack = PairTolerances.INVISIBLE_LIFT * bodies.smallestWidth[body];

@@ -95,6 +95,20 @@ class ImpactColumnsTest {
         assertThat(storage.bodies.spin).isNull();
     }
 
+    /** Not even what an impulse beyond all bounds makes of them, 0·∞. */
+    @Test
+    void storesNothingOfWhatCannotBeMoved() {
+        FilledStorage storage = new FilledStorage(new Contacts(), new Rotation());
+        storage.add(BodyDefinition.kinematic(new Circle(1)).velocity(1, 2).spin(3));
+        storage.add(BodyDefinition.fixed(new Circle(1)));
+        storage.pair(0, 1);
+        blowWithVelocities().store(storage.bodies, storage.pairs, 0);
+
+        assertThat(storage.bodies.velocityX).startsWith(1, 0);
+        assertThat(storage.bodies.velocityY).startsWith(2, 0);
+        assertThat(storage.bodies.spin).startsWith(3, 0);
+    }
+
     private static Impact blowWithVelocities() {
         Impact blow = new Impact();
         blow.velocityAX = -1;

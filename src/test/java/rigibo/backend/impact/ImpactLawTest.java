@@ -17,8 +17,11 @@ class ImpactLawTest {
     /** A few roundings of sums of terms of that size, multiplied by the condition of the 2 × 2. */
     private static final double ROUND_OFF = 1e-10;
 
-    private static Impact resolved(Impact blow) {
-        new ImpactLaw().resolve(blow);
+    /** One for all blows of a test: none leaves anything to the next. */
+    private final ImpactLaw law = new ImpactLaw();
+
+    private Impact resolved(Impact blow) {
+        law.resolve(blow);
         return blow;
     }
 
@@ -37,7 +40,7 @@ class ImpactLawTest {
         assertThat(IntStream.of(cases)).as("scaled back, sticking, sliding").allMatch(n -> n > 100);
     }
 
-    private static void assertOutcome(int number, Impact blow, TwoByTwo truth) {
+    private void assertOutcome(int number, Impact blow, TwoByTwo truth) {
         Impact after = resolved(Meet.copy(blow));
         double scale = Math.abs(truth.x) + Math.abs(truth.y) + 1;
         double jx = after.normalImpulse[0] * blow.normalX - after.tangentImpulse * blow.normalY;
@@ -96,6 +99,64 @@ class ImpactLawTest {
                 assertThat(energy(after)).isEqualTo(energy(blow));
             }
         }
+    }
+
+    /**
+     * Bodies that slide along each other, neither closing nor parting, and rub as hard as they may:
+     * there is no blow that friction could be a share of.
+     */
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2})
+    void whatOnlySlidesIsNotStruck(int points) {
+        Random random = new Random(7);
+        for (int i = 0; i < 2_000; i++) {
+            Impact blow = Meet.stopped(Meet.level(random, points));
+            blow.velocityBY = Meet.between(random, -2, 2);
+            blow.friction = Meet.between(random, 0, 8);
+            Impact after = resolved(Meet.copy(blow));
+            assertThat(after.totalNormalImpulse()).as("impact %d, seed 7", i).isZero();
+            assertThat(after.tangentImpulse).as("impact %d, seed 7", i).isZero();
+            assertThat(energy(after)).isEqualTo(energy(blow));
+        }
+    }
+
+    /**
+     * What an impact beyond all bounds left in the carrier and in the law is no part of the next.
+     */
+    @Test
+    void anUnboundedBlowLeavesNothingBehind() {
+        Random random = new Random(8);
+        for (int i = 0; i < 1_000; i++) {
+            Impact wild = Meet.any(random, 2);
+            wild.armAX[1] = Double.POSITIVE_INFINITY;
+            wild.armBY[1] = Double.NaN;
+            resolved(wild);
+            Impact blow = Meet.any(random, 1);
+            Impact after = resolved(Meet.copy(blow));
+            if (blow.parting(0) < 0) {
+                assertOutcome(i, blow, new TwoByTwo(blow));
+            } else {
+                assertThat(energy(after)).isEqualTo(energy(blow));
+            }
+        }
+    }
+
+    /** A point that goes away at 1 m/s by the spin of a body that comes at 1 m/s. */
+    @Test
+    void onlyPointsThatTouchCount() {
+        Impact blow = Meet.wall(-1, 0, 2, 0.5);
+        blow.addPoint(-1, -1, 0, 0, 0, 0);
+        blow.addPoint(-1, 1, 0, 0, 0, 0);
+        assertThat(blow.slowestParting()).isEqualTo(-3);
+        assertThat(resolved(blow).totalNormalImpulse())
+                .isEqualTo(blow.normalImpulse[1])
+                .isPositive();
+
+        Impact other = Meet.wall(-1, 0, 2, 0.5);
+        other.addPoint(-1, -1, 0, 0, 0, 0);
+        assertThat(other.slowestParting()).isEqualTo(1);
+        other.normalImpulse[1] = 7;
+        assertThat(resolved(other).totalNormalImpulse()).isZero();
     }
 
     /**

@@ -47,6 +47,16 @@ final class Meet {
         return blow;
     }
 
+    /** The same, but along the axes: B is to the right. */
+    static Impact level(Random random, int points) {
+        Impact blow = any(random, points);
+        blow.normalX = 1;
+        blow.normalY = 0;
+        blow.points = 0;
+        place(random, blow, points);
+        return blow;
+    }
+
     /** Two points lie on one face, across the normal, and no nearer than 0.2 m. */
     private static void place(Random random, Impact blow, int points) {
         double x = between(random, -1, 1);
@@ -72,6 +82,19 @@ final class Meet {
             blow.velocityBY = 0;
             blow.spinB = 0;
         }
+    }
+
+    /** The same bodies and points, but nothing moves, nor runs. */
+    static Impact stopped(Impact blow) {
+        Impact stopped = copy(blow);
+        stopped.velocityAX = 0;
+        stopped.velocityAY = 0;
+        stopped.spinA = 0;
+        stopped.velocityBX = 0;
+        stopped.velocityBY = 0;
+        stopped.spinB = 0;
+        stopped.surfaceSpeed = 0;
+        return stopped;
     }
 
     static double between(Random random, double least, double most) {

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 import rigibo.backend.effect.Contacts;
 import rigibo.backend.effect.Rotation;
@@ -56,6 +57,38 @@ class SleepingTest {
         for (int slot : slots) {
             assertThat(bodies.awake[slot]).as("body %s is awake", slot).isEqualTo(isAwake);
         }
+    }
+
+    /** Two islands side by side are measured each by itself. */
+    @Test
+    void islandsSleepEachInItsTime() {
+        int third = piled();
+        int fourth = piled();
+        pile.contact(third, fourth, 2);
+        rest(1);
+        for (int slot : new int[] {lower, upper, third, fourth}) {
+            assertThat(bodies.stillTime[slot]).isEqualTo(DT);
+        }
+        bodies.stillTime[third] = 0;
+        rest(STEPS - 1);
+        requireAwake(false, lower, upper);
+        requireAwake(true, third, fourth);
+        rest(1);
+        requireAwake(false, third, fourth);
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {0.25, 2, 8})
+    void sleepsAfterWhateverTimeIsDeclared(double seconds) {
+        Sleeping sleeping = new Sleeping(pile.data, new Sleep(seconds, DISTANCE));
+        pile.accept();
+        new IslandBuilder(pile.data).build();
+        for (double time = DT; time < seconds; time += DT) {
+            sleeping.settle(DT);
+        }
+        requireAwake(true, lower, upper);
+        sleeping.settle(DT);
+        requireAwake(false, lower, upper);
     }
 
     @Test

@@ -3,6 +3,8 @@ package rigibo.backend.rest;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 import rigibo.backend.effect.Contacts;
 import rigibo.backend.effect.Effects;
@@ -105,6 +107,28 @@ class SupportLossTest {
             }
         }
         return false;
+    }
+
+    /**
+     * The one contact of what goes; then those of each storey below it, twice: for what it stands
+     * on and carries, and for whom to ask next. Each has two, but the ground nobody asks.
+     */
+    @ParameterizedTest
+    @ValueSource(ints = {2, 3, 10})
+    void aTowerIsLookedAtTwiceAStorey(int storeys) {
+        loss.wakeNeighbours(tower(storeys));
+        assertThat(loss.contactsLookedAt()).isEqualTo(1 + 2 * 2 * (storeys - 1L));
+    }
+
+    /**
+     * Nobody is asked what to do without a floor; waking looks at every contact from both sides.
+     */
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2, 10})
+    void aTowerThatLosesTheFloorIsOnlyWoken(int storeys) {
+        tower(storeys);
+        loss.wakeNeighbours(floor);
+        assertThat(loss.contactsLookedAt()).isEqualTo(1 + 2L * (storeys - 1) + 1);
     }
 
     /** Followed along every way down, the supports of 100 storeys would be 2¹⁰⁰. */
