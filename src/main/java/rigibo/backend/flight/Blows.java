@@ -97,6 +97,9 @@ final class Blows {
 
     private void strike(int pair, int i, double time, double dt) {
         meet(pair, time);
+        if (!touches(pair)) {
+            return;
+        }
         loadImpact(pair);
         counters.impacts++;
         pairs.impacts[pair]++;
@@ -104,7 +107,7 @@ final class Blows {
         double elasticity = restsAt[i] <= dt ? 0 : impact.elasticity;
         if (sharesBody(pair)) {
             together.add(pair, impact, elasticity);
-        } else if (impact.points > 0) {
+        } else {
             law.resolve(impact, elasticity);
             impact.store(bodies, pairs, pair);
             pairs.tellImpulse(pair, impact.totalNormalImpulse());
@@ -113,7 +116,7 @@ final class Blows {
 
     /** When the bounces of the pair whose blow is loaded have ended, s; infinite if not yet. */
     private double restsAt(int pair, double time, double dt) {
-        double end = impact.points == 0 ? time : time + bouncesLeft(pair);
+        double end = time + bouncesLeft(pair);
         return isExhausted(pair) && isInvisible(pair) ? Math.min(end, dt) : end;
     }
 
@@ -131,14 +134,19 @@ final class Blows {
     private boolean isInvisible(int pair) {
         double width = PairTolerances.width(bodies, pairs.bodyA[pair], pairs.bodyB[pair]);
         double unseen = PairTolerances.restSpeed(relativePressing(pair), width);
-        return impact.points == 0 || -impact.slowestParting() <= unseen;
+        return -impact.slowestParting() <= unseen;
     }
 
     /**
      * A pair rests from the end of its bounces on. One that could go on for ever, too fast to rest,
-     * is left to the solver of piles.
+     * is left to the solver of piles; and so is one whose impact the search gave up to find, before
+     * the two have met.
      */
     private void end(int pair, double time, double restsAt, double dt) {
+        if (!touches(pair)) {
+            land(pair, time);
+            return;
+        }
         if (isExhausted(pair)) {
             counters.cappedPairs++;
         } else if (restsAt <= dt) {
@@ -147,9 +155,18 @@ final class Blows {
         if (restsAt <= dt) {
             endBounces(pair, time, restsAt);
         } else if (isExhausted(pair)) {
-            paths.land(pairs.bodyA[pair], time);
-            paths.land(pairs.bodyB[pair], time);
+            land(pair, time);
         }
+    }
+
+    private void land(int pair, double time) {
+        paths.land(pairs.bodyA[pair], time);
+        paths.land(pairs.bodyB[pair], time);
+    }
+
+    /** Whether a pair touched where it was last measured: one that has met does. */
+    boolean touches(int pair) {
+        return pairs.points[pair] > 0;
     }
 
     /**
@@ -157,9 +174,10 @@ final class Blows {
      * that whatever follows behind is not met later than expected.
      */
     void expectRebound(int pair, int lander) {
-        if (expectedBlow(pair).points == 0) {
+        if (!touches(pair)) {
             return;
         }
+        expectedBlow(pair);
         if (pairs.bodyA[pair] == lander) {
             impact.inverseMassB = 0;
             impact.inverseInertiaB = 0;

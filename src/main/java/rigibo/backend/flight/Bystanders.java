@@ -24,6 +24,11 @@ final class Bystanders {
     /** Way off its path, as a share of its width, from which on a body surprises its neighbours. */
     private final double surprise;
 
+    /** What was found of the last blow, m. */
+    double reachOfA;
+
+    double reachOfB;
+
     private final Bodies bodies;
     private final Pairs pairs;
     private final Narrowphase narrowphase;
@@ -52,11 +57,11 @@ final class Bystanders {
     }
 
     /**
-     * How far in m either body of a blow may get in what is left of the step, s, when a flyer
-     * strikes a pile: the one that was in it, and the flyer, which other contacts of the pile may
-     * turn again; 0 where that surprises nobody. The blow is resolved.
+     * Finds how far in m the bodies of a blow may get from where they are expected in what is left
+     * of the step, s, when a flyer strikes a pile: {@link #reachOfA} and {@link #reachOfB}, 0 where
+     * that surprises nobody. The blow is resolved.
      */
-    double reachOfBlow(int a, int b, Impact blow, double left) {
+    void measureBlow(int a, int b, Impact blow, double left) {
         double oldAX = blow.velocityAX;
         double oldAY = blow.velocityAY;
         double oldBX = blow.velocityBX;
@@ -64,16 +69,18 @@ final class Bystanders {
         if (blow.points > 0) {
             law.resolve(blow);
         }
-        double ofA = reach(a, blow.velocityAX, blow.velocityAY, oldAX, oldAY, left);
-        return Math.max(ofA, reach(b, blow.velocityBX, blow.velocityBY, oldBX, oldBY, left));
+        reachOfA = reach(a, blow.velocityAX, blow.velocityAY, oldAX, oldAY, left);
+        reachOfB = reach(b, blow.velocityBX, blow.velocityBY, oldBX, oldBY, left);
     }
 
+    /** It may be stopped, or thrown back, by whatever else touches it. */
     private double reach(int slot, double vx, double vy, double oldX, double oldY, double left) {
         if (!bodies.isDynamic(slot)) {
             return 0;
         }
-        double way = length(vx - oldX, vy - oldY) * left;
-        return isSurprise(slot, way) ? WEDGED * length(vx, vy) * left : 0;
+        double fastest = Math.max(length(vx, vy), length(oldX, oldY));
+        double way = (fastest + (bodies.turns() ? turning(slot, 0) : 0)) * left;
+        return isSurprise(slot, way) ? WEDGED * way : 0;
     }
 
     private static double length(double x, double y) {
@@ -100,12 +107,6 @@ final class Bystanders {
         double unseen = surprise * width;
         boolean isSurprise = closing * dt > Math.max(unseen, pairs.gap(pair));
         return isSurprise ? WEDGED * (length(x, y) + turning) * dt : 0;
-    }
-
-    /** Whether a body of a pile moves so fast that to be stopped within some seconds surprises. */
-    boolean goesAlong(int slot, double left) {
-        double speed = length(bodies.velocityX[slot], bodies.velocityY[slot]);
-        return bodies.isDynamic(slot) && bodies.awake[slot] && isSurprise(slot, speed * left);
     }
 
     /** A long wall that turns moves at a contact as it does there, not as its far end does. */
@@ -165,13 +166,21 @@ final class Bystanders {
     }
 
     /**
-     * How far in m a body may get that another pushes which may get as far as {@code reach}: what
-     * is left of that where it has closed the gap, but for what their own ways close in a step of
-     * dt seconds; 0 where that surprises nobody.
+     * How far in m a body may get that another strikes which may get as far as {@code reach}: its
+     * share, by their masses, of what is left of that where it has closed the gap, but for what
+     * their own ways close in a step of dt seconds; 0 where that surprises nobody.
      */
-    double reachLeft(int pair, int pushed, double reach, double dt) {
+    double reachLeft(int pair, int struck, double reach, double dt) {
         double left = reach - Math.max(0, pairs.gap(pair) - narrowphase.reach(pair, dt));
-        return isSurprise(pushed, left) ? left : 0;
+        double handedOn = left * shareOf(struck, pair);
+        return isSurprise(struck, handedOn) ? handedOn : 0;
+    }
+
+    /** The speed that a body leaves with of that by which the other of a pair strikes it. */
+    private double shareOf(int struck, int pair) {
+        double inverse = bodies.inverseMass[struck];
+        double both = inverse + bodies.inverseMass[pairs.other(pair, struck)];
+        return inverse > 0 ? (1 + pairs.elasticityOf(pair)) * inverse / both : 0;
     }
 
     private boolean isFromStart(int slot) {

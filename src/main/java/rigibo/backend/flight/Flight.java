@@ -10,9 +10,10 @@ import rigibo.backend.setup.Accuracy;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.Counters;
 import rigibo.backend.storage.DataStorage;
-import rigibo.backend.storage.Found;
 import rigibo.backend.storage.Pairs;
 import rigibo.backend.storage.Waking;
+
+import java.util.Arrays;
 
 /**
  * Moves the bodies in flight, with their impacts in the order of time. At an impact only its two
@@ -37,23 +38,7 @@ public final class Flight {
     private final Trajectories paths;
     private final Blows blows;
     private final Bystanders bystanders;
-
-    /** Those whose path is not what was expected, in the order found. */
-    private final Found disturbed = new Found();
-
-    /** Bystanders that have joined a pile, whose own blows are still to be looked at. */
-    private final Found joined = new Found();
-
-    /** For each body in which step it was last found to follow behind, and the number of this. */
-    private int[] followedIn = new int[16];
-
-    private int step;
-
-    /** For each body in which spreading it was last disturbed, and how far it may get by it, m. */
-    private int[] disturbedIn = new int[16];
-
-    private double[] reachOf = new double[16];
-    private int spreading;
+    private final Disturbance disturbance;
 
     /** Paths under forces that change along the way, or null where there are none. */
     private final Course course;
@@ -91,6 +76,7 @@ public final class Flight {
         blows = new Blows(data, narrowphase, accuracy, paths, course);
         bystanders =
                 new Bystanders(data, narrowphase, broadphase, paths, accuracy.impactTolerance());
+        disturbance = new Disturbance(data, paths, bystanders, this::join);
     }
 
     /** Moves every flyer to the end of a step of {@code dt} seconds, impact by impact. */
@@ -98,22 +84,13 @@ public final class Flight {
         paths.begin();
         queue.clear(pairs.bodyA.length);
         reserve();
-        step++;
-        if (followedIn.length < bodies.type.length) {
-            followedIn = new int[bodies.type.length];
-            disturbedIn = new int[bodies.type.length];
-            reachOf = new double[bodies.type.length];
-        }
-        disturbed.clear();
-        disturbed.reserve(bodies.type.length + 1);
-        joined.clear();
-        joined.reserve(bodies.type.length);
+        disturbance.begin();
         for (int i = 0; i < pairs.activeCount; i++) {
             if (pairs.points[pairs.active[i]] > 0) {
                 predict(pairs.active[i], 0, dt);
             }
         }
-        disturbBouncers(dt);
+        disturbance.spreadBouncers(dt);
         while (!queue.isEmpty()) {
             double time = queue.firstTime();
             takeTies();
@@ -122,112 +99,11 @@ public final class Flight {
         free.finish(dt);
     }
 
-    private void disturbBouncers(double dt) {
-        int count = pairs.activeCount;
-        for (int i = 0; i < count; i++) {
-            if (pairs.points[pairs.active[i]] > 0) {
-                disturbBouncers(pairs.active[i], 0, dt);
-            }
-        }
-    }
-
-    private void disturbBouncers(int pair, double time, double dt) {
-        spreadBouncers(pair, time, dt);
-        disturbJoined(time, dt);
-    }
-
-    private void spreadBouncers(int pair, double time, double dt) {
-        int a = pairs.bodyA[pair];
-        int b = pairs.bodyB[pair];
-        if (!paths.isFlyer(a) && !paths.isFlyer(b)) {
-            double reach = bystanders.reachOfBouncers(pair, dt - time);
-            spread(a, reach, time, dt);
-            spread(b, reach, time, dt);
-        }
-    }
-
-    /** Lets join what a body of a pile may reach from a time on, and what that strikes reaches. */
-    private void disturb(int slot, double reach, double time, double dt) {
-        spread(slot, reach, time, dt);
-        disturbJoined(time, dt);
-    }
-
-    /**
-     * A fast flyer that joins for a slow neighbour's sake strikes it all the same, and what it
-     * strikes goes farther than the neighbour would have gone by itself.
-     */
-    private void disturbJoined(double time, double dt) {
-        while (joined.count > 0) {
-            int slot = joined.numbers[--joined.count];
-            for (int p = bodies.firstPair[slot]; p != Pairs.NONE; p = pairs.nextOf(p, slot)) {
-                if (pairs.points[p] > 0) {
-                    spreadBouncers(p, time, dt);
-                }
-            }
-        }
-    }
-
-    /**
-     * What a body of a pile may reach from a time on becomes part of the pile, or a contact; and so
-     * does what that may reach in its turn, or what follows close behind. A way is used up by the
-     * gaps on it: who is reached late is not pushed far any more.
-     */
-    private void spread(int slot, double reach, double time, double dt) {
-        if (!hitsPile(slot) || !bodies.awake[slot]) {
-            return;
-        }
-        disturbed.clear();
-        spreading++;
-        note(slot, reach);
-        for (int i = 0; i < disturbed.count; i++) {
-            disturbNeighbours(disturbed.numbers[i], time, dt);
-        }
-    }
-
-    /** A reach of 0 surprises nobody. */
-    private void note(int slot, double reach) {
-        disturbedIn[slot] = spreading;
-        reachOf[slot] = reach;
-        if (reach > 0) {
-            disturbed.add(slot);
-        }
-    }
-
-    private void disturbNeighbours(int slot, double time, double dt) {
-        double reach = reachOf[slot];
-        bystanders.lookRound(slot, time, reach);
-        reserve();
-        for (int p = bodies.firstPair[slot]; p != Pairs.NONE; p = pairs.nextOf(p, slot)) {
-            int other = pairs.other(p, slot);
-            boolean flies = paths.isFlyer(other);
-            if (!flies && pairs.points[p] > 0) {
-                passOn(p, other, reach, time, dt);
-            } else if (bystanders.isWithinReach(p, reach, time, dt - time) && flies) {
-                double left = bystanders.reachLeft(p, other, reach, dt);
-                join(other, time, dt);
-                note(other, left);
-            }
-        }
-    }
-
+    /** A bystander becomes part of a pile. */
     private void join(int flyer, double time, double dt) {
         blows.bring(flyer, time);
         paths.land(flyer, time);
         repredict(flyer, time, dt);
-        joined.add(flyer);
-    }
-
-    /** Over a contact of the pile: to what follows, and to what was reached by a longer way. */
-    private void passOn(int pair, int other, double reach, double time, double dt) {
-        boolean isKnown = disturbedIn[other] == spreading;
-        boolean follows = followedIn[other] != step && bystanders.goesAlong(other, dt - time);
-        if (follows || isKnown) {
-            double left = bystanders.reachLeft(pair, other, reach, dt);
-            if (!isKnown || left > reachOf[other]) {
-                followedIn[other] = step;
-                note(other, left);
-            }
-        }
     }
 
     /**
@@ -253,12 +129,15 @@ public final class Flight {
         }
     }
 
-    /** Makes room for an instant at which all pairs meet. */
+    /**
+     * Makes room for an instant at which all pairs meet, those included that were come upon since;
+     * those that do are kept, for that may be in the midst of an instant.
+     */
     private void reserve() {
         int pairCapacity = pairs.bodyA.length;
         queue.reserve(pairCapacity);
         if (tied.length < pairCapacity) {
-            tied = new int[pairCapacity];
+            tied = Arrays.copyOf(tied, pairCapacity);
         }
         blows.reserve(pairCapacity);
     }
@@ -268,6 +147,7 @@ public final class Flight {
      * together with it by bodies that pass something on: strangers' impacts are none of its matter.
      */
     private void takeTies() {
+        reserve();
         double until = queue.firstTime() + TIE_PER_METRE * accuracy.impactTolerance();
         tied[0] = queue.first();
         tiedCount = 1;
@@ -302,8 +182,9 @@ public final class Flight {
         for (int i = 0; i < left; i++) {
             repredict(pairs.bodyA[tied[i]], time, dt);
             repredict(pairs.bodyB[tied[i]], time, dt);
-            disturbBouncers(tied[i], time, dt);
+            disturbance.noteBouncers(tied[i], dt - time);
         }
+        disturbance.spread(time, dt);
     }
 
     private boolean joinsPile(int pair, double time, double dt) {
@@ -335,12 +216,14 @@ public final class Flight {
         paths.land(flyer, time);
         Impact blow = blows.expectedBlow(pair);
         int a = pairs.bodyA[pair];
-        double reach = bystanders.reachOfBlow(a, pairs.bodyB[pair], blow, dt - time);
+        int b = pairs.bodyB[pair];
+        bystanders.measureBlow(a, b, blow, dt - time);
         blows.expectRebound(pair, flyer);
-        pairs.impacts[pair]++;
+        pairs.impacts[pair] += blows.touches(pair) ? 1 : 0;
         repredict(flyer, time, dt);
-        disturb(pileBody, reach, time, dt);
-        disturb(flyer, reach, time, dt);
+        disturbance.note(a, bystanders.reachOfA);
+        disturbance.note(b, bystanders.reachOfB);
+        disturbance.spread(time, dt);
     }
 
     /**

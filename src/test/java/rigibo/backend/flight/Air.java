@@ -29,6 +29,8 @@ final class Air {
     final Narrowphase narrowphase;
     final Accuracy accuracy;
 
+    private final Flight flight;
+
     Air(Accuracy accuracy) {
         this(accuracy, ALL);
     }
@@ -40,6 +42,7 @@ final class Air {
         pairs = storage.pairs;
         broadphase = storage.broadphase();
         narrowphase = new Narrowphase(storage.data);
+        flight = new Flight(storage.data, narrowphase, broadphase, accuracy, null);
     }
 
     /** 1 kg and frictionless, with an elasticity. */
@@ -82,7 +85,7 @@ final class Air {
     /** One step in which all are flyers but what was told to be in a pile. */
     void fly(double dt) {
         meet(dt);
-        new Flight(storage.data, narrowphase, broadphase, accuracy, null).fly(dt);
+        flight.fly(dt);
     }
 
     /** Makes a body part of a pile. */

@@ -15,6 +15,7 @@ import rigibo.backend.impact.Impact;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.Material;
+import rigibo.backend.storage.Quarantine;
 
 /** Blows of one instant, and how bounces end, against Zeno's series. */
 class BlowsTest {
@@ -65,6 +66,113 @@ class BlowsTest {
         assertThat(air.bodies.velocityY[1]).isEqualTo(0, within(1e-15));
     }
 
+    /** The same where little presses and little is left, and with nothing left at once. */
+    @ParameterizedTest
+    @CsvSource({"0.5, 0.1, 0.4", "0, 0.1, 0", "0.5, 0, 0"})
+    void theSeriesIsOfWhatPressesAndOfTheSpeed(double elasticity, double speed, double left) {
+        layFloor(elasticity);
+        air.add(Air.body(new Circle(1), 0).at(0, 1).velocity(3, -speed));
+        air.pull(0, -0.5);
+        begin(2);
+        strike(0, 2, 0);
+
+        assertThat(air.bodies.pileTime[1]).isEqualTo(left, within(1e-14));
+        assertThat(air.bodies.x[1]).isEqualTo(3 * left, within(1e-14));
+    }
+
+    /** What loses nothing but does not move, either, rests at once. */
+    @Test
+    void withoutASpeedThereIsNothingToLose() {
+        layFloor(1);
+        air.add(Air.body(new Circle(1), 0).at(0, 1));
+        air.pull(0, -10);
+        begin(2);
+        strike(0, 2, 0);
+
+        assertThat(air.bodies.piled[1]).isTrue();
+        assertThat(air.bodies.pileTime[1]).isZero();
+    }
+
+    /** Up to a thousandth of its width a pair touches; farther there is nothing to strike. */
+    @ParameterizedTest
+    @CsvSource({"0.0015, true", "0.0025, false", "1, false"})
+    void whatDoesNotTouchRestsWithoutABlow(double gap, boolean touches) {
+        layFloor(0);
+        air.add(Air.body(new Circle(1), 0).at(0, 1 + gap).velocity(3, -2));
+        air.pull(0, -10);
+        begin(2);
+        strike(0, 2, 0);
+
+        assertThat(air.bodies.piled[1]).isTrue();
+        assertThat(air.bodies.pileTime[1]).isZero();
+        assertThat(air.bodies.velocityY[1]).isEqualTo(touches ? 0 : -2, within(1e-15));
+    }
+
+    /** Pairs that came to rest are counted, and those that met as often as they may. */
+    @ParameterizedTest
+    @CsvSource({"0.5, 0, 1, 0", "1, 0, 0, 0", "0.5, 1, 0, 1", "1, 1, 0, 1"})
+    void whatEndsIsCounted(double elasticity, int impactsLeft, int settled, int capped) {
+        layFloor(elasticity);
+        air.add(Air.body(new Circle(1), 0).at(0, 1).velocity(0, -1));
+        air.pull(0, -10);
+        begin(1);
+        air.pairs.impacts[0] = impactsLeft == 1 ? Accuracy.GAME.maxImpactsPerPair() - 1 : 0;
+        strike(0, 1, 0);
+
+        assertThat(air.storage.data.counters.settledPairs).isEqualTo(settled);
+        assertThat(air.storage.data.counters.cappedPairs).isEqualTo(capped);
+    }
+
+    /** Both of a pair that met too often are left to the pile, with the speeds they have. */
+    @Test
+    void bothOfAPairThatMetTooOftenLand() {
+        air.add(Air.disc(0, 1, 1));
+        air.add(Air.disc(2, -1, 1));
+        begin(1);
+        air.pairs.impacts[0] = Accuracy.GAME.maxImpactsPerPair() - 1;
+        strike(0.0, 1, 0);
+
+        assertThat(air.bodies.piled).startsWith(true, true);
+        assertThat(air.bodies.velocityX).startsWith(-1, 1);
+    }
+
+    /** As many pairs as there are may meet at one instant: equal discs exchange. */
+    @Test
+    void anInstantHoldsAllPairs() {
+        int[] all = new int[40];
+        for (int i = 0; i < 40; i++) {
+            air.add(Air.disc(5 * i, i + 1, 1));
+            air.add(Air.disc(5 * i + 2, 0, 1));
+        }
+        begin(1e-3);
+        for (int i = 0; i < 40; i++) {
+            all[i] = air.pairOf(2 * i, 2 * i + 1);
+        }
+        strike(0, 1e-3, all);
+
+        for (int i = 0; i < 40; i++) {
+            assertThat(air.bodies.velocityX[2 * i]).isZero();
+            assertThat(air.bodies.velocityX[2 * i + 1]).isEqualTo(i + 1, within(1e-14));
+        }
+    }
+
+    /** Struck by a heavy one at e = 1 it would leave at twice the speed, beyond all bounds. */
+    @ParameterizedTest
+    @ValueSource(ints = {0, 1})
+    void whoIsStruckBeyondAllBoundsIsPutToRest(int heavy) {
+        for (int slot = 0; slot < 2; slot++) {
+            air.add(Air.disc(2 * slot, 0, 1).mass(slot == heavy ? 1e9 : 1));
+        }
+        begin(1e-6);
+        double speed = 0.75 * Quarantine.FASTEST;
+        air.bodies.velocityX[heavy] = heavy == 0 ? speed : -speed;
+        strike(0, 1e-6, 0);
+
+        assertThat(air.bodies.velocityX[1 - heavy]).isZero();
+        assertThat(Math.abs(air.bodies.velocityX[heavy])).isCloseTo(speed, within(speed * 1e-6));
+        assertThat(air.storage.data.counters.quarantinedCount).isEqualTo(1);
+    }
+
     /** What the series needs does not fit into the step: it bounces by its elasticity. */
     @Test
     void bouncesThatOutlastTheStepGoOn() {
@@ -80,6 +188,23 @@ class BlowsTest {
         assertThat(air.pairs.impulse[0]).isEqualTo(1.5, within(1e-15));
         assertThat(air.pairs.impacts[0]).isEqualTo(1);
         assertThat(air.storage.data.counters.impacts).isEqualTo(1);
+    }
+
+    /** Where the search for an impact gives up, the two go on in the pile, and have not met. */
+    @Test
+    void whatHasNotMetIsNoImpact() {
+        layFloor(0.5);
+        air.add(Air.body(new Circle(1), 0).at(0, 1.5).velocity(0, -1));
+        air.pull(0, -10);
+        begin(1);
+        strike(0.125, 1, 0);
+
+        assertThat(air.bodies.piled[1]).isTrue();
+        assertThat(air.bodies.pileTime[1]).isEqualTo(0.125);
+        assertThat(air.pairs.touched(0)).isFalse();
+        assertThat(air.pairs.resting[0]).isFalse();
+        assertThat(air.storage.data.counters.impacts).isZero();
+        assertThat(air.storage.data.counters.settledPairs).isZero();
     }
 
     /** Nothing presses it back: e·v and away. */
@@ -124,16 +249,17 @@ class BlowsTest {
     }
 
     /** A disc that spins turns on while its last bounces go by: ω·2ev/(g(1 − e)). */
-    @Test
-    void aDiscTurnsOnWhileItsLastBouncesGoBy() {
+    @ParameterizedTest
+    @ValueSource(doubles = {4, 1, -1})
+    void aDiscTurnsOnWhileItsLastBouncesGoBy(double spin) {
         layFloor(0.5);
-        air.add(Air.body(new Circle(1), 0).at(0, 1).velocity(0, -1).spin(4));
+        air.add(Air.body(new Circle(1), 0).at(0, 1).velocity(0, -1).spin(spin));
         air.pull(0, -10);
         begin(1);
         strike(0, 1, 0);
 
-        assertThat(air.bodies.angle[1]).isEqualTo(4 * 0.2, within(1e-14));
-        assertThat(air.bodies.cos[1]).isEqualTo(Math.cos(0.8), within(1e-14));
+        assertThat(air.bodies.angle[1]).isEqualTo(spin * 0.2, within(1e-14));
+        assertThat(air.bodies.cos[1]).isEqualTo(Math.cos(spin * 0.2), within(1e-14));
     }
 
     /** Two that fall alike do not press each other, whatever pulls them. */
@@ -156,10 +282,13 @@ class BlowsTest {
         air.add(Air.disc(0, 1, 0.5));
         air.add(Air.disc(2, 0, 0.5));
         air.bodies.accelerationX[pulled] = pulled == 0 ? 10 : -10;
+        air.bodies.velocityY[0] = 3;
+        air.bodies.velocityY[1] = 4;
         begin(1);
         strike(0, 1, 0);
 
         assertThat(air.bodies.pileTime).startsWith(new double[] {0.2, 0.2}, within(1e-14));
+        assertThat(air.bodies.y).startsWith(new double[] {0.6, 0.8}, within(1e-14));
         assertThat(air.bodies.velocityX).startsWith(0.5, 0.5);
     }
 
@@ -174,6 +303,7 @@ class BlowsTest {
         strike(0, 1, 0);
 
         assertThat(air.bodies.pileTime[0]).isEqualTo(0.2, within(1e-14));
+        assertThat(air.bodies.x[1]).as("for the pile's solver to move").isEqualTo(2);
     }
 
     /**
@@ -283,6 +413,45 @@ class BlowsTest {
         assertThat(motion.velocityXAt(1)).isEqualTo(lander == 0 ? -2.5 : 2.5, within(1e-15));
     }
 
+    /** Beside the middle of a box that would turn away, and rough: a wall does not. */
+    @ParameterizedTest
+    @ValueSource(ints = {0, 1})
+    void aPileDoesNotTurnAwayFromALander(int lander) {
+        BodyDefinition disc = Air.disc(0, 2, 0.5).at(0, 0.75).material(new Material(1, 1, 0.5));
+        BodyDefinition box =
+                BodyDefinition.dynamic(Polygon.box(2, 2))
+                        .mass(1)
+                        .at(2, 0)
+                        .material(new Material(1, 1, 0.5));
+        air.add(lander == 0 ? disc : box);
+        air.add(lander == 0 ? box : disc);
+        begin(1);
+        air.pile(1 - lander);
+        blows.meet(0, 0);
+        paths.land(lander, 0);
+        blows.expectRebound(0, lander);
+        Motion motion = new Motion();
+        paths.load(lander, motion);
+
+        assertThat(motion.velocityX).isEqualTo(-1, within(1e-14));
+    }
+
+    /** Where nothing touches there is no blow to be expected: it goes on as it came. */
+    @Test
+    void withoutAPointALanderIsExpectedToGoOn() {
+        air.add(Air.disc(0, 2, 0.5));
+        air.add(Air.disc(3, -1, 0.5));
+        begin(1);
+        air.pile(1);
+        blows.meet(0, 0);
+        paths.land(0, 0);
+        blows.expectRebound(0, 0);
+        Motion motion = new Motion();
+        paths.load(0, motion);
+
+        assertThat(motion.velocityX).isEqualTo(2);
+    }
+
     /** The blow is at the velocities expected, not at those in the columns. */
     @Test
     void aBlowIsOfTheVelocitiesExpected() {
@@ -309,6 +478,20 @@ class BlowsTest {
     @CsvSource({"0, 2", "1e-5, 2", "1e-3, 1"})
     void whatIsAsNearAsTheNearestStrikes(double angle, int points) {
         layFloor(0.5);
+        double y = Math.cos(angle) + Math.sin(angle);
+        air.add(Air.body(Polygon.box(2, 2), 0).at(0, y).angle(angle).velocity(0, -1));
+        begin(0.01);
+        blows.meet(0, 0);
+
+        assertThat(blows.expectedBlow(0).points).isEqualTo(points);
+    }
+
+    /** The other corner of a box of 2 m is 2·sin α higher; the tolerance is told per metre. */
+    @ParameterizedTest
+    @CsvSource({"0.9, 2", "1.1, 1"})
+    void theToleranceScalesWithTheWidth(double share, int points) {
+        layFloor(0.5);
+        double angle = share * Accuracy.GAME.impactTolerance();
         double y = Math.cos(angle) + Math.sin(angle);
         air.add(Air.body(Polygon.box(2, 2), 0).at(0, y).angle(angle).velocity(0, -1));
         begin(0.01);

@@ -195,6 +195,50 @@ class FlightTest {
         assertThat(few.pairs.impacts[few.pairOf(1, 2)]).isEqualTo(4);
     }
 
+    /**
+     * Two discs exchange their speeds after ½ s. The one comes upon so many pebbles that all that
+     * is kept of pairs has to grow; the other strikes a third disc 1 s later all the same. Two
+     * neighbours far away are the first pair.
+     */
+    @Test
+    void whatIsStruckIsNotForgottenWhilePairsGrow() {
+        air.add(Air.disc(50, 0, 1));
+        air.add(Air.disc(52.05, 0, 1));
+        air.add(Air.disc(0, 2, 1));
+        air.add(Air.disc(4, -2, 1));
+        air.add(Air.disc(7, 0, 1));
+        for (int i = 0; i < 100; i++) {
+            air.add(BodyDefinition.fixed(new Circle(1e-3)).at(-2.9, 0.9));
+        }
+        int room = air.pairs.room();
+        air.fly(2);
+
+        assertThat(air.pairs.room()).isGreaterThan(room);
+        assertThat(air.bodies.x[3]).isEqualTo(5, within(PLACE));
+        assertThat(air.bodies.x[4]).isEqualTo(8, within(PLACE));
+    }
+
+    /**
+     * Two of a pile close at 1 m/s and look 1 m round: the one comes upon pebbles, so that all that
+     * is kept of pairs has to grow, and then the other upon a disc that flies by. That is struck
+     * after ¼ s all the same.
+     */
+    @Test
+    void whatIsFoundByLookingRoundIsStruckWhilePairsGrow() {
+        air.pile(air.add(Air.disc(0, 0.5, 1)));
+        air.pile(air.add(Air.disc(2, -0.5, 1)));
+        int beside = air.add(Air.body(new Circle(1), 1).at(4.6, 2.6));
+        int striker = air.add(Air.body(new Circle(1), 1).at(7.1, 2.6).velocity(-2, 0));
+        for (int i = 0; i < 100; i++) {
+            air.add(BodyDefinition.fixed(new Circle(1e-3)).at(-1.9, 1.9));
+        }
+        air.fly(0.5);
+
+        assertThat(air.pairOf(1, beside)).isGreaterThan(99);
+        assertThat(air.bodies.x[beside]).isEqualTo(4.6 - 2 * 0.25, within(PLACE));
+        assertThat(air.bodies.x[striker]).isEqualTo(6.6, within(PLACE));
+    }
+
     /** A disc beside a body of a pile that another strikes: within its reach it joins, else not. */
     @ParameterizedTest
     @ValueSource(doubles = {0.2, 3.9})

@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 import rigibo.backend.FilledStorage;
 import rigibo.backend.effect.Contacts;
@@ -47,6 +49,28 @@ class OpenFlightTest {
         assertThat(bodies.y).startsWith(3, 2, 2);
         assertThat(bodies.velocityX).startsWith(3.25, 3, 0);
         assertThat(bodies.velocityY).startsWith(0, 4, 0);
+    }
+
+    /**
+     * θ = ωt + ½αt² for each of the two by itself, and for a second as for less, in either flight.
+     */
+    @ParameterizedTest
+    @CsvSource({"1, 0, 0.5", "0, 1, 0.5", "2, 0, 1", "1, 1, 1", "0, 0, 1"})
+    void turnsBySpinOrByWhatTurnsIt(double spin, double angular, double dt) {
+        for (boolean isOpen : new boolean[] {true, false}) {
+            FilledStorage storage = new FilledStorage(new Rotation(), new Contacts());
+            storage.add(thrown(BodyDefinition.dynamic(new Circle(1))).spin(spin));
+            storage.bodies.angularAcceleration[0] = angular;
+            if (isOpen) {
+                new OpenFlight(storage.data, null).fly(dt);
+            } else {
+                new FreeFlight(storage.data, null).fly(dt);
+            }
+            double angle = spin * dt + angular * dt * dt / 2;
+            assertThat(storage.bodies.angle[0]).isEqualTo(angle, within(ROUND_OFF));
+            assertThat(storage.bodies.cos[0]).isEqualTo(Math.cos(angle), within(ROUND_OFF));
+            assertThat(storage.bodies.spin[0]).isEqualTo(spin + angular * dt, within(ROUND_OFF));
+        }
     }
 
     @Test

@@ -1,0 +1,345 @@
+package rigibo.backend.flight;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+import rigibo.backend.effect.Contacts;
+import rigibo.backend.effect.Friction;
+import rigibo.backend.effect.Restitution;
+import rigibo.backend.geometry.Circle;
+import rigibo.backend.geometry.Polygon;
+import rigibo.backend.impact.Impact;
+import rigibo.backend.setup.Accuracy;
+import rigibo.backend.setup.BodyDefinition;
+import rigibo.backend.setup.Material;
+import rigibo.backend.storage.Pairs;
+
+/**
+ * How far what is struck may get, against the impact law by hand. With impacts to 10⁻⁴ m a way of
+ * 2·√10⁻⁴ = 0.02 of a width surprises: 0.04 m for discs of 1 m. What surprises may get as far as
+ * twice its speed leads.
+ */
+class BystandersTest {
+
+    private static final double TOLERANCE = 1e-4;
+    private static final Accuracy GAME = Accuracy.GAME.withImpactTolerance(TOLERANCE);
+
+    /** m, that count as touching, for bodies 2 m wide. */
+    private static final double TOUCHING = 2e-3;
+
+    private static final double ROUND_OFF = 1e-14;
+
+    private Air air = new Air(GAME);
+    private Trajectories paths = new Trajectories(air.bodies);
+    private Bystanders bystanders = watch();
+
+    private Bystanders watch() {
+        return new Bystanders(air.storage.data, air.narrowphase, air.broadphase, paths, TOLERANCE);
+    }
+
+    /** The same where nothing turns. */
+    private void turnNothing() {
+        air = new Air(GAME, new Contacts(), new Friction(), new Restitution());
+        paths = new Trajectories(air.bodies);
+        bystanders = watch();
+    }
+
+    private int disc(double x, double y, double vx, double vy) {
+        return air.add(Air.body(new Circle(1), 0).at(x, y).velocity(vx, vy));
+    }
+
+    private int wall() {
+        return air.add(BodyDefinition.fixed(Polygon.box(2, 2)).material(new Material(1, 0, 0)));
+    }
+
+    /** Discs along the direction (0.6, 0.8) from A to B, with an elasticity. */
+    private Impact blow(int a, int b, double elasticity) {
+        int pair = air.storage.pair(a, b);
+        air.pairs.normalX[pair] = 0.6;
+        air.pairs.normalY[pair] = 0.8;
+        Impact blow = new Impact();
+        blow.load(air.bodies, air.pairs, pair);
+        blow.elasticity = elasticity;
+        blow.addPoint(0.6, 0.8, 0, 0, 1.2, 1.6);
+        return blow;
+    }
+
+    /** Of whichever gets farther. */
+    private double reachOfBlow(int a, int b, Impact blow, double left) {
+        bystanders.measureBlow(a, b, blow, left);
+        return Math.max(bystanders.reachOfA, bystanders.reachOfB);
+    }
+
+    /**
+     * Equal discs, one of which comes at v: it may be stopped or thrown back by what else is there,
+     * at v. It surprises from 0.04 m on.
+     */
+    @ParameterizedTest(name = "at {0} m/s with e = {1}, in {2} s: {3} m")
+    @CsvSource({
+        "1, 0.5, 0.5, 1",
+        "1, 0, 0.5, 1",
+        "2, 1, 0.125, 0.5",
+        "0.081, 0.5, 0.5, 0.081",
+        "0.079, 0.5, 0.5, 0"
+    })
+    void theStruckGetsAsFarAsTwiceItsSpeedLeads(
+            double speed, double elasticity, double left, double reach) {
+        int a = disc(0, 0, 0.6 * speed, 0.8 * speed);
+        int b = disc(1.2, 1.6, 0, 0);
+        assertThat(reachOfBlow(a, b, blow(a, b, elasticity), left))
+                .isEqualTo(reach, within(ROUND_OFF));
+        int c = disc(2, 2, -0.6 * speed, -0.8 * speed);
+        assertThat(reachOfBlow(b, c, blow(b, c, elasticity), left))
+                .isEqualTo(reach, within(ROUND_OFF));
+    }
+
+    /** 0.6 m/s of a disc that turns at 0.5 rad/s, by which 1 m of it goes as fast, in 0.5 s. */
+    @Test
+    void whatTurnsMayBeStoppedToo() {
+        int a = disc(0, 0, 0.36, 0.48);
+        air.bodies.spin[a] = -0.5;
+        air.bodies.sweepRadius[a] = 1;
+        int b = disc(1.2, 1.6, 0, 0);
+        assertThat(reachOfBlow(a, b, blow(a, b, 0), 0.5))
+                .isEqualTo(2 * (0.6 + 0.5) * 0.5, within(ROUND_OFF));
+    }
+
+    /** A blow that makes what is struck go faster than either went: 2·v·2m/(3m) of a third. */
+    @Test
+    void whatIsLighterGoesFaster() {
+        int a = disc(0, 0, 0.6, 0.8);
+        int b = disc(1.2, 1.6, 0, 0);
+        Impact blow = blow(a, b, 1);
+        blow.inverseMassB = 2 * blow.inverseMassA;
+        assertThat(reachOfBlow(a, b, blow, 0.5)).isEqualTo(2 * (4 / 3.0) * 0.5, within(ROUND_OFF));
+    }
+
+    /** At a wall it comes at 2 m/s; what cannot be moved gets nowhere. */
+    @ParameterizedTest
+    @ValueSource(booleans = {true, false})
+    void aWallGetsNowhere(boolean isFirst) {
+        int wall = wall();
+        int disc = disc(0, 0, isFirst ? -1.2 : 1.2, isFirst ? -1.6 : 1.6);
+        int a = isFirst ? wall : disc;
+        int b = isFirst ? disc : wall;
+        assertThat(reachOfBlow(a, b, blow(a, b, 0.25), 0.5))
+                .isEqualTo(2 * 2 * 0.5, within(ROUND_OFF));
+    }
+
+    /** Without a point nothing changes, yet what else is there may stop it. */
+    @Test
+    void withoutAPointItMayBeStopped() {
+        int a = disc(0, 0, 6, 8);
+        int b = disc(1.2, 1.6, 0, 0);
+        Impact blow = blow(a, b, 0.5);
+        blow.points = 0;
+        assertThat(reachOfBlow(a, b, blow, 0.5)).isEqualTo(2 * 10 * 0.5, within(ROUND_OFF));
+    }
+
+    /** A pair with a gap, along (0.6, 0.8). */
+    private int near(int a, int b, double gap) {
+        int pair = air.storage.pair(Math.min(a, b), Math.max(a, b));
+        air.pairs.normalX[pair] = 0.6;
+        air.pairs.normalY[pair] = 0.8;
+        air.pairs.points[pair] = 1;
+        air.pairs.separation[2 * pair] = gap;
+        return pair;
+    }
+
+    /**
+     * A and B close at 1 m/s and slip past each other at 2: 0.1 m of way in a tenth of a second.
+     */
+    @ParameterizedTest(name = "over {0} m in {1} s: strike is {2}")
+    @CsvSource({
+        "0.099, 0.1, true",
+        "0.101, 0.1, false",
+        "-1, 0.041, true",
+        "-1, 0.039, false",
+        "0, 0.5, true"
+    })
+    void bouncersGetAsFarAsTwiceTheirSpeedLeads(double gap, double dt, boolean strike) {
+        int far = near(disc(50, 0, 0, 0), disc(60, 0, 0, 0), 1);
+        int a = disc(0, 0, 0.6 + 5, 0.8 + 7);
+        int b = disc(2, 2, 2 * 0.8 + 5, -2 * 0.6 + 7);
+        int pair = near(a, b, gap);
+        double reach = bystanders.reachOfBouncers(pair, dt);
+
+        assertThat(reach).isEqualTo(strike ? 2 * Math.sqrt(5) * dt : 0, within(ROUND_OFF));
+        assertThat(bystanders.reachOfBouncers(far, dt)).isZero();
+    }
+
+    @Test
+    void whatPartsStrikesNothing() {
+        int pair = near(disc(0, 0, -0.6, -0.8), disc(2, 2, 0.6, 0.8), 0);
+        assertThat(bystanders.reachOfBouncers(pair, 1)).isZero();
+    }
+
+    /** A box of √2 m from corner to middle that turns at 3 rad/s closes at 3·√2, whichever way. */
+    @ParameterizedTest
+    @CsvSource({"3, 0", "-3, 0", "0, 3", "2, -1"})
+    void turningClosesToo(double spinA, double spinB) {
+        int a = air.add(Air.body(Polygon.box(2, 2), 0).spin(spinA));
+        int b = air.add(Air.body(Polygon.box(2, 2), 0).at(3, 3).velocity(0.8, -0.6).spin(spinB));
+        int pair = near(a, b, 0);
+        double turning = (Math.abs(spinA) + Math.abs(spinB)) * Math.sqrt(2);
+        assertThat(bystanders.reachOfBouncers(pair, 0.25))
+                .isEqualTo(2 * (1 + turning) * 0.25, within(ROUND_OFF));
+        air.pairs.separation[2 * pair] = turning * 0.25 * 1.001;
+        assertThat(bystanders.reachOfBouncers(pair, 0.25)).isZero();
+    }
+
+    /**
+     * A wall that turns moves at a contact as it does there, and beside it by what turning adds
+     * across the other's width: at (3, 4) m by ω·(−4, 3), and ω·2 m/s more.
+     */
+    @ParameterizedTest
+    @ValueSource(booleans = {true, false})
+    void aWallThatTurnsMovesAsItDoesThere(boolean isFirst) {
+        BodyDefinition driven =
+                BodyDefinition.kinematic(Polygon.box(9, 9)).spin(0.5).velocity(1, 2);
+        int first = isFirst ? air.add(driven) : disc(5, 6, 0, 0);
+        int second = isFirst ? disc(5, 6, 0, 0) : air.add(driven);
+        int pair = near(first, second, 0);
+        air.pairs.pointX[2 * pair] = 3;
+        air.pairs.pointY[2 * pair] = 4;
+        // (1 − 2, 2 + 1.5) = (−1, 3.5) along (0.6, 0.8): 2.2 towards the disc, if that is ahead.
+        double closing = (isFirst ? 2.2 : -2.2) + 1;
+        double reach = bystanders.reachOfBouncers(pair, 0.25);
+        assertThat(reach)
+                .isEqualTo(
+                        closing > 0 ? 2 * (Math.hypot(1, 3.5) + 1) * 0.25 : 0, within(ROUND_OFF));
+        air.pairs.separation[2 * pair] = 0.26 * closing;
+        assertThat(bystanders.reachOfBouncers(pair, 0.25)).isZero();
+    }
+
+    @Test
+    void whereNothingTurnsOnlyWaysClose() {
+        turnNothing();
+        int pair = near(disc(0, 0, 0.6, 0.8), disc(2, 2, 0, 0), 0.2);
+        assertThat(bystanders.reachOfBouncers(pair, 0.25)).isEqualTo(0.5, within(ROUND_OFF));
+        assertThat(bystanders.reachOfBouncers(pair, 0.19)).isZero();
+    }
+
+    /** A disc that comes to be at x = 6 finds one at 12 within 4.1 m of it, and none within 3.9. */
+    @ParameterizedTest
+    @CsvSource({"4.5, true", "1, false"})
+    void looksRoundWhereTheBodyIsByThen(double reach, boolean finds) {
+        int flyer = disc(0, 0, 0, 3);
+        int other = disc(0, 12, 0, 0);
+        air.meet(1e-3);
+        paths.begin();
+        assertThat(air.pairOf(flyer, other)).isEqualTo(Pairs.NONE);
+        bystanders.lookRound(flyer, 2, reach);
+        assertThat(air.pairOf(flyer, other) != Pairs.NONE).isEqualTo(finds);
+    }
+
+    /**
+     * Discs with a gap of 1 m, so far from another as the reach and what their own ways close: 2
+     * m/s for what is left, and a thousandth of their width. In a pile from the start they are seen
+     * where they began, else where they are by then, 0.25 m nearer.
+     */
+    @ParameterizedTest(name = "reach {0} m, in flight {1}, {2}: within is {3}")
+    @CsvSource({
+        "0.5, false, false, true",
+        "0.49, false, false, false",
+        "0.25, true, false, true",
+        "0.24, true, false, false",
+        "0.25, false, true, true",
+        "0.24, false, true, false",
+        "0.25, true, true, true",
+        "0.24, true, true, false",
+    })
+    void isWithinReachOfWhereItIs(double reach, boolean flies, boolean otherFlies, boolean within) {
+        int a = air.add(Air.body(Polygon.box(2, 2), 0).velocity(2, 0));
+        int b = air.add(Air.body(Polygon.box(2, 2), 0).at(3, 0));
+        int pair = air.storage.pair(a, b);
+        paths.begin();
+        air.bodies.piled[a] = !flies;
+        air.bodies.piled[b] = !otherFlies;
+        boolean isWithin = bystanders.isWithinReach(pair, reach - TOUCHING + 1e-9, 0.125, 0.125);
+
+        assertThat(isWithin).isEqualTo(within);
+        assertThat(air.pairs.points[pair] > 0).isEqualTo(within);
+        if (within) {
+            double gap = flies || otherFlies ? 0.75 : 1;
+            assertThat(air.pairs.separation[2 * pair]).isEqualTo(gap, within(ROUND_OFF));
+        }
+    }
+
+    /** One that joined the pile within the step is where it was then, and goes on from there. */
+    @Test
+    void whoJoinedWithinTheStepIsWhereItGoesFromThere() {
+        int a = disc(0, 0, 2, 0);
+        int b = disc(3, 0, 0, 0);
+        int pair = air.storage.pair(a, b);
+        paths.begin();
+        air.bodies.piled[b] = true;
+        air.bodies.pileTime[b] = 0;
+        paths.advance(a, 0.125);
+        paths.land(a, 0.125);
+        assertThat(bystanders.isWithinReach(pair, 1, 0.25, 0.125)).isTrue();
+        assertThat(air.pairs.separation[2 * pair]).isEqualTo(0.5, within(ROUND_OFF));
+    }
+
+    /**
+     * Boxes turned by 45° whose corners face: farther than by their circles they are not measured.
+     */
+    @ParameterizedTest
+    @CsvSource({"0.99, true", "1.01, false"})
+    void whatIsBeyondEvenByItsCirclesIsNotMeasured(double gap, boolean isMeasured) {
+        int a = air.add(Air.body(new Circle(1), 0).at(-3, -4));
+        double apart = 3 + gap;
+        int b = air.add(Air.body(new Circle(2), 0).at(-3 + 0.6 * apart, -4 + 0.8 * apart));
+        int pair = air.storage.pair(a, b);
+        paths.begin();
+        air.pairs.reach[pair] = 7;
+        assertThat(bystanders.isWithinReach(pair, 1 - TOUCHING, 0, 0)).isEqualTo(isMeasured);
+        assertThat(Double.isNaN(air.pairs.reach[pair])).isEqualTo(isMeasured);
+        // One that had points is measured anew wherever it is.
+        air.pairs.points[pair] = 1;
+        assertThat(bystanders.isWithinReach(pair, 1 - TOUCHING, 0, 0)).isEqualTo(isMeasured);
+        assertThat(air.pairs.reach[pair]).isNaN();
+    }
+
+    /**
+     * Of 1 m a gap takes what the ways of both do not close: 0.5 m but for 2 m/s·0.125 s. What is
+     * struck by its like without elasticity goes on at half of that.
+     */
+    @ParameterizedTest(name = "of {0} m over {1} m: {2} m")
+    @CsvSource({
+        "1, 0.5, 0.376",
+        "1, 0.1, 0.5",
+        "1, -5, 0.5",
+        "0.339, 0.5, 0.0455",
+        "0.32, 0.5, 0",
+        "0.1, 0.5, 0",
+        "0.079, 0, 0",
+        "0.081, 0, 0.0405"
+    })
+    void aGapUsesUpTheReach(double reach, double gap, double left) {
+        int pushed = disc(2, 2, 0, 0);
+        int pair = near(disc(0, 0, 1.2, 1.6), pushed, gap);
+        assertThat(bystanders.reachLeft(pair, pushed, reach, 0.125))
+                .isEqualTo(left, within(ROUND_OFF));
+    }
+
+    /** m strikes M: M goes on at (1 + e)·m/(m + M), here of one fourfold or a fourth; no wall. */
+    @ParameterizedTest(name = "by {0} of its mass with e = {1}: {2}")
+    @CsvSource({"4, 0, 0.8", "4, 1, 1.6", "0.25, 0, 0.2", "0.25, 0.5, 0.3"})
+    void aStruckBodyTakesItsShareByMass(double ratio, double elasticity, double share) {
+        int struck = disc(0, 0, 0, 0);
+        int striking = disc(5, 0, 0, 0);
+        air.bodies.inverseMass[striking] = air.bodies.inverseMass[struck] / ratio;
+        int pair = near(struck, striking, -1);
+        air.pairs.elasticity[pair] = elasticity;
+        assertThat(bystanders.reachLeft(pair, struck, 1, 0.125))
+                .isEqualTo(share, within(ROUND_OFF));
+        int wall = wall();
+        assertThat(bystanders.reachLeft(near(struck, wall, -1), wall, 1, 0.125)).isZero();
+    }
+}
