@@ -86,8 +86,8 @@ final class Passes {
     }
 
     /**
-     * One substep of h seconds, in which nothing went faster than {@code fastest} m/s before
-     * contacts answered, and that leaves nothing faster than a limit, m/s.
+     * One substep of h seconds, in which nothing goes faster than {@code fastest} m/s by what
+     * contacts carried, and that leaves nothing faster than a limit, m/s.
      */
     void advance(double h, int substep, double fastest, double limit) {
         hold(h, substep, fastest, limit);

@@ -182,7 +182,7 @@ public final class PileSolver {
         }
         isWhole = isWhole && rounds.settle(h, substep, fastest, limit);
         if (!isWhole) {
-            passes.advance(h, substep, fastest, limit);
+            passes.advance(h, substep, unanswered(), limit);
             return false;
         }
         if (substep == 0 && repose.isFound(start, h, substeps, rounds.settled())) {
@@ -247,6 +247,14 @@ public final class PileSolver {
         return isWhole ? rounds.share() : Math.max(rounds.share(), FINEST_OF_PASSES);
     }
 
+    /**
+     * The highest speed, m/s, that is left where contacts carry what they carried: in a heap that
+     * calms down it is that of its motion, and not what a kick gives.
+     */
+    private double unanswered() {
+        return Math.min(fastest, motions.fastest());
+    }
+
     private boolean isCarried(double start, double h) {
         isHeld = repose.isCarried(start, h, substeps, share() * fastest, fastest);
         return isHeld;
@@ -282,7 +290,7 @@ public final class PileSolver {
         if (isWhole) {
             rows.addUpImpulses(1);
         } else {
-            passes.hold(h, last, fastest, limit);
+            passes.hold(h, last, unanswered(), limit);
         }
     }
 

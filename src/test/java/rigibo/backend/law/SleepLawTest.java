@@ -35,9 +35,9 @@ class SleepLawTest {
     private static final Seeds LEANING_AT_GAME = Seeds.of(248L);
 
     /** Heaps that one substep does not hold still. */
-    private static final Seeds ROUGH_AT_DRAFT = Seeds.of(65L);
+    private static final Seeds ROUGH_AT_DRAFT = Seeds.of(50L, 124L);
 
-    private static final Seeds ROUGH_AT_GAME = Seeds.of(122L);
+    private static final Seeds ROUGH_AT_GAME = Seeds.of(84L);
 
     @ParameterizedTest
     @CsvSource({"DRAFT, 150, 200", "GAME, 250, 300", "FINE, 100, 130", "EXACT, 16, 17"})
@@ -69,8 +69,8 @@ class SleepLawTest {
     }
 
     @Disabled(
-            "one heap of 200 goes on at DRAFT, seed 65 by 6.4e-4 widths in 5 s, and one of 150 at"
-                    + " GAME, seed 122 by 3e-3")
+            "two heaps of 200 go on at DRAFT, by up to 6.9e-4 widths in 5 s, and one of 150 at"
+                    + " GAME, seed 84 by 5.7e-4")
     @ParameterizedTest
     @EnumSource(
             value = Preset.class,
