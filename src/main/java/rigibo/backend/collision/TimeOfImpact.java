@@ -79,7 +79,7 @@ public final class TimeOfImpact {
      * @param second motion of B
      * @param from when on, s
      * @param to until when, s
-     * @param metres tolerance for shapes of one metre; scales with the narrower shape up to there
+     * @param metres tolerance for shapes of one metre; scales with the narrower shape
      * @param how how the root in a bracket is found
      * @return s, or {@link #NEVER}
      */
@@ -94,10 +94,10 @@ public final class TimeOfImpact {
         approach.between(a, b);
         a.placeAt(from, poseA);
         b.placeAt(from, poseB);
-        if (!approach.mayMeet(poseA, poseB, from, to, metres)) {
+        setTolerance(metres);
+        if (!approach.mayMeet(poseA, poseB, from, to, tolerance)) {
             return NEVER;
         }
-        setTolerance(metres);
         double time = run(from);
         evaluations += advance.evaluations;
         return time;
@@ -106,7 +106,7 @@ public final class TimeOfImpact {
     private void setTolerance(double metres) {
         double width = Math.min(a.shape.smallestWidth(), b.shape.smallestWidth());
         rounding = ROUNDING_UNITS * Math.ulp(Math.max(farthest(a), farthest(b)));
-        tolerance = Math.max(metres * Math.min(1, width), rounding / LEAST_SHARE);
+        tolerance = Math.max(metres * width, rounding / LEAST_SHARE);
         advance.stopBetween(LEAST_SHARE * tolerance, LARGEST_SHARE * tolerance);
     }
 

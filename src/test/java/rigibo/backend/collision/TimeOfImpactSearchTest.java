@@ -69,7 +69,7 @@ class TimeOfImpactSearchTest {
             Motion b = any(random, speeds[random.nextInt(5)], spins[random.nextInt(4)]);
             double tolerance = tolerances[random.nextInt(4)];
             double end = 1.0 / (30 + random.nextInt(200));
-            if (gap(a, b, 0) > tolerance) {
+            if (gap(a, b, 0) > tolerance * width(a, b)) {
                 check(a, b, end, tolerance, "seed " + seed + ", pair " + i);
             }
         }
@@ -77,8 +77,7 @@ class TimeOfImpactSearchTest {
 
     private void check(Motion a, Motion b, double end, double tolerance, String where) {
         double time = impact.find(a, b, 0, end, tolerance, ImpactSearch.ITP);
-        double width = Math.min(a.shape.smallestWidth(), b.shape.smallestWidth());
-        double scaled = tolerance * Math.min(1, width);
+        double scaled = tolerance * width(a, b);
         // What a gap must have to be told from none: four units in the last place.
         double rounding = 4 * Math.ulp(Math.max(farthest(a), farthest(b)));
         double least = isOfDisc(a, b) ? 7 * rounding : scaled / 8 - rounding;
@@ -92,6 +91,11 @@ class TimeOfImpactSearchTest {
             double most = isOfDisc(a, b) ? 9 * rounding : scaled / 4 + rounding;
             assertThat(gap(a, b, time)).as(where).isBetween(least, most);
         }
+    }
+
+    /** That of the narrower shape, which the tolerance scales with, m. */
+    private static double width(Motion a, Motion b) {
+        return Math.min(a.shape.smallestWidth(), b.shape.smallestWidth());
     }
 
     /** Whether the two meet in one point only, wherever they do. */
@@ -157,7 +161,8 @@ class TimeOfImpactSearchTest {
         for (int i = 0; i < 2000; i++) {
             Motion a = any(random, 100, 30);
             Motion b = any(random, 100, 30);
-            if (gap(a, b, 0) > 1e-6) {
+            double scaled = 1e-6 * width(a, b);
+            if (gap(a, b, 0) > scaled) {
                 double time = impact.find(a, b, 0, 0.02, 1e-6, ImpactSearch.ITP);
                 double exchanged = impact.find(b, a, 0, 0.02, 1e-6, ImpactSearch.ITP);
                 String where = "seed " + seed + ", pair " + i;
@@ -165,7 +170,7 @@ class TimeOfImpactSearchTest {
                 if (time < 1) {
                     // Both stop in the same window of gaps, and speed turns that into time.
                     double least = isOfDisc(a, b) ? Double.MIN_VALUE : 1e-9;
-                    assertThat(gap(a, b, exchanged)).as(where).isBetween(least, 2.6e-7);
+                    assertThat(gap(a, b, exchanged)).as(where).isBetween(least, 0.26 * scaled);
                 }
             }
         }

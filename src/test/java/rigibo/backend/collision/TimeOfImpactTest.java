@@ -194,22 +194,24 @@ class TimeOfImpactTest {
         assertThat(find(floor, box, STEP, FINEST)).isEqualTo(0.01, within(FINEST / 4 / 5));
     }
 
-    /** In 1/64 the size at 1/64 of the speed everything happens at the same times, to the bit. */
-    @Test
-    void scaleDoesNotChangeTheTime() {
-        double size = 1.0 / 64;
+    /**
+     * Where size and speed are multiplied alike everything happens at the same times, to the bit.
+     */
+    @ParameterizedTest
+    @ValueSource(doubles = {1.0 / 64, 64, 4096})
+    void scaleDoesNotChangeTheTime(double size) {
         Motion wall = resting(Polygon.box(0.1, 2), 1, 0, 0);
         Motion box = moving(Polygon.box(0.5, 0.25), 0, 0.1, 50, 3);
-        Motion smallWall = resting(Polygon.box(0.1 * size, 2 * size), size, 0, 0);
-        Motion smallBox =
+        Motion scaledWall = resting(Polygon.box(0.1 * size, 2 * size), size, 0, 0);
+        Motion scaledBox =
                 moving(Polygon.box(0.5 * size, 0.25 * size), 0, 0.1 * size, 50 * size, 3 * size);
         box.spin = 12;
-        smallBox.spin = 12;
+        scaledBox.spin = 12;
 
         double time = find(wall, box, STEP, 1e-6);
 
         assertThat(time).isLessThan(STEP);
-        assertThat(find(smallWall, smallBox, STEP, 1e-6)).isEqualTo(time);
+        assertThat(find(scaledWall, scaledBox, STEP, 1e-6)).isEqualTo(time);
     }
 
     /**
