@@ -31,8 +31,8 @@ final class DragKick {
                 double ay = bodies.accelerationY[slot];
                 if (k > 0) {
                     double lost = -StrictMath.expm1(-k * h);
-                    m[at + Motions.VX] += lost * (ax / k - m[at + Motions.VX]);
-                    m[at + Motions.VY] += lost * (ay / k - m[at + Motions.VY]);
+                    m[at + Motions.VX] += lost * (ax / k - motions.frameX - m[at + Motions.VX]);
+                    m[at + Motions.VY] += lost * (ay / k - motions.frameY - m[at + Motions.VY]);
                 } else {
                     m[at + Motions.VX] += h * ax;
                     m[at + Motions.VY] += h * ay;

@@ -37,6 +37,11 @@ final class Motions {
 
     int count;
 
+    /** What all velocities and ways are relative to moves at this velocity, m/s. */
+    double frameX;
+
+    double frameY;
+
     /** Whether any of them moves as it is told. */
     boolean isAnyDriven;
 
@@ -48,6 +53,17 @@ final class Motions {
 
     Motions(boolean turns) {
         this.turns = turns;
+    }
+
+    /** Lets what is packed from now on be relative to what moves at a velocity, m/s. */
+    void takeFrame(double velocityX, double velocityY) {
+        frameX = velocityX;
+        frameY = velocityY;
+    }
+
+    /** Whether velocities are what they are for the world. */
+    boolean isInWorld() {
+        return frameX == 0 && frameY == 0;
     }
 
     /** Empties the pack but for the ground. */

@@ -35,7 +35,7 @@ public final class PileForces {
         change = 0;
         for (int entry = 1; entry < motions.count; entry++) {
             if (motions.data[entry * Motions.STRIDE + Motions.INVERSE_MASS] > 0) {
-                refresh(motions, turns, entry, data.time + time, length);
+                refresh(motions, turns, entry, time, length);
             }
         }
     }
@@ -53,12 +53,12 @@ public final class PileForces {
         double[] m = motions.data;
         int at = entry * Motions.STRIDE;
         instant.take(bodies, slot);
-        instant.time = time;
-        instant.x = bodies.x[slot] + m[at + Motions.DX];
-        instant.y = bodies.y[slot] + m[at + Motions.DY];
+        instant.time = data.time + time;
+        instant.x = bodies.x[slot] + m[at + Motions.DX] + time * motions.frameX;
+        instant.y = bodies.y[slot] + m[at + Motions.DY] + time * motions.frameY;
         instant.angle = bodies.angle[slot] + m[at + Motions.TURN];
-        instant.velocityX = m[at + Motions.VX];
-        instant.velocityY = m[at + Motions.VY];
+        instant.velocityX = m[at + Motions.VX] + motions.frameX;
+        instant.velocityY = m[at + Motions.VY] + motions.frameY;
         instant.spin = m[at + Motions.SPIN];
         forces.evaluate(instant);
         double ax = instant.accelerationX;

@@ -43,11 +43,15 @@ final class PileResults {
         if (turns != null) {
             turns.store();
         }
-        for (int entry = 1; entry < motions.count; entry++) {
-            quarantine.putToRestIfUnbounded(motions.slots[entry]);
-        }
         for (int row = 0; row < rows.count; row++) {
             storePair(row, h, Math.min(1, length / LOAD_MEMORY));
+        }
+    }
+
+    /** Puts to rest what the packed island has thrown beyond all bounds. */
+    void quarantine() {
+        for (int entry = 1; entry < motions.count; entry++) {
+            quarantine.putToRestIfUnbounded(motions.slots[entry]);
         }
     }
 

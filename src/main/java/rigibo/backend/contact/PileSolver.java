@@ -61,6 +61,7 @@ public final class PileSolver {
     private final Passes passes;
     private final DeclaredRows declared;
     private final PileResults results;
+    private final CarriedFrame frame;
 
     /** Whether the packed island is small enough to be solved to the end. */
     private boolean isWhole;
@@ -88,6 +89,7 @@ public final class PileSolver {
             Accuracy accuracy,
             PileForces forces) {
         motions = new Motions(data.bodies.turns());
+        frame = new CarriedFrame(data, motions);
         islands = data.islands;
         counters = data.counters;
         this.accuracy = accuracy;
@@ -116,15 +118,20 @@ public final class PileSolver {
     /** Advances every island to the end of a step of {@code dt} seconds. */
     public void solve(double dt) {
         for (int island = 0; island < islands.count; island++) {
-            if (repose.lasts(island, dt)) {
+            frame.enter(island);
+            boolean lasts = repose.lasts(island, dt);
+            double start = lateJoiners.startOf(islands, island);
+            boolean isAdvanced = !lasts && dt > start;
+            if (lasts) {
                 results.goOn(island, dt);
                 counters.solve(SolveMethod.AT_REST, 0);
-                continue;
-            }
-            double start = lateJoiners.startOf(islands, island);
-            if (dt > start) {
+            } else if (isAdvanced) {
                 substeps = declared.substepsFor(island, dt - start, accuracy.substeps());
                 advance(island, start, (dt - start) / substeps, dt);
+            }
+            frame.leave(island, dt);
+            if (isAdvanced) {
+                results.quarantine();
             }
         }
     }

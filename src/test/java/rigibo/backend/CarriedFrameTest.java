@@ -1,0 +1,113 @@
+package rigibo.backend;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+import rigibo.backend.effect.Contacts;
+import rigibo.backend.effect.ContinuousImpacts;
+import rigibo.backend.effect.Drag;
+import rigibo.backend.effect.Effects;
+import rigibo.backend.effect.Field;
+import rigibo.backend.effect.Friction;
+import rigibo.backend.effect.Gravity;
+import rigibo.backend.effect.Rotation;
+import rigibo.backend.geometry.Polygon;
+import rigibo.backend.setup.Accuracy;
+import rigibo.backend.setup.BodyDefinition;
+import rigibo.backend.setup.Material;
+import rigibo.backend.setup.SolveMethod;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** What is carried at a constant velocity fares as on a floor at rest. */
+class CarriedFrameTest {
+
+    private static final Material ROUGH = new Material(1, 0.6, 0);
+    private static final Material SMOOTH = new Material(1, 0, 0);
+    private static final Gravity EARTH = new Gravity(0, -9.81);
+    private static final Effects PILES =
+            Effects.of(
+                    EARTH, new Contacts(), new Rotation(), new Friction(), new ContinuousImpacts());
+
+    /** Five boxes that touch rest from the first steps on, and none leaves its place or parts. */
+    @ParameterizedTest
+    @CsvSource({"0.5, 0", "-5, 0", "50, 0", "0, 3", "0, -3", "-30, 20"})
+    void stackRestsOnAFloorThatMoves(double x, double y) {
+        Pool pool = new Pool(PILES, Accuracy.GAME);
+        RigidBody floor = floor(pool, ROUGH, x, y);
+        List<RigidBody> stack = new ArrayList<>();
+        for (int i = 0; i < 5; i++) {
+            stack.add(pool.add(box(ROUGH).at(0, i + 0.5).velocity(x, y)));
+        }
+        Scenes.run(pool, 60);
+        pool.step(Scenes.DT);
+
+        assertThat(pool.report().islands(SolveMethod.AT_REST)).isEqualTo(1);
+        for (int i = 0; i < stack.size(); i++) {
+            // Places go to 60 m: round-off of the ways of a hundred steps.
+            assertThat(stack.get(i).x() - floor.x()).isEqualTo(0, within(1e-12));
+            assertThat(stack.get(i).y() - floor.y()).isEqualTo(i + 1, within(1e-12));
+            assertThat(stack.get(i).velocityX()).isEqualTo(x);
+            assertThat(stack.get(i).velocityY()).isEqualTo(y);
+        }
+    }
+
+    /** A wall that stands holds what the floor drags against it, and no frame hides that. */
+    @Test
+    void whatLeansOnAWallThatStandsIsSeenFromTheWorld() {
+        Pool pool = new Pool(PILES, Accuracy.GAME);
+        floor(pool, ROUGH, 2, 0);
+        pool.add(BodyDefinition.fixed(Polygon.box(1, 2)).at(1, 1).material(SMOOTH));
+        RigidBody box = pool.add(box(ROUGH).at(0, 0.5));
+        Scenes.run(pool, 60);
+        // What is driven gives way by a hundredth of g·h, which overlap recovery answers.
+        assertThat(box.x()).isEqualTo(0, within(1e-4));
+        assertThat(box.velocityX()).isEqualTo(0, within(1e-4));
+    }
+
+    /** Air stands still while the floor moves: v = v₀·e^(−kt) on a smooth one. */
+    @Test
+    void dragIsThatOfTheWorld() {
+        Effects effects = Effects.of(EARTH, new Contacts(), new Drag(), new ContinuousImpacts());
+        Pool pool = new Pool(effects, Accuracy.GAME);
+        floor(pool, SMOOTH, 5, 0);
+        RigidBody box = pool.add(box(SMOOTH.drag(0.7)).at(0, 0.5).velocity(5, 0));
+        Scenes.run(pool, 60);
+        assertThat(box.velocityX()).isEqualTo(5 * Math.exp(-0.7), within(1e-12));
+    }
+
+    /**
+     * A spring of ω = 2 rad/s is fixed to the world while a smooth floor moves: x = v/ω·sin ωt. The
+     * leapfrog of four substeps is off by a share of (ωh)²/24 = 3e-6.
+     */
+    @Test
+    void forcesByPlaceAreThoseOfTheWorld() {
+        Field spring = new Field(point -> point.accelerate(-4 * point.x, 0));
+        Effects effects = Effects.of(EARTH, new Contacts(), spring, new ContinuousImpacts());
+        Pool pool = new Pool(effects, Accuracy.GAME);
+        floor(pool, SMOOTH, 5, 0);
+        RigidBody box = pool.add(box(SMOOTH).at(0, 0.5).velocity(5, 0));
+        for (int i = 1; i <= 60; i++) {
+            pool.step(Scenes.DT);
+            double truth = 2.5 * Math.sin(2 * pool.time());
+            assertThat(box.x()).as("step %d", i).isEqualTo(truth, within(1e-4));
+        }
+    }
+
+    private static RigidBody floor(Pool pool, Material material, double x, double y) {
+        return pool.add(
+                BodyDefinition.kinematic(Polygon.box(40, 1))
+                        .at(0, -0.5)
+                        .velocity(x, y)
+                        .material(material));
+    }
+
+    private static BodyDefinition box(Material material) {
+        return BodyDefinition.dynamic(Polygon.box(1, 1)).material(material);
+    }
+}
