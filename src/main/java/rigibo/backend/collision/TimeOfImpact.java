@@ -37,12 +37,19 @@ public final class TimeOfImpact {
     private static final int MOST_POLISHES = 4;
 
     /** Rounds before the safe time reached so far is taken; met only by long, close passes. */
-    private static final int MOST_ROUNDS = 100;
+    private static final int MOST_ROUNDS = 400;
 
     /**
      * Longest way of the last correction, of the time searched: the speed must not change in it.
      */
     private static final double MOST_POLISH = 0.01;
+
+    /**
+     * Angle in rad that both may turn while a turning axis is looked along. What the gap in front
+     * of a turning face can bend by grows with the square of that angle: over many turns the bound
+     * says nothing, and each round would come on by a thousandth of a turn.
+     */
+    private static final double LONGEST_TURN = 0.5;
 
     private final Distance distance = new Distance();
     private final Pose poseA = new Pose();
@@ -230,11 +237,20 @@ public final class TimeOfImpact {
         return gap;
     }
 
-    /** How far to look, s: to the end at first, then about twice the time that closing takes. */
+    /**
+     * How far to look, s: to the end at first, then about twice the time that closing takes, and no
+     * farther than an axis that turns can be relied on.
+     */
     private double interval(double time, double gap, int round) {
-        double left = end - time;
+        double left =
+                axis == turningFace ? Math.min(end - time, LONGEST_TURN / spin(time)) : end - time;
         double speed =
                 round == 0 ? 0 : approach.partingSpeed(distance, poseA, poseB, time, tolerance);
         return speed < 0 ? Math.min(left, 2 * (gap - advance.least) / -speed) : left;
+    }
+
+    /** How fast both turn, rad/s. */
+    private double spin(double time) {
+        return Math.abs(a.spinAt(time)) + Math.abs(b.spinAt(time));
     }
 }

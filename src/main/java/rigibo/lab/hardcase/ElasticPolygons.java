@@ -22,30 +22,24 @@ final class ElasticPolygons implements HardCase {
     private static final Room ROOM = new Room(0, 0);
 
     private final String row;
-    private final String finding;
     private final List<Double> few;
     private final List<Double> all;
 
-    private ElasticPolygons(String row, String finding, List<Double> few, List<Double> all) {
+    private ElasticPolygons(String row, List<Double> few, List<Double> all) {
         this.row = row;
-        this.finding = finding;
         this.few = few;
         this.all = all;
     }
 
     /** A pair meets once or twice in a step. */
     static ElasticPolygons slow() {
-        return new ElasticPolygons("M11/slow", "", List.of(35.0), List.of(30.0, 50.0, 80.0));
+        return new ElasticPolygons("M11/slow", List.of(35.0), List.of(30.0, 50.0, 80.0));
     }
 
     /** A pair may meet more often in a step than the cap allows. */
     static ElasticPolygons fast() {
         return new ElasticPolygons(
-                "M11/fast",
-                "A pair that meets more often in a step than the cap allows is left to the pile,"
-                        + " where e = 1 is lost.",
-                List.of(330.0, 900.0),
-                List.of(200.0, 330.0, 600.0, 1000.0));
+                "M11/fast", List.of(330.0, 900.0), List.of(200.0, 330.0, 600.0, 1000.0));
     }
 
     @Override
@@ -61,11 +55,6 @@ final class ElasticPolygons implements HardCase {
     @Override
     public Preset limitedFrom() {
         return Preset.GAME;
-    }
-
-    @Override
-    public String finding() {
-        return finding;
     }
 
     @Override

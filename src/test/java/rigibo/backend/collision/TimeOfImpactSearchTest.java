@@ -75,6 +75,40 @@ class TimeOfImpactSearchTest {
         }
     }
 
+    /**
+     * The same of what turns many times in a step, as small bodies do that large ones have struck
+     * at hundreds of metres a second.
+     */
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3})
+    void manyTurnsWithinAStepAreFollowed(long seed) {
+        Random random = new Random(seed);
+        double[] spins = {1_000, 3_000, 10_000};
+        for (int i = 0; i < 3_000; i++) {
+            Motion a = any(random, 1000, spins[random.nextInt(3)]);
+            Motion b = any(random, 1000, spins[random.nextInt(3)]);
+            if (gap(a, b, 0) > 1e-4) {
+                check(a, b, 1.0 / 60, 1e-4, "seed " + seed + ", pair " + i);
+            }
+        }
+    }
+
+    /**
+     * A triangle that turns 25 times within the step flies away from the corner of a hexagon: a
+     * look along its face over many turns would say nothing of the first.
+     */
+    @Test
+    void whatFliesAwayWhileItTurnsIsClearSoon() {
+        Motion hexagon = resting(Polygon.regular(6, 0.7), 0, 0, 0);
+        hexagon.spin = 1_270;
+        Motion triangle = moving(Polygon.regular(3, 0.45), 0.93, 0, 2_500, 0);
+        triangle.spin = 9_600;
+
+        double time = impact.find(hexagon, triangle, 0, 1.0 / 60, 1e-4, ImpactSearch.ITP);
+        assertThat(time).isEqualTo(TimeOfImpact.NEVER);
+        assertThat(impact.evaluations).isLessThan(50);
+    }
+
     private void check(Motion a, Motion b, double end, double tolerance, String where) {
         double time = impact.find(a, b, 0, end, tolerance, ImpactSearch.ITP);
         double scaled = tolerance * width(a, b);
