@@ -87,7 +87,8 @@ public final class StepReport {
 
     /**
      * Pairs of bodies in flight that met as often as {@code Accuracy.maxImpactsPerPair} allows in a
-     * step: what they would have done in the rest of it is left to the solver of piles.
+     * step: what they would have done in the rest of it is left to the solver of piles, or to the
+     * next step at a wall where they lose nothing.
      */
     public int cappedPairs() {
         return counters.cappedPairs;

@@ -133,14 +133,15 @@ final class Blows {
 
     private boolean isInvisible(int pair) {
         double width = PairTolerances.width(bodies, pairs.bodyA[pair], pairs.bodyB[pair]);
-        double unseen = PairTolerances.restSpeed(relativePressing(pair), width);
-        return -impact.slowestParting() <= unseen;
+        double pressing = relativePressing(pair);
+        return pressing > 0
+                && -impact.slowestParting() <= PairTolerances.restSpeed(pressing, width);
     }
 
     /**
      * A pair rests from the end of its bounces on. One that could go on for ever, too fast to rest,
-     * is left to the solver of piles; and so is one whose impact the search gave up to find, before
-     * the two have met.
+     * is left to the solver of piles, or stands at a wall where nothing may be lost; and so is one
+     * whose impact the search gave up to find, before the two have met.
      */
     private void end(int pair, double time, double restsAt, double dt) {
         if (!touches(pair)) {
@@ -154,8 +155,40 @@ final class Blows {
         }
         if (restsAt <= dt) {
             endBounces(pair, time, restsAt);
-        } else if (isExhausted(pair)) {
+        } else if (isExhausted(pair) && !mayWait(pair)) {
             land(pair, time);
+        } else if (isExhausted(pair) || meetsStanding(pair)) {
+            stand(pair, time);
+        }
+    }
+
+    /**
+     * What loses nothing at a wall may wait for the next step. Two that both move would have to
+     * take the way of their common centre of mass meanwhile, so they are left to the pile.
+     */
+    private boolean mayWait(int pair) {
+        boolean bothMove =
+                bodies.isDynamic(pairs.bodyA[pair]) && bodies.isDynamic(pairs.bodyB[pair]);
+        return pairs.elasticityOf(pair) == 1 && !bothMove;
+    }
+
+    private boolean meetsStanding(int pair) {
+        return paths.stands(pairs.bodyA[pair]) || paths.stands(pairs.bodyB[pair]);
+    }
+
+    /**
+     * Both stand until the step ends, with the speeds they parted with. No number of blows without
+     * loss brings a pair to rest, as a solver of piles would; so such a pair loses time, but no
+     * energy. What is driven does not wait: the pile has to give way to it.
+     */
+    private void stand(int pair, double time) {
+        int a = pairs.bodyA[pair];
+        int b = pairs.bodyB[pair];
+        if (bodies.isDriven(a) || bodies.isDriven(b)) {
+            land(pair, time);
+        } else {
+            paths.stand(a);
+            paths.stand(b);
         }
     }
 

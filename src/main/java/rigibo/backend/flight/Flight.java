@@ -107,15 +107,14 @@ public final class Flight {
     }
 
     /**
-     * Notes when a pair with a flyer hits within the step, seen from a time on. A pair that has met
-     * as often as it may is left to the next step.
+     * Notes when a pair with a flyer hits within the step, seen from a time on. Flyers that have
+     * met as often as they may wait for the next step, but a pile does not wait for them.
      */
     private void predict(int pair, double from, double dt) {
         queue.remove(pair);
         int a = pairs.bodyA[pair];
         int b = pairs.bodyB[pair];
-        boolean isExhausted = pairs.impacts[pair] >= accuracy.maxImpactsPerPair();
-        if (isExhausted || !paths.isFlyer(a) && !paths.isFlyer(b)) {
+        if (!paths.isFlyer(a) && !paths.isFlyer(b) || waits(pair)) {
             return;
         }
         paths.load(a, motionA);
@@ -127,6 +126,12 @@ public final class Flight {
         if (time <= dt) {
             queue.put(pair, time);
         }
+    }
+
+    private boolean waits(int pair) {
+        return pairs.impacts[pair] >= accuracy.maxImpactsPerPair()
+                && !hitsPile(pairs.bodyA[pair])
+                && !hitsPile(pairs.bodyB[pair]);
     }
 
     /**
@@ -233,7 +238,7 @@ public final class Flight {
         if (!bodies.isDynamic(slot)) {
             return;
         }
-        if (course != null && paths.isFlyer(slot)) {
+        if (course != null && paths.isFlyer(slot) && !paths.stands(slot)) {
             course.lay(slot, time, dt);
         }
         broadphase.follow(slot, dt - time);

@@ -24,6 +24,9 @@ final class Trajectories {
 
     private double[] expected = new double[2 * 16];
 
+    /** Whether a flyer waits where it is for the end of the step. */
+    private boolean[] stands = new boolean[16];
+
     /** How bodies turn on their paths, or null where none does. */
     private final TurningPaths turning;
 
@@ -38,12 +41,14 @@ final class Trajectories {
             since = new double[bodies.type.length];
             hasLanded = new boolean[bodies.type.length];
             expected = new double[2 * bodies.type.length];
+            stands = new boolean[bodies.type.length];
         }
         if (turning != null) {
             turning.reserve();
         }
         Arrays.fill(since, 0, bodies.slots.high, 0);
         Arrays.fill(hasLanded, 0, bodies.slots.high, false);
+        Arrays.fill(stands, 0, bodies.slots.high, false);
     }
 
     boolean isFlyer(int slot) {
@@ -57,6 +62,16 @@ final class Trajectories {
             bodies.pileTime[slot] = time;
             expect(slot, bodies.velocityX[slot], bodies.velocityY[slot], bodies.spinOf(slot));
         }
+    }
+
+    /** Lets a flyer wait where its columns are until the step ends, whatever speed it has. */
+    void stand(int slot) {
+        stands[slot] = isFlyer(slot);
+    }
+
+    /** Whether a flyer waits for the end of the step. */
+    boolean stands(int slot) {
+        return stands[slot] && isFlyer(slot);
     }
 
     /** A body that was to come to rest later comes to rest now, for something hits it. */
@@ -101,12 +116,22 @@ final class Trajectories {
     /** Writes the way of a body's centre of mass within the step. */
     private void loadWay(int slot, Motion out) {
         out.take(bodies, slot);
-        if (isFlyer(slot)) {
+        if (stands(slot)) {
+            out.startTime = since[slot];
+            stopWay(out);
+        } else if (isFlyer(slot)) {
             out.startTime = since[slot];
             out.drag = bodies.drag == null ? 0 : bodies.drag[slot];
         } else {
             loadUnflying(slot, out);
         }
+    }
+
+    private static void stopWay(Motion out) {
+        out.velocityX = 0;
+        out.velocityY = 0;
+        out.accelerationX = 0;
+        out.accelerationY = 0;
     }
 
     /** What does not fly goes straight on, as fast as it is expected to, or stands still. */
@@ -131,6 +156,9 @@ final class Trajectories {
 
     /** Brings a flyer's columns to a time in s after the step's start. */
     void advance(int slot, double time) {
+        if (stands(slot)) {
+            return;
+        }
         if (turning != null) {
             turning.advance(slot, time);
         }
@@ -143,7 +171,7 @@ final class Trajectories {
             turning.advanceAll(roster, time);
         }
         for (int i = 0; i < roster.awakeCount; i++) {
-            if (isFlyer(roster.awake[i])) {
+            if (isFlyer(roster.awake[i]) && !stands(roster.awake[i])) {
                 move(roster.awake[i], time);
             }
         }

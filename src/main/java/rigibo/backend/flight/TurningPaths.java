@@ -33,7 +33,10 @@ final class TurningPaths {
     /** Writes how a body turns on its path; what does not fly turns steadily, or not at all. */
     void load(int slot, Motion out) {
         out.takeTurning(bodies, slot);
-        if (!paths.isFlyer(slot)) {
+        if (paths.stands(slot)) {
+            out.spin = 0;
+            out.angularAcceleration = 0;
+        } else if (!paths.isFlyer(slot)) {
             out.angularAcceleration = 0;
             if (paths.hasLanded(slot)) {
                 out.spin = expected[slot];
@@ -46,7 +49,7 @@ final class TurningPaths {
     /** Turns all flyers to a time in s after the step's start, before they move there. */
     void advanceAll(Roster roster, double time) {
         for (int i = 0; i < roster.awakeCount; i++) {
-            if (paths.isFlyer(roster.awake[i])) {
+            if (paths.isFlyer(roster.awake[i]) && !paths.stands(roster.awake[i])) {
                 advance(roster.awake[i], time);
             }
         }

@@ -12,7 +12,8 @@ package rigibo.backend.setup;
  * @param impactTolerance 1e-9 to 1e-3 m, for a body of one metre: how far before touching an impact
  *     may be taken
  * @param search how the time of an impact is found
- * @param maxImpactsPerPair 4 to 64 impacts of one pair in one step before it counts as resting
+ * @param maxImpactsPerPair 4 to 64 impacts of one pair in one step before it counts as resting, or
+ *     waits for the next step at a wall where its elasticity is 1
  * @param integrator how flight is integrated
  * @param contactSolver how contact impulses are found
  * @param correction what is done about overlap

@@ -126,14 +126,91 @@ class BlowsTest {
     /** Both of a pair that met too often are left to the pile, with the speeds they have. */
     @Test
     void bothOfAPairThatMetTooOftenLand() {
-        air.add(Air.disc(0, 1, 1));
-        air.add(Air.disc(2, -1, 1));
+        strikeForTheLastTime(0.5);
+
+        assertThat(air.bodies.piled).startsWith(true, true);
+        assertThat(air.bodies.velocityX).startsWith(-0.5, 0.5);
+    }
+
+    /** At a wall where nothing is lost one stands for the rest of the step, with its speed. */
+    @Test
+    void whatLosesNothingAtAWallStands() {
+        layFloor(1);
+        air.add(Air.body(new Circle(1), 0).at(0, 1).velocity(2, -3).spin(4));
         begin(1);
         air.pairs.impacts[0] = Accuracy.GAME.maxImpactsPerPair() - 1;
-        strike(0.0, 1, 0);
+        strike(0, 1, 0);
+        blows.bring(1, 0.5);
+
+        assertThat(air.bodies.piled[1]).isFalse();
+        assertThat(air.bodies.x[1]).isZero();
+        assertThat(air.bodies.y[1]).isEqualTo(1);
+        assertThat(air.bodies.angle[1]).isZero();
+        assertThat(air.bodies.velocityX[1]).isEqualTo(2);
+        assertThat(air.bodies.velocityY[1]).isEqualTo(3, within(1e-14));
+        assertThat(air.bodies.spin[1]).isEqualTo(4);
+    }
+
+    /** Two that both move do not stand: their centre of mass goes on, whatever they do. */
+    @Test
+    void twoThatBothMoveDoNotStand() {
+        strikeForTheLastTime(1);
 
         assertThat(air.bodies.piled).startsWith(true, true);
         assertThat(air.bodies.velocityX).startsWith(-1, 1);
+    }
+
+    /** Two discs meet at 1 m/s each, as often as they may. */
+    private void strikeForTheLastTime(double elasticity) {
+        air.add(Air.disc(0, 1, elasticity));
+        air.add(Air.disc(2, -1, elasticity));
+        begin(1);
+        air.pairs.impacts[0] = Accuracy.GAME.maxImpactsPerPair() - 1;
+        strike(0, 1, 0);
+    }
+
+    /** Where nothing presses, a blow that finds them parting already is not the end of bounces. */
+    @Test
+    void whatPartsUnpressedDoesNotRest() {
+        air.add(Air.disc(0, -1, 1));
+        air.add(Air.disc(2, 1, 1));
+        begin(1);
+        air.pairs.impacts[0] = Accuracy.GAME.maxImpactsPerPair() - 1;
+        strike(0, 1, 0);
+
+        assertThat(air.pairs.resting[0]).isFalse();
+        assertThat(air.bodies.velocityX).startsWith(-1, 1);
+    }
+
+    /** What runs into one that stands is struck as if it moved, and stands as well. */
+    @ParameterizedTest
+    @CsvSource({"3, -1, 3", "-2, -2, -1"})
+    void whoRunsIntoOneThatStandsStands(double speed, double after, double ofStanding) {
+        air.add(Air.disc(0, -1, 1));
+        air.add(Air.disc(-2, speed, 1));
+        begin(1);
+        paths.stand(0);
+        strike(0, 1, 0);
+
+        assertThat(paths.stands(1)).isTrue();
+        assertThat(air.bodies.velocityX).startsWith(ofStanding, after);
+    }
+
+    /** A driven wall does not wait: who stands in its way is left to the pile. */
+    @Test
+    void whoStandsInTheWayOfADrivenBodyLands() {
+        air.add(Air.disc(0, -1, 1));
+        air.add(
+                BodyDefinition.kinematic(Polygon.box(1, 20))
+                        .at(1.5, 0)
+                        .velocity(-0.5, 0)
+                        .material(new Material(1, 0, 0)));
+        begin(1);
+        paths.stand(0);
+        strike(0, 1, 0);
+
+        assertThat(air.bodies.piled[0]).isTrue();
+        assertThat(air.bodies.velocityX[0]).isEqualTo(-1);
     }
 
     /** As many pairs as there are may meet at one instant: equal discs exchange. */
@@ -308,11 +385,12 @@ class BlowsTest {
 
     /**
      * At the last impact a pair may have, a rebound that lifts less than half a millimetre per
-     * metre of 2 m is not seen: v² ≤ 2·10·10⁻³. The pair rests; a faster one is left to the pile.
+     * metre of 2 m is not seen: v² ≤ 2·10·10⁻³. The pair rests; a faster one, which loses nothing,
+     * stands for the rest of the step.
      */
     @ParameterizedTest
     @CsvSource({"0.14, true", "0.1420, false"})
-    void theLastImpactIsRestOrTheEndOfFlight(double speed, boolean rests) {
+    void theLastImpactIsRestOrTheEndOfMotion(double speed, boolean rests) {
         layFloor(1);
         air.add(Air.body(new Circle(1), 0).at(0, 1).velocity(0, -speed));
         air.pull(0, -10);
@@ -321,7 +399,8 @@ class BlowsTest {
         strike(0, 1, 0);
 
         assertThat(air.pairs.resting[0]).isEqualTo(rests);
-        assertThat(air.bodies.piled[1]).isTrue();
+        assertThat(air.bodies.piled[1]).isEqualTo(rests);
+        assertThat(paths.stands(1)).isEqualTo(!rests);
         assertThat(air.bodies.velocityY[1]).isEqualTo(rests ? 0 : speed, within(1e-15));
         assertThat(air.bodies.pileTime[1]).isEqualTo(rests ? 1 : 0);
     }

@@ -182,17 +182,48 @@ class FlightTest {
         assertThat(air.storage.data.counters.impacts).isZero();
     }
 
-    /** Without loss and pressed, it would bounce for ever: the pile's solver takes it over. */
+    /** Between two walls it would bounce a hundred times: the pile's solver takes it over. */
     @Test
     void aPairThatMetTooOftenIsLeftToThePile() {
-        Air few = new Air(Accuracy.EXACT.withMaxImpactsPerPair(4));
-        few.add(Air.wall(-1.5, -1));
-        few.add(Air.wall(1.5, 1));
-        few.add(Air.disc(0, 100, 1));
-        few.fly(1);
+        Air few = bounceBetweenWalls(0.99);
 
         assertThat(few.bodies.piled[2]).isTrue();
         assertThat(few.pairs.impacts[few.pairOf(1, 2)]).isEqualTo(4);
+    }
+
+    /** Where nothing is lost it waits at the wall, as fast as ever. */
+    @Test
+    void aPairThatMetTooOftenWithoutLossWaits() {
+        Air few = bounceBetweenWalls(1);
+
+        assertThat(few.bodies.piled[2]).isFalse();
+        assertThat(few.bodies.x[2]).isEqualTo(0.5, within(1e-8));
+        assertThat(few.bodies.velocityX[2]).isEqualTo(-100, within(1e-11));
+        assertThat(few.pairs.impacts[few.pairOf(1, 2)]).isEqualTo(4);
+    }
+
+    /** A disc of 1 m flies 100 m/s in a gap that leaves it half a metre on either side. */
+    private static Air bounceBetweenWalls(double elasticity) {
+        Air few = new Air(Accuracy.EXACT.withMaxImpactsPerPair(4));
+        few.add(Air.wall(-1.5, -1));
+        few.add(Air.wall(1.5, 1));
+        few.add(Air.disc(0, 100, elasticity));
+        few.fly(1);
+        return few;
+    }
+
+    /** Who comes after one that waits waits behind it: nobody passes through anybody. */
+    @Test
+    void whoComesAfterOneThatWaitsStaysBehindIt() {
+        Air few = new Air(Accuracy.GAME.withMaxImpactsPerPair(4));
+        few.add(Air.wall(-1.5, -1));
+        few.add(Air.wall(1.5, 1));
+        few.add(Air.disc(0, 100, 1).at(0, 0));
+        few.add(Air.disc(0, 0, 1).at(0, 7).velocity(0, -10));
+        few.fly(1);
+
+        assertThat(few.bodies.y[3]).isGreaterThan(Math.sqrt(3) - 1e-3);
+        assertThat(few.storage.data.counters.impacts).isEqualTo(8);
     }
 
     /**
