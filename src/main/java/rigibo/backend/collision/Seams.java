@@ -56,6 +56,11 @@ final class Seams {
     private double outX;
     private double outY;
 
+    /** Where the mover is nearest to the plane of a face, world m. */
+    private double footX;
+
+    private double footY;
+
     /** How far the face that holds the point goes on along (−outY, outX), and against it, m. */
     private double ahead;
 
@@ -140,9 +145,6 @@ final class Seams {
      * inside the floor, and it is the wall's face that it goes into.
      */
     private boolean turnsToFace(int pair, int point) {
-        if (bodies.shape[mover].kind() != ShapeKind.POLYGON) {
-            return false;
-        }
         Polygon polygon = (Polygon) bodies.shape[fixed];
         double coveredX = outX;
         double coveredY = outY;
@@ -152,14 +154,14 @@ final class Seams {
         for (int i = 0; i < polygon.corners(); i++) {
             outX = fixedPose.cos * polygon.normalX(i) - fixedPose.sin * polygon.normalY(i);
             outY = fixedPose.sin * polygon.normalX(i) + fixedPose.cos * polygon.normalY(i);
-            if (outX * coveredX + outY * coveredY > 0) {
+            if (outX * coveredX + outY * coveredY > -ROUND_OFF) {
                 double separation = placeOnFace(polygon, i);
                 if (separation > best && findFace() && !isCovered(pair)) {
                     best = separation;
                     bestX = outX;
                     bestY = outY;
-                    pairs.pointX[point] = x + outX * separation / 2;
-                    pairs.pointY[point] = y + outY * separation / 2;
+                    pairs.pointX[point] = footX + outX * separation / 2;
+                    pairs.pointY[point] = footY + outY * separation / 2;
                 }
             }
         }
@@ -177,31 +179,48 @@ final class Seams {
 
     /**
      * Moves the point to where the mover is nearest to a face of the fixed body, or goes deepest
-     * into it; returns how far it is from there, m, or −∞ where it is not over the face.
+     * into it; returns how far it is from there, m. What has not come to the face yet is above its
+     * plane, for a corner that is covered is one that the face rises from; −∞ where it is not.
      */
     private double placeOnFace(Polygon polygon, int face) {
-        Polygon shape = (Polygon) bodies.shape[mover];
         int next = face + 1 == polygon.corners() ? 0 : face + 1;
         double startX = worldX(fixedPose, polygon, face);
         double startY = worldY(fixedPose, polygon, face);
         double endX = worldX(fixedPose, polygon, next);
         double endY = worldY(fixedPose, polygon, next);
+        double below = placeLowest();
+        double above = outX * (x - startX) + outY * (y - startY);
+        footX = x - above * outX;
+        footY = y - above * outY;
+        double fromStart = outX * (footY - startY) - outY * (footX - startX);
+        double toEnd = outX * (endY - footY) - outY * (endX - footX);
+        x = fromStart < 0 ? startX : toEnd < 0 ? endX : footX;
+        y = fromStart < 0 ? startY : toEnd < 0 ? endY : footY;
+        boolean isOver = Math.min(fromStart, toEnd) > -CLOSED * width;
+        double separation = above - below;
+        return isOver || separation > -touching() ? separation : Double.NEGATIVE_INFINITY;
+    }
+
+    /** Moves the point to the mover's lowest above a face; returns how much lower it is yet, m. */
+    private double placeLowest() {
+        if (bodies.shape[mover].kind() == ShapeKind.CIRCLE) {
+            x = moverPose.x;
+            y = moverPose.y;
+            return bodies.boundingRadius[mover];
+        }
+        Polygon shape = (Polygon) bodies.shape[mover];
         double least = Double.POSITIVE_INFINITY;
         for (int i = 0; i < shape.corners(); i++) {
             double cx = worldX(moverPose, shape, i);
             double cy = worldY(moverPose, shape, i);
-            double height = outX * (cx - startX) + outY * (cy - startY);
+            double height = outX * cx + outY * cy;
             if (height < least) {
                 least = height;
-                x = cx - height * outX;
-                y = cy - height * outY;
+                x = cx;
+                y = cy;
             }
         }
-        double beside = CLOSED * width;
-        boolean isOver =
-                outX * (y - startY) - outY * (x - startX) > -beside
-                        && outX * (endY - y) - outY * (endX - x) > -beside;
-        return isOver ? least : Double.NEGATIVE_INFINITY;
+        return 0;
     }
 
     private static double worldX(Pose pose, Polygon polygon, int corner) {

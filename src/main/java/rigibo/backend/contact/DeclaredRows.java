@@ -19,6 +19,7 @@ final class DeclaredRows {
     private final Rubbing rubbing;
     private final RunningRows running;
     private final TurningRows turning;
+    private final BentRows bent;
     private final PileBlows blows;
 
     DeclaredRows(
@@ -28,7 +29,7 @@ final class DeclaredRows {
             Rows rows,
             Kick kick,
             FreshRows fresh,
-            double straight) {
+            Straightness straight) {
         this.kick = kick;
         this.fresh = fresh;
         rubbing = rubbing(data, effects, motions, rows);
@@ -36,6 +37,9 @@ final class DeclaredRows {
         running = runs ? new RunningRows(data, rows) : null;
         boolean turns = effects.declares(Rotation.class);
         turning = turns ? new TurningRows(data, motions, rows, fresh, straight) : null;
+        boolean curves = straight.follows;
+        CurvedRows curved = curves ? new CurvedRows(data, motions, rows, straight) : null;
+        bent = new BentRows(rows, fresh, turning, curved);
         boolean bounces = effects.declares(Restitution.class);
         blows = bounces ? new PileBlows(data, motions, rows, kick) : null;
     }
@@ -64,6 +68,7 @@ final class DeclaredRows {
      * is worth so many multiplications in this step.
      */
     void begin(double h, double worthOfBlows) {
+        bent.begin();
         rubbing.begin(h / 2);
         if (running != null) {
             running.begin();
@@ -74,20 +79,31 @@ final class DeclaredRows {
     }
 
     /**
-     * Measures what joins or turns, before a substep of h seconds that begins at a time, with
-     * {@code left} seconds to go.
+     * Measures what joins, turns or goes round, before a part of a substep, the first one or
+     * another, that begins at a time, with {@code left} seconds to go.
      *
      * @return whether there was anything
      */
-    boolean measureAnew(int substep, double h, double time, double left) {
-        boolean isAny = fresh.measureJoining(substep, time, left);
-        if (turning != null) {
-            isAny |= turning.refresh(substep, h, left);
-        }
+    boolean measureAnew(int substep, boolean isFirst, double time, double left) {
+        boolean isAny = isFirst && fresh.measureJoining(substep, time, left);
+        isAny |= bent.refresh(substep, isFirst, left);
         if (isAny) {
             rubbing.refresh();
         }
         return isAny;
+    }
+
+    /** Whether a normal or an outline has turned since the packed island began. */
+    boolean isAnyBent() {
+        return bent.isAnyBent();
+    }
+
+    /**
+     * Foresees what gaps do by bending within h seconds; those of curves within as many as gaps may
+     * close in.
+     */
+    void bend(double h, double closing) {
+        bent.bend(h, closing);
     }
 
     /**

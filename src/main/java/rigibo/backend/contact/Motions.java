@@ -25,6 +25,9 @@ final class Motions {
     static final int INVERSE_MASS = 6;
     static final int INVERSE_INERTIA = 7;
 
+    /** Bodies up to which what each of them does is followed. */
+    static final int FEW = 4;
+
     private static final int NOBODY = -1;
 
     double[] data = new double[16 * STRIDE];
@@ -107,6 +110,11 @@ final class Motions {
         data[at + INVERSE_MASS] = bodies.inverseMass[slot];
         data[at + INVERSE_INERTIA] = 0;
         return at;
+    }
+
+    /** Whether they are so few that what becomes of each shows; a heap swallows that. */
+    boolean areFew() {
+        return count <= FEW + 1;
     }
 
     /** Moves every entry along its velocity for h seconds. */

@@ -56,6 +56,8 @@ public final class PileSolver {
     private final WarmStart warmStart;
     private final EnergyGuard guard;
     private final LateJoiners lateJoiners;
+    private final Landings landings;
+    private final EnergyBalance balance;
     private final Repose repose;
     private final Rounds rounds;
     private final Passes passes;
@@ -77,6 +79,14 @@ public final class PileSolver {
 
     /** Substeps that the packed island is given. */
     private int substeps;
+
+    /** When the last kick ended, s after the step's start, and how long it was, s. */
+    private double middle;
+
+    private double kicked;
+
+    /** How long the last part of a substep was, s; mostly it is all of it. */
+    private double lastPart;
 
     /**
      * A solver of what is declared, at an accuracy; {@code forces} change along the way, null where
@@ -106,8 +116,10 @@ public final class PileSolver {
         boolean isCorrecting = accuracy.correction() == Correction.SOFT;
         OverlapSolver wanted = isCorrecting ? overlap : null;
         repose = new Repose(data, motions, rows, wanted, kick, builder, accuracy);
+        balance = new EnergyBalance(data.bodies, motions, rows);
+        Straightness straight = new Straightness(motions, accuracy);
+        landings = new Landings(motions, rows, kick, straight.follows);
         FreshRows fresh = new FreshRows(data, narrowphase, motions, rows, builder);
-        double straight = accuracy.impactTolerance();
         declared = new DeclaredRows(data, effects, motions, rows, kick, fresh, straight);
         boolean isBlock = accuracy.contactSolver() != ContactSolver.SEQUENTIAL;
         ContactSweep sweep = new ContactSweep(motions, rows, counters, declared.rubbing(), isBlock);
@@ -142,45 +154,79 @@ public final class PileSolver {
         warmStart.prepare();
         isWhole = rounds.prepare(motions.fastest() <= CALM * dt * kick.strongest());
         lateJoiners.delay(start, h);
+        landings.begin();
+        balance.begin();
         isHeld = false;
+        middle = start;
+        kicked = h / 2;
+        lastPart = 0;
         boolean wasStill = repose.isStill(dt, share());
         for (int substep = 0; substep < substeps; substep++) {
-            double middle = start + (substep + 0.5) * h;
-            kick.remember();
-            double left = (substeps - substep) * h;
-            if (declared.measureAnew(substep, h, dt - left, left)) {
-                rounds.forget();
-            }
-            kick.accelerate(substep == 0 ? start : middle - h, middle);
-            fastest = motions.fastest();
-            setLimit(substep);
-            guard.begin();
-            if (!isWhole) {
-                // What contacts carried may throw bodies about until it is answered: a blow between
-                // bodies that were only thrown would be for good.
-                declared.strikeApart(h, substep);
-            }
-            begin(substep == 1 ? 2 : 1, substep);
-            boolean rests =
-                    substep == 0 && wasStill && isCarried(start, h)
-                            || advanceSubstep(start, h, substep);
-            if (rests) {
-                rest();
-            }
+            advanceSubstep(start, h, substep, dt, substep == 0 && wasStill);
         }
         if (isHeld) {
             finishHeld();
         } else {
             finish(h, dt);
+            if (declared.isAnyBent()) {
+                balance.settle();
+            }
         }
         SolveMethod method = isWhole ? SolveMethod.ELIMINATION : SolveMethod.PASSES;
         counters.solve(method, declared.rowCount() + rows.count);
-        results.store(h, dt - start);
-        declared.store(h);
+        results.store(2 * kicked, dt - start);
+        declared.store(2 * kicked);
+    }
+
+    /** A substep of h seconds, which is taken in parts where something lands within it. */
+    private void advanceSubstep(double start, double h, int substep, double dt, boolean wasStill) {
+        landings.beginSubstep();
+        double gone = 0;
+        while (gone < h) {
+            double time = start + substep * h + gone;
+            double left = h - gone;
+            if (declared.measureAnew(substep, gone == 0, time, dt - time)) {
+                rounds.forget();
+            }
+            if (isWhole && landings.haveLanded(h)) {
+                // What carried so far has carried up to here, and what is landed on does from here.
+                endKick(time, h, substep);
+                landings.close();
+            }
+            double part = landings.untilNext(left);
+            declared.bend(part, part);
+            beginPart(time, part, substep);
+            boolean isAll = part == h;
+            boolean rests =
+                    wasStill && isAll && isCarried(start, h)
+                            || solvePart(start, part, substep, isAll);
+            if (rests) {
+                rest();
+                middle = dt - h / 2;
+            }
+            gone = part < left ? gone + part : h;
+        }
+    }
+
+    /** Kicks all bodies up to the middle of a part, and begins with what contacts carried. */
+    private void beginPart(double time, double part, int substep) {
+        kick.remember();
+        kick.accelerate(middle, time + part / 2);
+        middle = time + part / 2;
+        fastest = motions.fastest();
+        setLimit(substep);
+        guard.begin();
+        if (!isWhole) {
+            // What contacts carried may throw bodies about until it is answered: a blow between
+            // bodies that were only thrown would be for good.
+            declared.strikeApart(part, substep);
+        }
+        begin((lastPart + part) / 2, substep);
+        lastPart = part;
     }
 
     /** Returns whether the first substep has shown that the island rests. */
-    private boolean advanceSubstep(double start, double h, int substep) {
+    private boolean solvePart(double start, double h, int substep, boolean mayRest) {
         if (isWhole) {
             isWhole = declared.strikeJointly(h, substep);
             if (!isWhole) {
@@ -192,7 +238,7 @@ public final class PileSolver {
             passes.advance(h, substep, unanswered(), limit);
             return false;
         }
-        if (substep == 0 && repose.isFound(start, h, substeps, rounds.settled())) {
+        if (mayRest && substep == 0 && repose.isFound(start, h, substeps, rounds.settled())) {
             return true;
         }
         rows.addUpImpulses(1);
@@ -217,7 +263,10 @@ public final class PileSolver {
         substeps = 1;
     }
 
-    private void begin(double scale, int substep) {
+    /** Begins a kick of so many seconds with what contacts carried in the one before. */
+    private void begin(double length, int substep) {
+        double scale = length / kicked;
+        kicked = length;
         if (isWhole && rows.strongestAnswer() > MOST_STRESS * fastest) {
             rows.unload();
         }
@@ -273,31 +322,38 @@ public final class PileSolver {
         rows.addUpImpulses(1);
     }
 
-    /**
-     * The second half of the last kick: velocities are those at the end of the step. Nothing moves
-     * any more, so in what is solved to the end a gap that would close in the next step is no
-     * reason to slow down in this one. Passes never solve so well: there that reason keeps it calm.
-     */
+    /** Ends the last substep. */
     private void finish(double h, double dt) {
-        int last = substeps;
-        if (declared.measureAnew(last, 0, dt, 0)) {
+        if (declared.measureAnew(substeps, true, dt, 0)) {
             rounds.forget();
         }
+        endKick(dt, h, substeps);
+    }
+
+    /**
+     * The second half of a kick: velocities are those at a time. Nothing moves in it, so in what is
+     * solved to the end a gap that would close in the next substep of h seconds is no reason to
+     * slow down in this one. Passes never solve so well: there that reason keeps it calm.
+     */
+    private void endKick(double time, double h, int substep) {
+        declared.bend(0, isWhole ? 0 : h);
         if (isWhole) {
             closeLoadedGaps();
         }
-        kick.accelerate(dt - h / 2, dt);
+        kick.accelerate(middle, time);
+        middle = time;
         fastest = motions.fastest();
         guard.begin();
-        begin(last == 1 ? 1 : 0.5, last);
+        begin(lastPart / 2, substep);
+        lastPart = 0;
         isWhole =
                 isWhole
-                        && declared.strikeAtOnce(h * NO_TIME, last)
-                        && rounds.settle(h * NO_TIME, last, fastest, limit);
+                        && declared.strikeAtOnce(h * NO_TIME, substep)
+                        && rounds.settle(h * NO_TIME, substep, fastest, limit);
         if (isWhole) {
             rows.addUpImpulses(1);
         } else {
-            passes.hold(h, last, unanswered(), limit);
+            passes.hold(h, substep, unanswered(), limit);
         }
     }
 

@@ -21,9 +21,6 @@ final class TurningRows {
     /** Share of a face that a body may turn by in a substep, at the end of which a corner lands. */
     private static final double MOST_OF_FACE = 0.05;
 
-    /** Bodies of an island up to which that counts: in a heap nothing rolls on by itself. */
-    private static final int FEW = 4;
-
     /** An island is given at most this many times the substeps of a calm one; */
     private static final double MOST_MORE = 16;
 
@@ -43,13 +40,14 @@ final class TurningRows {
     private final Rows rows;
     private final FreshRows fresh;
 
-    /** Whether a contact of the packed island may have been bent in the substep before. */
-    private boolean isAnyBent;
+    /** Whether any body of the packed island turns too far. */
+    private boolean isAnyTurning;
 
     /** Sagitta of a whole step that may be passed over, as a share of the body's width. */
-    private final double straight;
+    private final Straightness straight;
 
-    TurningRows(DataStorage data, Motions motions, Rows rows, FreshRows fresh, double straight) {
+    TurningRows(
+            DataStorage data, Motions motions, Rows rows, FreshRows fresh, Straightness straight) {
         this.straight = straight;
         bodies = data.bodies;
         pairs = data.pairs;
@@ -67,7 +65,7 @@ final class TurningRows {
             int slot = islands.bodies[i];
             double missed = leaves(slot, left) / usual;
             wanted = Math.max(wanted, missed / (CALM * bodies.smallestWidth[slot]));
-            if (end - islands.bodyStart[island] <= FEW) {
+            if (end - islands.bodyStart[island] <= Motions.FEW) {
                 wanted = Math.max(wanted, facesTurned(slot, left) / (usual * MOST_OF_FACE));
             }
         }
@@ -92,32 +90,25 @@ final class TurningRows {
         return sagitta(slot, turn) + way * turn;
     }
 
-    /**
-     * Measures anew what turned too far or is about to, before a substep of h seconds with {@code
-     * left} seconds to go, and foresees what the gaps do by turning.
-     *
-     * @return whether there was anything
-     */
-    boolean refresh(int substep, double h, double left) {
-        boolean turns = isAnyTurning(left);
-        boolean wasBent = substep > 0 && isAnyBent;
-        isAnyBent = turns;
-        if (!turns && !wasBent) {
-            return false;
+    /** Whether the outline of a contact turns in the step, of which some seconds are to go. */
+    boolean isTurning(int row, double left) {
+        return isAnyTurning
+                && (isTurningBody(rows.bodyA[row], left) || isTurningBody(rows.bodyB[row], left));
+    }
+
+    /** Takes a contact for straight again, if it was bent in the substep before. */
+    void straighten(int row) {
+        if (isBent(row)) {
+            bend(row, 0);
         }
-        boolean isAny = false;
-        for (int row = 0; row < rows.count; row++) {
-            if (turns && (isTurning(rows.bodyA[row], left) || isTurning(rows.bodyB[row], left))) {
-                if (substep > 0 && rows.firstSubstep[row] != substep) {
-                    fresh.measure(row, left);
-                }
-                bend(row, h);
-                isAny = true;
-            } else if (isBent(row)) {
-                bend(row, 0);
-            }
+    }
+
+    /** Begins a substep with {@code left} seconds to go. */
+    void begin(double left) {
+        isAnyTurning = false;
+        for (int entry = 1; !isAnyTurning && entry < motions.count; entry++) {
+            isAnyTurning = isTurningBody(entry * Motions.STRIDE, left);
         }
-        return isAny;
     }
 
     /**
@@ -127,7 +118,7 @@ final class TurningRows {
      * keeps its energy but for terms in h². Where the gap gets narrower by itself, the contact has
      * to part as fast.
      */
-    private void bend(int row, double h) {
+    void bend(int row, double h) {
         int at = row * Rows.STRIDE;
         double[] d = rows.data;
         double bendA = bend(pairs.bodyA[rows.pair[row]], rows.bodyA[row], h);
@@ -205,16 +196,7 @@ final class TurningRows {
                 - armA * m[a + Motions.SPIN];
     }
 
-    private boolean isAnyTurning(double left) {
-        for (int entry = 1; entry < motions.count; entry++) {
-            if (isTurning(entry * Motions.STRIDE, left)) {
-                return true;
-            }
-        }
-        return false;
-    }
-
-    private boolean isTurning(int entry, double left) {
+    private boolean isTurningBody(int entry, double left) {
         if (entry == 0) {
             return false;
         }
@@ -222,7 +204,7 @@ final class TurningRows {
         double turn =
                 Math.abs(motions.data[entry + Motions.TURN])
                         + Math.abs(motions.data[entry + Motions.SPIN]) * left;
-        return sagitta(slot, turn) > straight * bodies.smallestWidth[slot];
+        return sagitta(slot, turn) > straight.unseen() * bodies.smallestWidth[slot];
     }
 
     private double sagitta(int slot, double turn) {

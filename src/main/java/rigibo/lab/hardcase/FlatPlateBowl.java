@@ -68,10 +68,9 @@ final class FlatPlateBowl implements HardCase {
 
     @Override
     public String finding() {
-        return "A contact's normal is that of the beginning of a substep, however far"
-                + " the body goes along the bend: the more plates it crosses in it, the"
-                + " more is lost, and what is then pushed out of a plate is lifted by"
-                + " energy from nothing.";
+        return "A body that crosses more than a plate in a substep has more contacts ahead than"
+                + " are worth solving to the end, and passes miss by their tolerance; and of"
+                + " a box both corners are at kinks.";
     }
 
     @Override

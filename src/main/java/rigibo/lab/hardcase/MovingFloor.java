@@ -36,9 +36,8 @@ final class MovingFloor implements HardCase {
 
     @Override
     public String finding() {
-        return "What rests is known by its speed against the world, and not against"
-                + " what carries it: a pile that moves with its floor is solved anew at"
-                + " every step, and creeps.";
+        return "While storeys land, who may be reached by what is struck is asked by speeds"
+                + " against the world, and other bodies join the pile within a step.";
     }
 
     @Override

@@ -20,6 +20,9 @@ final class MovingPiles {
         List<HardCase> cases = new ArrayList<>();
         cases.add(upTo100(Crowd.DISCS, ""));
         cases.add(ElasticPolygons.slow());
+        cases.add(ElasticPolygons.fast());
+        cases.add(new StepClimb());
+        cases.add(new RoundHill());
         cases.addAll(DrivenCrowd.held());
         return cases;
     }
@@ -38,13 +41,10 @@ final class MovingPiles {
         cases.add(new BulletIntoRow());
         cases.add(FlatPlateBowl.ofDisc());
         cases.add(FlatPlateBowl.ofBox());
-        cases.add(new StepClimb());
-        cases.add(new RoundHill());
         cases.add(new RockingBlock());
         cases.add(new MovingFloor());
         cases.addAll(BornAtOneSpot.cases());
         cases.add(new OverfullRoom());
-        cases.add(ElasticPolygons.fast());
         cases.add(new WeakPush());
         cases.addAll(DrivenCrowd.open());
         cases.add(new FarPiles());

@@ -40,8 +40,8 @@ final class RockingBlock implements HardCase {
 
     @Override
     public String finding() {
-        return "The corner that lands does so at the end of a substep, with the other"
-                + " one still held.";
+        return "A corner that lands in the first substep of a step is foreseen without what"
+                + " contacts carry.";
     }
 
     @Override

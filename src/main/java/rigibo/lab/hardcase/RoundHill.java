@@ -38,12 +38,6 @@ final class RoundHill implements HardCase {
     }
 
     @Override
-    public String finding() {
-        return "The normal is that of the beginning of a substep, while the way bends"
-                + " it by way/(R + r).";
-    }
-
-    @Override
     public void run(Trial trial) {
         int count = trial.sampling().count(5, 40);
         for (int i = 0; i < count; i++) {

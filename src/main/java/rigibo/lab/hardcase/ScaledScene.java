@@ -37,8 +37,8 @@ final class ScaledScene implements HardCase {
 
     @Override
     public String finding() {
-        return "Some tolerance is a length or a speed of its own and does not grow with the"
-                + " bodies.";
+        return "A pyramid that falls together gains more energy in a step at EXACT than its limit,"
+                   + " at every scale.";
     }
 
     @Override

@@ -43,13 +43,6 @@ final class StepClimb implements HardCase {
     }
 
     @Override
-    public String finding() {
-        return "The disc rests on the floor, so that the step meets it inside a pile,"
-                + " as overlap at the end of a substep and not at its time: it loses more"
-                + " than the impact takes.";
-    }
-
-    @Override
     public void run(Trial trial) {
         int phases = trial.sampling().count(4, 20);
         double off = UNDECIDED.of(trial.preset());

@@ -1,0 +1,159 @@
+package rigibo.backend.contact;
+
+import rigibo.backend.geometry.Circle;
+import rigibo.backend.geometry.Polygon;
+import rigibo.backend.geometry.Shape;
+import rigibo.backend.storage.Bodies;
+import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.Pairs;
+
+/**
+ * Contacts whose normal turns along the way of their bodies: of a disc round another disc or a
+ * corner, and, where bodies are few, of whatever slides from one face to the next. They are
+ * measured anew before every substep. Round an outline of radius ρ a way of s opens the gap by √(ρ²
+ * + s²) − ρ meanwhile, which the gap foresees: so a disc follows a curve as a constrained motion
+ * does whose error is of second order (SHAKE: Ryckaert, Ciccotti and Berendsen, 1977).
+ */
+final class CurvedRows {
+
+    private final Bodies bodies;
+    private final Pairs pairs;
+    private final Motions motions;
+    private final Rows rows;
+
+    /** Way off a straight line that may be passed over in a step, as a share of the width. */
+    private final Straightness straight;
+
+    /** Where the two ends of a face lie along the tangent of a contact, from its body, m. */
+    private final double[] endsA = new double[2];
+
+    private final double[] endsB = new double[2];
+
+    CurvedRows(DataStorage data, Motions motions, Rows rows, Straightness straight) {
+        bodies = data.bodies;
+        pairs = data.pairs;
+        this.motions = motions;
+        this.rows = rows;
+        this.straight = straight;
+    }
+
+    /** Whether a contact's normal turns in the step, of which {@code left} seconds are to go. */
+    boolean isCurved(int row, double left) {
+        int pair = rows.pair[row];
+        double way = Math.abs(slid(row)) + Math.abs(slide(row)) * left;
+        double shows = straight.unseen() * rows.data[row * Rows.STRIDE + Rows.WIDTH];
+        if (!(way > shows)) {
+            return false;
+        }
+        if (pairs.faceOf[pair] != Pairs.NONE) {
+            return motions.areFew() && leavesFace(row, pair, way);
+        }
+        double radius = radius(pair);
+        return (radius > 0 || motions.areFew()) && opens(radius, way) > shows;
+    }
+
+    /**
+     * Widens the gap by what the way of a substep of h seconds is going to open. Of two corners
+     * that would be all of the way, and where friction stops them they would be in each other.
+     */
+    void bend(int row, double h) {
+        int pair = rows.pair[row];
+        double radius = radius(pair);
+        if (radius > 0 && pairs.faceOf[pair] == Pairs.NONE) {
+            double opens = opens(radius, slide(row) * h);
+            rows.data[row * Rows.STRIDE + Rows.GAP0] += opens;
+            rows.data[row * Rows.STRIDE + Rows.GAP1] += opens;
+        }
+    }
+
+    private static double opens(double radius, double way) {
+        return Math.sqrt(radius * radius + way * way) - radius;
+    }
+
+    /** The radius in m at which two outlines go round each other; a corner has none. */
+    private double radius(int pair) {
+        return radiusOf(bodies.shape[pairs.bodyA[pair]])
+                + radiusOf(bodies.shape[pairs.bodyB[pair]]);
+    }
+
+    private static double radiusOf(Shape shape) {
+        return shape instanceof Circle disc ? disc.radius() : 0;
+    }
+
+    /** Whether a corner, or the foot of a disc, comes to the end of the face it is on. */
+    private boolean leavesFace(int row, int pair, double way) {
+        double nx = pairs.normalX[pair];
+        double ny = pairs.normalY[pair];
+        findEnds(pairs.bodyA[pair], nx, ny, -1, endsA);
+        findEnds(pairs.bodyB[pair], -nx, -ny, 1, endsB);
+        double apart = along(pair, nx, ny);
+        for (int i = 0; i < 2; i++) {
+            for (int j = 0; j < 2; j++) {
+                if (Math.abs(endsB[j] + apart - endsA[i]) <= way) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    /** How far B lies along the tangent from A, m. */
+    private double along(int pair, double nx, double ny) {
+        int a = pairs.bodyA[pair];
+        int b = pairs.bodyB[pair];
+        return nx * (bodies.y[b] - bodies.y[a]) - ny * (bodies.x[b] - bodies.x[a]);
+    }
+
+    /** Finds the ends of the face that looks along (nx, ny); a disc has but its centre. */
+    private void findEnds(int slot, double nx, double ny, int side, double[] ends) {
+        ends[0] = 0;
+        ends[1] = 0;
+        if (!(bodies.shape[slot] instanceof Polygon polygon)) {
+            return;
+        }
+        double cos = bodies.cos[slot];
+        double sin = bodies.sin[slot];
+        double x = cos * nx + sin * ny;
+        double y = cos * ny - sin * nx;
+        int face = 0;
+        double most = Double.NEGATIVE_INFINITY;
+        for (int i = 0; i < polygon.corners(); i++) {
+            double faces = polygon.normalX(i) * x + polygon.normalY(i) * y;
+            if (faces > most) {
+                most = faces;
+                face = i;
+            }
+        }
+        int next = face + 1 == polygon.corners() ? 0 : face + 1;
+        // The tangent of the contact is that of A's outward normal.
+        double tx = side * y;
+        double ty = -side * x;
+        ends[0] = tx * polygon.cornerX(face) + ty * polygon.cornerY(face);
+        ends[1] = tx * polygon.cornerX(next) + ty * polygon.cornerY(next);
+    }
+
+    /** How far B has slid along A since the step began, m. */
+    private double slid(int row) {
+        return alongTangent(row, Motions.DX, Motions.DY, Motions.TURN);
+    }
+
+    /** How fast it does, m/s. */
+    private double slide(int row) {
+        return alongTangent(row, Motions.VX, Motions.VY, Motions.SPIN);
+    }
+
+    /** A disc turns without a change: what counts is its centre. */
+    private double alongTangent(int row, int x, int y, int turn) {
+        double[] m = motions.data;
+        double[] d = rows.data;
+        int at = row * Rows.STRIDE;
+        int a = rows.bodyA[row];
+        int b = rows.bodyB[row];
+        int pair = rows.pair[row];
+        double slides =
+                d[at + Rows.NX] * (m[b + y] - m[a + y]) - d[at + Rows.NY] * (m[b + x] - m[a + x]);
+        double byA = radiusOf(bodies.shape[pairs.bodyA[pair]]) > 0 ? 0 : d[at + Rows.LEVER_TA];
+        double byB = radiusOf(bodies.shape[pairs.bodyB[pair]]) > 0 ? 0 : d[at + Rows.LEVER_TB];
+        return slides + byB * m[b + turn] - byA * m[a + turn];
+    }
+}
