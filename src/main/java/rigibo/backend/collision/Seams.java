@@ -72,8 +72,8 @@ final class Seams {
     }
 
     /**
-     * Drops the covered points of a contact between a body that moves and a fixed one, measured
-     * where the step began.
+     * Drops the covered points of a contact, between a body that moves and a fixed one, that was
+     * measured where the step began.
      */
     void leaveOutCovered(int pair) {
         if (mayBeCovered(pair)) {
@@ -83,7 +83,7 @@ final class Seams {
         }
     }
 
-    /** The same of one measured at poses of its bodies. */
+    /** Drops the covered points of a contact that was measured at these poses of its bodies. */
     void leaveOutCovered(int pair, Pose atA, Pose atB) {
         if (mayBeCovered(pair)) {
             boolean isMoverA = mover == pairs.bodyA[pair];
@@ -140,9 +140,11 @@ final class Seams {
     }
 
     /**
-     * Puts a face of the fixed body in place of its covered corner. What lies at the foot of a wall
-     * overlaps the corner that the wall has there by less than it does the wall; but the corner is
-     * inside the floor, and it is the wall's face that it goes into.
+     * Puts a face of the fixed body in place of what is covered of it: the uncovered one that the
+     * mover is farthest in front of. What lies at the foot of a wall overlaps the corner that the
+     * wall has there by less than it does the wall; but the corner is inside the floor, and it is
+     * the wall's face that it goes into. And what comes to the next piece of a floor that rises
+     * meets its face within the step, though all that is near is its covered corner yet.
      */
     private boolean turnsToFace(int pair, int point) {
         Polygon polygon = (Polygon) bodies.shape[fixed];

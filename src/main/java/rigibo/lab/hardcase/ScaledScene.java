@@ -38,7 +38,7 @@ final class ScaledScene implements HardCase {
     @Override
     public String finding() {
         return "A pyramid that falls together gains more energy in a step at EXACT than its limit,"
-                   + " at every scale.";
+                + " at every scale.";
     }
 
     @Override
