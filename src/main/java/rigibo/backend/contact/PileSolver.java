@@ -85,7 +85,7 @@ public final class PileSolver {
 
     private double kicked;
 
-    /** How long the last part of a substep was, s; mostly it is all of it. */
+    /** How long the last part of a substep was, s, mostly all of it; 0 where a kick begins anew. */
     private double lastPart;
 
     /**

@@ -103,7 +103,7 @@ class WorkLawTest {
             int solved =
                     report.islands(SolveMethod.ELIMINATION) + report.islands(SolveMethod.PASSES);
             double most = kicks * (ofBlows + calm) + SMALLEST * solved;
-            assertThat((double) report.multiplications()).isLessThanOrEqualTo(most);
+            assertThat(report.multiplications()).isLessThanOrEqualTo(most);
             impacts += report.impacts();
         }
         assertThat(impacts).isGreaterThan(1_000);
