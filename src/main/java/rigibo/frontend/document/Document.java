@@ -2,6 +2,7 @@ package rigibo.frontend.document;
 
 import tools.jackson.databind.JsonNode;
 
+import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.Set;
@@ -26,6 +27,18 @@ public final class Document {
     /** The document in a file, or nothing after telling why there is none. */
     public static Optional<Document> read(Path file, Problems problems) {
         return FileText.read(file, problems).flatMap(text -> parse(text, problems));
+    }
+
+    /**
+     * Refuses text that could not be read again from the file it is meant for.
+     *
+     * @throws IOException saying what of it is too much
+     */
+    public static void requireReadable(byte[] text, Path file) throws IOException {
+        Problems problems = new Problems(file.toString());
+        if (FileText.decode(text, problems).flatMap(one -> parse(one, problems)).isEmpty()) {
+            throw new IOException("could not be read again: " + problems.inOrder().get(0));
+        }
     }
 
     /** The document of a text, or nothing after telling why the text is no JSON. */

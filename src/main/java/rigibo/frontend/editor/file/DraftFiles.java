@@ -1,5 +1,6 @@
 package rigibo.frontend.editor.file;
 
+import rigibo.frontend.document.Document;
 import rigibo.frontend.editor.draft.Draft;
 import rigibo.frontend.editor.draft.NewLevel;
 import rigibo.frontend.puzzle.level.LevelLoader;
@@ -73,12 +74,15 @@ public final class DraftFiles {
      * Saves a draft into its file. A draft that has none, or that of a level of the game, gets one
      * of its own, and an id with it.
      *
-     * @throws IOException when it cannot be written; what was there before is still there
+     * @throws IOException when it cannot be written, or is too large to be read again; what was
+     *     there before is still there
      */
     public DraftFile save(DraftFile from) throws IOException {
         DraftFile into = hasOwn(from) ? identified(from) : named(from.draft());
         byte[] text = into.draft().toString().getBytes(StandardCharsets.UTF_8);
-        new SafeFile(into.file().orElseThrow()).write(text);
+        Path file = into.file().orElseThrow();
+        Document.requireReadable(text, file);
+        new SafeFile(file).write(text);
         return into;
     }
 

@@ -136,13 +136,16 @@ public final class Unsaved {
      *
      * @param at where it was kept before, to be replaced; nothing for one that was not
      * @return where it is kept
+     * @throws IOException when it cannot be written, or is too large to be read again
      */
     public Path keep(DraftFile draft, Optional<Path> at) throws IOException {
         ObjectNode document = JsonNodeFactory.instance.objectNode();
         draft.file().ifPresent(file -> document.put("file", file.toAbsolutePath().toString()));
         document.set("level", draft.draft().document());
         Path kept = at.isPresent() ? at.get() : free();
-        new SafeFile(kept).write(document.toString().getBytes(StandardCharsets.UTF_8));
+        byte[] text = document.toString().getBytes(StandardCharsets.UTF_8);
+        Document.requireReadable(text, kept);
+        new SafeFile(kept).write(text);
         return kept;
     }
 

@@ -11,6 +11,9 @@ import org.junit.jupiter.params.provider.CsvSource;
 import rigibo.frontend.editor.draft.Draft;
 import rigibo.frontend.editor.draft.NewLevel;
 
+import tools.jackson.databind.node.ArrayNode;
+import tools.jackson.databind.node.ObjectNode;
+
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -48,6 +51,31 @@ class DraftFilesTest {
         DraftFiles files = new DraftFiles(Optional.of(folder));
         assertThat(files.save(new DraftFile(seesaw, Optional.of(games("seesaw")))).file())
                 .contains(folder.resolve("seesaw-2.json"));
+    }
+
+    /** A level of 20,000 bodies has two megabytes, of which one is read. */
+    @Test
+    void whatCouldNotBeReadAgainIsNotSaved() throws IOException {
+        DraftFiles files = new DraftFiles(Optional.of(folder));
+        DraftFile small = files.save(new DraftFile(NewLevel.draft(), Optional.empty()));
+        String before = Files.readString(small.file().orElseThrow());
+        ObjectNode level = (ObjectNode) small.draft().document().deepCopy();
+        ArrayNode bodies = level.putArray("bodies");
+        for (int i = 0; i < 20_000; i++) {
+            bodies.addObject()
+                    .put("id", "body-" + i)
+                    .put("shape", "a box, and a large one at that");
+        }
+        DraftFile large = new DraftFile(Draft.of(level), small.file());
+
+        assertThatThrownBy(() -> files.save(large))
+                .isInstanceOf(IOException.class)
+                .hasMessageContaining("could not be read again")
+                .hasMessageContaining("larger than 1000000 bytes");
+        assertThat(Files.readString(small.file().orElseThrow())).isEqualTo(before);
+        Unsaved unsaved = new Unsaved(folder.resolve("drafts"));
+        assertThatThrownBy(() -> unsaved.keep(large, Optional.empty()))
+                .hasMessageContaining("could not be read again");
     }
 
     private Path games(String id) throws IOException {
