@@ -134,26 +134,19 @@ final class CurvedRows {
 
     /** How far B has slid along A since the step began, m. */
     private double slid(int row) {
-        return alongTangent(row, Motions.DX, Motions.DY, Motions.TURN);
+        return motions.slid(rows, row, arm(row, true), arm(row, false));
     }
 
     /** How fast it does, m/s. */
     private double slide(int row) {
-        return alongTangent(row, Motions.VX, Motions.VY, Motions.SPIN);
+        return motions.slide(rows, row, arm(row, true), arm(row, false));
     }
 
     /** A disc turns without a change: what counts is its centre. */
-    private double alongTangent(int row, int x, int y, int turn) {
-        double[] m = motions.data;
-        double[] d = rows.data;
-        int at = row * Rows.STRIDE;
-        int a = rows.bodyA[row];
-        int b = rows.bodyB[row];
+    private double arm(int row, boolean isOfA) {
         int pair = rows.pair[row];
-        double slides =
-                d[at + Rows.NX] * (m[b + y] - m[a + y]) - d[at + Rows.NY] * (m[b + x] - m[a + x]);
-        double byA = radiusOf(bodies.shape[pairs.bodyA[pair]]) > 0 ? 0 : d[at + Rows.LEVER_TA];
-        double byB = radiusOf(bodies.shape[pairs.bodyB[pair]]) > 0 ? 0 : d[at + Rows.LEVER_TB];
-        return slides + byB * m[b + turn] - byA * m[a + turn];
+        Shape shape = bodies.shape[isOfA ? pairs.bodyA[pair] : pairs.bodyB[pair]];
+        int lever = isOfA ? Rows.LEVER_TA : Rows.LEVER_TB;
+        return radiusOf(shape) > 0 ? 0 : rows.data[row * Rows.STRIDE + lever];
     }
 }

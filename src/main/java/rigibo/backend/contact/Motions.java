@@ -173,6 +173,30 @@ final class Motions {
                 : speed;
     }
 
+    /**
+     * How fast a point of B slides along one of A, each so far along the normal from its body's
+     * centre, m/s.
+     */
+    double slide(Rows rows, int row, double armA, double armB) {
+        return along(rows, row, armA, armB, VX, VY, SPIN);
+    }
+
+    /** How far it has slid since the step began, m. */
+    double slid(Rows rows, int row, double armA, double armB) {
+        return along(rows, row, armA, armB, DX, DY, TURN);
+    }
+
+    private double along(Rows rows, int row, double armA, double armB, int x, int y, int turn) {
+        double nx = rows.data[row * Rows.STRIDE + Rows.NX];
+        double ny = rows.data[row * Rows.STRIDE + Rows.NY];
+        int a = rows.bodyA[row];
+        int b = rows.bodyB[row];
+        return nx * (data[b + y] - data[a + y])
+                - ny * (data[b + x] - data[a + x])
+                + armB * data[b + turn]
+                - armA * data[a + turn];
+    }
+
     /** The highest speed along an axis, m/s, of what can be moved and what is driven. */
     double fastest() {
         double most = 0;

@@ -175,25 +175,11 @@ final class TurningRows {
         double armA = d[at + Rows.LEVER_TA];
         double armB = d[at + Rows.LEVER_TB];
         if (bodies.sweepRadius[pairs.other(pair, face)] > 0) {
-            return turn * h * slide(row, armA, armB);
+            return turn * h * motions.slide(rows, row, armA, armB);
         }
         double toCentre = isOfA ? armB : -armA;
-        double slide = slide(row, isOfA ? armA : 0, isOfA ? 0 : armB);
+        double slide = motions.slide(rows, row, isOfA ? armA : 0, isOfA ? 0 : armB);
         return turn * (h * slide + turn * toCentre / 2);
-    }
-
-    /** How fast a point of B slides along one of A, each so far from its body's centre, m/s. */
-    private double slide(int row, double armA, double armB) {
-        double[] m = motions.data;
-        int at = row * Rows.STRIDE;
-        int a = rows.bodyA[row];
-        int b = rows.bodyB[row];
-        double nx = rows.data[at + Rows.NX];
-        double ny = rows.data[at + Rows.NY];
-        return nx * (m[b + Motions.VY] - m[a + Motions.VY])
-                - ny * (m[b + Motions.VX] - m[a + Motions.VX])
-                + armB * m[b + Motions.SPIN]
-                - armA * m[a + Motions.SPIN];
     }
 
     private boolean isTurningBody(int entry, double left) {

@@ -76,8 +76,8 @@ class TimeOfImpactSearchTest {
     }
 
     /**
-     * The same of what turns many times in a step, as small bodies do that large ones have struck
-     * at hundreds of metres a second.
+     * Polygons that turn many times in a step, as small ones do that large ones have struck at
+     * hundreds of metres a second.
      */
     @ParameterizedTest
     @ValueSource(longs = {1, 2, 3})

@@ -66,7 +66,7 @@ class BlowsTest {
         assertThat(air.bodies.velocityY[1]).isEqualTo(0, within(1e-15));
     }
 
-    /** The same where little presses and little is left, and with nothing left at once. */
+    /** Bounces take 2ev/(g(1 − e)); without elasticity, or speed, they are over at once. */
     @ParameterizedTest
     @CsvSource({"0.5, 0.1, 0.4", "0, 0.1, 0", "0.5, 0, 0"})
     void theSeriesIsOfWhatPressesAndOfTheSpeed(double elasticity, double speed, double left) {

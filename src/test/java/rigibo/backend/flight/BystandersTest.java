@@ -42,7 +42,7 @@ class BystandersTest {
         return new Bystanders(air.storage.data, air.narrowphase, air.broadphase, paths, TOLERANCE);
     }
 
-    /** The same where nothing turns. */
+    /** Begins anew in a world in which nothing turns. */
     private void turnNothing() {
         air = new Air(GAME, new Contacts(), new Friction(), new Restitution());
         paths = new Trajectories(air.bodies);

@@ -249,7 +249,7 @@ class CourseTest {
         assertThat(thrown.bodies.velocityY[0]).isEqualTo(4 * speed, within(1e-13));
     }
 
-    /** Likewise in a spring of 4/s²: Euler by the pull at the start, Verlet by the mean of both. */
+    /** In a spring of 4/s² Euler takes the pull at the start, Verlet the mean of both ends. */
     @ParameterizedTest
     @CsvSource({"EULER, 1, 0", "VERLET, 0.5, 0.5"})
     void theSimpleMethodsTakeTheMeanOfTheirPulls(Integrator method, double atStart, double atEnd) {

@@ -47,7 +47,7 @@ final class Meet {
         return blow;
     }
 
-    /** The same, but along the axes: B is to the right. */
+    /** Two bodies that meet along the axes, B to the right of A. */
     static Impact level(Random random, int points) {
         Impact blow = any(random, points);
         blow.normalX = 1;
@@ -84,7 +84,7 @@ final class Meet {
         }
     }
 
-    /** The same bodies and points, but nothing moves, nor runs. */
+    /** A copy of a blow in which no body moves and no surface runs. */
     static Impact stopped(Impact blow) {
         Impact stopped = copy(blow);
         stopped.velocityAX = 0;

@@ -314,7 +314,7 @@ class SteadyWithoutTest {
         requireAwake(wakes, beam);
     }
 
-    /** The same beams as upright, with all of the world turned: statics knows no axes. */
+    /** Beams on pillars in a world that is turned: statics knows no axes. */
     @ParameterizedTest(name = "turned by {0}, on a pillar from {1} to {2} m: wakes is {3}")
     @CsvSource({
         "0.7, -0.5, 0.5, false",
