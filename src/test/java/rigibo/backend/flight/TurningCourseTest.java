@@ -167,20 +167,26 @@ class TurningCourseTest {
     }
 
     /**
-     * κ = 400/s, over ¼ s: the spin is gone after 3/κ rad, and the disc is only slowed a little.
+     * Over ¼ s the spin is gone after 3/κ rad, of a disc that is too heavy to be slowed. 400/s is
+     * taken in substeps, to the thousandths that their h leaves; 10⁷/s is too stiff for any, and is
+     * stopped at once, but not thrown back.
      */
     @ParameterizedTest
-    @EnumSource(
-            value = Integrator.class,
-            names = {"RK4", "BALLISTIC"})
-    void aStiffTorqueIsTakenInSubsteps(Integrator method) {
-        Diving diving = new Diving(by(method), dragFor(400));
+    @CsvSource({
+        "RK4, 400, 0.004",
+        "RK4, 1e7, 1.01",
+        "BALLISTIC, 400, 0.004",
+        "BALLISTIC, 1e7, 1.01"
+    })
+    void aStiffTorqueEndsTheSpin(Integrator method, double kappa, double off) {
+        Diving diving = new Diving(by(method), dragFor(kappa));
         diving.add(new Circle(1), 0);
-        diving.bodies.inverseMass[0] = 1e-9;
+        diving.bodies.inverseMass[0] = 1e-12;
         diving.step(0.25, 0, 0);
 
-        assertThat(diving.bodies.angle[0]).isEqualTo(3.0 / 400, within(3e-5));
-        assertThat(diving.bodies.spin[0]).isEqualTo(0, within(1e-3));
+        double angle = 3 / kappa;
+        assertThat(diving.bodies.angle[0]).isEqualTo(angle, within(off * angle));
+        assertThat(diving.bodies.spin[0]).isEqualTo(0, within(1e-6));
     }
 
     /** As many substeps as of a drag along the way: κT = 9.5 takes ten, of four looks but once. */
@@ -194,21 +200,6 @@ class TurningCourseTest {
         diving.step(0.5, 0, 0);
 
         assertThat(looks.get()).isEqualTo(2 + 3 * 10 + 9);
-    }
-
-    /** κ = 10⁷/s: it is stopped where it is, and not thrown back. */
-    @ParameterizedTest
-    @EnumSource(
-            value = Integrator.class,
-            names = {"RK4", "BALLISTIC"})
-    void aTorqueThatIsTooStiffStopsTheSpin(Integrator method) {
-        Diving diving = new Diving(by(method), dragFor(1e7));
-        diving.add(new Circle(1), 0);
-        diving.bodies.inverseMass[0] = 1e-12;
-        diving.step(0.25, 0, 0);
-
-        assertThat(diving.bodies.angle[0]).isEqualTo(0, within(1e-9));
-        assertThat(diving.bodies.spin[0]).isEqualTo(0, within(1e-6));
     }
 
     /**

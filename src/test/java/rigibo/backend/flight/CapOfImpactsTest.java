@@ -1,0 +1,171 @@
+package rigibo.backend.flight;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+import rigibo.backend.geometry.Circle;
+import rigibo.backend.geometry.Polygon;
+import rigibo.backend.setup.Accuracy;
+import rigibo.backend.setup.BodyDefinition;
+import rigibo.backend.setup.Material;
+
+/** What becomes of a pair that has met as often in a step as it may: it rests, waits, or lands. */
+class CapOfImpactsTest {
+
+    private final OneInstant instant = new OneInstant();
+    private final Air air = instant.air;
+    private final Trajectories paths = instant.paths;
+    private final Blows blows = instant.blows;
+
+    /** Lets the first pair meet so many times more, this one included. */
+    private void leave(int impacts) {
+        air.pairs.impacts[0] = Accuracy.GAME.maxImpactsPerPair() - impacts;
+    }
+
+    /** Pairs that came to rest are counted, and those that met as often as they may. */
+    @ParameterizedTest
+    @CsvSource({"0.5, false, 1, 0", "1, false, 0, 0", "0.5, true, 0, 1", "1, true, 0, 1"})
+    void whatEndsIsCounted(double elasticity, boolean isLast, int settled, int capped) {
+        instant.layFloor(elasticity);
+        air.add(Air.body(new Circle(1), 0).at(0, 1).velocity(0, -1));
+        air.pull(0, -10);
+        instant.begin(1);
+        if (isLast) {
+            leave(1);
+        }
+        instant.strike(0, 1, 0);
+
+        assertThat(air.storage.data.counters.settledPairs).isEqualTo(settled);
+        assertThat(air.storage.data.counters.cappedPairs).isEqualTo(capped);
+    }
+
+    /** Both of a pair that met too often are left to the pile, with the speeds they have. */
+    @Test
+    void bothOfAPairThatMetTooOftenLand() {
+        strikeForTheLastTime(0.5);
+
+        assertThat(air.bodies.piled).startsWith(true, true);
+        assertThat(air.bodies.velocityX).startsWith(-0.5, 0.5);
+    }
+
+    /** Two that both move do not stand: their centre of mass goes on, whatever they do. */
+    @Test
+    void twoThatBothMoveDoNotStand() {
+        strikeForTheLastTime(1);
+
+        assertThat(air.bodies.piled).startsWith(true, true);
+        assertThat(air.bodies.velocityX).startsWith(-1, 1);
+    }
+
+    /** Two discs meet at 1 m/s each, as often as they may. */
+    private void strikeForTheLastTime(double elasticity) {
+        air.add(Air.disc(0, 1, elasticity));
+        air.add(Air.disc(2, -1, elasticity));
+        instant.begin(1);
+        leave(1);
+        instant.strike(0, 1, 0);
+    }
+
+    /** Where nothing presses, a blow that finds them parting already is not the end of bounces. */
+    @Test
+    void whatPartsUnpressedDoesNotRest() {
+        air.add(Air.disc(0, -1, 1));
+        air.add(Air.disc(2, 1, 1));
+        instant.begin(1);
+        leave(1);
+        instant.strike(0, 1, 0);
+
+        assertThat(air.pairs.resting[0]).isFalse();
+        assertThat(air.bodies.velocityX).startsWith(-1, 1);
+    }
+
+    /**
+     * At the last impact a pair may have, a rebound that lifts less than half a millimetre per
+     * metre of 2 m is not seen: v² ≤ 2·10·10⁻³. The pair rests; a faster one, which loses nothing,
+     * stands for the rest of the step.
+     */
+    @ParameterizedTest
+    @CsvSource({"0.14, true", "0.1420, false"})
+    void theLastImpactIsRestOrTheEndOfMotion(double speed, boolean rests) {
+        instant.layFloor(1);
+        air.add(Air.body(new Circle(1), 0).at(0, 1).velocity(0, -speed));
+        air.pull(0, -10);
+        instant.begin(1);
+        leave(1);
+        instant.strike(0, 1, 0);
+
+        assertThat(air.pairs.resting[0]).isEqualTo(rests);
+        assertThat(air.bodies.piled[1]).isEqualTo(rests);
+        assertThat(paths.stands(1)).isEqualTo(!rests);
+        assertThat(air.bodies.velocityY[1]).isEqualTo(rests ? 0 : speed, within(1e-15));
+        assertThat(air.bodies.pileTime[1]).isEqualTo(rests ? 1 : 0);
+    }
+
+    /** Before its last impact, it bounces as it is told. */
+    @Test
+    void beforeTheLastImpactItBounces() {
+        instant.layFloor(1);
+        air.add(Air.body(new Circle(1), 0).at(0, 1).velocity(0, -0.1));
+        air.pull(0, -10);
+        instant.begin(1);
+        leave(2);
+        instant.strike(0, 1, 0);
+
+        assertThat(air.bodies.piled[1]).isFalse();
+        assertThat(air.bodies.velocityY[1]).isEqualTo(0.1, within(1e-15));
+    }
+
+    /** At a wall where nothing is lost one stands for the rest of the step, with its speed. */
+    @Test
+    void whatLosesNothingAtAWallStands() {
+        instant.layFloor(1);
+        air.add(Air.body(new Circle(1), 0).at(0, 1).velocity(2, -3).spin(4));
+        instant.begin(1);
+        leave(1);
+        instant.strike(0, 1, 0);
+        blows.bring(1, 0.5);
+
+        assertThat(air.bodies.piled[1]).isFalse();
+        assertThat(air.bodies.x[1]).isZero();
+        assertThat(air.bodies.y[1]).isEqualTo(1);
+        assertThat(air.bodies.angle[1]).isZero();
+        assertThat(air.bodies.velocityX[1]).isEqualTo(2);
+        assertThat(air.bodies.velocityY[1]).isEqualTo(3, within(1e-14));
+        assertThat(air.bodies.spin[1]).isEqualTo(4);
+    }
+
+    /** What runs into one that stands is struck as if it moved, and stands as well. */
+    @ParameterizedTest
+    @CsvSource({"3, -1, 3", "-2, -2, -1"})
+    void whoRunsIntoOneThatStandsStands(double speed, double after, double ofStanding) {
+        air.add(Air.disc(0, -1, 1));
+        air.add(Air.disc(-2, speed, 1));
+        instant.begin(1);
+        paths.stand(0);
+        instant.strike(0, 1, 0);
+
+        assertThat(paths.stands(1)).isTrue();
+        assertThat(air.bodies.velocityX).startsWith(ofStanding, after);
+    }
+
+    /** A driven wall does not wait: who stands in its way is left to the pile. */
+    @Test
+    void whoStandsInTheWayOfADrivenBodyLands() {
+        air.add(Air.disc(0, -1, 1));
+        air.add(
+                BodyDefinition.kinematic(Polygon.box(1, 20))
+                        .at(1.5, 0)
+                        .velocity(-0.5, 0)
+                        .material(new Material(1, 0, 0)));
+        instant.begin(1);
+        paths.stand(0);
+        instant.strike(0, 1, 0);
+
+        assertThat(air.bodies.piled[0]).isTrue();
+        assertThat(air.bodies.velocityX[0]).isEqualTo(-1);
+    }
+}

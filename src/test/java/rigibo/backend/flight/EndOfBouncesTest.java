@@ -1,0 +1,200 @@
+package rigibo.backend.flight;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+import rigibo.backend.geometry.Circle;
+import rigibo.backend.geometry.Polygon;
+
+/** How bounces end, against Zeno's series. */
+class EndOfBouncesTest {
+
+    private final OneInstant instant = new OneInstant();
+    private final Air air = instant.air;
+
+    /**
+     * Down at v on the floor with g: the flight after it takes 2ev/g, the next e times as long, and
+     * so on: 2ev/(g(1 − e)) in all. A disc slides on meanwhile and rests at the end of it.
+     */
+    @ParameterizedTest
+    @CsvSource({"0.5, 1", "0.25, 2", "0.75, 0.5"})
+    void bouncesEndWithZenosSeries(double elasticity, double speed) {
+        instant.layFloor(elasticity);
+        air.add(Air.body(new Circle(1), 0).at(0, 1).velocity(3, -speed));
+        air.pull(0, -10);
+        instant.begin(2);
+        instant.strike(0.125, 2, 0);
+
+        double begun = 0.125;
+        double left = 2 * elasticity * (speed + 10 * begun) / (10 * (1 - elasticity));
+        assertThat(air.pairs.resting[0]).isTrue();
+        assertThat(air.pairs.touching[0]).isTrue();
+        assertThat(air.bodies.piled[1]).isTrue();
+        assertThat(air.bodies.pileTime[1]).isEqualTo(begun + left, within(1e-14));
+        assertThat(air.bodies.x[1]).isEqualTo(3 * (begun + left), within(1e-14));
+        assertThat(air.bodies.velocityY[1]).isEqualTo(0, within(1e-15));
+    }
+
+    /** Bounces take 2ev/(g(1 − e)); without elasticity, or speed, they are over at once. */
+    @ParameterizedTest
+    @CsvSource({"0.5, 0.1, 0.4", "0, 0.1, 0", "0.5, 0, 0"})
+    void theSeriesIsOfWhatPressesAndOfTheSpeed(double elasticity, double speed, double left) {
+        instant.layFloor(elasticity);
+        air.add(Air.body(new Circle(1), 0).at(0, 1).velocity(3, -speed));
+        air.pull(0, -0.5);
+        instant.begin(2);
+        instant.strike(0, 2, 0);
+
+        assertThat(air.bodies.pileTime[1]).isEqualTo(left, within(1e-14));
+        assertThat(air.bodies.x[1]).isEqualTo(3 * left, within(1e-14));
+    }
+
+    /** What loses nothing but does not move, either, rests at once. */
+    @Test
+    void withoutASpeedThereIsNothingToLose() {
+        instant.layFloor(1);
+        air.add(Air.body(new Circle(1), 0).at(0, 1));
+        air.pull(0, -10);
+        instant.begin(2);
+        instant.strike(0, 2, 0);
+
+        assertThat(air.bodies.piled[1]).isTrue();
+        assertThat(air.bodies.pileTime[1]).isZero();
+    }
+
+    /** Up to a thousandth of its width a pair touches; farther there is nothing to strike. */
+    @ParameterizedTest
+    @CsvSource({"0.0015, true", "0.0025, false", "1, false"})
+    void whatDoesNotTouchRestsWithoutABlow(double gap, boolean touches) {
+        instant.layFloor(0);
+        air.add(Air.body(new Circle(1), 0).at(0, 1 + gap).velocity(3, -2));
+        air.pull(0, -10);
+        instant.begin(2);
+        instant.strike(0, 2, 0);
+
+        assertThat(air.bodies.piled[1]).isTrue();
+        assertThat(air.bodies.pileTime[1]).isZero();
+        assertThat(air.bodies.velocityY[1]).isEqualTo(touches ? 0 : -2, within(1e-15));
+    }
+
+    /** What the series needs does not fit into the step: it bounces by its elasticity. */
+    @Test
+    void bouncesThatOutlastTheStepGoOn() {
+        instant.layFloor(0.5);
+        air.add(Air.body(new Circle(1), 0).at(0, 1).velocity(0, -1));
+        air.pull(0, -10);
+        instant.begin(0.19);
+        instant.strike(0, 0.19, 0);
+
+        assertThat(air.bodies.piled[1]).isFalse();
+        assertThat(air.pairs.resting[0]).isFalse();
+        assertThat(air.bodies.velocityY[1]).isEqualTo(0.5, within(1e-15));
+        assertThat(air.pairs.impulse[0]).isEqualTo(1.5, within(1e-15));
+        assertThat(air.pairs.impacts[0]).isEqualTo(1);
+        assertThat(air.storage.data.counters.impacts).isEqualTo(1);
+    }
+
+    /** Nothing presses it back: e·v and away. */
+    @Test
+    void withoutAPullABounceIsTheLast() {
+        instant.layFloor(0.5);
+        air.add(Air.body(new Circle(1), 0).at(0, 1).velocity(0, -1e-9));
+        instant.begin(1e6);
+        instant.strike(0, 1e6, 0);
+
+        assertThat(air.bodies.piled[1]).isFalse();
+        assertThat(air.bodies.velocityY[1]).isEqualTo(0.5e-9, within(1e-24));
+    }
+
+    /** Without elasticity the first bounce is the last, and a box rests where it is. */
+    @Test
+    void aPlasticBlowRestsAtOnce() {
+        landFlat(0, -2);
+
+        assertThat(air.bodies.velocityX[1]).isEqualTo(3);
+        assertThat(air.bodies.velocityY[1]).isEqualTo(0, within(1e-14));
+        assertThat(air.pairs.resting[0]).isTrue();
+        assertThat(air.pairs.impulse[0]).isEqualTo(2, within(1e-14));
+    }
+
+    /** A box would turn on the way: it rests where it is, at the time of the blow. */
+    @Test
+    void aBoxRestsWhereItIs() {
+        landFlat(0.5, -1);
+    }
+
+    /** A box strikes a floor with its face, at so many m/s, and joins the pile at once, there. */
+    private void landFlat(double elasticity, double velocityY) {
+        instant.layFloor(elasticity);
+        air.add(Air.body(Polygon.box(2, 2), 0).at(0, 1).velocity(3, velocityY));
+        air.pull(0, -10);
+        instant.begin(1);
+        instant.strike(0, 1, 0);
+
+        assertThat(air.bodies.pileTime[1]).isZero();
+        assertThat(air.bodies.x[1]).isZero();
+    }
+
+    /** A disc that spins turns on while its last bounces go by: ω·2ev/(g(1 − e)). */
+    @ParameterizedTest
+    @ValueSource(doubles = {4, 1, -1})
+    void aDiscTurnsOnWhileItsLastBouncesGoBy(double spin) {
+        instant.layFloor(0.5);
+        air.add(Air.body(new Circle(1), 0).at(0, 1).velocity(0, -1).spin(spin));
+        air.pull(0, -10);
+        instant.begin(1);
+        instant.strike(0, 1, 0);
+
+        assertThat(air.bodies.angle[1]).isEqualTo(spin * 0.2, within(1e-14));
+        assertThat(air.bodies.cos[1]).isEqualTo(Math.cos(spin * 0.2), within(1e-14));
+    }
+
+    /** Two that fall alike do not press each other, whatever pulls them. */
+    @Test
+    void whatFallsTogetherDoesNotPress() {
+        air.add(Air.disc(0, 1, 0.5));
+        air.add(Air.disc(2, 0, 0.5));
+        air.pull(10, -10);
+        instant.begin(1);
+        instant.strike(0, 1, 0);
+
+        assertThat(air.pairs.resting[0]).isFalse();
+        assertThat(air.bodies.velocityX).startsWith(0.25, 0.75);
+    }
+
+    /** Only one of them is pulled towards the other, at 10 m/s²: 2·½·1/(10·½) s. */
+    @ParameterizedTest
+    @ValueSource(ints = {0, 1})
+    void whatIsPulledTogetherComesToRest(int pulled) {
+        air.add(Air.disc(0, 1, 0.5));
+        air.add(Air.disc(2, 0, 0.5));
+        air.bodies.accelerationX[pulled] = pulled == 0 ? 10 : -10;
+        air.bodies.velocityY[0] = 3;
+        air.bodies.velocityY[1] = 4;
+        instant.begin(1);
+        instant.strike(0, 1, 0);
+
+        assertThat(air.bodies.pileTime).startsWith(new double[] {0.2, 0.2}, within(1e-14));
+        assertThat(air.bodies.y).startsWith(new double[] {0.6, 0.8}, within(1e-14));
+        assertThat(air.bodies.velocityX).startsWith(0.5, 0.5);
+    }
+
+    /** What a pile does is not what pulls at it: a flyer is pressed by its own pull alone. */
+    @Test
+    void aPileIsTakenForSupported() {
+        air.add(Air.disc(0, 1, 0.5));
+        air.add(Air.disc(2, 0, 0.5));
+        air.pull(10, 0);
+        instant.begin(1);
+        air.pile(1);
+        instant.strike(0, 1, 0);
+
+        assertThat(air.bodies.pileTime[0]).isEqualTo(0.2, within(1e-14));
+        assertThat(air.bodies.x[1]).as("for the pile's solver to move").isEqualTo(2);
+    }
+}

@@ -1,0 +1,102 @@
+package rigibo.backend.flight;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+import rigibo.backend.collision.Motion;
+import rigibo.backend.geometry.Polygon;
+import rigibo.backend.impact.Impact;
+import rigibo.backend.setup.BodyDefinition;
+import rigibo.backend.setup.Material;
+
+/** How a body that has met a pile is expected to go on, until the pile's solver tells. */
+class ExpectedReboundTest {
+
+    private final OneInstant instant = new OneInstant();
+    private final Air air = instant.air;
+    private final Trajectories paths = instant.paths;
+    private final Blows blows = instant.blows;
+
+    /**
+     * A pile that comes at 1 m/s is taken for a wall: what meets it at 2 m/s goes back at 1 + 3·½.
+     */
+    @ParameterizedTest
+    @ValueSource(ints = {0, 1})
+    void aLanderIsExpectedToReboundAsFromAWall(int lander) {
+        air.add(Air.disc(0, lander == 0 ? 2 : 1, 0.5));
+        air.add(Air.disc(2, lander == 0 ? -1 : -2, 0.5));
+        instant.begin(1);
+        air.pile(1 - lander);
+        blows.meet(0, 0);
+        paths.land(lander, 0);
+        blows.expectRebound(0, lander);
+        Motion motion = new Motion();
+        paths.load(lander, motion);
+
+        assertThat(motion.velocityXAt(1)).isEqualTo(lander == 0 ? -2.5 : 2.5, within(1e-15));
+    }
+
+    /** Beside the middle of a box that would turn away, and rough: a wall does not. */
+    @ParameterizedTest
+    @ValueSource(ints = {0, 1})
+    void aPileDoesNotTurnAwayFromALander(int lander) {
+        BodyDefinition disc = Air.disc(0, 2, 0.5).at(0, 0.75).material(new Material(1, 1, 0.5));
+        BodyDefinition box =
+                BodyDefinition.dynamic(Polygon.box(2, 2))
+                        .mass(1)
+                        .at(2, 0)
+                        .material(new Material(1, 1, 0.5));
+        air.add(lander == 0 ? disc : box);
+        air.add(lander == 0 ? box : disc);
+        instant.begin(1);
+        air.pile(1 - lander);
+        blows.meet(0, 0);
+        paths.land(lander, 0);
+        blows.expectRebound(0, lander);
+        Motion motion = new Motion();
+        paths.load(lander, motion);
+
+        assertThat(motion.velocityX).isEqualTo(-1, within(1e-14));
+    }
+
+    /** Where nothing touches there is no blow to be expected: it goes on as it came. */
+    @Test
+    void withoutAPointALanderIsExpectedToGoOn() {
+        air.add(Air.disc(0, 2, 0.5));
+        air.add(Air.disc(3, -1, 0.5));
+        instant.begin(1);
+        air.pile(1);
+        blows.meet(0, 0);
+        paths.land(0, 0);
+        blows.expectRebound(0, 0);
+        Motion motion = new Motion();
+        paths.load(0, motion);
+
+        assertThat(motion.velocityX).isEqualTo(2);
+    }
+
+    /** The blow is at the velocities expected, not at those in the columns. */
+    @Test
+    void aBlowIsOfTheVelocitiesExpected() {
+        air.add(Air.disc(0, 2, 0.5).spin(1));
+        air.add(Air.disc(2, -1, 0.5).spin(2));
+        instant.begin(1);
+        paths.land(0, 0);
+        paths.expect(0, 7, 8, 9);
+        paths.land(1, 0);
+        paths.expect(1, -7, -8, -9);
+        blows.meet(0, 0);
+        Impact blow = blows.expectedBlow(0);
+
+        assertThat(new double[] {blow.velocityAX, blow.velocityAY, blow.spinA})
+                .containsExactly(7, 8, 9);
+        assertThat(new double[] {blow.velocityBX, blow.velocityBY, blow.spinB})
+                .containsExactly(-7, -8, -9);
+        assertThat(blow.armAX[0]).isEqualTo(1, within(1e-15));
+        assertThat(blow.armBX[0]).isEqualTo(-1, within(1e-15));
+    }
+}

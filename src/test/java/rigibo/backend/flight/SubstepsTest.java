@@ -1,0 +1,132 @@
+package rigibo.backend.flight;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.EnumSource;
+
+import rigibo.backend.effect.FieldFunction;
+import rigibo.backend.setup.Accuracy;
+import rigibo.backend.setup.Integrator;
+
+import java.util.concurrent.atomic.AtomicInteger;
+
+/** How many substeps a path takes, by how stiff its forces are. */
+class SubstepsTest {
+
+    @ParameterizedTest
+    @EnumSource(
+            value = Integrator.class,
+            names = {"EULER", "VERLET", "RK4"})
+    void substepsAreStepsOfAPath(Integrator method) {
+        Accuracy four = Thrown.by(method).withSubsteps(4);
+        Thrown once = new Thrown(four, 0, at -> at.accelerate(-4 * at.x, -4 * at.y));
+        Thrown often = new Thrown(Thrown.by(method), 0, at -> at.accelerate(-4 * at.x, -4 * at.y));
+        once.step(0.5, 0, 0);
+        for (int i = 0; i < 4; i++) {
+            often.step(0.125, 0, 0);
+        }
+
+        assertThat(once.bodies.x[0]).isEqualTo(often.bodies.x[0], within(1e-14));
+        assertThat(once.bodies.velocityY[0]).isEqualTo(often.bodies.velocityY[0], within(1e-14));
+    }
+
+    /**
+     * A drag of 400/s taken by a field, over ¼ s: one step of an explicit method would overshoot a
+     * hundredfold. In substeps it comes to rest v/k further, within the thousandth that their h
+     * leaves.
+     */
+    @ParameterizedTest
+    @EnumSource(
+            value = Integrator.class,
+            names = {"RK4", "BALLISTIC"})
+    void aStiffForceIsTakenInSubsteps(Integrator method) {
+        Thrown thrown =
+                new Thrown(
+                        Thrown.by(method),
+                        0,
+                        at -> at.accelerate(-400 * at.velocityX, -400 * at.velocityY));
+        thrown.step(0.25, 0, 0);
+
+        assertThat(thrown.bodies.x[0]).isEqualTo(1 + 3.0 / 400, within(3e-5));
+        assertThat(thrown.bodies.y[0]).isEqualTo(2 + 4.0 / 400, within(4e-5));
+        assertThat(Math.abs(thrown.bodies.velocityX[0])).isLessThan(1e-3);
+        assertThat(Math.abs(thrown.bodies.velocityY[0])).isLessThan(1e-3);
+    }
+
+    /** 10⁷/s is too stiff for any substep: it brakes, and never throws back. */
+    @Test
+    void whatIsTooStiffBrakesWithoutOvershooting() {
+        Thrown thrown =
+                new Thrown(
+                        Thrown.by(Integrator.BALLISTIC),
+                        0,
+                        at -> at.accelerate(-1e7 * at.velocityX, -1e7 * at.velocityY));
+        thrown.step(0.25, 0, 0);
+
+        // The first substep undoes all of the velocity, and no more.
+        assertThat(thrown.bodies.x[0]).isEqualTo(1, within(1e-9));
+        assertThat(thrown.bodies.y[0]).isEqualTo(2, within(1e-9));
+        assertThat(thrown.bodies.velocityX[0]).isEqualTo(0, within(1e-6));
+        assertThat(thrown.bodies.velocityY[0]).isEqualTo(0, within(1e-6));
+    }
+
+    /** How often the field is asked in a step of ½ s from (1, 2) at (3, 4) m/s. */
+    private static int looks(Accuracy accuracy, FieldFunction field) {
+        AtomicInteger looks = new AtomicInteger();
+        FieldFunction counted =
+                at -> {
+                    looks.incrementAndGet();
+                    field.act(at);
+                };
+        new Thrown(accuracy, 0, counted).step(0.5, 0, 0);
+        return looks.get();
+    }
+
+    /**
+     * The start and a thousandth ahead, to see how stiff it is; then for each of n substeps three
+     * looks more, and for each but the first one where it starts. A drag with k·T = 9.5 takes ten.
+     */
+    @ParameterizedTest
+    @CsvSource({"1.9, 1, 1", "19, 1, 10", "19, 16, 16", "0, 3, 3"})
+    void dragTakesAsManySubstepsAsItIsStiff(double k, int told, int substeps) {
+        Accuracy accuracy = Thrown.by(Integrator.RK4).withSubsteps(told);
+        int looks = looks(accuracy, at -> at.accelerate(-k * at.velocityX, -k * at.velocityY));
+
+        assertThat(looks).isEqualTo(2 + 3 * substeps + (substeps - 1));
+    }
+
+    /** A drag of 19/s near its balance is as stiff as it is far from it. */
+    @Test
+    void nearItsBalanceADragIsAsStiff() {
+        int looks =
+                looks(
+                        Thrown.by(Integrator.RK4),
+                        at ->
+                                at.accelerate(
+                                        -19 * (at.velocityX - 2.999),
+                                        -19 * (at.velocityY - 3.999)));
+        assertThat(looks).isEqualTo(2 + 3 * 10 + 9);
+    }
+
+    /**
+     * A spring of ω that starts where its pull does not change to first order, with ωT = 3: the
+     * looks at the middle differ by (ωh/2)², more than a quarter for one substep and for two. What
+     * began is begun anew with four.
+     */
+    @Test
+    void aSpringTakesTwiceAsManyUntilTheMiddlesAgree() {
+        int looks =
+                looks(
+                        Thrown.by(Integrator.RK4),
+                        at ->
+                                at.accelerate(
+                                        -36 * (at.x - 1 - 3 * at.time - 1),
+                                        -36 * (at.y - 2 - 4 * at.time - 1)));
+
+        assertThat(looks).isEqualTo(2 + 3 + 1 + 3 + 1 + 4 * 3 + 3);
+    }
+}
