@@ -109,6 +109,14 @@ class BystandersTest {
                 .isEqualTo(2 * (0.6 + 0.5) * 0.5, within(ROUND_OFF));
     }
 
+    @Test
+    void whereNothingTurnsOnlyWaysLead() {
+        turnNothing();
+        int a = disc(0, 0, 0.6, 0.8);
+        int b = disc(1.2, 1.6, 0, 0);
+        assertThat(reachOfBlow(a, b, blow(a, b, 0), 0.5)).isEqualTo(2 * 0.5, within(ROUND_OFF));
+    }
+
     /** A blow that makes what is struck go faster than either went: 2·v·2m/(3m) of a third. */
     @Test
     void whatIsLighterGoesFaster() {
@@ -119,16 +127,22 @@ class BystandersTest {
         assertThat(reachOfBlow(a, b, blow, 0.5)).isEqualTo(2 * (4 / 3.0) * 0.5, within(ROUND_OFF));
     }
 
-    /** At a wall it comes at 2 m/s; what cannot be moved gets nowhere. */
+    /** At a wall that comes at 1 m/s it comes at 2; what cannot be moved gets where it is told. */
     @ParameterizedTest
     @ValueSource(booleans = {true, false})
-    void aWallGetsNowhere(boolean isFirst) {
-        int wall = wall();
-        int disc = disc(0, 0, isFirst ? -1.2 : 1.2, isFirst ? -1.6 : 1.6);
+    void aWallIsWhereItIsExpected(boolean isFirst) {
+        int side = isFirst ? 1 : -1;
+        int wall =
+                air.add(
+                        BodyDefinition.kinematic(Polygon.box(2, 2))
+                                .velocity(side * 0.6, side * 0.8)
+                                .material(new Material(1, 0, 0)));
+        int disc = disc(0, 0, side * -1.2, side * -1.6);
         int a = isFirst ? wall : disc;
         int b = isFirst ? disc : wall;
         assertThat(reachOfBlow(a, b, blow(a, b, 0.25), 0.5))
                 .isEqualTo(2 * 2 * 0.5, within(ROUND_OFF));
+        assertThat(isFirst ? bystanders.reachOfA : bystanders.reachOfB).isZero();
     }
 
     /** Without a point nothing changes, yet what else is there may stop it. */
@@ -200,6 +214,7 @@ class BystandersTest {
     @ParameterizedTest
     @ValueSource(booleans = {true, false})
     void aWallThatTurnsMovesAsItDoesThere(boolean isFirst) {
+        near(disc(50, 0, 0, 0), disc(60, 0, 0, 0), 1);
         BodyDefinition driven =
                 BodyDefinition.kinematic(Polygon.box(9, 9)).spin(0.5).velocity(1, 2);
         int first = isFirst ? air.add(driven) : disc(5, 6, 0, 0);
@@ -255,8 +270,8 @@ class BystandersTest {
         "0.24, true, true, false",
     })
     void isWithinReachOfWhereItIs(double reach, boolean flies, boolean otherFlies, boolean within) {
-        int a = air.add(Air.body(Polygon.box(2, 2), 0).velocity(2, 0));
-        int b = air.add(Air.body(Polygon.box(2, 2), 0).at(3, 0));
+        int a = air.add(Air.body(Polygon.box(2, 2), 0).at(7, 9).velocity(2, 0));
+        int b = air.add(Air.body(Polygon.box(2, 2), 0).at(10, 9));
         int pair = air.storage.pair(a, b);
         paths.begin();
         air.bodies.piled[a] = !flies;

@@ -85,15 +85,15 @@ class CapOfImpactsTest {
 
     /**
      * At the last impact a pair may have, a rebound that lifts less than half a millimetre per
-     * metre of 2 m is not seen: v² ≤ 2·10·10⁻³. The pair rests; a faster one, which loses nothing,
+     * metre of 2 m is not seen: v² ≤ 2·g·10⁻³. The pair rests; a faster one, which loses nothing,
      * stands for the rest of the step.
      */
     @ParameterizedTest
-    @CsvSource({"0.14, true", "0.1420, false"})
-    void theLastImpactIsRestOrTheEndOfMotion(double speed, boolean rests) {
+    @CsvSource({"10, 0.1414, true", "10, 0.1415, false", "0.5, 0.0316, true", "0.5, 0.0317, false"})
+    void theLastImpactIsRestOrTheEndOfMotion(double pull, double speed, boolean rests) {
         instant.layFloor(1);
         air.add(Air.body(new Circle(1), 0).at(0, 1).velocity(0, -speed));
-        air.pull(0, -10);
+        air.pull(0, -pull);
         instant.begin(1);
         leave(1);
         instant.strike(0, 1, 0);
@@ -140,16 +140,21 @@ class CapOfImpactsTest {
 
     /** What runs into one that stands is struck as if it moved, and stands as well. */
     @ParameterizedTest
-    @CsvSource({"3, -1, 3", "-2, -2, -1"})
-    void whoRunsIntoOneThatStandsStands(double speed, double after, double ofStanding) {
-        air.add(Air.disc(0, -1, 1));
-        air.add(Air.disc(-2, speed, 1));
+    @CsvSource({"0, 3, -1, 3", "0, -2, -2, -1", "1, 3, -1, 3", "1, -2, -2, -1"})
+    void whoRunsIntoOneThatStandsStands(
+            int standing, double speed, double after, double ofStanding) {
+        int runner = 1 - standing;
+        for (int slot = 0; slot < 2; slot++) {
+            air.add(slot == standing ? Air.disc(0, -1, 1) : Air.disc(-2, speed, 1));
+        }
         instant.begin(1);
-        paths.stand(0);
+        paths.stand(standing);
         instant.strike(0, 1, 0);
 
-        assertThat(paths.stands(1)).isTrue();
-        assertThat(air.bodies.velocityX).startsWith(ofStanding, after);
+        assertThat(paths.stands(runner)).isTrue();
+        assertThat(paths.stands(standing)).isTrue();
+        assertThat(air.bodies.velocityX[runner]).isEqualTo(after);
+        assertThat(air.bodies.velocityX[standing]).isEqualTo(ofStanding);
     }
 
     /** A driven wall does not wait: who stands in its way is left to the pile. */

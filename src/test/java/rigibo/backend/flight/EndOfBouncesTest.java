@@ -99,6 +99,20 @@ class EndOfBouncesTest {
         assertThat(air.storage.data.counters.impacts).isEqualTo(1);
     }
 
+    /** In 2·½·1/(10·½) = 0.2 s they are over, which is just when the step is. */
+    @Test
+    void bouncesThatEndWithTheStepHaveEnded() {
+        instant.layFloor(0.5);
+        air.add(Air.body(new Circle(1), 0).at(0, 1).velocity(0, -1));
+        air.pull(0, -10);
+        instant.begin(0.2);
+        instant.strike(0, 0.2, 0);
+
+        assertThat(air.pairs.resting[0]).isTrue();
+        assertThat(air.bodies.pileTime[1]).isEqualTo(0.2);
+        assertThat(air.storage.data.counters.settledPairs).isEqualTo(1);
+    }
+
     /** Nothing presses it back: e·v and away. */
     @Test
     void withoutAPullABounceIsTheLast() {

@@ -74,6 +74,68 @@ class SubstepsTest {
         assertThat(thrown.bodies.velocityY[0]).isEqualTo(0, within(1e-6));
     }
 
+    /** Of 1024 at most each looks three times on its way, and twice where it starts or brakes. */
+    @Test
+    void whatIsTooStiffTakesNoMoreThan1024Substeps() {
+        int looks =
+                looks(
+                        Thrown.by(Integrator.RK4),
+                        at -> at.accelerate(-1e7 * at.velocityX, -1e7 * at.velocityY));
+
+        assertThat(looks).isBetween(1024 * (3 + 1), 1 + 1024 * (3 + 2));
+    }
+
+    /**
+     * A medium that gains 4 m/s² takes along what is too stiff for any substep h, but for 2·4·h.
+     */
+    @Test
+    void whatIsTooStiffKeepsUpWithWhatCarriesIt() {
+        Thrown thrown =
+                new Thrown(
+                        Thrown.by(Integrator.RK4),
+                        0,
+                        at -> at.accelerate(-1e7 * (at.velocityX - 4 * at.time), 0));
+        thrown.step(0.25, 0, 0);
+
+        assertThat(thrown.bodies.velocityX[0]).isEqualTo(1, within(2 * 4 * 0.25 / 1024));
+    }
+
+    /** At its balance against a spring of 400/s² it is braked to −400·x/10⁷ m/s, for ¼ s. */
+    @Test
+    void whatIsTooStiffIsBrakedWhereItIs() {
+        Thrown thrown =
+                new Thrown(
+                        Thrown.by(Integrator.RK4),
+                        0,
+                        at -> at.accelerate(-1e7 * at.velocityX - 400 * at.x, 0));
+        thrown.step(0.25, 0, 0);
+
+        assertThat(thrown.bodies.x[0]).isEqualTo(1 - 400 * 0.25 / 1e7, within(1e-6));
+    }
+
+    /**
+     * For one substep of h = ¼ s/1024 it gains twice its speed per h, too fast for any substep.
+     * That is no drag to brake: it goes on thrice as fast.
+     */
+    @Test
+    void whatIsDrivenTooFastIsNotBraked() {
+        double h = 0.25 / 1024;
+        Thrown thrown =
+                new Thrown(
+                        Thrown.by(Integrator.RK4),
+                        0,
+                        at -> {
+                            double rate = at.time < 0.75 * h ? 2 / h : 0;
+                            at.accelerate(rate * at.velocityX, rate * at.velocityY);
+                        });
+        thrown.step(0.25, 0, 0);
+
+        assertThat(thrown.bodies.velocityX[0]).isEqualTo(3 * 3, within(1e-12));
+        assertThat(thrown.bodies.velocityY[0]).isEqualTo(3 * 4, within(1e-12));
+        assertThat(thrown.bodies.x[0]).isEqualTo(1 + 3 * 3 * 0.25, within(1e-12));
+        assertThat(thrown.bodies.y[0]).isEqualTo(2 + 3 * 4 * 0.25, within(1e-12));
+    }
+
     /** How often the field is asked in a step of ½ s from (1, 2) at (3, 4) m/s. */
     private static int looks(Accuracy accuracy, FieldFunction field) {
         AtomicInteger looks = new AtomicInteger();

@@ -187,6 +187,31 @@ class TrajectoriesTest {
         assertThat(bodies.velocityX[0]).as("the pile's solver sees to it").isEqualTo(3);
     }
 
+    /** Whatever speed it has, and whatever pulls at it; the next step it goes on. */
+    @Test
+    void whatStandsWaitsForTheNextStep() {
+        paths.advance(0, 0.25);
+        paths.stand(0);
+        double x = bodies.x[0];
+        double y = bodies.y[0];
+        double angle = bodies.angle[0];
+        paths.load(0, motion);
+        Pose pose = new Pose();
+        motion.poseAt(0.5, pose);
+        paths.advance(0, 0.5);
+        paths.advanceAll(storage.data.roster, 0.5);
+
+        assertThat(new double[] {bodies.x[0], bodies.y[0], bodies.angle[0]})
+                .containsExactly(x, y, angle);
+        assertThat(new double[] {pose.x, pose.y, motion.angleAt(0.5)}).containsExactly(x, y, angle);
+        assertThat(motion.velocityXAt(0.5)).isZero();
+        assertThat(motion.velocityYAt(0.5)).isZero();
+        assertThat(motion.spinAt(0.5)).isZero();
+        assertThat(bodies.velocityX[0]).isEqualTo(3.125);
+        paths.begin();
+        assertThat(paths.stands(0)).isFalse();
+    }
+
     /** It was to rest at ½ s, where its columns are; at ¼ s it was ¼ s of its velocity before. */
     @Test
     void landsEarlierWhereItWasThen() {

@@ -1,0 +1,168 @@
+package rigibo.backend.flight;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+import rigibo.backend.geometry.Circle;
+import rigibo.backend.setup.Accuracy;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * How ways off the expected path are handed on among piles. Discs of 1 m and 1 kg on a line, of
+ * which one hands on all of its way to the next, that lose nothing and stand still.
+ */
+class DisturbanceTest {
+
+    private static final double DT = 0.5;
+
+    private final Air air = new Air(Accuracy.GAME);
+    private final Trajectories paths = new Trajectories(air.bodies);
+    private final Bystanders bystanders =
+            new Bystanders(
+                    air.storage.data,
+                    air.narrowphase,
+                    air.broadphase,
+                    paths,
+                    Accuracy.GAME.impactTolerance());
+    private final List<Integer> joined = new ArrayList<>();
+    private final Disturbance disturbance =
+            new Disturbance(air.storage.data, paths, bystanders, this::join);
+
+    private void join(int flyer, double time, double dt) {
+        paths.land(flyer, time);
+        joined.add(flyer);
+    }
+
+    private int flyer(double x) {
+        return air.add(Air.disc(x, 0, 1));
+    }
+
+    private int piled(double x) {
+        int slot = flyer(x);
+        air.pile(slot);
+        return slot;
+    }
+
+    private void begin() {
+        air.meet(DT);
+        paths.begin();
+        disturbance.begin();
+    }
+
+    /** Lets a body of a pile get so far, in m, from the start of the step on. */
+    private void disturb(int slot, double reach) {
+        disturbance.note(slot, reach);
+        disturbance.spread(0, DT);
+    }
+
+    /** A way that is less than a twentieth longer than the one known is not looked along. */
+    @Test
+    void aWayThatIsHardlyLongerIsNoNews() {
+        int disturbed = piled(0);
+        int beside = flyer(2 + 1.02);
+        begin();
+        disturb(disturbed, 1);
+        disturb(disturbed, 1.04);
+        assertThat(joined).isEmpty();
+        disturb(disturbed, 1.06);
+
+        assertThat(joined).containsExactly(beside);
+    }
+
+    @Test
+    void aLongerWayIsHandedOnAgain() {
+        int disturbed = piled(0);
+        piled(2);
+        int beside = flyer(4 + 1.5);
+        begin();
+        disturb(disturbed, 1);
+        assertThat(joined).isEmpty();
+        disturb(disturbed, 2);
+
+        assertThat(joined).containsExactly(beside);
+    }
+
+    /** Who comes near later is told by what disturbs it then, and not by ways of before. */
+    @Test
+    void aWayIsLookedAlongOnce() {
+        int disturbed = piled(0);
+        int beside = flyer(2 + 1.5);
+        int farAway = piled(50);
+        begin();
+        disturb(disturbed, 1);
+        air.bodies.x[beside] -= 1;
+        disturb(farAway, 1);
+
+        assertThat(joined).isEmpty();
+    }
+
+    /** A disc that touches a pile where nothing is disturbed goes on flying. */
+    @Test
+    void whatRestsDisturbsNobodyWhateverElseIs() {
+        piled(0);
+        flyer(2.001);
+        int farAway = piled(50);
+        begin();
+        disturb(farAway, 1);
+
+        assertThat(joined).isEmpty();
+    }
+
+    @Test
+    void aStepForgetsTheWaysOfTheLast() {
+        int disturbed = piled(0);
+        int beside = flyer(2 + 3);
+        begin();
+        disturb(disturbed, 1);
+        assertThat(joined).isEmpty();
+        air.bodies.x[beside] = 2 + 0.5;
+        begin();
+        disturb(disturbed, 1);
+
+        assertThat(joined).containsExactly(beside);
+    }
+
+    /** Of another pile, and beyond all that the speeds of both would close by themselves. */
+    @Test
+    void whatIsReachedOfAPileBecomesAContact() {
+        int disturbed = piled(0);
+        int other = piled(2 + 0.5);
+        begin();
+        disturb(disturbed, 1);
+
+        int pair = air.pairOf(disturbed, other);
+        assertThat(air.pairs.points[pair]).isEqualTo(1);
+        assertThat(air.pairs.separation[2 * pair]).isEqualTo(0.5, within(1e-15));
+        assertThat(joined).isEmpty();
+    }
+
+    /**
+     * From ¼ s on, 1 m: a disc that flies round it at 1 m/s is within reach where it is by then, or
+     * where it might have come in the ½ s of the step, and a thousandth of its width nearer.
+     */
+    @ParameterizedTest
+    @CsvSource({"1.501, true", "1.503, false"})
+    void whoFliesIsReachedWhereItIsByThen(double gap, boolean joins) {
+        int disturbed = piled(0);
+        // Aslant, where a look along both axes finds what is farther off than the reach.
+        double along = Math.sqrt(0.5);
+        double place = (2 + gap) * along;
+        int beside =
+                air.add(
+                        Air.body(new Circle(1), 1)
+                                .at(place - 0.25 * along, place + 0.25 * along)
+                                .velocity(along, -along));
+        begin();
+        disturbance.note(disturbed, 1);
+        disturbance.spread(0.25, DT);
+
+        assertThat(joined.contains(beside)).isEqualTo(joins);
+        assertThat(air.bodies.piled[beside]).isEqualTo(joins);
+    }
+}

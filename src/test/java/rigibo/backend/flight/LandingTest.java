@@ -1,0 +1,130 @@
+package rigibo.backend.flight;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+import rigibo.backend.geometry.Circle;
+import rigibo.backend.geometry.Polygon;
+import rigibo.backend.setup.Accuracy;
+import rigibo.backend.setup.BodyDefinition;
+import rigibo.backend.setup.Material;
+
+/** What a body that lands within a step does to those beside it and behind it. */
+class LandingTest {
+
+    /** m and s: impacts are taken up to a nanometre before touching. */
+    private static final double PLACE = 2e-8;
+
+    private final Air air = new Air(Accuracy.EXACT);
+
+    private void requireJoined(int slot, double time) {
+        assertThat(air.bodies.piled[slot]).isTrue();
+        assertThat(air.bodies.pileTime[slot]).isEqualTo(time, within(PLACE));
+    }
+
+    /** A disc of 1 m in a pile that hardly gives way to one of 1 kg. */
+    private int heavy(double x, double velocityX, double elasticity) {
+        int slot =
+                air.add(
+                        BodyDefinition.dynamic(new Circle(1))
+                                .mass(1e6)
+                                .at(x, 0)
+                                .velocity(velocityX, 0)
+                                .material(new Material(1, 0, elasticity)));
+        air.pile(slot);
+        return slot;
+    }
+
+    /**
+     * Too slow to surprise anybody it turns round after 0.1 s, and half a metre behind comes
+     * another at 2 m/s: on −10⁻⁴·(t − 0.1) + 10⁻⁵ m they meet, or 2·10⁻⁵ s later if it went on.
+     */
+    @Test
+    void whoFollowsMeetsTheReboundThatIsExpected() {
+        int lander = air.add(Air.disc(0, 1e-4, 1));
+        heavy(2 + 1e-5, 0, 1);
+        int follower = air.add(Air.disc(-2 - 0.4, 2, 1));
+        air.fly(0.3);
+
+        requireJoined(lander, 0.1);
+        requireJoined(follower, (0.4 + 2e-5) / (2 + 1e-4));
+    }
+
+    /**
+     * A pile that comes at 4 m/s strikes after ¼ s what is at rest, and goes on as fast: in the ¼ s
+     * that is left 2 m to either side, while the struck one gets less far than the pile is wide.
+     */
+    @ParameterizedTest
+    @CsvSource({"1.9, true", "4.1, false"})
+    void whatIsBehindAPileThatStrikesAFlyerJoins(double gap, boolean joins) {
+        int struck = air.add(Air.disc(0, 0, 0));
+        heavy(3, -4, 0);
+        int behind = air.add(Air.disc(2 + 2 + gap, 0, 0));
+        air.fly(0.5);
+
+        requireJoined(struck, 0.25);
+        assertThat(air.bodies.piled[behind]).isEqualTo(joins);
+    }
+
+    /**
+     * It comes on at 1 m/s: 0.1 m in the tenth of a second that is left when the slow one lands.
+     */
+    @ParameterizedTest
+    @CsvSource({"0.101, 1", "0.103, 0"})
+    void whatIsBesideALanderIsAContactIfItMayStillMeetIt(double gap, int points) {
+        int lander = air.add(Air.disc(0, 1e-5, 1));
+        heavy(2 + 1e-6, 0, 1);
+        int beside = air.add(Air.body(new Circle(1), 1).at(0, 2 + gap + 0.1).velocity(0, -1));
+        air.pile(beside);
+        air.fly(0.2);
+
+        requireJoined(lander, 0.1);
+        assertThat(air.pairs.points[air.pairOf(lander, beside)]).isEqualTo(points);
+    }
+
+    /**
+     * A box aslant strikes a floor with a corner at −a beside its middle and without elasticity: j
+     * = v/(1 + a²/I), on at j − v and ω = −a·j/I, by which its corners go √2·ω beside that. It may
+     * get twice as far as that leads in the ⅛ s that is left; what flies is reached from as far
+     * again as speeds lead in the ¼ s of the step.
+     */
+    @ParameterizedTest
+    @CsvSource({"0.99, true", "1.01, false"})
+    void whoIsBesideABoxThatTopplesJoins(double share, boolean joins) {
+        double sin = 5 / 13.0;
+        double cos = 12 / 13.0;
+        air.add(BodyDefinition.fixed(Polygon.box(20, 1)).at(0, -0.5));
+        int box =
+                air.add(
+                        Air.body(Polygon.box(2, 2), 0)
+                                .angle(Math.asin(sin))
+                                .at(0, sin + cos + 2 * 0.125)
+                                .velocity(0, -2));
+        // What presses ends its bounces, but is too little to tell in the rest.
+        air.bodies.accelerationY[box] = -1e-7;
+        double inertia = 2 / 3.0;
+        double impulse = 2 / (1 + (cos - sin) * (cos - sin) / inertia);
+        double spin = (cos - sin) * impulse / inertia;
+        double speeds = 2 - impulse + spin * Math.sqrt(2);
+        double gap = share * (2 * speeds * 0.125 + speeds * 0.25);
+        // Off its upper right corner, which is cos − sin beside its middle, by (0.8, 0.6) m per m.
+        int beside =
+                air.add(
+                        Air.body(new Circle(1), 0)
+                                .at(
+                                        cos - sin + 0.8 * (1 + gap),
+                                        2 * (sin + cos) + 0.6 * (1 + gap)));
+        air.fly(0.25);
+
+        requireJoined(box, 0.125);
+        assertThat(air.bodies.spin[box]).isEqualTo(-spin, within(1e-6));
+        assertThat(air.bodies.piled[beside]).isEqualTo(joins);
+        if (joins) {
+            requireJoined(beside, 0.125);
+        }
+    }
+}
