@@ -9,6 +9,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.setup.Accuracy;
+import rigibo.backend.storage.Pairs;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -92,11 +93,13 @@ class DisturbanceTest {
     @Test
     void aWayIsLookedAlongOnce() {
         int disturbed = piled(0);
-        int beside = flyer(2 + 1.5);
+        // Aslant it is found, though 1.8 m off.
+        int beside = air.add(Air.body(new Circle(1), 1).at(2.7, 2.7));
         int farAway = piled(50);
         begin();
         disturb(disturbed, 1);
-        air.bodies.x[beside] -= 1;
+        assertThat(air.pairOf(disturbed, beside)).isNotEqualTo(Pairs.NONE);
+        air.bodies.x[beside] = 0;
         disturb(farAway, 1);
 
         assertThat(joined).isEmpty();

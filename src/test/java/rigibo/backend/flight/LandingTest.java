@@ -40,8 +40,9 @@ class LandingTest {
     }
 
     /**
-     * Too slow to surprise anybody it turns round after 0.1 s, and half a metre behind comes
-     * another at 2 m/s: on −10⁻⁴·(t − 0.1) + 10⁻⁵ m they meet, or 2·10⁻⁵ s later if it went on.
+     * Too slow to surprise anybody it turns round after 0.1 s at 10⁻⁵ m, and 0.4 m behind it
+     * another comes at 2 m/s. They meet where 2·t − 0.4 = 10⁻⁵ − 10⁻⁴·(t − 0.1), and would 2·10⁻⁵ s
+     * later if it went on.
      */
     @Test
     void whoFollowsMeetsTheReboundThatIsExpected() {
@@ -55,8 +56,8 @@ class LandingTest {
     }
 
     /**
-     * A pile that comes at 4 m/s strikes after ¼ s what is at rest, and goes on as fast: in the ¼ s
-     * that is left 2 m to either side, while the struck one gets less far than the pile is wide.
+     * A pile that comes at 4 m/s strikes after ¼ s what is at rest, and goes on as fast: twice 1 m
+     * in the ¼ s that is left. So far gets the struck one, too, but the pile itself is 2 m wide.
      */
     @ParameterizedTest
     @CsvSource({"1.9, true", "4.1, false"})

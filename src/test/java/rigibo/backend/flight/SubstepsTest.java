@@ -100,6 +100,27 @@ class SubstepsTest {
         assertThat(thrown.bodies.velocityX[0]).isEqualTo(1, within(2 * 4 * 0.25 / 1024));
     }
 
+    /**
+     * A medium goes along with it, until after two substeps h it jumps from 3 to 13 m/s. As fast as
+     * ten times over in each substep it takes the body along, from where it is found to jump.
+     */
+    @Test
+    void whatIsTooStiffIsTakenAlongAtOnce() {
+        double h = 0.25 / 1024;
+        Thrown thrown =
+                new Thrown(
+                        Thrown.by(Integrator.RK4),
+                        0,
+                        at -> {
+                            double medium = at.time < 1.25 * h ? 3 : 13;
+                            at.accelerate(10 / h * (medium - at.velocityX), 0);
+                        });
+        thrown.step(0.25, 0, 0);
+
+        assertThat(thrown.bodies.x[0]).isEqualTo(1 + 3 * 2 * h + 13 * (0.25 - 2 * h), within(1e-9));
+        assertThat(thrown.bodies.velocityX[0]).isEqualTo(13, within(1e-9));
+    }
+
     /** At its balance against a spring of 400/s² it is braked to −400·x/10⁷ m/s, for ¼ s. */
     @Test
     void whatIsTooStiffIsBrakedWhereItIs() {
