@@ -13,6 +13,9 @@ import rigibo.backend.storage.Pairs;
  */
 final class FreshRows {
 
+    /** Bodies beyond this, m, have no distance: its square is no number any more. */
+    private static final double FARTHEST = 1e150;
+
     /** Share of an overlap that contacts measured anew take back per second, 1/s. */
     double recovery = OverlapSolver.RATE;
 
@@ -101,7 +104,7 @@ final class FreshRows {
 
     private static boolean isSomewhere(Pose pose) {
         double sum = Math.abs(pose.x) + Math.abs(pose.y) + Math.abs(pose.cos);
-        return sum < Double.POSITIVE_INFINITY;
+        return sum < FARTHEST;
     }
 
     private double before(int at, int point) {
