@@ -124,11 +124,16 @@ final class Disturbance {
             boolean flies = paths.isFlyer(other);
             if (!flies && pairs.points[p] > 0) {
                 note(other, bystanders.reachLeft(p, other, reach, dt));
-            } else if (bystanders.isWithinReach(p, reach, time, dt - time) && flies) {
+            } else if (bystanders.isWithinReach(p, reach, time, dt - time)) {
                 double left = bystanders.reachLeft(p, other, reach, dt);
-                joining.join(other, time, dt);
+                if (flies) {
+                    joining.join(other, time, dt);
+                    // Whoever joins is measured against the pile for the ways both are expected to
+                    // go, and this one goes farther.
+                    bystanders.isWithinReach(p, reach, time, dt - time);
+                    noteBouncersOf(other, dt - time);
+                }
                 note(other, left);
-                noteBouncersOf(other, dt - time);
             }
         }
     }

@@ -146,6 +146,22 @@ class DisturbanceTest {
     }
 
     /**
+     * Over ½ m it strikes one of another pile, which hands on the ½ m that is left, beyond where
+     * the first might get itself.
+     */
+    @ParameterizedTest
+    @CsvSource({"0.49, true", "0.51, false"})
+    void whatIsReachedOfAPileHandsOnWhatIsLeft(double gap, boolean joins) {
+        int disturbed = piled(0);
+        piled(2 + 0.5);
+        int beside = flyer(4 + 0.5 + gap);
+        begin();
+        disturb(disturbed, 1);
+
+        assertThat(joined.contains(beside)).isEqualTo(joins);
+    }
+
+    /**
      * From ¼ s on, 1 m: a disc that flies round it at 1 m/s is within reach where it is by then, or
      * where it might have come in the ½ s of the step, and a thousandth of its width nearer.
      */
