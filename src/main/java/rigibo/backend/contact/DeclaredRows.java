@@ -16,11 +16,15 @@ final class DeclaredRows {
 
     private final Kick kick;
     private final FreshRows fresh;
+    private final Rows rows;
     private final Rubbing rubbing;
     private final RunningRows running;
     private final TurningRows turning;
     private final BentRows bent;
     private final PileBlows blows;
+
+    /** Who goes farther than foreseen, or null where that cannot bring another corner to land. */
+    private final Strays strays;
 
     DeclaredRows(
             DataStorage data,
@@ -32,11 +36,13 @@ final class DeclaredRows {
             Straightness straight) {
         this.kick = kick;
         this.fresh = fresh;
+        this.rows = rows;
         rubbing = rubbing(data, effects, motions, rows);
         boolean runs = effects.declares(SurfaceSpeed.class);
         running = runs ? new RunningRows(data, rows) : null;
         boolean turns = effects.declares(Rotation.class);
         turning = turns ? new TurningRows(data, motions, rows, fresh, straight) : null;
+        strays = turns && straight.follows ? new Strays(data, motions, rows) : null;
         boolean curves = straight.follows;
         CurvedRows curved = curves ? new CurvedRows(data, motions, rows, straight) : null;
         bent = new BentRows(rows, fresh, turning, curved);
@@ -87,6 +93,37 @@ final class DeclaredRows {
     boolean measureAnew(int substep, boolean isFirst, double time, double left) {
         boolean isAny = isFirst && fresh.measureJoining(substep, time, left);
         isAny |= bent.refresh(substep, isFirst, left);
+        if (isAny) {
+            rubbing.refresh();
+        }
+        return isAny;
+    }
+
+    /**
+     * Foresees how far all bodies go in what is left of the step, s, for {@link #measureStrays}.
+     */
+    void foresee(double left) {
+        if (strays != null) {
+            strays.begin(left);
+        }
+    }
+
+    /**
+     * Measures anew what bodies touch that go farther in what is left of the step, s.
+     *
+     * @return whether there was anything
+     */
+    boolean measureStrays(double left) {
+        if (strays == null || !strays.areAny(left)) {
+            return false;
+        }
+        boolean isAny = false;
+        for (int row = 0; row < rows.count; row++) {
+            if (strays.mayLackPoint(row)) {
+                fresh.measure(row, left);
+                isAny = true;
+            }
+        }
         if (isAny) {
             rubbing.refresh();
         }

@@ -206,16 +206,38 @@ final class Motions {
         return most;
     }
 
+    /** Moves all that can be moved by as much, m. */
+    void moveAll(double x, double y) {
+        for (int at = STRIDE; at < count * STRIDE; at += STRIDE) {
+            if (data[at + INVERSE_MASS] > 0) {
+                data[at + DX] += x;
+                data[at + DY] += y;
+            }
+        }
+    }
+
     /** The energy of motion at velocities laid out as the motions, of what can be moved, J. */
     double energy(double[] m) {
         double sum = 0;
         for (int at = STRIDE; at < count * STRIDE; at += STRIDE) {
-            double square = m[at + VX] * m[at + VX] + m[at + VY] * m[at + VY];
-            double turning = m[at + SPIN] * m[at + SPIN];
-            sum += data[at + INVERSE_MASS] > 0 ? square / data[at + INVERSE_MASS] : 0;
-            sum += data[at + INVERSE_INERTIA] > 0 ? turning / data[at + INVERSE_INERTIA] : 0;
+            sum += energy(m, at);
         }
-        return sum / 2;
+        return sum;
+    }
+
+    /** The energy of motion of the body at an offset, if it can be moved, J. */
+    double energy(int at) {
+        return energy(data, at);
+    }
+
+    private double energy(double[] m, int at) {
+        double square = m[at + VX] * m[at + VX] + m[at + VY] * m[at + VY];
+        double turning = m[at + SPIN] * m[at + SPIN];
+        double moving = data[at + INVERSE_MASS] > 0 ? square / data[at + INVERSE_MASS] : 0;
+        return (data[at + INVERSE_INERTIA] > 0
+                        ? moving + turning / data[at + INVERSE_INERTIA]
+                        : moving)
+                / 2;
     }
 
     /** kg of all that can be moved. */

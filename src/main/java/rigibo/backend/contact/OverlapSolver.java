@@ -6,6 +6,8 @@ import static rigibo.backend.contact.Motions.INVERSE_INERTIA;
 import static rigibo.backend.contact.Motions.INVERSE_MASS;
 import static rigibo.backend.contact.Motions.TURN;
 
+import rigibo.backend.storage.Bodies;
+
 /**
  * Takes overlap back by moving bodies, not by speeding them up: a velocity that pushes apart would
  * stay behind in the impulses that the next substep starts from, and a resting stack would never be
@@ -25,38 +27,76 @@ final class OverlapSolver {
      */
     static final double KEPT_OVERLAP = 1e-5;
 
+    /** Share by which they are kept slower than that, for what is moved is rounded. */
+    private static final double ROUND_OFF = 1e-9;
+
     private final Motions motions;
     private final Rows rows;
+    private final PartingLimit limit;
 
-    OverlapSolver(Motions motions, Rows rows) {
+    /** The contacts that are deeper in each other than they may stay. */
+    private int[] deep = new int[16];
+
+    private int deepCount;
+
+    OverlapSolver(Bodies bodies, Motions motions, Rows rows) {
         this.motions = motions;
         this.rows = rows;
+        limit = new PartingLimit(bodies, motions, rows);
+    }
+
+    /** Begins to take overlap back. */
+    void begin() {
+        limit.begin();
+    }
+
+    /** Ends what was taken back in h seconds. */
+    void end(double h) {
+        limit.end((1 - ROUND_OFF) * MOST_PUSH * h);
     }
 
     /**
-     * Passes over all rows for a substep of h seconds, from the ground up and back; all of them
-     * together part two bodies no faster than one pass may.
+     * Passes over all contacts that overlap, for a substep of h seconds, from the ground up and
+     * back; all of them together part two bodies no faster than one pass may.
      */
     void correctInPasses(double h, int substep, int passes) {
-        boolean isAny = true;
-        for (int pass = 0; pass < passes && isAny; pass++) {
-            isAny = correct(h, substep, pass % 2 == 0, MOST_PUSH / passes);
+        findDeep(substep);
+        if (deepCount == 0) {
+            return;
+        }
+        begin();
+        for (int pass = 0; pass < passes; pass++) {
+            boolean isUpwards = pass % 2 == 0;
+            for (int i = 0; i < deepCount; i++) {
+                correct(deep[isUpwards ? deepCount - 1 - i : i], h, MOST_PUSH / passes);
+            }
+        }
+        end(h);
+    }
+
+    private void findDeep(int substep) {
+        if (deep.length < rows.count) {
+            deep = new int[rows.pair.length];
+        }
+        deepCount = 0;
+        for (int row = 0; row < rows.count; row++) {
+            double kept = -KEPT_OVERLAP * rows.data[row * Rows.STRIDE + Rows.WIDTH];
+            boolean isDeep =
+                    motions.gap(rows, row, 0) < kept
+                            || rows.points[row] == 2 && motions.gap(rows, row, 1) < kept;
+            if (isDeep && rows.firstSubstep[row] <= substep) {
+                deep[deepCount++] = row;
+            }
         }
     }
 
     /** One pass over all rows. */
     void correct(double h, int substep) {
-        correct(h, substep, false, MOST_PUSH);
-    }
-
-    /** Returns whether there was anything to be taken back, at so many widths a second at most. */
-    private boolean correct(double h, int substep, boolean isUpwards, double speed) {
-        boolean isAny = false;
-        for (int i = 0; i < rows.count; i++) {
-            int row = isUpwards ? rows.count - 1 - i : i;
-            isAny |= rows.firstSubstep[row] <= substep && correct(row, h, speed);
+        for (int row = 0; row < rows.count; row++) {
+            if (rows.firstSubstep[row] <= substep) {
+                correct(row, h, MOST_PUSH);
+            }
         }
-        return isAny;
     }
 
     /** Whether a gap is to open by more than a share of a width within h seconds. */
@@ -89,11 +129,11 @@ final class OverlapSolver {
         return overlap > 0 ? Math.min(overlap * rate * h / (1 + rate * h), most) : 0;
     }
 
-    private boolean correct(int row, double h, double speed) {
+    private void correct(int row, double h, double speed) {
         double want0 = wanted(row, 0, h, speed);
         double want1 = rows.points[row] == 2 ? wanted(row, 1, h, speed) : 0;
         if (want0 == 0 && want1 == 0) {
-            return false;
+            return;
         }
         double[] d = rows.data;
         int at = row * Rows.STRIDE;
@@ -106,7 +146,6 @@ final class OverlapSolver {
         } else {
             move(row, both0, both1);
         }
-        return true;
     }
 
     /** Moves both bodies as impulses at the points would in one second, kg·m. */

@@ -1,11 +1,8 @@
 package rigibo.backend.contact;
 
-import static rigibo.backend.contact.Motions.DX;
-import static rigibo.backend.contact.Motions.DY;
 import static rigibo.backend.contact.Motions.INVERSE_INERTIA;
 import static rigibo.backend.contact.Motions.INVERSE_MASS;
 import static rigibo.backend.contact.Motions.SPIN;
-import static rigibo.backend.contact.Motions.TURN;
 import static rigibo.backend.contact.Motions.VX;
 import static rigibo.backend.contact.Motions.VY;
 
@@ -35,6 +32,7 @@ final class PileImpacts {
     private final ImpactLaw law = new ImpactLaw();
 
     private final BounceRows bounces;
+    private final BlowShifts shifts;
 
     /** Of the rows that can bounce the ones that close fast, with their speed. */
     private long[] closing = new long[16];
@@ -50,6 +48,7 @@ final class PileImpacts {
         this.motions = motions;
         this.rows = rows;
         this.bounces = bounces;
+        shifts = new BlowShifts(data.bodies, motions, rows);
         pairs = data.pairs;
         counters = data.counters;
     }
@@ -59,18 +58,19 @@ final class PileImpacts {
         if (struckIn.length < motions.count) {
             struckIn = new int[motions.slots.length];
         }
-        for (int sweep = 0; sweep < MOST_SWEEPS; sweep++) {
-            findClosing(h, substep, sweep);
-            if (closingCount == 0) {
-                return;
-            }
-            if (sweep == 0) {
-                Arrays.fill(struckIn, 0, motions.count, NEVER);
-            }
+        findClosing(h, substep, 0);
+        if (closingCount == 0) {
+            return;
+        }
+        Arrays.fill(struckIn, 0, motions.count, NEVER);
+        shifts.begin();
+        for (int sweep = 0; sweep < MOST_SWEEPS && closingCount > 0; sweep++) {
             for (int i = 0; i < closingCount; i++) {
                 strike((int) closing[i] & Integer.MAX_VALUE, h, sweep);
             }
+            findClosing(h, substep, sweep + 1);
         }
+        shifts.limit(substep);
     }
 
     /**
@@ -121,30 +121,13 @@ final class PileImpacts {
             return; // An earlier blow of this sweep turned it.
         }
         double time = load(row, h);
-        double[] m = motions.data;
         int a = rows.bodyA[row];
         int b = rows.bodyB[row];
-        double oldAX = impact.velocityAX;
-        double oldAY = impact.velocityAY;
-        double oldSpinA = impact.spinA;
-        double oldBX = impact.velocityBX;
-        double oldBY = impact.velocityBY;
-        double oldSpinB = impact.spinB;
+        double before = motions.energy(a) + motions.energy(b);
         law.resolve(impact);
-        move(
-                m,
-                a,
-                time,
-                oldAX - impact.velocityAX,
-                oldAY - impact.velocityAY,
-                oldSpinA - impact.spinA);
-        move(
-                m,
-                b,
-                time,
-                oldBX - impact.velocityBX,
-                oldBY - impact.velocityBY,
-                oldSpinB - impact.spinB);
+        take(a, time, impact.velocityAX, impact.velocityAY, impact.spinA);
+        take(b, time, impact.velocityBX, impact.velocityBY, impact.spinB);
+        shifts.take(before - motions.energy(a) - motions.energy(b));
         struckIn[a / Motions.STRIDE] = sweep;
         struckIn[b / Motions.STRIDE] = sweep;
         struckIn[0] = NEVER; // The ground goes on as before.
@@ -154,15 +137,14 @@ final class PileImpacts {
         counters.impacts++;
     }
 
-    /** Takes a change of velocity, and the way gone with the old one before the blow. */
-    private static void move(
-            double[] m, int at, double time, double lostX, double lostY, double lostSpin) {
-        m[at + VX] -= lostX;
-        m[at + VY] -= lostY;
-        m[at + SPIN] -= lostSpin;
-        m[at + DX] += time * lostX;
-        m[at + DY] += time * lostY;
-        m[at + TURN] += time * lostSpin;
+    /** Takes a new velocity, and the way gone with the old one before the blow. */
+    private void take(int at, double time, double x, double y, double spin) {
+        double[] m = motions.data;
+        shifts.shift(
+                at, time * (m[at + VX] - x), time * (m[at + VY] - y), time * (m[at + SPIN] - spin));
+        m[at + VX] = x;
+        m[at + VY] = y;
+        m[at + SPIN] = spin;
     }
 
     /** Loads the points that strike; returns the time in s at which the first of them does. */

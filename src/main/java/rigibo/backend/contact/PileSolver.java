@@ -112,7 +112,7 @@ public final class PileSolver {
         DragKick drag = drags ? new DragKick(data.bodies, motions) : null;
         kick = new Kick(data.bodies, motions, forces, drag, turns);
         lateJoiners = new LateJoiners(data.bodies, motions, rows);
-        OverlapSolver overlap = new OverlapSolver(motions, rows);
+        OverlapSolver overlap = new OverlapSolver(data.bodies, motions, rows);
         boolean isCorrecting = accuracy.correction() == Correction.SOFT;
         OverlapSolver wanted = isCorrecting ? overlap : null;
         repose = new Repose(data, motions, rows, wanted, kick, builder, accuracy);
@@ -151,6 +151,7 @@ public final class PileSolver {
     private void advance(int island, double start, double h, double dt) {
         builder.build(island, h / 2);
         declared.begin(h, rounds.worthOfBlows(substeps + 1));
+        declared.foresee(dt - start);
         warmStart.prepare();
         isWhole = rounds.prepare(motions.fastest() <= CALM * dt * kick.strongest());
         lateJoiners.delay(start, h);
@@ -195,11 +196,11 @@ public final class PileSolver {
             }
             double part = landings.untilNext(left);
             declared.bend(part, part);
-            beginPart(time, part, substep);
+            beginPart(time, part, substep, dt - time);
             boolean isAll = part == h;
             boolean rests =
                     wasStill && isAll && isCarried(start, h)
-                            || solvePart(start, part, substep, isAll);
+                            || solvePart(start, part, substep, isAll, dt - time);
             if (rests) {
                 rest();
                 middle = dt - h / 2;
@@ -208,29 +209,36 @@ public final class PileSolver {
         }
     }
 
-    /** Kicks all bodies up to the middle of a part, and begins with what contacts carried. */
-    private void beginPart(double time, double part, int substep) {
+    /**
+     * Kicks all bodies up to the middle of a part, and begins with what contacts carried; {@code
+     * left} seconds of the step are to go.
+     */
+    private void beginPart(double time, double part, int substep, double left) {
         kick.remember();
         kick.accelerate(middle, time + part / 2);
         middle = time + part / 2;
         fastest = motions.fastest();
         setLimit(substep);
-        guard.begin();
         if (!isWhole) {
             // What contacts carried may throw bodies about until it is answered: a blow between
             // bodies that were only thrown would be for good.
             declared.strikeApart(part, substep);
+            declared.measureStrays(left);
         }
+        guard.begin();
         begin((lastPart + part) / 2, substep);
         lastPart = part;
     }
 
     /** Returns whether the first substep has shown that the island rests. */
-    private boolean solvePart(double start, double h, int substep, boolean mayRest) {
+    private boolean solvePart(double start, double h, int substep, boolean mayRest, double left) {
         if (isWhole) {
             isWhole = declared.strikeJointly(h, substep);
             if (!isWhole) {
                 strikeUnloaded(h, substep);
+            }
+            if (declared.measureStrays(left)) {
+                rounds.forget();
             }
         }
         isWhole = isWhole && rounds.settle(h, substep, fastest, limit);

@@ -167,8 +167,10 @@ final class Rounds {
     /** Takes overlap back by moving bodies, after a substep of h seconds. */
     void takeOverlapBack(double h, int substep) {
         if (isCorrecting) {
+            overlap.begin();
             direct.correct(h, substep);
             overlap.correct(h, substep);
+            overlap.end(h);
         }
     }
 }

@@ -136,6 +136,11 @@ final class Rows {
     /** Impacts that were resolved between them. */
     int blows;
 
+    /** Whether none is against what cannot give way: the bodies float. */
+    boolean areFloating() {
+        return groundStart == count;
+    }
+
     /** The largest change of speed by which a contact answers, m/s. */
     double strongestAnswer() {
         double most = 0;

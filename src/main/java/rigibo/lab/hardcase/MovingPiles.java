@@ -23,6 +23,7 @@ final class MovingPiles {
         cases.add(ElasticPolygons.fast());
         cases.add(new StepClimb());
         cases.add(new RoundHill());
+        cases.addAll(BornAtOneSpot.several());
         cases.addAll(DrivenCrowd.held());
         return cases;
     }
@@ -43,7 +44,7 @@ final class MovingPiles {
         cases.add(FlatPlateBowl.ofBox());
         cases.add(new RockingBlock());
         cases.add(new MovingFloor());
-        cases.addAll(BornAtOneSpot.cases());
+        cases.addAll(BornAtOneSpot.many());
         cases.add(new OverfullRoom());
         cases.add(new WeakPush());
         cases.addAll(DrivenCrowd.open());

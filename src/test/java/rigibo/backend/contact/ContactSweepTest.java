@@ -18,8 +18,9 @@ class ContactSweepTest {
     /** A few roundings of numbers of the order of one. */
     private static final double ROUND_OFF = 1e-12;
 
-    private final Motions motions = new Motions(true);
-    private final Rows rows = new Rows();
+    private final PackedIsland island = new PackedIsland();
+    private final Motions motions = island.motions;
+    private final Rows rows = island.rows;
     private final Counters counters = new Counters();
     private final ContactSweep sweep =
             new ContactSweep(motions, rows, counters, new NoRubbing(), true);
@@ -30,9 +31,9 @@ class ContactSweepTest {
         SplittableRandom random = new SplittableRandom(1);
         int[] asked = new int[4];
         for (int i = 0; i < 10_000; i++) {
-            begin(1);
-            body(1, random.nextDouble(0.1, 10), random.nextDouble(0.1, 10));
-            int row = onGround(1, random.nextDouble(0.1, 1), random.nextDouble(0.1, 1));
+            island.begin(1);
+            island.body(1, random.nextDouble(0.1, 10), random.nextDouble(0.1, 10));
+            int row = island.onGround(1, random.nextDouble(0.1, 1), random.nextDouble(0.1, 1));
             motions.data[Motions.STRIDE + Motions.VY] = random.nextDouble(-1, 1);
             motions.data[Motions.STRIDE + Motions.SPIN] = random.nextDouble(-1, 1);
             sweep.run(H, 0, 1, 0, 1);
@@ -56,9 +57,9 @@ class ContactSweepTest {
         SplittableRandom random = new SplittableRandom(2);
         int held = 0;
         for (int i = 0; i < 1_000; i++) {
-            begin(1);
-            body(1, 1, 0);
-            int row = onGround(1, 0.5, 0.5);
+            island.begin(1);
+            island.body(1, 1, 0);
+            int row = island.onGround(1, 0.5, 0.5);
             int at = row * Rows.STRIDE;
             double friction = random.nextDouble(0.1, 1);
             double speed = random.nextDouble(-1, 1);
@@ -78,9 +79,9 @@ class ContactSweepTest {
     /** A gap may close within the substep, and no faster. */
     @Test
     void gapMayCloseWithinTheSubstep() {
-        begin(1);
-        body(1, 1, 0);
-        int row = onGround(1, 0.5, 0.5);
+        island.begin(1);
+        island.body(1, 1, 0);
+        int row = island.onGround(1, 0.5, 0.5);
         rows.data[row * Rows.STRIDE + Rows.GAP0] = 0.01;
         rows.data[row * Rows.STRIDE + Rows.GAP1] = 0.01;
         motions.data[Motions.STRIDE + Motions.VY] = -10;
@@ -114,66 +115,14 @@ class ContactSweepTest {
 
     /** Bodies of 1 kg one on the other, all at 1 m/s downwards, the lowest contact first. */
     private void column(int count) {
-        begin(count);
+        island.begin(count);
         for (int body = 1; body <= count; body++) {
-            body(body, 1, 0);
+            island.body(body, 1, 0);
             motions.data[body * Motions.STRIDE + Motions.VY] = -1;
         }
         for (int body = 1; body <= count; body++) {
-            contact(body - 1, body, 0.5, 0.5);
+            island.contact(body - 1, body, 0.5, 0.5);
         }
         rows.groundStart = rows.count;
-    }
-
-    private void begin(int bodies) {
-        rows.clear();
-        motions.count = bodies + 1;
-        if (motions.slots.length < motions.count) {
-            motions.slots = new int[motions.count];
-            motions.reach = new double[motions.count];
-            motions.data = new double[motions.count * Motions.STRIDE];
-        }
-        Arrays.fill(motions.data, 0);
-        rows.groundStart = 0;
-    }
-
-    private void body(int entry, double inverseMass, double inverseInertia) {
-        motions.data[entry * Motions.STRIDE + Motions.INVERSE_MASS] = inverseMass;
-        motions.data[entry * Motions.STRIDE + Motions.INVERSE_INERTIA] = inverseInertia;
-        motions.reach[entry] = 1;
-    }
-
-    private int onGround(int entry, double left, double right) {
-        return contact(0, entry, left, right);
-    }
-
-    /** B on A, with points so far to the left and to the right of both centres, m. */
-    private int contact(int entryA, int entryB, double left, double right) {
-        int row = rows.add();
-        int at = row * Rows.STRIDE;
-        rows.bodyA[row] = entryA * Motions.STRIDE;
-        rows.bodyB[row] = entryB * Motions.STRIDE;
-        double[] d = rows.data;
-        d[at + Rows.NY] = 1;
-        d[at + Rows.WIDTH] = 1;
-        d[at + Rows.LEVER_A0] = -left;
-        d[at + Rows.LEVER_B0] = -left;
-        d[at + Rows.LEVER_A1] = right;
-        d[at + Rows.LEVER_B1] = right;
-        int a = rows.bodyA[row];
-        int b = rows.bodyB[row];
-        double k00 = motions.response(a, b, -left, -left, -left, -left);
-        double k01 = motions.response(a, b, -left, -left, right, right);
-        double k11 = motions.response(a, b, right, right, right, right);
-        double determinant = k00 * k11 - k01 * k01;
-        d[at + Rows.K00] = k00;
-        d[at + Rows.K01] = k01;
-        d[at + Rows.K11] = k11;
-        // Of bodies that do not turn both points are one.
-        rows.points[row] = determinant > 0 ? 2 : 1;
-        d[at + Rows.M00] = determinant > 0 ? k11 / determinant : 1 / k00;
-        d[at + Rows.M01] = -k01 / determinant;
-        d[at + Rows.M11] = k00 / determinant;
-        return row;
     }
 }

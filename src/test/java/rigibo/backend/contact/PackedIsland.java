@@ -1,0 +1,65 @@
+package rigibo.backend.contact;
+
+import java.util.Arrays;
+
+/** An island that is packed by hand: bodies of which each lies on another, or on the ground. */
+final class PackedIsland {
+
+    final Motions motions = new Motions(true);
+    final Rows rows = new Rows();
+
+    /** Empties it, and makes room for so many bodies. */
+    void begin(int bodies) {
+        rows.clear();
+        motions.count = bodies + 1;
+        if (motions.slots.length < motions.count) {
+            motions.slots = new int[motions.count];
+            motions.reach = new double[motions.count];
+            motions.data = new double[motions.count * Motions.STRIDE];
+        }
+        Arrays.fill(motions.data, 0);
+        rows.groundStart = 0;
+    }
+
+    /** A body whose outline reaches one metre. */
+    void body(int entry, double inverseMass, double inverseInertia) {
+        motions.data[entry * Motions.STRIDE + Motions.INVERSE_MASS] = inverseMass;
+        motions.data[entry * Motions.STRIDE + Motions.INVERSE_INERTIA] = inverseInertia;
+        motions.reach[entry] = 1;
+    }
+
+    /** On the ground, with points so far to the left and to the right of its centre, m. */
+    int onGround(int entry, double left, double right) {
+        return contact(0, entry, left, right);
+    }
+
+    /** B on A, with points so far to the left and to the right of both centres, m. */
+    int contact(int entryA, int entryB, double left, double right) {
+        int row = rows.add();
+        int at = row * Rows.STRIDE;
+        rows.bodyA[row] = entryA * Motions.STRIDE;
+        rows.bodyB[row] = entryB * Motions.STRIDE;
+        double[] d = rows.data;
+        d[at + Rows.NY] = 1;
+        d[at + Rows.WIDTH] = 1;
+        d[at + Rows.LEVER_A0] = -left;
+        d[at + Rows.LEVER_B0] = -left;
+        d[at + Rows.LEVER_A1] = right;
+        d[at + Rows.LEVER_B1] = right;
+        int a = rows.bodyA[row];
+        int b = rows.bodyB[row];
+        double k00 = motions.response(a, b, -left, -left, -left, -left);
+        double k01 = motions.response(a, b, -left, -left, right, right);
+        double k11 = motions.response(a, b, right, right, right, right);
+        double determinant = k00 * k11 - k01 * k01;
+        d[at + Rows.K00] = k00;
+        d[at + Rows.K01] = k01;
+        d[at + Rows.K11] = k11;
+        // Of bodies that do not turn both points are one.
+        rows.points[row] = determinant > 0 ? 2 : 1;
+        d[at + Rows.M00] = determinant > 0 ? k11 / determinant : 1 / k00;
+        d[at + Rows.M01] = -k01 / determinant;
+        d[at + Rows.M11] = k00 / determinant;
+        return row;
+    }
+}
