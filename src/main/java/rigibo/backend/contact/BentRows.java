@@ -3,7 +3,7 @@ package rigibo.backend.contact;
 /** Contacts that do not stay as they were measured when the step began. */
 final class BentRows {
 
-    private final Rows rows;
+    private final PackedContacts contacts;
     private final FreshRows fresh;
 
     /** How bodies turn, or null where none does. */
@@ -25,8 +25,8 @@ final class BentRows {
 
     private boolean[] curves = new boolean[16];
 
-    BentRows(Rows rows, FreshRows fresh, TurningRows turning, CurvedRows curved) {
-        this.rows = rows;
+    BentRows(PackedContacts contacts, FreshRows fresh, TurningRows turning, CurvedRows curved) {
+        this.contacts = contacts;
         this.fresh = fresh;
         this.turning = turning;
         this.curved = curved;
@@ -55,12 +55,12 @@ final class BentRows {
         }
         reserve();
         boolean isAny = false;
-        for (int row = 0; row < rows.count; row++) {
+        for (int row = 0; row < contacts.count; row++) {
             turns[row] = turning != null && turning.isTurning(row, left);
             curves[row] = curved != null && curved.isCurved(row, left);
             if (turns[row] || curves[row]) {
                 isAny = true;
-                if (!isFirst || substep > 0 && rows.firstSubstep[row] != substep) {
+                if (!isFirst || substep > 0 && contacts.firstSubstep[row] != substep) {
                     fresh.measure(row, left);
                 }
             }
@@ -72,9 +72,9 @@ final class BentRows {
     }
 
     private void reserve() {
-        if (turns.length < rows.count) {
-            turns = new boolean[rows.pair.length];
-            curves = new boolean[rows.pair.length];
+        if (turns.length < contacts.count) {
+            turns = new boolean[contacts.pair.length];
+            curves = new boolean[contacts.pair.length];
         }
     }
 
@@ -83,7 +83,7 @@ final class BentRows {
         if (!isAnyNow && !wasAny) {
             return;
         }
-        for (int row = 0; row < rows.count; row++) {
+        for (int row = 0; row < contacts.count; row++) {
             if (turns[row]) {
                 turning.bend(row, h);
             } else if (turning != null) {

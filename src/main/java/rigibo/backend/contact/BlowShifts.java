@@ -32,7 +32,7 @@ final class BlowShifts {
 
     private final Bodies bodies;
     private final Motions motions;
-    private final Rows rows;
+    private final PackedContacts contacts;
 
     /** What the blows took of the energy of motion, less what has been lifted for it, J. */
     private double taken;
@@ -43,10 +43,10 @@ final class BlowShifts {
     /** By entry of the motions the share of its shift that stays. */
     private double[] shares = new double[16];
 
-    BlowShifts(Bodies bodies, Motions motions, Rows rows) {
+    BlowShifts(Bodies bodies, Motions motions, PackedContacts contacts) {
         this.bodies = bodies;
         this.motions = motions;
-        this.rows = rows;
+        this.contacts = contacts;
     }
 
     /** Begins a substep in which there are blows. */
@@ -115,12 +115,12 @@ final class BlowShifts {
 
     private boolean isAnyInto(int substep, boolean isPartly) {
         boolean isAny = false;
-        for (int row = 0; row < rows.count; row++) {
-            double share = rows.firstSubstep[row] <= substep ? shareOf(row) : 1;
+        for (int row = 0; row < contacts.count; row++) {
+            double share = contacts.firstSubstep[row] <= substep ? shareOf(row) : 1;
             if (share < APART) {
                 isAny = true;
-                lessen(rows.bodyA[row], isPartly ? share : 0);
-                lessen(rows.bodyB[row], isPartly ? share : 0);
+                lessen(contacts.bodyA[row], isPartly ? share : 0);
+                lessen(contacts.bodyB[row], isPartly ? share : 0);
             }
         }
         return isAny;
@@ -134,9 +134,9 @@ final class BlowShifts {
     /** The share of their shifts that leaves the bodies of a contact apart. */
     private double shareOf(int row) {
         double share = 1;
-        double unseen = UNSEEN * rows.data[row * Rows.STRIDE + Rows.WIDTH];
-        for (int point = 0; point < rows.points[row]; point++) {
-            double gap = motions.gap(rows, row, point);
+        double unseen = UNSEEN * contacts.data[row * PackedContacts.STRIDE + PackedContacts.WIDTH];
+        for (int point = 0; point < contacts.points[row]; point++) {
+            double gap = motions.gap(contacts, row, point);
             double opened = gap < 0 ? opened(row, point) : 0;
             if (opened < 0) {
                 share = Math.min(share, (Math.max(0, gap - opened) + unseen) / -opened);
@@ -147,14 +147,14 @@ final class BlowShifts {
 
     /** What of a point's gap has come by shifts, m. */
     private double opened(int row, int point) {
-        double[] d = rows.data;
-        int at = row * Rows.STRIDE;
-        int a = rows.bodyA[row] / Motions.STRIDE * STRIDE;
-        int b = rows.bodyB[row] / Motions.STRIDE * STRIDE;
-        return d[at + Rows.NX] * (shifts[b] - shifts[a])
-                + d[at + Rows.NY] * (shifts[b + 1] - shifts[a + 1])
-                + d[at + 2 * point + Rows.LEVER_B0] * shifts[b + 2]
-                - d[at + 2 * point + Rows.LEVER_A0] * shifts[a + 2];
+        double[] d = contacts.data;
+        int at = row * PackedContacts.STRIDE;
+        int a = contacts.bodyA[row] / Motions.STRIDE * STRIDE;
+        int b = contacts.bodyB[row] / Motions.STRIDE * STRIDE;
+        return d[at + PackedContacts.NX] * (shifts[b] - shifts[a])
+                + d[at + PackedContacts.NY] * (shifts[b + 1] - shifts[a + 1])
+                + d[at + 2 * point + PackedContacts.LEVER_B0] * shifts[b + 2]
+                - d[at + 2 * point + PackedContacts.LEVER_A0] * shifts[a + 2];
     }
 
     /** Takes back a share of what may not stay; what floats keeps its centre of mass. */
@@ -172,7 +172,7 @@ final class BlowShifts {
                 shift(at, back * shifts[i], back * shifts[i + 1], back * shifts[i + 2]);
             }
         }
-        if (rows.areFloating()) {
+        if (contacts.areFloating()) {
             double mass = motions.mass();
             motions.moveAll(-massTimesX / mass, -massTimesY / mass);
         }

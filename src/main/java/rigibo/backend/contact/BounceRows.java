@@ -16,7 +16,7 @@ final class BounceRows {
 
     private final Bodies bodies;
     private final Pairs pairs;
-    private final Rows rows;
+    private final PackedContacts contacts;
 
     /** Rows with elasticity. */
     int[] elastic = new int[16];
@@ -26,25 +26,26 @@ final class BounceRows {
 
     int count;
 
-    BounceRows(DataStorage data, Rows rows) {
+    BounceRows(DataStorage data, PackedContacts contacts) {
         bodies = data.bodies;
         pairs = data.pairs;
-        this.rows = rows;
+        this.contacts = contacts;
     }
 
     /** Lists the rows of the packed island, for substeps of h seconds. */
     void begin(double h) {
-        if (elastic.length < rows.count) {
-            elastic = new int[rows.pair.length];
-            bounceSpeeds = new double[rows.pair.length];
+        if (elastic.length < contacts.count) {
+            elastic = new int[contacts.pair.length];
+            bounceSpeeds = new double[contacts.pair.length];
         }
         count = 0;
-        for (int row = 0; row < rows.count; row++) {
-            double elasticity = pairs.elasticity[rows.pair[row]];
+        for (int row = 0; row < contacts.count; row++) {
+            double elasticity = pairs.elasticity[contacts.pair[row]];
             if (elasticity > 0) {
-                rows.data[row * Rows.STRIDE + Rows.ELASTICITY] = elasticity;
+                contacts.data[row * PackedContacts.STRIDE + PackedContacts.ELASTICITY] = elasticity;
                 bounceSpeeds[count] = bounceSpeed(row, h);
-                rows.data[row * Rows.STRIDE + Rows.BOUNCE_SPEED] = bounceSpeeds[count];
+                contacts.data[row * PackedContacts.STRIDE + PackedContacts.BOUNCE_SPEED] =
+                        bounceSpeeds[count];
                 elastic[count++] = row;
             }
         }
@@ -56,18 +57,18 @@ final class BounceRows {
      * What a body gains by being pressed for a substep is load, not a blow.
      */
     private double bounceSpeed(int row, double h) {
-        double[] d = rows.data;
-        int at = row * Rows.STRIDE;
-        int pair = rows.pair[row];
+        double[] d = contacts.data;
+        int at = row * PackedContacts.STRIDE;
+        int pair = contacts.pair[row];
         int a = pairs.bodyA[pair];
         int b = pairs.bodyB[pair];
         double load = pairs.normalForce[2 * pair] + pairs.normalForce[2 * pair + 1];
         double pressing =
                 Math.max(
-                        load * d[at + Rows.K00],
+                        load * d[at + PackedContacts.K00],
                         PairTolerances.pressingAcceleration(
                                 bodies, a, b, pairs.normalX[pair], pairs.normalY[pair]));
-        double unseen = PairTolerances.restSpeed(pressing, d[at + Rows.WIDTH]);
+        double unseen = PairTolerances.restSpeed(pressing, d[at + PackedContacts.WIDTH]);
         double pulled = Math.max(acceleration(a), acceleration(b)) * h * PULLED;
         return Math.max(pulled, Math.max(unseen, pressing * h));
     }

@@ -12,7 +12,7 @@ final class ContactOrder {
 
     private static final int NONE = -1;
 
-    private final Rows rows;
+    private final PackedContacts contacts;
     private final Motions motions;
 
     /** The contacts in their order, and for each contact its place in it. */
@@ -24,15 +24,15 @@ final class ContactOrder {
     int[] firstNeighbour = new int[64];
 
     /**
-     * The contacts of body {@code b}: {@code contacts[start[b]]} to {@code contacts[start[b + 1]]}.
+     * The contacts of body {@code b}: {@code ofBodies[start[b]]} to {@code ofBodies[start[b + 1]]}.
      */
     private int[] start = new int[65];
 
-    private int[] contacts = new int[128];
+    private int[] ofBodies = new int[128];
 
-    ContactOrder(Motions motions, Rows rows) {
+    ContactOrder(Motions motions, PackedContacts contacts) {
         this.motions = motions;
-        this.rows = rows;
+        this.contacts = contacts;
     }
 
     /** Orders the packed island's contacts. */
@@ -40,7 +40,7 @@ final class ContactOrder {
         reserve();
         listContacts();
         int from = 0;
-        while (from < rows.count) {
+        while (from < contacts.count) {
             // What is reached last from anywhere is an end; from there the levels are narrow.
             int any = firstWithoutPlace();
             int reached = walk(any, from);
@@ -52,16 +52,16 @@ final class ContactOrder {
     }
 
     private void reserve() {
-        if (order.length < rows.count) {
-            order = new int[rows.pair.length];
-            place = new int[rows.pair.length];
-            firstNeighbour = new int[rows.pair.length];
-            contacts = new int[2 * rows.pair.length];
+        if (order.length < contacts.count) {
+            order = new int[contacts.pair.length];
+            place = new int[contacts.pair.length];
+            firstNeighbour = new int[contacts.pair.length];
+            ofBodies = new int[2 * contacts.pair.length];
         }
         if (start.length <= motions.count) {
             start = new int[motions.slots.length + 1];
         }
-        Arrays.fill(place, 0, rows.count, NONE);
+        Arrays.fill(place, 0, contacts.count, NONE);
     }
 
     /**
@@ -69,16 +69,16 @@ final class ContactOrder {
      */
     private void listContacts() {
         Arrays.fill(start, 0, motions.count + 1, 0);
-        for (int row = 0; row < rows.count; row++) {
-            start[body(rows.bodyA[row])]++;
-            start[body(rows.bodyB[row])]++;
+        for (int row = 0; row < contacts.count; row++) {
+            start[body(contacts.bodyA[row])]++;
+            start[body(contacts.bodyB[row])]++;
         }
         for (int body = 1; body <= motions.count; body++) {
             start[body] += start[body - 1];
         }
-        for (int row = rows.count - 1; row >= 0; row--) {
-            contacts[--start[body(rows.bodyA[row])]] = row;
-            contacts[--start[body(rows.bodyB[row])]] = row;
+        for (int row = contacts.count - 1; row >= 0; row--) {
+            ofBodies[--start[body(contacts.bodyA[row])]] = row;
+            ofBodies[--start[body(contacts.bodyB[row])]] = row;
         }
     }
 
@@ -100,8 +100,8 @@ final class ContactOrder {
         place[first] = end;
         order[end++] = first;
         for (int at = from; at < end; at++) {
-            end = takeNeighbours(rows.bodyA[order[at]], end);
-            end = takeNeighbours(rows.bodyB[order[at]], end);
+            end = takeNeighbours(contacts.bodyA[order[at]], end);
+            end = takeNeighbours(contacts.bodyB[order[at]], end);
         }
         return end;
     }
@@ -112,9 +112,9 @@ final class ContactOrder {
         if (offset != 0) {
             int body = body(offset);
             for (int i = start[body]; i < start[body + 1]; i++) {
-                if (place[contacts[i]] == NONE) {
-                    place[contacts[i]] = end;
-                    order[end++] = contacts[i];
+                if (place[ofBodies[i]] == NONE) {
+                    place[ofBodies[i]] = end;
+                    order[end++] = ofBodies[i];
                 }
             }
         }
@@ -128,9 +128,9 @@ final class ContactOrder {
     }
 
     private void findNeighbours() {
-        for (int i = 0; i < rows.count; i++) {
-            int first = Math.min(i, firstOf(rows.bodyA[order[i]], i));
-            firstNeighbour[i] = Math.min(first, firstOf(rows.bodyB[order[i]], i));
+        for (int i = 0; i < contacts.count; i++) {
+            int first = Math.min(i, firstOf(contacts.bodyA[order[i]], i));
+            firstNeighbour[i] = Math.min(first, firstOf(contacts.bodyB[order[i]], i));
         }
     }
 
@@ -139,7 +139,7 @@ final class ContactOrder {
         if (offset != 0) {
             int body = body(offset);
             for (int i = start[body]; i < start[body + 1]; i++) {
-                first = Math.min(first, place[contacts[i]]);
+                first = Math.min(first, place[ofBodies[i]]);
             }
         }
         return first;

@@ -24,7 +24,7 @@ import java.util.Arrays;
 final class ContactSweep {
 
     private final Motions motions;
-    private final Rows rows;
+    private final PackedContacts contacts;
     private final Counters counters;
     private final Rubbing rubbing;
     private final boolean isBlock;
@@ -41,9 +41,14 @@ final class ContactSweep {
     /** By point: the speed at which it may close, for it has a gap left, m/s. */
     private double[] spare = new double[32];
 
-    ContactSweep(Motions motions, Rows rows, Counters counters, Rubbing rubbing, boolean isBlock) {
+    ContactSweep(
+            Motions motions,
+            PackedContacts contacts,
+            Counters counters,
+            Rubbing rubbing,
+            boolean isBlock) {
         this.motions = motions;
-        this.rows = rows;
+        this.contacts = contacts;
         this.counters = counters;
         this.rubbing = rubbing;
         this.isBlock = isBlock;
@@ -81,12 +86,12 @@ final class ContactSweep {
 
     /** Returns how many contacts were due. */
     private int pass(boolean isBack) {
-        int ground = rows.groundStart;
+        int ground = contacts.groundStart;
         int solved = 0;
-        for (int i = 0; i < rows.count; i++) {
+        for (int i = 0; i < contacts.count; i++) {
             int row = isBack && i < ground ? ground - 1 - i : i;
-            int a = rows.bodyA[row];
-            int b = rows.bodyB[row];
+            int a = contacts.bodyA[row];
+            int b = contacts.bodyB[row];
             double now = changed[a / Motions.STRIDE] + changed[b / Motions.STRIDE];
             if (now - seen[row] > uncounted[row]) {
                 solve(row, a, b);
@@ -102,21 +107,23 @@ final class ContactSweep {
         if (changed.length < motions.count) {
             changed = new double[motions.slots.length];
         }
-        if (seen.length < rows.count) {
-            seen = new double[rows.pair.length];
-            uncounted = new double[rows.pair.length];
-            spare = new double[2 * rows.pair.length];
+        if (seen.length < contacts.count) {
+            seen = new double[contacts.pair.length];
+            uncounted = new double[contacts.pair.length];
+            spare = new double[2 * contacts.pair.length];
         }
         Arrays.fill(changed, 0, motions.count, 0);
         double perSubstep = 1 / h;
-        for (int row = 0; row < rows.count; row++) {
-            boolean isThere = rows.firstSubstep[row] <= substep;
+        for (int row = 0; row < contacts.count; row++) {
+            boolean isThere = contacts.firstSubstep[row] <= substep;
             seen[row] = isThere ? Double.NEGATIVE_INFINITY : Double.POSITIVE_INFINITY;
-            double counts = sharePerSecond * rows.data[row * Rows.STRIDE + Rows.WIDTH];
+            double counts =
+                    sharePerSecond
+                            * contacts.data[row * PackedContacts.STRIDE + PackedContacts.WIDTH];
             uncounted[row] = counts < quiet ? counts : quiet;
-            double nearing = rows.data[row * Rows.STRIDE + Rows.NEARING];
-            for (int point = 0; point < rows.points[row]; point++) {
-                double gap = motions.gap(rows, row, point);
+            double nearing = contacts.data[row * PackedContacts.STRIDE + PackedContacts.NEARING];
+            for (int point = 0; point < contacts.points[row]; point++) {
+                double gap = motions.gap(contacts, row, point);
                 spare[2 * row + point] = (gap > 0 ? gap * perSubstep : 0) - nearing;
             }
         }
@@ -124,15 +131,15 @@ final class ContactSweep {
 
     /** Friction first, by the load so far, then the load. */
     private void solve(int row, int a, int b) {
-        double[] d = rows.data;
+        double[] d = contacts.data;
         double[] m = motions.data;
-        int at = row * Rows.STRIDE;
-        boolean rolls = d[at + Rows.ROLLING] > 0;
+        int at = row * PackedContacts.STRIDE;
+        boolean rolls = d[at + PackedContacts.ROLLING] > 0;
         if (rolls) {
             roll(row, a, b);
         }
-        double nx = d[at + Rows.NX];
-        double ny = d[at + Rows.NY];
+        double nx = d[at + PackedContacts.NX];
+        double ny = d[at + PackedContacts.NY];
         double massA = m[a + INVERSE_MASS];
         double massB = m[b + INVERSE_MASS];
         double inertiaA = m[a + INVERSE_INERTIA];
@@ -141,23 +148,26 @@ final class ContactSweep {
         double vy = m[b + VY] - m[a + VY];
         double spinA = m[a + SPIN];
         double spinB = m[b + SPIN];
-        double old0 = d[at + Rows.IMPULSE0];
-        double old1 = d[at + Rows.IMPULSE1];
+        double old0 = d[at + PackedContacts.IMPULSE0];
+        double old1 = d[at + PackedContacts.IMPULSE1];
         double jt = 0;
         double turnA = 0;
         double turnB = 0;
-        double friction = d[at + Rows.FRICTION];
+        double friction = d[at + PackedContacts.FRICTION];
         boolean slips = false;
         if (friction > 0 && !rolls) {
-            double leverA = d[at + Rows.LEVER_TA];
-            double leverB = d[at + Rows.LEVER_TB];
-            double slides = nx * vy - ny * vx + leverB * spinB - leverA * spinA - rows.surface[row];
-            double oldT = d[at + Rows.IMPULSE_T];
+            double leverA = d[at + PackedContacts.LEVER_TA];
+            double leverB = d[at + PackedContacts.LEVER_TB];
+            double slides =
+                    nx * vy - ny * vx + leverB * spinB - leverA * spinA - contacts.surface[row];
+            double oldT = d[at + PackedContacts.IMPULSE_T];
             double most = friction * (old0 + old1);
-            double wanted = (oldT - d[at + Rows.MASS_T] * slides) / (1 + Rows.COMPLIANCE);
+            double wanted =
+                    (oldT - d[at + PackedContacts.MASS_T] * slides)
+                            / (1 + PackedContacts.COMPLIANCE);
             double kept = FrictionSolver.clamp(wanted, most);
             slips = kept != wanted;
-            d[at + Rows.IMPULSE_T] = kept;
+            d[at + PackedContacts.IMPULSE_T] = kept;
             jt = kept - oldT;
             turnA = leverA * jt;
             turnB = leverB * jt;
@@ -167,26 +177,26 @@ final class ContactSweep {
             spinA -= inertiaA * turnA;
             spinB += inertiaB * turnB;
         }
-        double la0 = d[at + Rows.LEVER_A0];
-        double lb0 = d[at + Rows.LEVER_B0];
+        double la0 = d[at + PackedContacts.LEVER_A0];
+        double lb0 = d[at + PackedContacts.LEVER_B0];
         double vn = nx * vx + ny * vy;
-        double give = d[at + Rows.GIVE];
+        double give = d[at + PackedContacts.GIVE];
         double w0 = vn + lb0 * spinB - la0 * spinA + spare[2 * row] + give * old0;
         double jn;
-        if (rows.points[row] == 1) {
-            double wanted = old0 - w0 * d[at + Rows.M00];
+        if (contacts.points[row] == 1) {
+            double wanted = old0 - w0 * d[at + PackedContacts.M00];
             double kept = push(wanted);
-            d[at + Rows.IMPULSE0] = kept;
+            d[at + PackedContacts.IMPULSE0] = kept;
             jn = kept - old0;
             turnA += la0 * jn;
             turnB += lb0 * jn;
         } else {
-            double la1 = d[at + Rows.LEVER_A1];
-            double lb1 = d[at + Rows.LEVER_B1];
+            double la1 = d[at + PackedContacts.LEVER_A1];
+            double lb1 = d[at + PackedContacts.LEVER_B1];
             double w1 = vn + lb1 * spinB - la1 * spinA + spare[2 * row + 1] + give * old1;
             solvePair(d, at, w0, w1);
-            double j0 = d[at + Rows.IMPULSE0] - old0;
-            double j1 = d[at + Rows.IMPULSE1] - old1;
+            double j0 = d[at + PackedContacts.IMPULSE0] - old0;
+            double j1 = d[at + PackedContacts.IMPULSE1] - old1;
             jn = j0 + j1;
             turnA += la0 * j0 + la1 * j1;
             turnB += lb0 * j0 + lb1 * j1;
@@ -222,21 +232,21 @@ final class ContactSweep {
 
     /** Writes the impulses that bring w = v + gap/h to w ≥ 0, j ≥ 0, w·j = 0. */
     private void solvePair(double[] d, int at, double w0, double w1) {
-        double old0 = d[at + Rows.IMPULSE0];
-        double old1 = d[at + Rows.IMPULSE1];
+        double old0 = d[at + PackedContacts.IMPULSE0];
+        double old1 = d[at + PackedContacts.IMPULSE1];
         if (!isBlock) {
-            double j0 = push(old0 - w0 / d[at + Rows.K00]);
-            double after1 = w1 + d[at + Rows.K01] * (j0 - old0);
-            d[at + Rows.IMPULSE0] = j0;
-            d[at + Rows.IMPULSE1] = push(old1 - after1 / d[at + Rows.K11]);
+            double j0 = push(old0 - w0 / d[at + PackedContacts.K00]);
+            double after1 = w1 + d[at + PackedContacts.K01] * (j0 - old0);
+            d[at + PackedContacts.IMPULSE0] = j0;
+            d[at + PackedContacts.IMPULSE1] = push(old1 - after1 / d[at + PackedContacts.K11]);
             return;
         }
-        double both0 = old0 - d[at + Rows.M00] * w0 - d[at + Rows.M01] * w1;
-        double both1 = old1 - d[at + Rows.M01] * w0 - d[at + Rows.M11] * w1;
+        double both0 = old0 - d[at + PackedContacts.M00] * w0 - d[at + PackedContacts.M01] * w1;
+        double both1 = old1 - d[at + PackedContacts.M01] * w0 - d[at + PackedContacts.M11] * w1;
         if (both0 < 0 || both1 < 0) {
-            double k00 = d[at + Rows.K00];
-            double k01 = d[at + Rows.K01];
-            double k11 = d[at + Rows.K11];
+            double k00 = d[at + PackedContacts.K00];
+            double k01 = d[at + PackedContacts.K01];
+            double k11 = d[at + PackedContacts.K11];
             // What w would be without any impulse of these two points.
             double free0 = w0 - k00 * old0 - k01 * old1;
             double free1 = w1 - k01 * old0 - k11 * old1;
@@ -247,8 +257,8 @@ final class ContactSweep {
             both0 = isFirst ? only0 : 0;
             both1 = isFirst ? 0 : only1;
         }
-        d[at + Rows.IMPULSE0] = both0;
-        d[at + Rows.IMPULSE1] = both1;
+        d[at + PackedContacts.IMPULSE0] = both0;
+        d[at + PackedContacts.IMPULSE1] = both1;
     }
 
     /** An impulse that only pushes; Math.max would take care of signed zeros, thrice as long. */

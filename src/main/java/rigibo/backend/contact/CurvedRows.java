@@ -19,7 +19,7 @@ final class CurvedRows {
     private final Bodies bodies;
     private final Pairs pairs;
     private final Motions motions;
-    private final Rows rows;
+    private final PackedContacts contacts;
 
     /** Way off a straight line that may be passed over in a step, as a share of the width. */
     private final Straightness straight;
@@ -29,19 +29,21 @@ final class CurvedRows {
 
     private final double[] endsB = new double[2];
 
-    CurvedRows(DataStorage data, Motions motions, Rows rows, Straightness straight) {
+    CurvedRows(DataStorage data, Motions motions, PackedContacts contacts, Straightness straight) {
         bodies = data.bodies;
         pairs = data.pairs;
         this.motions = motions;
-        this.rows = rows;
+        this.contacts = contacts;
         this.straight = straight;
     }
 
     /** Whether a contact's normal turns in the step, of which {@code left} seconds are to go. */
     boolean isCurved(int row, double left) {
-        int pair = rows.pair[row];
+        int pair = contacts.pair[row];
         double way = Math.abs(slid(row)) + Math.abs(slide(row)) * left;
-        double shows = straight.unseen() * rows.data[row * Rows.STRIDE + Rows.WIDTH];
+        double shows =
+                straight.unseen()
+                        * contacts.data[row * PackedContacts.STRIDE + PackedContacts.WIDTH];
         if (!(way > shows)) {
             return false;
         }
@@ -57,12 +59,12 @@ final class CurvedRows {
      * that would be all of the way, and where friction stops them they would be in each other.
      */
     void bend(int row, double h) {
-        int pair = rows.pair[row];
+        int pair = contacts.pair[row];
         double radius = radius(pair);
         if (radius > 0 && pairs.faceOf[pair] == Pairs.NONE) {
             double opens = opens(radius, slide(row) * h);
-            rows.data[row * Rows.STRIDE + Rows.GAP0] += opens;
-            rows.data[row * Rows.STRIDE + Rows.GAP1] += opens;
+            contacts.data[row * PackedContacts.STRIDE + PackedContacts.GAP0] += opens;
+            contacts.data[row * PackedContacts.STRIDE + PackedContacts.GAP1] += opens;
         }
     }
 
@@ -134,19 +136,19 @@ final class CurvedRows {
 
     /** How far B has slid along A since the step began, m. */
     private double slid(int row) {
-        return motions.slid(rows, row, arm(row, true), arm(row, false));
+        return motions.slid(contacts, row, arm(row, true), arm(row, false));
     }
 
     /** How fast it does, m/s. */
     private double slide(int row) {
-        return motions.slide(rows, row, arm(row, true), arm(row, false));
+        return motions.slide(contacts, row, arm(row, true), arm(row, false));
     }
 
     /** A disc turns without a change: what counts is its centre. */
     private double arm(int row, boolean isOfA) {
-        int pair = rows.pair[row];
+        int pair = contacts.pair[row];
         Shape shape = bodies.shape[isOfA ? pairs.bodyA[pair] : pairs.bodyB[pair]];
-        int lever = isOfA ? Rows.LEVER_TA : Rows.LEVER_TB;
-        return radiusOf(shape) > 0 ? 0 : rows.data[row * Rows.STRIDE + lever];
+        int lever = isOfA ? PackedContacts.LEVER_TA : PackedContacts.LEVER_TB;
+        return radiusOf(shape) > 0 ? 0 : contacts.data[row * PackedContacts.STRIDE + lever];
     }
 }

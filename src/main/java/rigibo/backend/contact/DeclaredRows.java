@@ -16,7 +16,7 @@ final class DeclaredRows {
 
     private final Kick kick;
     private final FreshRows fresh;
-    private final Rows rows;
+    private final PackedContacts contacts;
     private final Rubbing rubbing;
     private final RunningRows running;
     private final TurningRows turning;
@@ -30,31 +30,32 @@ final class DeclaredRows {
             DataStorage data,
             Effects effects,
             Motions motions,
-            Rows rows,
+            PackedContacts contacts,
             Kick kick,
             FreshRows fresh,
             Straightness straight) {
         this.kick = kick;
         this.fresh = fresh;
-        this.rows = rows;
-        rubbing = rubbing(data, effects, motions, rows);
+        this.contacts = contacts;
+        rubbing = rubbing(data, effects, motions, contacts);
         boolean runs = effects.declares(SurfaceSpeed.class);
-        running = runs ? new RunningRows(data, rows) : null;
+        running = runs ? new RunningRows(data, contacts) : null;
         boolean turns = effects.declares(Rotation.class);
-        turning = turns ? new TurningRows(data, motions, rows, fresh, straight) : null;
-        strays = turns && straight.follows ? new Strays(data, motions, rows) : null;
+        turning = turns ? new TurningRows(data, motions, contacts, fresh, straight) : null;
+        strays = turns && straight.follows ? new Strays(data, motions, contacts) : null;
         boolean curves = straight.follows;
-        CurvedRows curved = curves ? new CurvedRows(data, motions, rows, straight) : null;
-        bent = new BentRows(rows, fresh, turning, curved);
+        CurvedRows curved = curves ? new CurvedRows(data, motions, contacts, straight) : null;
+        bent = new BentRows(contacts, fresh, turning, curved);
         boolean bounces = effects.declares(Restitution.class);
-        blows = bounces ? new PileBlows(data, motions, rows, kick) : null;
+        blows = bounces ? new PileBlows(data, motions, contacts, kick) : null;
     }
 
-    private static Rubbing rubbing(DataStorage data, Effects effects, Motions motions, Rows rows) {
+    private static Rubbing rubbing(
+            DataStorage data, Effects effects, Motions motions, PackedContacts contacts) {
         boolean rubs = effects.declares(Friction.class);
-        FrictionSolver friction = rubs ? new FrictionSolver(motions, rows, data.pairs) : null;
+        FrictionSolver friction = rubs ? new FrictionSolver(motions, contacts, data.pairs) : null;
         if (effects.declares(RollingResistance.class)) {
-            return new RollingSolver(data, motions, rows, friction);
+            return new RollingSolver(data, motions, contacts, friction);
         }
         return rubs ? friction : new NoRubbing();
     }
@@ -118,7 +119,7 @@ final class DeclaredRows {
             return false;
         }
         boolean isAny = false;
-        for (int row = 0; row < rows.count; row++) {
+        for (int row = 0; row < contacts.count; row++) {
             if (strays.mayLackPoint(row)) {
                 fresh.measure(row, left);
                 isAny = true;

@@ -32,7 +32,7 @@ final class DirectSolver {
     private static final int WORK_OF_ROW = 100;
 
     private final Motions motions;
-    private final Rows rows;
+    private final PackedContacts contacts;
     private final OverlapSolver overlap;
     private final SingleRows single;
     private final ContactOrder order;
@@ -61,13 +61,13 @@ final class DirectSolver {
     private double[] places = new double[64];
 
     /** A solver that tries the harder the more substeps an accuracy asks for. */
-    DirectSolver(Motions motions, Rows rows, OverlapSolver overlap, int substeps) {
+    DirectSolver(Motions motions, PackedContacts contacts, OverlapSolver overlap, int substeps) {
         this.motions = motions;
-        this.rows = rows;
+        this.contacts = contacts;
         this.overlap = overlap;
-        single = new SingleRows(motions, rows);
-        order = new ContactOrder(motions, rows);
-        factor = new RowFactor(rows, single, order);
+        single = new SingleRows(motions, contacts);
+        order = new ContactOrder(motions, contacts);
+        factor = new RowFactor(contacts, single, order);
         mostTries = TRIES_PER_SUBSTEP * substeps;
     }
 
@@ -76,7 +76,7 @@ final class DirectSolver {
      * multiplications than a substep is worth.
      */
     boolean prepare(double worthOfSubstep) {
-        if (ROWS_PER_CONTACT * rows.count > MOST_ROWS) {
+        if (ROWS_PER_CONTACT * contacts.count > MOST_ROWS) {
             return false;
         }
         worth = worthOfSubstep;
@@ -107,7 +107,7 @@ final class DirectSolver {
 
     /** A lone disc's normal and friction do not feel each other: nothing is to be eliminated. */
     private boolean isUncoupled() {
-        return rows.count == 1 && rows.points[0] == 1;
+        return contacts.count == 1 && contacts.points[0] == 1;
     }
 
     /**
@@ -148,7 +148,10 @@ final class DirectSolver {
             int kind = set[i] % ROWS_PER_CONTACT;
             unknown[i] = kind == TANGENT ? 0 : overlap.wanted(row, kind, h);
             if (unknown[i] > 0) {
-                widest = Math.max(widest, rows.data[row * Rows.STRIDE + Rows.WIDTH]);
+                widest =
+                        Math.max(
+                                widest,
+                                contacts.data[row * PackedContacts.STRIDE + PackedContacts.WIDTH]);
             }
         }
         if (widest > 0) {
@@ -164,10 +167,10 @@ final class DirectSolver {
     private void chooseOverlapping(double h, int substep) {
         reserve();
         size = 0;
-        for (int i = 0; i < rows.count; i++) {
+        for (int i = 0; i < contacts.count; i++) {
             int row = order.order[i];
-            if (rows.firstSubstep[row] <= substep) {
-                for (int point = 0; point < rows.points[row]; point++) {
+            if (contacts.firstSubstep[row] <= substep) {
+                for (int point = 0; point < contacts.points[row]; point++) {
                     if (overlap.wanted(row, point, h) > 0) {
                         set[size++] = ROWS_PER_CONTACT * row + point;
                     }
@@ -209,16 +212,16 @@ final class DirectSolver {
     private void chooseLoaded(double h, int substep) {
         reserve();
         size = 0;
-        for (int i = 0; i < rows.count; i++) {
-            if (rows.firstSubstep[order.order[i]] <= substep) {
+        for (int i = 0; i < contacts.count; i++) {
+            if (contacts.firstSubstep[order.order[i]] <= substep) {
                 chooseLoadedOf(order.order[i], h);
             }
         }
     }
 
     private void reserve() {
-        if (set.length < ROWS_PER_CONTACT * rows.count) {
-            int capacity = ROWS_PER_CONTACT * rows.pair.length;
+        if (set.length < ROWS_PER_CONTACT * contacts.count) {
+            int capacity = ROWS_PER_CONTACT * contacts.pair.length;
             set = new int[capacity];
             unknown = new double[capacity];
             moved = new double[capacity];
@@ -232,7 +235,7 @@ final class DirectSolver {
      */
     private void chooseLoadedOf(int row, double h) {
         int before = size;
-        for (int point = 0; point < rows.points[row]; point++) {
+        for (int point = 0; point < contacts.points[row]; point++) {
             int id = ROWS_PER_CONTACT * row + point;
             if (answerAfterOwnChange(id, h) > least) {
                 set[size++] = id;
@@ -249,15 +252,18 @@ final class DirectSolver {
     /** The speed that a row's impulse gives it, m/s, with the impulse that would solve it alone. */
     private double answerAfterOwnChange(int id, double h) {
         double impulse =
-                rows.data[id / ROWS_PER_CONTACT * Rows.STRIDE + SingleRows.impulseColumn(id)];
+                contacts.data[
+                        id / ROWS_PER_CONTACT * PackedContacts.STRIDE
+                                + SingleRows.impulseColumn(id)];
         double response = single.response(id, id);
         return response * (impulse - approach(id, h) / (response + single.give(id)));
     }
 
     private double friction(int row) {
-        double[] d = rows.data;
-        int at = row * Rows.STRIDE;
-        return d[at + Rows.FRICTION] * (d[at + Rows.IMPULSE0] + d[at + Rows.IMPULSE1]);
+        double[] d = contacts.data;
+        int at = row * PackedContacts.STRIDE;
+        return d[at + PackedContacts.FRICTION]
+                * (d[at + PackedContacts.IMPULSE0] + d[at + PackedContacts.IMPULSE1]);
     }
 
     /** Speed in m/s at which a row violates what it asks for. */
@@ -265,9 +271,9 @@ final class DirectSolver {
         int row = id / ROWS_PER_CONTACT;
         int kind = id % ROWS_PER_CONTACT;
         double v = single.relative(id, Motions.VX, Motions.VY, Motions.SPIN);
-        double impulse = rows.data[row * Rows.STRIDE + SingleRows.impulseColumn(id)];
+        double impulse = contacts.data[row * PackedContacts.STRIDE + SingleRows.impulseColumn(id)];
         double given = v + single.give(id) * impulse - single.ownSpeed(id);
-        return kind == TANGENT ? given : given + Math.max(0, motions.gap(rows, row, kind)) / h;
+        return kind == TANGENT ? given : given + Math.max(0, motions.gap(contacts, row, kind)) / h;
     }
 
     /**
@@ -323,14 +329,17 @@ final class DirectSolver {
     }
 
     private void push(int id, double change) {
-        rows.data[id / ROWS_PER_CONTACT * Rows.STRIDE + SingleRows.impulseColumn(id)] += change;
+        contacts.data[
+                        id / ROWS_PER_CONTACT * PackedContacts.STRIDE
+                                + SingleRows.impulseColumn(id)] +=
+                change;
         single.push(id, change, Motions.VX, Motions.VY, Motions.SPIN);
     }
 
     /** The part of a change that leaves its row within its bounds. */
     private double withinBounds(int id, double change) {
         int row = id / ROWS_PER_CONTACT;
-        double impulse = rows.data[row * Rows.STRIDE + SingleRows.impulseColumn(id)];
+        double impulse = contacts.data[row * PackedContacts.STRIDE + SingleRows.impulseColumn(id)];
         if (id % ROWS_PER_CONTACT != TANGENT) {
             return Math.max(change, -impulse);
         }

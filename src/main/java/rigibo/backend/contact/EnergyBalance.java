@@ -15,20 +15,20 @@ final class EnergyBalance {
 
     private final Bodies bodies;
     private final Motions motions;
-    private final Rows rows;
+    private final PackedContacts contacts;
 
     private boolean isKept;
     private double motionBefore;
 
-    EnergyBalance(Bodies bodies, Motions motions, Rows rows) {
+    EnergyBalance(Bodies bodies, Motions motions, PackedContacts contacts) {
         this.bodies = bodies;
         this.motions = motions;
-        this.rows = rows;
+        this.contacts = contacts;
     }
 
     /** Begins a step of the packed island. */
     void begin() {
-        isKept = motions.areFew() && !motions.isAnyDriven && !rows.isAnyRunning && isAllKnown();
+        isKept = motions.areFew() && !motions.isAnyDriven && !contacts.isAnyRunning && isAllKnown();
         motionBefore = isKept ? motions.energy(motions.data) : 0;
     }
 
@@ -47,7 +47,7 @@ final class EnergyBalance {
 
     /** Takes from the motion what it has gained out of nothing. */
     void settle() {
-        if (!isKept || rows.groundStart == rows.count) {
+        if (!isKept || contacts.groundStart == contacts.count) {
             return;
         }
         double motion = motions.energy(motions.data);

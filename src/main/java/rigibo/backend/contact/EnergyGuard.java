@@ -15,7 +15,7 @@ final class EnergyGuard {
     private static final double ROUND_OFF = 1e-9;
 
     private final Motions motions;
-    private final Rows rows;
+    private final PackedContacts contacts;
     private final SingleRows single;
 
     /** The energy of motion before the contacts, J, and the blows that had been struck by then. */
@@ -26,16 +26,16 @@ final class EnergyGuard {
     /** Velocities before the contacts, laid out as the motions. */
     private double[] before = new double[16 * Motions.STRIDE];
 
-    EnergyGuard(Motions motions, Rows rows) {
+    EnergyGuard(Motions motions, PackedContacts contacts) {
         this.motions = motions;
-        this.rows = rows;
-        single = new SingleRows(motions, rows);
+        this.contacts = contacts;
+        single = new SingleRows(motions, contacts);
     }
 
     /** Notes the energy that there is before the contacts answer. */
     void begin() {
         energyBefore = motions.energy(motions.data);
-        blowsBefore = rows.blows;
+        blowsBefore = contacts.blows;
     }
 
     /**
@@ -43,8 +43,8 @@ final class EnergyGuard {
      * else, which is driven or strikes, had a part in what it is now.
      */
     private boolean isWithin(double most) {
-        boolean isDriven = motions.isAnyDriven || rows.isAnyRunning;
-        boolean isOfContacts = !isDriven && rows.blows == blowsBefore;
+        boolean isDriven = motions.isAnyDriven || contacts.isAnyRunning;
+        boolean isOfContacts = !isDriven && contacts.blows == blowsBefore;
         return isOfContacts && motions.energy(motions.data) <= energyBefore + most;
     }
 
@@ -80,24 +80,24 @@ final class EnergyGuard {
             before = new double[motions.data.length];
         }
         System.arraycopy(motions.data, 0, before, 0, length);
-        for (int id = 0; id < ROWS_PER_CONTACT * rows.count; id++) {
+        for (int id = 0; id < ROWS_PER_CONTACT * contacts.count; id++) {
             double impulse = impulse(id);
             if (impulse != 0) {
                 single.push(before, id, -impulse, Motions.VX, Motions.VY, Motions.SPIN);
             }
         }
-        for (int row = 0; row < rows.count; row++) {
-            double turn = rows.data[row * Rows.STRIDE + Rows.IMPULSE_R];
-            int a = rows.bodyA[row];
-            int b = rows.bodyB[row];
+        for (int row = 0; row < contacts.count; row++) {
+            double turn = contacts.data[row * PackedContacts.STRIDE + PackedContacts.IMPULSE_R];
+            int a = contacts.bodyA[row];
+            int b = contacts.bodyB[row];
             before[a + Motions.SPIN] += motions.data[a + Motions.INVERSE_INERTIA] * turn;
             before[b + Motions.SPIN] -= motions.data[b + Motions.INVERSE_INERTIA] * turn;
         }
     }
 
     private double impulse(int id) {
-        int at = id / ROWS_PER_CONTACT * Rows.STRIDE;
-        return rows.data[at + SingleRows.impulseColumn(id)];
+        int at = id / ROWS_PER_CONTACT * PackedContacts.STRIDE;
+        return contacts.data[at + SingleRows.impulseColumn(id)];
     }
 
     /** Scales all impulses back to what leaves no speed above a limit in m/s, if one is. */
@@ -126,16 +126,17 @@ final class EnergyGuard {
     /** Σ j·w at velocities laid out as the motions, J. */
     private double work(double[] m) {
         double sum = 0;
-        for (int id = 0; id < ROWS_PER_CONTACT * rows.count; id++) {
+        for (int id = 0; id < ROWS_PER_CONTACT * contacts.count; id++) {
             double impulse = impulse(id);
             if (impulse != 0) {
                 double speed = single.relative(m, id, Motions.VX, Motions.VY, Motions.SPIN);
                 sum += impulse * (speed - single.running(id));
             }
         }
-        for (int row = 0; row < rows.count; row++) {
-            double turning = m[rows.bodyB[row] + Motions.SPIN] - m[rows.bodyA[row] + Motions.SPIN];
-            sum += rows.data[row * Rows.STRIDE + Rows.IMPULSE_R] * turning;
+        for (int row = 0; row < contacts.count; row++) {
+            double turning =
+                    m[contacts.bodyB[row] + Motions.SPIN] - m[contacts.bodyA[row] + Motions.SPIN];
+            sum += contacts.data[row * PackedContacts.STRIDE + PackedContacts.IMPULSE_R] * turning;
         }
         return sum;
     }
@@ -147,11 +148,11 @@ final class EnergyGuard {
                 m[column] = before[column] + share * (m[column] - before[column]);
             }
         }
-        for (int at = 0; at < rows.count * Rows.STRIDE; at += Rows.STRIDE) {
-            rows.data[at + Rows.IMPULSE0] *= share;
-            rows.data[at + Rows.IMPULSE1] *= share;
-            rows.data[at + Rows.IMPULSE_T] *= share;
-            rows.data[at + Rows.IMPULSE_R] *= share;
+        for (int at = 0; at < contacts.count * PackedContacts.STRIDE; at += PackedContacts.STRIDE) {
+            contacts.data[at + PackedContacts.IMPULSE0] *= share;
+            contacts.data[at + PackedContacts.IMPULSE1] *= share;
+            contacts.data[at + PackedContacts.IMPULSE_T] *= share;
+            contacts.data[at + PackedContacts.IMPULSE_R] *= share;
         }
     }
 }

@@ -23,7 +23,7 @@ final class FreshRows {
     private final Pairs pairs;
     private final Narrowphase narrowphase;
     private final Motions motions;
-    private final Rows rows;
+    private final PackedContacts contacts;
     private final RowBuilder builder;
     private final Pose poseA = new Pose();
     private final Pose poseB = new Pose();
@@ -32,13 +32,13 @@ final class FreshRows {
             DataStorage data,
             Narrowphase narrowphase,
             Motions motions,
-            Rows rows,
+            PackedContacts contacts,
             RowBuilder builder) {
         bodies = data.bodies;
         pairs = data.pairs;
         this.narrowphase = narrowphase;
         this.motions = motions;
-        this.rows = rows;
+        this.contacts = contacts;
         this.builder = builder;
     }
 
@@ -50,8 +50,8 @@ final class FreshRows {
      */
     boolean measureJoining(int substep, double time, double left) {
         boolean isAny = false;
-        for (int row = 0; substep <= rows.lastJoining && row < rows.count; row++) {
-            if (rows.firstSubstep[row] == substep) {
+        for (int row = 0; substep <= contacts.lastJoining && row < contacts.count; row++) {
+            if (contacts.firstSubstep[row] == substep) {
                 measureAhead(row, left, Math.max(0, joinsAt(row) - time));
                 isAny = true;
             }
@@ -61,19 +61,19 @@ final class FreshRows {
 
     /** When the later of two bodies joins, s after the step's start. */
     private double joinsAt(int row) {
-        int a = rows.bodyA[row];
-        int b = rows.bodyB[row];
+        int a = contacts.bodyA[row];
+        int b = contacts.bodyB[row];
         double whenA = a == 0 ? 0 : bodies.pileTime[motions.slots[a / Motions.STRIDE]];
         double whenB = b == 0 ? 0 : bodies.pileTime[motions.slots[b / Motions.STRIDE]];
         return Math.max(whenA, whenB);
     }
 
     private void measureAhead(int row, double left, double ahead) {
-        motions.drift(rows.bodyA[row], ahead);
-        motions.drift(rows.bodyB[row], ahead);
+        motions.drift(contacts.bodyA[row], ahead);
+        motions.drift(contacts.bodyB[row], ahead);
         measure(row, left);
-        motions.drift(rows.bodyA[row], -ahead);
-        motions.drift(rows.bodyB[row], -ahead);
+        motions.drift(contacts.bodyA[row], -ahead);
+        motions.drift(contacts.bodyB[row], -ahead);
     }
 
     /**
@@ -81,25 +81,25 @@ final class FreshRows {
      * is where one of them is nowhere any more: that one will be put to rest where the step began.
      */
     void measure(int row, double left) {
-        int pair = rows.pair[row];
-        place(pairs.bodyA[pair], rows.bodyA[row], poseA);
-        place(pairs.bodyB[pair], rows.bodyB[row], poseB);
+        int pair = contacts.pair[row];
+        place(pairs.bodyA[pair], contacts.bodyA[row], poseA);
+        place(pairs.bodyB[pair], contacts.bodyB[row], poseB);
         if (!isSomewhere(poseA) || !isSomewhere(poseB)) {
             return;
         }
-        int at = row * Rows.STRIDE;
+        int at = row * PackedContacts.STRIDE;
         // The manifold hands on what its columns hold from the points it had to those it has.
-        pairs.normalForce[2 * pair] = rows.data[at + Rows.IMPULSE0];
-        pairs.normalForce[2 * pair + 1] = rows.data[at + Rows.IMPULSE1];
+        pairs.normalForce[2 * pair] = contacts.data[at + PackedContacts.IMPULSE0];
+        pairs.normalForce[2 * pair + 1] = contacts.data[at + PackedContacts.IMPULSE1];
         narrowphase.measureContact(pair, poseA, poseB, reach(row, pair, left));
-        rows.data[at + Rows.IMPULSE0] = pairs.normalForce[2 * pair];
-        rows.data[at + Rows.IMPULSE1] = pairs.normalForce[2 * pair + 1];
+        contacts.data[at + PackedContacts.IMPULSE0] = pairs.normalForce[2 * pair];
+        contacts.data[at + PackedContacts.IMPULSE1] = pairs.normalForce[2 * pair + 1];
         double before0 = before(at, pairs.former[2 * pair]);
         double before1 = before(at, pairs.former[2 * pair + 1]);
-        rows.data[at + Rows.BEFORE0] = before0;
-        rows.data[at + Rows.BEFORE1] = before1;
+        contacts.data[at + PackedContacts.BEFORE0] = before0;
+        contacts.data[at + PackedContacts.BEFORE1] = before1;
         builder.rewrite(row);
-        rows.data[at + Rows.RECOVERY] = recovery;
+        contacts.data[at + PackedContacts.RECOVERY] = recovery;
     }
 
     private static boolean isSomewhere(Pose pose) {
@@ -108,7 +108,7 @@ final class FreshRows {
     }
 
     private double before(int at, int point) {
-        return point == Pairs.NONE ? 0 : rows.data[at + Rows.BEFORE0 + point];
+        return point == Pairs.NONE ? 0 : contacts.data[at + PackedContacts.BEFORE0 + point];
     }
 
     private void place(int slot, int entry, Pose pose) {
@@ -123,8 +123,8 @@ final class FreshRows {
     /** The gap in m that could close in what is left of the step. */
     private double reach(int row, int pair, double left) {
         double[] m = motions.data;
-        int a = rows.bodyA[row];
-        int b = rows.bodyB[row];
+        int a = contacts.bodyA[row];
+        int b = contacts.bodyB[row];
         double speed =
                 Math.abs(m[b + Motions.VX] - m[a + Motions.VX])
                         + Math.abs(m[b + Motions.VY] - m[a + Motions.VY]);

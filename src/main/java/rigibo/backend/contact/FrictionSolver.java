@@ -12,29 +12,30 @@ import rigibo.backend.storage.Pairs;
 final class FrictionSolver implements Rubbing {
 
     private final Motions motions;
-    private final Rows rows;
+    private final PackedContacts contacts;
     private final Pairs pairs;
     private int[] rubbing = new int[16];
     private int count;
 
-    FrictionSolver(Motions motions, Rows rows, Pairs pairs) {
+    FrictionSolver(Motions motions, PackedContacts contacts, Pairs pairs) {
         this.motions = motions;
-        this.rows = rows;
+        this.contacts = contacts;
         this.pairs = pairs;
     }
 
     @Override
     public void begin(double firstKick) {
-        if (rubbing.length < rows.count) {
-            rubbing = new int[rows.pair.length];
+        if (rubbing.length < contacts.count) {
+            rubbing = new int[contacts.pair.length];
         }
         count = 0;
-        for (int row = 0; row < rows.count; row++) {
-            double friction = pairs.friction[rows.pair[row]];
+        for (int row = 0; row < contacts.count; row++) {
+            double friction = pairs.friction[contacts.pair[row]];
             if (friction > 0) {
-                int at = row * Rows.STRIDE;
-                rows.data[at + Rows.FRICTION] = friction;
-                rows.data[at + Rows.IMPULSE_T] = pairs.heldFriction(rows.pair[row]) * firstKick;
+                int at = row * PackedContacts.STRIDE;
+                contacts.data[at + PackedContacts.FRICTION] = friction;
+                contacts.data[at + PackedContacts.IMPULSE_T] =
+                        pairs.heldFriction(contacts.pair[row]) * firstKick;
                 rubbing[count++] = row;
             }
         }
@@ -45,11 +46,11 @@ final class FrictionSolver implements Rubbing {
     public void refresh() {
         for (int i = 0; i < count; i++) {
             int row = rubbing[i];
-            int at = row * Rows.STRIDE;
-            double ta = rows.data[at + Rows.LEVER_TA];
-            double tb = rows.data[at + Rows.LEVER_TB];
-            rows.data[at + Rows.MASS_T] =
-                    1 / motions.response(rows.bodyA[row], rows.bodyB[row], ta, tb, ta, tb);
+            int at = row * PackedContacts.STRIDE;
+            double ta = contacts.data[at + PackedContacts.LEVER_TA];
+            double tb = contacts.data[at + PackedContacts.LEVER_TB];
+            contacts.data[at + PackedContacts.MASS_T] =
+                    1 / motions.response(contacts.bodyA[row], contacts.bodyB[row], ta, tb, ta, tb);
         }
     }
 
@@ -61,8 +62,9 @@ final class FrictionSolver implements Rubbing {
     @Override
     public void store(double h) {
         for (int i = 0; i < count; i++) {
-            double impulse = rows.data[rubbing[i] * Rows.STRIDE + Rows.IMPULSE_T];
-            pairs.frictionForce[rows.pair[rubbing[i]]] = impulse * (2 / h);
+            double impulse =
+                    contacts.data[rubbing[i] * PackedContacts.STRIDE + PackedContacts.IMPULSE_T];
+            pairs.frictionForce[contacts.pair[rubbing[i]]] = impulse * (2 / h);
         }
     }
 
@@ -72,51 +74,55 @@ final class FrictionSolver implements Rubbing {
     }
 
     private double impulseWithinLoad(int row) {
-        double[] d = rows.data;
-        int at = row * Rows.STRIDE;
-        double most = d[at + Rows.FRICTION] * (d[at + Rows.IMPULSE0] + d[at + Rows.IMPULSE1]);
-        double wanted = d[at + Rows.IMPULSE_T] - d[at + Rows.MASS_T] * slidingSpeed(row);
-        return clamp(wanted / (1 + Rows.COMPLIANCE), most);
+        double[] d = contacts.data;
+        int at = row * PackedContacts.STRIDE;
+        double most =
+                d[at + PackedContacts.FRICTION]
+                        * (d[at + PackedContacts.IMPULSE0] + d[at + PackedContacts.IMPULSE1]);
+        double wanted =
+                d[at + PackedContacts.IMPULSE_T]
+                        - d[at + PackedContacts.MASS_T] * slidingSpeed(row);
+        return clamp(wanted / (1 + PackedContacts.COMPLIANCE), most);
     }
 
     /** Speed in m/s at which B slides along the tangent on A, against surfaces that run. */
     double slidingSpeed(int row) {
-        double[] d = rows.data;
+        double[] d = contacts.data;
         double[] m = motions.data;
-        int at = row * Rows.STRIDE;
-        int a = rows.bodyA[row];
-        int b = rows.bodyB[row];
-        return d[at + Rows.NX] * (m[b + VY] - m[a + VY])
-                - d[at + Rows.NY] * (m[b + VX] - m[a + VX])
-                + d[at + Rows.LEVER_TB] * m[b + SPIN]
-                - d[at + Rows.LEVER_TA] * m[a + SPIN]
-                - rows.surface[row];
+        int at = row * PackedContacts.STRIDE;
+        int a = contacts.bodyA[row];
+        int b = contacts.bodyB[row];
+        return d[at + PackedContacts.NX] * (m[b + VY] - m[a + VY])
+                - d[at + PackedContacts.NY] * (m[b + VX] - m[a + VX])
+                + d[at + PackedContacts.LEVER_TB] * m[b + SPIN]
+                - d[at + PackedContacts.LEVER_TA] * m[a + SPIN]
+                - contacts.surface[row];
     }
 
     /** Takes an impulse along the tangent in place of the one there was, N·s. */
     void keepTangent(int row, double impulse) {
-        double[] d = rows.data;
-        int at = row * Rows.STRIDE;
-        double change = impulse - d[at + Rows.IMPULSE_T];
-        d[at + Rows.IMPULSE_T] = impulse;
+        double[] d = contacts.data;
+        int at = row * PackedContacts.STRIDE;
+        double change = impulse - d[at + PackedContacts.IMPULSE_T];
+        d[at + PackedContacts.IMPULSE_T] = impulse;
         apply(row, change);
     }
 
     /** Applies an impulse along the tangent (−ny, nx), N·s. */
     private void apply(int row, double impulse) {
-        double[] d = rows.data;
+        double[] d = contacts.data;
         double[] m = motions.data;
-        int at = row * Rows.STRIDE;
-        int a = rows.bodyA[row];
-        int b = rows.bodyB[row];
+        int at = row * PackedContacts.STRIDE;
+        int a = contacts.bodyA[row];
+        int b = contacts.bodyB[row];
         double ma = m[a + INVERSE_MASS] * impulse;
         double mb = m[b + INVERSE_MASS] * impulse;
-        m[a + VX] += ma * d[at + Rows.NY];
-        m[a + VY] -= ma * d[at + Rows.NX];
-        m[a + SPIN] -= m[a + INVERSE_INERTIA] * d[at + Rows.LEVER_TA] * impulse;
-        m[b + VX] -= mb * d[at + Rows.NY];
-        m[b + VY] += mb * d[at + Rows.NX];
-        m[b + SPIN] += m[b + INVERSE_INERTIA] * d[at + Rows.LEVER_TB] * impulse;
+        m[a + VX] += ma * d[at + PackedContacts.NY];
+        m[a + VY] -= ma * d[at + PackedContacts.NX];
+        m[a + SPIN] -= m[a + INVERSE_INERTIA] * d[at + PackedContacts.LEVER_TA] * impulse;
+        m[b + VX] -= mb * d[at + PackedContacts.NY];
+        m[b + VY] += mb * d[at + PackedContacts.NX];
+        m[b + SPIN] += m[b + INVERSE_INERTIA] * d[at + PackedContacts.LEVER_TB] * impulse;
     }
 
     /** The impulse nearest to one that is wanted, of those up to a bound either way. */

@@ -8,30 +8,30 @@ package rigibo.backend.contact;
 final class Halfway {
 
     private final Motions motions;
-    private final Rows rows;
+    private final PackedContacts contacts;
 
     /** The velocities and impulses that a round began with, laid out as motions and rows. */
     private double[] velocities = new double[64];
 
     private double[] impulses = new double[64];
 
-    Halfway(Motions motions, Rows rows) {
+    Halfway(Motions motions, PackedContacts contacts) {
         this.motions = motions;
-        this.rows = rows;
+        this.contacts = contacts;
     }
 
     /** Remembers where a round begins. */
     void begin() {
         int moving = motions.count * Motions.STRIDE;
-        int touching = rows.count * Rows.STRIDE;
+        int touching = contacts.count * PackedContacts.STRIDE;
         if (velocities.length < moving) {
             velocities = new double[motions.data.length];
         }
         if (impulses.length < touching) {
-            impulses = new double[rows.data.length];
+            impulses = new double[contacts.data.length];
         }
         System.arraycopy(motions.data, 0, velocities, 0, moving);
-        System.arraycopy(rows.data, 0, impulses, 0, touching);
+        System.arraycopy(contacts.data, 0, impulses, 0, touching);
     }
 
     /** Takes half of the round back. */
@@ -41,21 +41,21 @@ final class Halfway {
                 motions.data[column] = (motions.data[column] + velocities[column]) / 2;
             }
         }
-        for (int at = 0; at < rows.count * Rows.STRIDE; at += Rows.STRIDE) {
-            halve(at + Rows.IMPULSE0);
-            halve(at + Rows.IMPULSE1);
-            halve(at + Rows.IMPULSE_T);
-            halve(at + Rows.IMPULSE_R);
+        for (int at = 0; at < contacts.count * PackedContacts.STRIDE; at += PackedContacts.STRIDE) {
+            halve(at + PackedContacts.IMPULSE0);
+            halve(at + PackedContacts.IMPULSE1);
+            halve(at + PackedContacts.IMPULSE_T);
+            halve(at + PackedContacts.IMPULSE_R);
         }
     }
 
     /** Takes all of the round back. */
     void takeBack() {
         System.arraycopy(velocities, 0, motions.data, 0, motions.count * Motions.STRIDE);
-        System.arraycopy(impulses, 0, rows.data, 0, rows.count * Rows.STRIDE);
+        System.arraycopy(impulses, 0, contacts.data, 0, contacts.count * PackedContacts.STRIDE);
     }
 
     private void halve(int column) {
-        rows.data[column] = (rows.data[column] + impulses[column]) / 2;
+        contacts.data[column] = (contacts.data[column] + impulses[column]) / 2;
     }
 }

@@ -36,7 +36,7 @@ final class JointBlows {
     private final Pairs pairs;
     private final Counters counters;
     private final Motions motions;
-    private final Rows rows;
+    private final PackedContacts contacts;
     private final Kick kick;
     private final BounceRows bounces;
     private final Impact impact = new Impact();
@@ -56,12 +56,17 @@ final class JointBlows {
 
     private int strikingCount;
 
-    JointBlows(DataStorage data, Motions motions, Rows rows, Kick kick, BounceRows bounces) {
+    JointBlows(
+            DataStorage data,
+            Motions motions,
+            PackedContacts contacts,
+            Kick kick,
+            BounceRows bounces) {
         bodies = data.bodies;
         pairs = data.pairs;
         counters = data.counters;
         this.motions = motions;
-        this.rows = rows;
+        this.contacts = contacts;
         this.kick = kick;
         this.bounces = bounces;
         together = new TiedImpacts(bodies, pairs);
@@ -105,8 +110,8 @@ final class JointBlows {
         double first = Double.POSITIVE_INFINITY;
         for (int i = 0; i < bounces.count; i++) {
             int row = bounces.elastic[i];
-            if (rows.firstSubstep[row] <= substep) {
-                for (int point = 0; point < rows.points[row]; point++) {
+            if (contacts.firstSubstep[row] <= substep) {
+                for (int point = 0; point < contacts.points[row]; point++) {
                     first = Math.min(first, strikesAt(row, point));
                 }
             }
@@ -116,8 +121,8 @@ final class JointBlows {
 
     /** When a point strikes, s into the substep; infinite where it does not, or too softly. */
     private double strikesAt(int row, int point) {
-        double speed = motions.parting(rows, row, point);
-        double gap = motions.gap(rows, row, point);
+        double speed = motions.parting(contacts, row, point);
+        double gap = motions.gap(contacts, row, point);
         if (gap + h * speed >= 0) {
             return Double.POSITIVE_INFINITY;
         }
@@ -132,12 +137,12 @@ final class JointBlows {
      * would close without an answer; it does not strike.
      */
     private boolean strikes(int row, int point, double time) {
-        double speed = motions.parting(rows, row, point);
+        double speed = motions.parting(contacts, row, point);
         double met = speed + (time - middle) * gained(row, point);
-        boolean touched = motions.gap(rows, row, point) <= 0;
+        boolean touched = motions.gap(contacts, row, point) <= 0;
         double unloaded = speed - gainedInAll(row, point) + turnedBy(row);
         double parting = touched ? Math.max(met, unloaded) : met;
-        double limit = rows.data[row * Rows.STRIDE + Rows.BOUNCE_SPEED];
+        double limit = contacts.data[row * PackedContacts.STRIDE + PackedContacts.BOUNCE_SPEED];
         return parting < -Math.max(ROUND_OFF, limit);
     }
 
@@ -154,28 +159,28 @@ final class JointBlows {
 
     /** How fast the parting of a point grows, m/s². */
     private double gained(int row, int point) {
-        return gained(row, point, rows.bodyB[row]) - gained(row, point, rows.bodyA[row]);
+        return gained(row, point, contacts.bodyB[row]) - gained(row, point, contacts.bodyA[row]);
     }
 
     /** What the parting of a point grew by in the kick, m/s. */
     private double gainedInAll(int row, int point) {
-        int a = rows.bodyA[row];
-        int b = rows.bodyB[row];
+        int a = contacts.bodyA[row];
+        int b = contacts.bodyB[row];
         return kick.length(b) * gained(row, point, b) - kick.length(a) * gained(row, point, a);
     }
 
     /** How much faster the surfaces come together than a substep ago, by turning alone, m/s. */
     private double turnedBy(int row) {
-        return 2 * rows.data[row * Rows.STRIDE + Rows.NEARING];
+        return 2 * contacts.data[row * PackedContacts.STRIDE + PackedContacts.NEARING];
     }
 
     /** How fast a body's point of a contact gains speed along the normal, m/s². */
     private double gained(int row, int point, int body) {
-        int at = row * Rows.STRIDE;
-        double[] d = rows.data;
-        int lever = body == rows.bodyA[row] ? Rows.LEVER_A0 : Rows.LEVER_B0;
-        return d[at + Rows.NX] * kick.gained(body, Motions.VX)
-                + d[at + Rows.NY] * kick.gained(body, Motions.VY)
+        int at = row * PackedContacts.STRIDE;
+        double[] d = contacts.data;
+        int lever = body == contacts.bodyA[row] ? PackedContacts.LEVER_A0 : PackedContacts.LEVER_B0;
+        return d[at + PackedContacts.NX] * kick.gained(body, Motions.VX)
+                + d[at + PackedContacts.NY] * kick.gained(body, Motions.VY)
                 + d[at + 2 * point + lever] * kick.gained(body, Motions.SPIN);
     }
 
@@ -190,8 +195,8 @@ final class JointBlows {
         }
         together.clear();
         strikingCount = 0;
-        for (int row = 0; row < rows.count; row++) {
-            if (rows.firstSubstep[row] <= substep) {
+        for (int row = 0; row < contacts.count; row++) {
+            if (contacts.firstSubstep[row] <= substep) {
                 add(row, time);
             }
         }
@@ -215,9 +220,9 @@ final class JointBlows {
 
     private void countStrikes() {
         for (int i = 0; i < strikingCount; i++) {
-            pairs.impacts[rows.pair[striking[i]]]++;
+            pairs.impacts[contacts.pair[striking[i]]]++;
         }
-        rows.blows += strikingCount;
+        contacts.blows += strikingCount;
         counters.impacts += strikingCount;
     }
 
@@ -243,18 +248,18 @@ final class JointBlows {
 
     /** Adds the points of a row that touch at a time, and its elasticity if it strikes then. */
     private void add(int row, double time) {
-        double[] d = rows.data;
-        int at = row * Rows.STRIDE;
+        double[] d = contacts.data;
+        int at = row * PackedContacts.STRIDE;
         load(row, at);
         boolean strikes = false;
-        for (int point = 0; point < rows.points[row]; point++) {
-            double touching = TOUCHING * OverlapSolver.KEPT_OVERLAP * d[at + Rows.WIDTH];
+        for (int point = 0; point < contacts.points[row]; point++) {
+            double touching = TOUCHING * OverlapSolver.KEPT_OVERLAP * d[at + PackedContacts.WIDTH];
             if (gapAt(row, point, time) <= touching) {
                 addPoint(at, point);
                 strikes |= strikes(row, point, time);
             }
         }
-        together.add(rows.pair[row], impact, strikes ? d[at + Rows.ELASTICITY] : 0);
+        together.add(contacts.pair[row], impact, strikes ? d[at + PackedContacts.ELASTICITY] : 0);
         if (strikes) {
             if (strikingCount == striking.length) {
                 striking = Arrays.copyOf(striking, 2 * strikingCount);
@@ -265,26 +270,26 @@ final class JointBlows {
 
     private double gapAt(int row, int point, double time) {
         double pull = gained(row, point);
-        double speed = motions.parting(rows, row, point) - middle * pull;
-        return motions.gap(rows, row, point) + time * (speed + time * pull / 2);
+        double speed = motions.parting(contacts, row, point) - middle * pull;
+        return motions.gap(contacts, row, point) + time * (speed + time * pull / 2);
     }
 
     private void load(int row, int at) {
-        impact.load(bodies, pairs, rows.pair[row]);
-        impact.normalX = rows.data[at + Rows.NX];
-        impact.normalY = rows.data[at + Rows.NY];
+        impact.load(bodies, pairs, contacts.pair[row]);
+        impact.normalX = contacts.data[at + PackedContacts.NX];
+        impact.normalY = contacts.data[at + PackedContacts.NY];
     }
 
     /** Rebuilds the arms from the levers along the normal and the tangent. */
     private void addPoint(int at, int point) {
-        double[] d = rows.data;
+        double[] d = contacts.data;
         int i = impact.points++;
-        double nx = d[at + Rows.NX];
-        double ny = d[at + Rows.NY];
-        double acrossA = d[at + 2 * point + Rows.LEVER_A0];
-        double acrossB = d[at + 2 * point + Rows.LEVER_B0];
-        double alongA = d[at + Rows.LEVER_TA];
-        double alongB = d[at + Rows.LEVER_TB];
+        double nx = d[at + PackedContacts.NX];
+        double ny = d[at + PackedContacts.NY];
+        double acrossA = d[at + 2 * point + PackedContacts.LEVER_A0];
+        double acrossB = d[at + 2 * point + PackedContacts.LEVER_B0];
+        double alongA = d[at + PackedContacts.LEVER_TA];
+        double alongB = d[at + PackedContacts.LEVER_TB];
         impact.armAX[i] = acrossA * ny + alongA * nx;
         impact.armAY[i] = -acrossA * nx + alongA * ny;
         impact.armBX[i] = acrossB * ny + alongB * nx;

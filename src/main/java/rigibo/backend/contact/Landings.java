@@ -22,7 +22,7 @@ final class Landings {
     private static final double LANDED = 1e-5;
 
     private final Motions motions;
-    private final Rows rows;
+    private final PackedContacts contacts;
     private final Kick kick;
     private final boolean isLookedForAtAll;
 
@@ -48,16 +48,16 @@ final class Landings {
     private double kicked;
 
     /** {@code isLookedForAtAll} where impacts come at their times. */
-    Landings(Motions motions, Rows rows, Kick kick, boolean isLookedForAtAll) {
+    Landings(Motions motions, PackedContacts contacts, Kick kick, boolean isLookedForAtAll) {
         this.motions = motions;
-        this.rows = rows;
+        this.contacts = contacts;
         this.kick = kick;
         this.isLookedForAtAll = isLookedForAtAll;
     }
 
     /** Begins a packed island. */
     void begin() {
-        isLookedFor = isLookedForAtAll && motions.areFew() && rows.lastJoining <= 0;
+        isLookedFor = isLookedForAtAll && motions.areFew() && contacts.lastJoining <= 0;
         lastPart = 0;
     }
 
@@ -73,11 +73,11 @@ final class Landings {
     boolean haveLanded(double h) {
         double soft = soft(h);
         boolean isAny = false;
-        for (int i = 0; isLookedFor && lastPart > 0 && i < 2 * rows.count; i++) {
+        for (int i = 0; isLookedFor && lastPart > 0 && i < 2 * contacts.count; i++) {
             hasLanded[i] = isOpen[i] && isPoint(i) && gap(i) <= near(i) && closing(i) > soft;
             if (hasLanded[i]) {
                 isAny = true;
-                widen(i, rows.data[i / 2 * Rows.STRIDE + Rows.WIDTH]);
+                widen(i, contacts.data[i / 2 * PackedContacts.STRIDE + PackedContacts.WIDTH]);
             }
         }
         return isAny;
@@ -86,7 +86,7 @@ final class Landings {
     /** Closes the gaps of what has landed: that is answered whole, and now. A kick begins anew. */
     void close() {
         lastPart = 0;
-        for (int i = 0; i < 2 * rows.count; i++) {
+        for (int i = 0; i < 2 * contacts.count; i++) {
             if (hasLanded[i]) {
                 widen(i, -gap(i));
             }
@@ -94,7 +94,7 @@ final class Landings {
     }
 
     private void widen(int i, double by) {
-        rows.data[i / 2 * Rows.STRIDE + Rows.GAP0 + i % 2] += by;
+        contacts.data[i / 2 * PackedContacts.STRIDE + PackedContacts.GAP0 + i % 2] += by;
     }
 
     /** How much of the h seconds that are left of a substep go by until something lands, s. */
@@ -136,11 +136,11 @@ final class Landings {
     }
 
     private void noteOpen() {
-        if (isOpen.length < 2 * rows.count) {
-            isOpen = new boolean[2 * rows.pair.length];
-            hasLanded = new boolean[2 * rows.pair.length];
+        if (isOpen.length < 2 * contacts.count) {
+            isOpen = new boolean[2 * contacts.pair.length];
+            hasLanded = new boolean[2 * contacts.pair.length];
         }
-        for (int i = 0; i < 2 * rows.count; i++) {
+        for (int i = 0; i < 2 * contacts.count; i++) {
             isOpen[i] = isPoint(i) && gap(i) > near(i);
         }
     }
@@ -150,7 +150,7 @@ final class Landings {
         double soft = soft(h);
         double unknown = unknown(h);
         double until = h;
-        for (int i = 0; i < 2 * rows.count; i++) {
+        for (int i = 0; i < 2 * contacts.count; i++) {
             if (isOpen[i] && closing(i) > soft) {
                 double closing = closing(i) + unknown;
                 until = Math.min(until, (gap(i) - near(i) / 2) / closing);
@@ -165,15 +165,15 @@ final class Landings {
     }
 
     private boolean isPoint(int i) {
-        return i % 2 < rows.points[i / 2];
+        return i % 2 < contacts.points[i / 2];
     }
 
     private double gap(int i) {
-        return motions.gap(rows, i / 2, i % 2);
+        return motions.gap(contacts, i / 2, i % 2);
     }
 
     private double closing(int i) {
-        return -motions.parting(rows, i / 2, i % 2);
+        return -motions.parting(contacts, i / 2, i % 2);
     }
 
     /**
@@ -186,6 +186,6 @@ final class Landings {
     }
 
     private double near(int i) {
-        return LANDED * rows.data[i / 2 * Rows.STRIDE + Rows.WIDTH];
+        return LANDED * contacts.data[i / 2 * PackedContacts.STRIDE + PackedContacts.WIDTH];
     }
 }

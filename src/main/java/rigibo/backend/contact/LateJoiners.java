@@ -14,15 +14,15 @@ final class LateJoiners {
 
     private final Bodies bodies;
     private final Motions motions;
-    private final Rows rows;
+    private final PackedContacts contacts;
 
     /** By entry of the motions the substep in which it joins. */
     private int[] joinsIn = new int[16];
 
-    LateJoiners(Bodies bodies, Motions motions, Rows rows) {
+    LateJoiners(Bodies bodies, Motions motions, PackedContacts contacts) {
         this.bodies = bodies;
         this.motions = motions;
-        this.rows = rows;
+        this.contacts = contacts;
     }
 
     /** When the first of an island's bodies joined, s after the step's start. */
@@ -40,7 +40,7 @@ final class LateJoiners {
         if (joinsIn.length < motions.count) {
             joinsIn = new int[motions.slots.length];
         }
-        Arrays.fill(joinsIn, 0, motions.count, Rows.ALWAYS);
+        Arrays.fill(joinsIn, 0, motions.count, PackedContacts.ALWAYS);
         for (int entry = 1; entry < motions.count; entry++) {
             int at = entry * Motions.STRIDE;
             int slot = motions.slots[entry];
@@ -61,12 +61,12 @@ final class LateJoiners {
     }
 
     private void delayRows() {
-        for (int row = 0; row < rows.count; row++) {
-            int joinsA = joinsIn[rows.bodyA[row] / Motions.STRIDE];
-            int joinsB = joinsIn[rows.bodyB[row] / Motions.STRIDE];
+        for (int row = 0; row < contacts.count; row++) {
+            int joinsA = joinsIn[contacts.bodyA[row] / Motions.STRIDE];
+            int joinsB = joinsIn[contacts.bodyB[row] / Motions.STRIDE];
             int joins = Math.max(joinsA, joinsB);
-            if (joins != Rows.ALWAYS) {
-                rows.joinsIn(row, joins);
+            if (joins != PackedContacts.ALWAYS) {
+                contacts.joinsIn(row, joins);
             }
         }
     }

@@ -28,7 +28,7 @@ final class LoadsFromAbove {
 
     private final Bodies bodies;
     private final Motions motions;
-    private final Rows rows;
+    private final PackedContacts contacts;
 
     /** The packed bodies from the highest down: how deep and which, in one number each. */
     private long[] order = new long[16];
@@ -41,10 +41,10 @@ final class LoadsFromAbove {
 
     private int[] supports = new int[16];
 
-    LoadsFromAbove(Bodies bodies, Motions motions, Rows rows) {
+    LoadsFromAbove(Bodies bodies, Motions motions, PackedContacts contacts) {
         this.bodies = bodies;
         this.motions = motions;
-        this.rows = rows;
+        this.contacts = contacts;
     }
 
     /**
@@ -73,8 +73,8 @@ final class LoadsFromAbove {
             place = new int[motions.slots.length];
             start = new int[motions.slots.length + 1];
         }
-        if (supports.length < rows.count) {
-            supports = new int[rows.pair.length];
+        if (supports.length < contacts.count) {
+            supports = new int[contacts.pair.length];
         }
     }
 
@@ -113,21 +113,21 @@ final class LoadsFromAbove {
      */
     private void listSupports() {
         Arrays.fill(start, 0, motions.count + 1, 0);
-        for (int row = 0; row < rows.count; row++) {
+        for (int row = 0; row < contacts.count; row++) {
             start[upper(row)]++;
         }
         for (int entry = 1; entry <= motions.count; entry++) {
             start[entry] += start[entry - 1];
         }
-        for (int row = rows.count - 1; row >= 0; row--) {
+        for (int row = contacts.count - 1; row >= 0; row--) {
             supports[--start[upper(row)]] = row;
         }
     }
 
     /** The higher of two bodies; what cannot be moved is below everything. */
     private int upper(int row) {
-        int a = rows.bodyA[row];
-        int b = rows.bodyB[row];
+        int a = contacts.bodyA[row];
+        int b = contacts.bodyB[row];
         boolean canMoveA = motions.data[a + Motions.INVERSE_MASS] > 0;
         boolean canMoveB = motions.data[b + Motions.INVERSE_MASS] > 0;
         int entryA = a / Motions.STRIDE;
@@ -167,39 +167,40 @@ final class LoadsFromAbove {
     }
 
     private void carry(int row, int body, boolean rubs) {
-        double[] d = rows.data;
-        int at = row * Rows.STRIDE;
-        boolean isB = rows.bodyB[row] == body;
-        int other = isB ? rows.bodyA[row] : rows.bodyB[row];
-        int own = at + (isB ? Rows.LEVER_B0 : Rows.LEVER_A0);
-        int others = at + (isB ? Rows.LEVER_A0 : Rows.LEVER_B0);
+        double[] d = contacts.data;
+        int at = row * PackedContacts.STRIDE;
+        boolean isB = contacts.bodyB[row] == body;
+        int other = isB ? contacts.bodyA[row] : contacts.bodyB[row];
+        int own = at + (isB ? PackedContacts.LEVER_B0 : PackedContacts.LEVER_A0);
+        int others = at + (isB ? PackedContacts.LEVER_A0 : PackedContacts.LEVER_B0);
         double side = isB ? 1 : -1;
-        double nx = side * d[at + Rows.NX];
-        double ny = side * d[at + Rows.NY];
+        double nx = side * d[at + PackedContacts.NX];
+        double ny = side * d[at + PackedContacts.NY];
         double load = 0;
-        for (int point = 0; point < rows.points[row]; point++) {
-            double before = d[at + Rows.IMPULSE0 + point];
+        for (int point = 0; point < contacts.points[row]; point++) {
+            double before = d[at + PackedContacts.IMPULSE0 + point];
             if (before > 0 || isClosed(row, point)) {
                 double lever = side * d[own + 2 * point];
                 double after = Math.max(0, before + wanted(body, nx, ny, lever));
-                d[at + Rows.IMPULSE0 + point] = after;
+                d[at + PackedContacts.IMPULSE0 + point] = after;
                 push(body, other, nx, ny, lever, side * d[others + 2 * point], after - before);
                 load += after;
             }
         }
-        double before = d[at + Rows.IMPULSE_T];
-        double lever = side * d[at + (isB ? Rows.LEVER_TB : Rows.LEVER_TA)];
+        double before = d[at + PackedContacts.IMPULSE_T];
+        double lever = side * d[at + (isB ? PackedContacts.LEVER_TB : PackedContacts.LEVER_TA)];
         double after = before + (rubs ? wanted(body, -ny, nx, lever) : 0);
-        double cone = d[at + Rows.FRICTION] * load;
+        double cone = d[at + PackedContacts.FRICTION] * load;
         after = Math.max(-cone, Math.min(cone, after));
-        d[at + Rows.IMPULSE_T] = after;
-        double otherLever = side * d[at + (isB ? Rows.LEVER_TA : Rows.LEVER_TB)];
+        d[at + PackedContacts.IMPULSE_T] = after;
+        double otherLever =
+                side * d[at + (isB ? PackedContacts.LEVER_TA : PackedContacts.LEVER_TB)];
         push(body, other, -ny, nx, lever, otherLever, after - before);
     }
 
     private boolean isClosed(int row, int point) {
-        double width = rows.data[row * Rows.STRIDE + Rows.WIDTH];
-        return motions.gap(rows, row, point) <= Stillness.STILL * width;
+        double width = contacts.data[row * PackedContacts.STRIDE + PackedContacts.WIDTH];
+        return motions.gap(contacts, row, point) <= Stillness.STILL * width;
     }
 
     /** The impulse along a row that stops a body on what does not move, N·s. */

@@ -141,35 +141,35 @@ final class Motions {
     }
 
     /** The gap of a contact's point now, m, negative in overlap. */
-    double gap(Rows rows, int row, int point) {
-        double[] d = rows.data;
-        int at = row * Rows.STRIDE;
-        int a = rows.bodyA[row];
-        int b = rows.bodyB[row];
+    double gap(PackedContacts contacts, int row, int point) {
+        double[] d = contacts.data;
+        int at = row * PackedContacts.STRIDE;
+        int a = contacts.bodyA[row];
+        int b = contacts.bodyB[row];
         double gap =
-                d[at + Rows.GAP0 + point]
-                        + d[at + Rows.NX] * (data[b + DX] - data[a + DX])
-                        + d[at + Rows.NY] * (data[b + DY] - data[a + DY]);
+                d[at + PackedContacts.GAP0 + point]
+                        + d[at + PackedContacts.NX] * (data[b + DX] - data[a + DX])
+                        + d[at + PackedContacts.NY] * (data[b + DY] - data[a + DY]);
         return turns
                 ? gap
-                        + d[at + 2 * point + Rows.LEVER_B0] * data[b + TURN]
-                        - d[at + 2 * point + Rows.LEVER_A0] * data[a + TURN]
+                        + d[at + 2 * point + PackedContacts.LEVER_B0] * data[b + TURN]
+                        - d[at + 2 * point + PackedContacts.LEVER_A0] * data[a + TURN]
                 : gap;
     }
 
     /** Speed in m/s at which a contact's point parts; negative when it closes. */
-    double parting(Rows rows, int row, int point) {
-        double[] d = rows.data;
-        int at = row * Rows.STRIDE;
-        int a = rows.bodyA[row];
-        int b = rows.bodyB[row];
+    double parting(PackedContacts contacts, int row, int point) {
+        double[] d = contacts.data;
+        int at = row * PackedContacts.STRIDE;
+        int a = contacts.bodyA[row];
+        int b = contacts.bodyB[row];
         double speed =
-                d[at + Rows.NX] * (data[b + VX] - data[a + VX])
-                        + d[at + Rows.NY] * (data[b + VY] - data[a + VY]);
+                d[at + PackedContacts.NX] * (data[b + VX] - data[a + VX])
+                        + d[at + PackedContacts.NY] * (data[b + VY] - data[a + VY]);
         return turns
                 ? speed
-                        + d[at + 2 * point + Rows.LEVER_B0] * data[b + SPIN]
-                        - d[at + 2 * point + Rows.LEVER_A0] * data[a + SPIN]
+                        + d[at + 2 * point + PackedContacts.LEVER_B0] * data[b + SPIN]
+                        - d[at + 2 * point + PackedContacts.LEVER_A0] * data[a + SPIN]
                 : speed;
     }
 
@@ -177,20 +177,21 @@ final class Motions {
      * How fast a point of B slides along one of A, each so far along the normal from its body's
      * centre, m/s.
      */
-    double slide(Rows rows, int row, double armA, double armB) {
-        return along(rows, row, armA, armB, VX, VY, SPIN);
+    double slide(PackedContacts contacts, int row, double armA, double armB) {
+        return along(contacts, row, armA, armB, VX, VY, SPIN);
     }
 
     /** How far it has slid since the step began, m. */
-    double slid(Rows rows, int row, double armA, double armB) {
-        return along(rows, row, armA, armB, DX, DY, TURN);
+    double slid(PackedContacts contacts, int row, double armA, double armB) {
+        return along(contacts, row, armA, armB, DX, DY, TURN);
     }
 
-    private double along(Rows rows, int row, double armA, double armB, int x, int y, int turn) {
-        double nx = rows.data[row * Rows.STRIDE + Rows.NX];
-        double ny = rows.data[row * Rows.STRIDE + Rows.NY];
-        int a = rows.bodyA[row];
-        int b = rows.bodyB[row];
+    private double along(
+            PackedContacts contacts, int row, double armA, double armB, int x, int y, int turn) {
+        double nx = contacts.data[row * PackedContacts.STRIDE + PackedContacts.NX];
+        double ny = contacts.data[row * PackedContacts.STRIDE + PackedContacts.NY];
+        int a = contacts.bodyA[row];
+        int b = contacts.bodyB[row];
         return nx * (data[b + y] - data[a + y])
                 - ny * (data[b + x] - data[a + x])
                 + armB * data[b + turn]

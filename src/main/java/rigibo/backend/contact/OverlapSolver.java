@@ -31,7 +31,7 @@ final class OverlapSolver {
     private static final double ROUND_OFF = 1e-9;
 
     private final Motions motions;
-    private final Rows rows;
+    private final PackedContacts contacts;
     private final PartingLimit limit;
 
     /** The contacts that are deeper in each other than they may stay. */
@@ -39,10 +39,10 @@ final class OverlapSolver {
 
     private int deepCount;
 
-    OverlapSolver(Bodies bodies, Motions motions, Rows rows) {
+    OverlapSolver(Bodies bodies, Motions motions, PackedContacts contacts) {
         this.motions = motions;
-        this.rows = rows;
-        limit = new PartingLimit(bodies, motions, rows);
+        this.contacts = contacts;
+        limit = new PartingLimit(bodies, motions, contacts);
     }
 
     /** Begins to take overlap back. */
@@ -75,16 +75,18 @@ final class OverlapSolver {
     }
 
     private void findDeep(int substep) {
-        if (deep.length < rows.count) {
-            deep = new int[rows.pair.length];
+        if (deep.length < contacts.count) {
+            deep = new int[contacts.pair.length];
         }
         deepCount = 0;
-        for (int row = 0; row < rows.count; row++) {
-            double kept = -KEPT_OVERLAP * rows.data[row * Rows.STRIDE + Rows.WIDTH];
+        for (int row = 0; row < contacts.count; row++) {
+            double kept =
+                    -KEPT_OVERLAP
+                            * contacts.data[row * PackedContacts.STRIDE + PackedContacts.WIDTH];
             boolean isDeep =
-                    motions.gap(rows, row, 0) < kept
-                            || rows.points[row] == 2 && motions.gap(rows, row, 1) < kept;
-            if (isDeep && rows.firstSubstep[row] <= substep) {
+                    motions.gap(contacts, row, 0) < kept
+                            || contacts.points[row] == 2 && motions.gap(contacts, row, 1) < kept;
+            if (isDeep && contacts.firstSubstep[row] <= substep) {
                 deep[deepCount++] = row;
             }
         }
@@ -92,8 +94,8 @@ final class OverlapSolver {
 
     /** One pass over all rows. */
     void correct(double h, int substep) {
-        for (int row = 0; row < rows.count; row++) {
-            if (rows.firstSubstep[row] <= substep) {
+        for (int row = 0; row < contacts.count; row++) {
+            if (contacts.firstSubstep[row] <= substep) {
                 correct(row, h, MOST_PUSH);
             }
         }
@@ -101,10 +103,11 @@ final class OverlapSolver {
 
     /** Whether a gap is to open by more than a share of a width within h seconds. */
     boolean isAnyWanted(double share, double h, int substep) {
-        for (int row = 0; row < rows.count; row++) {
-            if (rows.firstSubstep[row] <= substep) {
-                double least = share * rows.data[row * Rows.STRIDE + Rows.WIDTH];
-                for (int point = 0; point < rows.points[row]; point++) {
+        for (int row = 0; row < contacts.count; row++) {
+            if (contacts.firstSubstep[row] <= substep) {
+                double least =
+                        share * contacts.data[row * PackedContacts.STRIDE + PackedContacts.WIDTH];
+                for (int point = 0; point < contacts.points[row]; point++) {
                     if (wanted(row, point, h) > least) {
                         return true;
                     }
@@ -121,28 +124,28 @@ final class OverlapSolver {
 
     /** The same at so many widths a second at most. */
     private double wanted(int row, int point, double h, double speed) {
-        int at = row * Rows.STRIDE;
-        double width = rows.data[at + Rows.WIDTH];
-        double overlap = -motions.gap(rows, row, point) - KEPT_OVERLAP * width;
-        double rate = rows.data[at + Rows.RECOVERY];
+        int at = row * PackedContacts.STRIDE;
+        double width = contacts.data[at + PackedContacts.WIDTH];
+        double overlap = -motions.gap(contacts, row, point) - KEPT_OVERLAP * width;
+        double rate = contacts.data[at + PackedContacts.RECOVERY];
         double most = speed * width * h;
         return overlap > 0 ? Math.min(overlap * rate * h / (1 + rate * h), most) : 0;
     }
 
     private void correct(int row, double h, double speed) {
         double want0 = wanted(row, 0, h, speed);
-        double want1 = rows.points[row] == 2 ? wanted(row, 1, h, speed) : 0;
+        double want1 = contacts.points[row] == 2 ? wanted(row, 1, h, speed) : 0;
         if (want0 == 0 && want1 == 0) {
             return;
         }
-        double[] d = rows.data;
-        int at = row * Rows.STRIDE;
-        double both0 = d[at + Rows.M00] * want0 + d[at + Rows.M01] * want1;
-        double both1 = d[at + Rows.M01] * want0 + d[at + Rows.M11] * want1;
+        double[] d = contacts.data;
+        int at = row * PackedContacts.STRIDE;
+        double both0 = d[at + PackedContacts.M00] * want0 + d[at + PackedContacts.M01] * want1;
+        double both1 = d[at + PackedContacts.M01] * want0 + d[at + PackedContacts.M11] * want1;
         if (want1 == 0 || both1 < 0) {
-            move(row, want0 / d[at + Rows.K00], 0);
+            move(row, want0 / d[at + PackedContacts.K00], 0);
         } else if (want0 == 0 || both0 < 0) {
-            move(row, 0, want1 / d[at + Rows.K11]);
+            move(row, 0, want1 / d[at + PackedContacts.K11]);
         } else {
             move(row, both0, both1);
         }
@@ -150,15 +153,17 @@ final class OverlapSolver {
 
     /** Moves both bodies as impulses at the points would in one second, kg·m. */
     private void move(int row, double push0, double push1) {
-        double[] d = rows.data;
+        double[] d = contacts.data;
         double[] m = motions.data;
-        int at = row * Rows.STRIDE;
-        int a = rows.bodyA[row];
-        int b = rows.bodyB[row];
-        double px = (push0 + push1) * d[at + Rows.NX];
-        double py = (push0 + push1) * d[at + Rows.NY];
-        double onA = push0 * d[at + Rows.LEVER_A0] + push1 * d[at + Rows.LEVER_A1];
-        double onB = push0 * d[at + Rows.LEVER_B0] + push1 * d[at + Rows.LEVER_B1];
+        int at = row * PackedContacts.STRIDE;
+        int a = contacts.bodyA[row];
+        int b = contacts.bodyB[row];
+        double px = (push0 + push1) * d[at + PackedContacts.NX];
+        double py = (push0 + push1) * d[at + PackedContacts.NY];
+        double onA =
+                push0 * d[at + PackedContacts.LEVER_A0] + push1 * d[at + PackedContacts.LEVER_A1];
+        double onB =
+                push0 * d[at + PackedContacts.LEVER_B0] + push1 * d[at + PackedContacts.LEVER_B1];
         m[a + DX] -= m[a + INVERSE_MASS] * px;
         m[a + DY] -= m[a + INVERSE_MASS] * py;
         m[a + TURN] -= m[a + INVERSE_INERTIA] * onA;

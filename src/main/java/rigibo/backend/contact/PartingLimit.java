@@ -10,20 +10,20 @@ final class PartingLimit {
 
     private final Bodies bodies;
     private final Motions motions;
-    private final Rows rows;
+    private final PackedContacts contacts;
 
     /** Where all entries were, laid out as the motions. */
     private double[] before = new double[16 * Motions.STRIDE];
 
-    PartingLimit(Bodies bodies, Motions motions, Rows rows) {
+    PartingLimit(Bodies bodies, Motions motions, PackedContacts contacts) {
         this.bodies = bodies;
         this.motions = motions;
-        this.rows = rows;
+        this.contacts = contacts;
     }
 
     /** Notes where all bodies are. */
     void begin() {
-        if (!rows.areFloating()) {
+        if (!contacts.areFloating()) {
             return;
         }
         int length = motions.count * Motions.STRIDE;
@@ -38,7 +38,7 @@ final class PartingLimit {
      * stays.
      */
     void end(double widths) {
-        if (!rows.areFloating() || !holdBack(widths)) {
+        if (!contacts.areFloating() || !holdBack(widths)) {
             return;
         }
         keepCentre();

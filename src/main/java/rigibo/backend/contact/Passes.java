@@ -38,7 +38,7 @@ final class Passes {
     private static final double NOISE = 0.1;
 
     private final Motions motions;
-    private final Rows rows;
+    private final PackedContacts contacts;
     private final Kick kick;
     private final EnergyGuard guard;
     private final ContactSweep sweep;
@@ -54,14 +54,14 @@ final class Passes {
 
     Passes(
             Motions motions,
-            Rows rows,
+            PackedContacts contacts,
             Kick kick,
             EnergyGuard guard,
             ContactSweep sweep,
             OverlapSolver overlap,
             Accuracy accuracy) {
         this.motions = motions;
-        this.rows = rows;
+        this.contacts = contacts;
         this.kick = kick;
         this.guard = guard;
         this.sweep = sweep;
@@ -102,6 +102,6 @@ final class Passes {
         sweep.run(h, substep, missed, quiet * fastest, most);
         guard.limitWork(noise * kick.energy(h));
         guard.limitSpeed(limit);
-        rows.addUpImpulses(1);
+        contacts.addUpImpulses(1);
     }
 }

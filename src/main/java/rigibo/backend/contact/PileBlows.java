@@ -9,10 +9,10 @@ final class PileBlows {
     private final JointBlows joint;
     private final PileImpacts apart;
 
-    PileBlows(DataStorage data, Motions motions, Rows rows, Kick kick) {
-        bounces = new BounceRows(data, rows);
-        joint = new JointBlows(data, motions, rows, kick, bounces);
-        apart = new PileImpacts(data, motions, rows, bounces);
+    PileBlows(DataStorage data, Motions motions, PackedContacts contacts, Kick kick) {
+        bounces = new BounceRows(data, contacts);
+        joint = new JointBlows(data, motions, contacts, kick, bounces);
+        apart = new PileImpacts(data, motions, contacts, bounces);
     }
 
     /**

@@ -25,7 +25,7 @@ final class PileImpacts {
     private static final int MOST_SWEEPS = 8;
 
     private final Motions motions;
-    private final Rows rows;
+    private final PackedContacts contacts;
     private final Pairs pairs;
     private final Counters counters;
     private final Impact impact = new Impact();
@@ -44,11 +44,11 @@ final class PileImpacts {
 
     private static final int NEVER = -1;
 
-    PileImpacts(DataStorage data, Motions motions, Rows rows, BounceRows bounces) {
+    PileImpacts(DataStorage data, Motions motions, PackedContacts contacts, BounceRows bounces) {
         this.motions = motions;
-        this.rows = rows;
+        this.contacts = contacts;
         this.bounces = bounces;
-        shifts = new BlowShifts(data.bodies, motions, rows);
+        shifts = new BlowShifts(data.bodies, motions, contacts);
         pairs = data.pairs;
         counters = data.counters;
     }
@@ -84,7 +84,7 @@ final class PileImpacts {
         }
         for (int i = 0; i < bounces.count; i++) {
             int row = bounces.elastic[i];
-            if (rows.firstSubstep[row] <= substep
+            if (contacts.firstSubstep[row] <= substep
                     && (sweep == 0 || wasStruck(row, sweep - 1))
                     && strikes(row, h, -bounces.bounceSpeeds[i])) {
                 int order = ~Float.floatToIntBits((float) -slowest(row));
@@ -95,34 +95,37 @@ final class PileImpacts {
     }
 
     private boolean wasStruck(int row, int sweep) {
-        return struckIn[rows.bodyA[row] / Motions.STRIDE] == sweep
-                || struckIn[rows.bodyB[row] / Motions.STRIDE] == sweep;
+        return struckIn[contacts.bodyA[row] / Motions.STRIDE] == sweep
+                || struckIn[contacts.bodyB[row] / Motions.STRIDE] == sweep;
     }
 
     private boolean strikes(int row, double h, double limit) {
-        return strikes(row, 0, h, limit) || rows.points[row] == 2 && strikes(row, 1, h, limit);
+        return strikes(row, 0, h, limit) || contacts.points[row] == 2 && strikes(row, 1, h, limit);
     }
 
     private boolean strikes(int row, int point, double h, double limit) {
-        double v = motions.parting(rows, row, point);
-        return v < limit && v < -ROUND_OFF && motions.gap(rows, row, point) + h * v < 0;
+        double v = motions.parting(contacts, row, point);
+        return v < limit && v < -ROUND_OFF && motions.gap(contacts, row, point) + h * v < 0;
     }
 
     /** Closing speeds under this (m/s) are what is left of solved rows, not blows. */
     private static final double ROUND_OFF = 1e-9;
 
     private double slowest(int row) {
-        double v0 = motions.parting(rows, row, 0);
-        return rows.points[row] == 1 ? v0 : Math.min(v0, motions.parting(rows, row, 1));
+        double v0 = motions.parting(contacts, row, 0);
+        return contacts.points[row] == 1 ? v0 : Math.min(v0, motions.parting(contacts, row, 1));
     }
 
     private void strike(int row, double h, int sweep) {
-        if (!strikes(row, h, -rows.data[row * Rows.STRIDE + Rows.BOUNCE_SPEED])) {
+        if (!strikes(
+                row,
+                h,
+                -contacts.data[row * PackedContacts.STRIDE + PackedContacts.BOUNCE_SPEED])) {
             return; // An earlier blow of this sweep turned it.
         }
         double time = load(row, h);
-        int a = rows.bodyA[row];
-        int b = rows.bodyB[row];
+        int a = contacts.bodyA[row];
+        int b = contacts.bodyB[row];
         double before = motions.energy(a) + motions.energy(b);
         law.resolve(impact);
         take(a, time, impact.velocityAX, impact.velocityAY, impact.spinA);
@@ -131,9 +134,10 @@ final class PileImpacts {
         struckIn[a / Motions.STRIDE] = sweep;
         struckIn[b / Motions.STRIDE] = sweep;
         struckIn[0] = NEVER; // The ground goes on as before.
-        rows.data[row * Rows.STRIDE + Rows.TOTAL] += impact.totalNormalImpulse();
-        pairs.impacts[rows.pair[row]]++;
-        rows.blows++;
+        contacts.data[row * PackedContacts.STRIDE + PackedContacts.TOTAL] +=
+                impact.totalNormalImpulse();
+        pairs.impacts[contacts.pair[row]]++;
+        contacts.blows++;
         counters.impacts++;
     }
 
@@ -149,16 +153,16 @@ final class PileImpacts {
 
     /** Loads the points that strike; returns the time in s at which the first of them does. */
     private double load(int row, double h) {
-        double[] d = rows.data;
+        double[] d = contacts.data;
         double[] m = motions.data;
-        int at = row * Rows.STRIDE;
-        int a = rows.bodyA[row];
-        int b = rows.bodyB[row];
-        impact.normalX = d[at + Rows.NX];
-        impact.normalY = d[at + Rows.NY];
-        impact.friction = d[at + Rows.FRICTION];
-        impact.elasticity = d[at + Rows.ELASTICITY];
-        impact.surfaceSpeed = rows.surface[row];
+        int at = row * PackedContacts.STRIDE;
+        int a = contacts.bodyA[row];
+        int b = contacts.bodyB[row];
+        impact.normalX = d[at + PackedContacts.NX];
+        impact.normalY = d[at + PackedContacts.NY];
+        impact.friction = d[at + PackedContacts.FRICTION];
+        impact.elasticity = d[at + PackedContacts.ELASTICITY];
+        impact.surfaceSpeed = contacts.surface[row];
         impact.inverseMassA = m[a + INVERSE_MASS];
         impact.inverseInertiaA = m[a + INVERSE_INERTIA];
         impact.inverseMassB = m[b + INVERSE_MASS];
@@ -171,12 +175,14 @@ final class PileImpacts {
         impact.spinB = m[b + SPIN];
         impact.points = 0;
         double time = h;
-        for (int point = 0; point < rows.points[row]; point++) {
-            if (motions.gap(rows, row, point) + h * Math.min(0, motions.parting(rows, row, point))
+        for (int point = 0; point < contacts.points[row]; point++) {
+            if (motions.gap(contacts, row, point)
+                            + h * Math.min(0, motions.parting(contacts, row, point))
                     <= 0) {
                 addPoint(at, point);
-                double speed = -motions.parting(rows, row, point);
-                double when = speed > 0 ? Math.max(0, motions.gap(rows, row, point)) / speed : h;
+                double speed = -motions.parting(contacts, row, point);
+                double when =
+                        speed > 0 ? Math.max(0, motions.gap(contacts, row, point)) / speed : h;
                 time = Math.min(time, when);
             }
         }
@@ -185,14 +191,14 @@ final class PileImpacts {
 
     /** Rebuilds the arms from the levers along the normal and the tangent. */
     private void addPoint(int at, int point) {
-        double[] d = rows.data;
+        double[] d = contacts.data;
         int i = impact.points++;
-        double nx = d[at + Rows.NX];
-        double ny = d[at + Rows.NY];
-        double acrossA = d[at + 2 * point + Rows.LEVER_A0];
-        double acrossB = d[at + 2 * point + Rows.LEVER_B0];
-        double alongA = d[at + Rows.LEVER_TA];
-        double alongB = d[at + Rows.LEVER_TB];
+        double nx = d[at + PackedContacts.NX];
+        double ny = d[at + PackedContacts.NY];
+        double acrossA = d[at + 2 * point + PackedContacts.LEVER_A0];
+        double acrossB = d[at + 2 * point + PackedContacts.LEVER_B0];
+        double alongA = d[at + PackedContacts.LEVER_TA];
+        double alongB = d[at + PackedContacts.LEVER_TB];
         impact.armAX[i] = acrossA * ny + alongA * nx;
         impact.armAY[i] = -acrossA * nx + alongA * ny;
         impact.armBX[i] = acrossB * ny + alongB * nx;

@@ -17,19 +17,19 @@ final class PileResults {
     private final Pairs pairs;
     private final Islands islands;
     private final Motions motions;
-    private final Rows rows;
+    private final PackedContacts contacts;
 
     /** How bodies turn, or null where none does. */
     private final PackedTurns turns;
 
-    PileResults(DataStorage data, Motions motions, Rows rows, PackedTurns turns) {
+    PileResults(DataStorage data, Motions motions, PackedContacts contacts, PackedTurns turns) {
         this.turns = turns;
         quarantine = new Quarantine(data);
         bodies = data.bodies;
         pairs = data.pairs;
         islands = data.islands;
         this.motions = motions;
-        this.rows = rows;
+        this.contacts = contacts;
     }
 
     /** Stores an island that went {@code length} seconds in substeps of {@code h}. */
@@ -43,7 +43,7 @@ final class PileResults {
         if (turns != null) {
             turns.store();
         }
-        for (int row = 0; row < rows.count; row++) {
+        for (int row = 0; row < contacts.count; row++) {
             storePair(row, h, Math.min(1, length / LOAD_MEMORY));
         }
     }
@@ -77,25 +77,28 @@ final class PileResults {
 
     /** Keeps the forces that held, as impulses of the last half kick over its length. */
     private void storePair(int row, double h, double share) {
-        double[] d = rows.data;
-        int at = row * Rows.STRIDE;
-        int pair = rows.pair[row];
+        double[] d = contacts.data;
+        int at = row * PackedContacts.STRIDE;
+        int pair = contacts.pair[row];
         if (!isFinite(at)) {
             forgetForces(pair);
             return;
         }
         double perSecond = 2 / h;
-        pairs.normalForce[2 * pair] = d[at + Rows.IMPULSE0] * perSecond;
-        pairs.normalForce[2 * pair + 1] = d[at + Rows.IMPULSE1] * perSecond;
+        pairs.normalForce[2 * pair] = d[at + PackedContacts.IMPULSE0] * perSecond;
+        pairs.normalForce[2 * pair + 1] = d[at + PackedContacts.IMPULSE1] * perSecond;
         remember(2 * pair, share);
         remember(2 * pair + 1, share);
-        pairs.tellImpulse(pair, d[at + Rows.TOTAL]);
-        noteTouch(pair, d[at + Rows.IMPULSE0] + d[at + Rows.IMPULSE1]);
+        pairs.tellImpulse(pair, d[at + PackedContacts.TOTAL]);
+        noteTouch(pair, d[at + PackedContacts.IMPULSE0] + d[at + PackedContacts.IMPULSE1]);
     }
 
     private boolean isFinite(int at) {
-        double[] d = rows.data;
-        double sum = d[at + Rows.IMPULSE0] + d[at + Rows.IMPULSE1] + d[at + Rows.TOTAL];
+        double[] d = contacts.data;
+        double sum =
+                d[at + PackedContacts.IMPULSE0]
+                        + d[at + PackedContacts.IMPULSE1]
+                        + d[at + PackedContacts.TOTAL];
         return Math.abs(sum) < Double.POSITIVE_INFINITY;
     }
 

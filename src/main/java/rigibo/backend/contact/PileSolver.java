@@ -50,7 +50,7 @@ public final class PileSolver {
     private final Counters counters;
     private final Accuracy accuracy;
     private final Motions motions;
-    private final Rows rows = new Rows();
+    private final PackedContacts contacts = new PackedContacts();
     private final RowBuilder builder;
     private final Kick kick;
     private final WarmStart warmStart;
@@ -104,27 +104,28 @@ public final class PileSolver {
         counters = data.counters;
         this.accuracy = accuracy;
         PackedTurns turns = motions.turns ? new PackedTurns(data.bodies, motions) : null;
-        builder = new RowBuilder(data, motions, rows, turns);
-        warmStart = new WarmStart(motions, rows);
-        guard = new EnergyGuard(motions, rows);
-        results = new PileResults(data, motions, rows, turns);
+        builder = new RowBuilder(data, motions, contacts, turns);
+        warmStart = new WarmStart(motions, contacts);
+        guard = new EnergyGuard(motions, contacts);
+        results = new PileResults(data, motions, contacts, turns);
         boolean drags = effects.declares(Drag.class);
         DragKick drag = drags ? new DragKick(data.bodies, motions) : null;
         kick = new Kick(data.bodies, motions, forces, drag, turns);
-        lateJoiners = new LateJoiners(data.bodies, motions, rows);
-        OverlapSolver overlap = new OverlapSolver(data.bodies, motions, rows);
+        lateJoiners = new LateJoiners(data.bodies, motions, contacts);
+        OverlapSolver overlap = new OverlapSolver(data.bodies, motions, contacts);
         boolean isCorrecting = accuracy.correction() == Correction.SOFT;
         OverlapSolver wanted = isCorrecting ? overlap : null;
-        repose = new Repose(data, motions, rows, wanted, kick, builder, accuracy);
-        balance = new EnergyBalance(data.bodies, motions, rows);
+        repose = new Repose(data, motions, contacts, wanted, kick, builder, accuracy);
+        balance = new EnergyBalance(data.bodies, motions, contacts);
         Straightness straight = new Straightness(motions, accuracy);
-        landings = new Landings(motions, rows, kick, straight.follows);
-        FreshRows fresh = new FreshRows(data, narrowphase, motions, rows, builder);
-        declared = new DeclaredRows(data, effects, motions, rows, kick, fresh, straight);
+        landings = new Landings(motions, contacts, kick, straight.follows);
+        FreshRows fresh = new FreshRows(data, narrowphase, motions, contacts, builder);
+        declared = new DeclaredRows(data, effects, motions, contacts, kick, fresh, straight);
         boolean isBlock = accuracy.contactSolver() != ContactSolver.SEQUENTIAL;
-        ContactSweep sweep = new ContactSweep(motions, rows, counters, declared.rubbing(), isBlock);
-        rounds = new Rounds(motions, rows, counters, declared, guard, sweep, overlap, accuracy);
-        passes = new Passes(motions, rows, kick, guard, sweep, overlap, accuracy);
+        ContactSweep sweep =
+                new ContactSweep(motions, contacts, counters, declared.rubbing(), isBlock);
+        rounds = new Rounds(motions, contacts, counters, declared, guard, sweep, overlap, accuracy);
+        passes = new Passes(motions, contacts, kick, guard, sweep, overlap, accuracy);
     }
 
     /** Advances every island to the end of a step of {@code dt} seconds. */
@@ -174,7 +175,7 @@ public final class PileSolver {
             }
         }
         SolveMethod method = isWhole ? SolveMethod.ELIMINATION : SolveMethod.PASSES;
-        counters.solve(method, declared.rowCount() + rows.count);
+        counters.solve(method, declared.rowCount() + contacts.count);
         results.store(2 * kicked, dt - start);
         declared.store(2 * kicked);
     }
@@ -249,7 +250,7 @@ public final class PileSolver {
         if (mayRest && substep == 0 && repose.isFound(start, h, substeps, rounds.settled())) {
             return true;
         }
-        rows.addUpImpulses(1);
+        contacts.addUpImpulses(1);
         motions.drift(h);
         rounds.takeOverlapBack(h, substep);
         return false;
@@ -267,7 +268,7 @@ public final class PileSolver {
      * is left of their speeds is what counts as none.
      */
     private void rest() {
-        rows.addUpImpulses(2 * substeps - 1);
+        contacts.addUpImpulses(2 * substeps - 1);
         substeps = 1;
     }
 
@@ -275,8 +276,8 @@ public final class PileSolver {
     private void begin(double length, int substep) {
         double scale = length / kicked;
         kicked = length;
-        if (isWhole && rows.strongestAnswer() > MOST_STRESS * fastest) {
-            rows.unload();
+        if (isWhole && contacts.strongestAnswer() > MOST_STRESS * fastest) {
+            contacts.unload();
         }
         if (substep > 0) {
             warmStart.leaveOutBlows(isWhole ? 1 : MOST_GROWTH);
@@ -294,7 +295,7 @@ public final class PileSolver {
     /** What passes solve may also part as fast as overlap is taken back. */
     private void setLimit(int substep) {
         if (substep == 0) {
-            double parting = isWhole ? 0 : OverlapSolver.MOST_PUSH * rows.widest();
+            double parting = isWhole ? 0 : OverlapSolver.MOST_PUSH * contacts.widest();
             limit = Math.max(leverage() * fastest, parting);
         } else if (isWhole) {
             limit = Math.max(limit, fastest);
@@ -327,7 +328,7 @@ public final class PileSolver {
     /** What held the first half of a kick holds its second half as well: nothing moves at all. */
     private void finishHeld() {
         motions.halt();
-        rows.addUpImpulses(1);
+        contacts.addUpImpulses(1);
     }
 
     /** Ends the last substep. */
@@ -359,7 +360,7 @@ public final class PileSolver {
                         && declared.strikeAtOnce(h * NO_TIME, substep)
                         && rounds.settle(h * NO_TIME, substep, fastest, limit);
         if (isWhole) {
-            rows.addUpImpulses(1);
+            contacts.addUpImpulses(1);
         } else {
             passes.hold(h, substep, unanswered(), limit);
         }
@@ -370,14 +371,14 @@ public final class PileSolver {
      * line since: it must not fall for half a kick.
      */
     private void closeLoadedGaps() {
-        double[] d = rows.data;
-        for (int row = 0; row < rows.count; row++) {
-            int at = row * Rows.STRIDE;
-            double touching = PairTolerances.TOUCHING_GAP * d[at + Rows.WIDTH];
-            for (int point = 0; point < rows.points[row]; point++) {
-                double gap = motions.gap(rows, row, point);
-                if (d[at + Rows.IMPULSE0 + point] > 0 && gap > 0 && gap < touching) {
-                    d[at + Rows.GAP0 + point] -= gap;
+        double[] d = contacts.data;
+        for (int row = 0; row < contacts.count; row++) {
+            int at = row * PackedContacts.STRIDE;
+            double touching = PairTolerances.TOUCHING_GAP * d[at + PackedContacts.WIDTH];
+            for (int point = 0; point < contacts.points[row]; point++) {
+                double gap = motions.gap(contacts, row, point);
+                if (d[at + PackedContacts.IMPULSE0 + point] > 0 && gap > 0 && gap < touching) {
+                    d[at + PackedContacts.GAP0 + point] -= gap;
                 }
             }
         }

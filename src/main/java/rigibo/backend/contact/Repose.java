@@ -21,7 +21,7 @@ final class Repose {
     Repose(
             DataStorage data,
             Motions motions,
-            Rows rows,
+            PackedContacts contacts,
             OverlapSolver overlap,
             Kick kick,
             RowBuilder builder,
@@ -30,9 +30,9 @@ final class Repose {
         this.builder = builder;
         substeps = accuracy.substeps();
         equilibrium = new Equilibrium(data, overlap != null);
-        loads = new LoadsFromAbove(data.bodies, motions, rows);
-        stillness = new Stillness(data.bodies, motions, rows, overlap, kick);
-        before = new Halfway(motions, rows);
+        loads = new LoadsFromAbove(data.bodies, motions, contacts);
+        stillness = new Stillness(data.bodies, motions, contacts, overlap, kick);
+        before = new Halfway(motions, contacts);
     }
 
     /**

@@ -16,7 +16,7 @@ final class RollingSolver implements Rubbing {
     private final Bodies bodies;
     private final Pairs pairs;
     private final Motions motions;
-    private final Rows rows;
+    private final PackedContacts contacts;
 
     /** Null where friction is not declared: then what rolls may slide as well. */
     private final FrictionSolver friction;
@@ -24,22 +24,23 @@ final class RollingSolver implements Rubbing {
     private int[] rolling = new int[16];
     private int count;
 
-    RollingSolver(DataStorage data, Motions motions, Rows rows, FrictionSolver friction) {
+    RollingSolver(
+            DataStorage data, Motions motions, PackedContacts contacts, FrictionSolver friction) {
         bodies = data.bodies;
         pairs = data.pairs;
         this.motions = motions;
-        this.rows = rows;
+        this.contacts = contacts;
         this.friction = friction;
     }
 
     @Override
     public void begin(double firstKick) {
-        if (rolling.length < rows.count) {
-            rolling = new int[rows.pair.length];
+        if (rolling.length < contacts.count) {
+            rolling = new int[contacts.pair.length];
         }
         count = 0;
-        for (int row = 0; row < rows.count; row++) {
-            double lever = pairs.rollingLever(bodies, rows.pair[row]);
+        for (int row = 0; row < contacts.count; row++) {
+            double lever = pairs.rollingLever(bodies, contacts.pair[row]);
             if (lever > 0) {
                 write(row, lever, firstKick);
                 rolling[count++] = row;
@@ -51,12 +52,13 @@ final class RollingSolver implements Rubbing {
     }
 
     private void write(int row, double lever, double firstKick) {
-        int at = row * Rows.STRIDE;
-        double ia = motions.data[rows.bodyA[row] + INVERSE_INERTIA];
-        double ib = motions.data[rows.bodyB[row] + INVERSE_INERTIA];
-        rows.data[at + Rows.ROLLING] = lever;
-        rows.data[at + Rows.INERTIA_R] = ia + ib > 0 ? 1 / (ia + ib) : 0;
-        rows.data[at + Rows.IMPULSE_R] = pairs.heldTorque(rows.pair[row]) * firstKick;
+        int at = row * PackedContacts.STRIDE;
+        double ia = motions.data[contacts.bodyA[row] + INVERSE_INERTIA];
+        double ib = motions.data[contacts.bodyB[row] + INVERSE_INERTIA];
+        contacts.data[at + PackedContacts.ROLLING] = lever;
+        contacts.data[at + PackedContacts.INERTIA_R] = ia + ib > 0 ? 1 / (ia + ib) : 0;
+        contacts.data[at + PackedContacts.IMPULSE_R] =
+                pairs.heldTorque(contacts.pair[row]) * firstKick;
     }
 
     @Override
@@ -74,8 +76,9 @@ final class RollingSolver implements Rubbing {
     @Override
     public void store(double h) {
         for (int i = 0; i < count; i++) {
-            double impulse = rows.data[rolling[i] * Rows.STRIDE + Rows.IMPULSE_R];
-            pairs.rollingTorque[rows.pair[rolling[i]]] = impulse * (2 / h);
+            double impulse =
+                    contacts.data[rolling[i] * PackedContacts.STRIDE + PackedContacts.IMPULSE_R];
+            pairs.rollingTorque[contacts.pair[rolling[i]]] = impulse * (2 / h);
         }
         if (friction != null) {
             friction.store(h);
@@ -88,21 +91,23 @@ final class RollingSolver implements Rubbing {
      */
     @Override
     public void roll(int row) {
-        double[] d = rows.data;
-        int at = row * Rows.STRIDE;
-        double load = d[at + Rows.IMPULSE0] + d[at + Rows.IMPULSE1];
-        double mostSlide = d[at + Rows.FRICTION] * load;
-        double mostRoll = d[at + Rows.ROLLING] * load;
-        double ia = motions.data[rows.bodyA[row] + INVERSE_INERTIA];
-        double ib = motions.data[rows.bodyB[row] + INVERSE_INERTIA];
-        double slides = mostSlide > 0 ? 1 / d[at + Rows.MASS_T] : 0;
-        double both = d[at + Rows.LEVER_TB] * ib + d[at + Rows.LEVER_TA] * ia;
+        double[] d = contacts.data;
+        int at = row * PackedContacts.STRIDE;
+        double load = d[at + PackedContacts.IMPULSE0] + d[at + PackedContacts.IMPULSE1];
+        double mostSlide = d[at + PackedContacts.FRICTION] * load;
+        double mostRoll = d[at + PackedContacts.ROLLING] * load;
+        double ia = motions.data[contacts.bodyA[row] + INVERSE_INERTIA];
+        double ib = motions.data[contacts.bodyB[row] + INVERSE_INERTIA];
+        double slides = mostSlide > 0 ? 1 / d[at + PackedContacts.MASS_T] : 0;
+        double both = d[at + PackedContacts.LEVER_TB] * ib + d[at + PackedContacts.LEVER_TA] * ia;
         double determinant = slides * (ia + ib) - both * both;
         if (determinant > 0) {
             double vt = friction.slidingSpeed(row);
             double wr = turning(row);
-            double tangent = d[at + Rows.IMPULSE_T] + (both * wr - (ia + ib) * vt) / determinant;
-            double roll = d[at + Rows.IMPULSE_R] + (both * vt - slides * wr) / determinant;
+            double tangent =
+                    d[at + PackedContacts.IMPULSE_T] + (both * wr - (ia + ib) * vt) / determinant;
+            double roll =
+                    d[at + PackedContacts.IMPULSE_R] + (both * vt - slides * wr) / determinant;
             if (Math.abs(tangent) <= mostSlide && Math.abs(roll) <= mostRoll) {
                 friction.keepTangent(row, tangent);
                 keepRoll(row, roll);
@@ -116,26 +121,29 @@ final class RollingSolver implements Rubbing {
     }
 
     private void brakeTurning(int row) {
-        double[] d = rows.data;
-        int at = row * Rows.STRIDE;
-        double most = d[at + Rows.ROLLING] * (d[at + Rows.IMPULSE0] + d[at + Rows.IMPULSE1]);
-        double wanted = d[at + Rows.IMPULSE_R] - d[at + Rows.INERTIA_R] * turning(row);
+        double[] d = contacts.data;
+        int at = row * PackedContacts.STRIDE;
+        double most =
+                d[at + PackedContacts.ROLLING]
+                        * (d[at + PackedContacts.IMPULSE0] + d[at + PackedContacts.IMPULSE1]);
+        double wanted =
+                d[at + PackedContacts.IMPULSE_R] - d[at + PackedContacts.INERTIA_R] * turning(row);
         keepRoll(row, FrictionSolver.clamp(wanted, most));
     }
 
     /** Angular speed of B against A, rad/s. */
     private double turning(int row) {
-        return motions.data[rows.bodyB[row] + SPIN] - motions.data[rows.bodyA[row] + SPIN];
+        return motions.data[contacts.bodyB[row] + SPIN] - motions.data[contacts.bodyA[row] + SPIN];
     }
 
     private void keepRoll(int row, double impulse) {
-        double[] d = rows.data;
+        double[] d = contacts.data;
         double[] m = motions.data;
-        int at = row * Rows.STRIDE;
-        int a = rows.bodyA[row];
-        int b = rows.bodyB[row];
-        double change = impulse - d[at + Rows.IMPULSE_R];
-        d[at + Rows.IMPULSE_R] = impulse;
+        int at = row * PackedContacts.STRIDE;
+        int a = contacts.bodyA[row];
+        int b = contacts.bodyB[row];
+        double change = impulse - d[at + PackedContacts.IMPULSE_R];
+        d[at + PackedContacts.IMPULSE_R] = impulse;
         m[a + SPIN] -= m[a + INVERSE_INERTIA] * change;
         m[b + SPIN] += m[b + INVERSE_INERTIA] * change;
     }

@@ -42,7 +42,7 @@ final class Rounds {
     /** What passes take in multiplications: by a contact in a substep, mostly six times. */
     private static final double WORK_OF_PASSES = 6 * 60;
 
-    private final Rows rows;
+    private final PackedContacts contacts;
     private final Counters counters;
     private final DeclaredRows declared;
     private final EnergyGuard guard;
@@ -67,23 +67,23 @@ final class Rounds {
 
     Rounds(
             Motions motions,
-            Rows rows,
+            PackedContacts contacts,
             Counters counters,
             DeclaredRows declared,
             EnergyGuard guard,
             ContactSweep sweep,
             OverlapSolver overlap,
             Accuracy accuracy) {
-        this.rows = rows;
+        this.contacts = contacts;
         this.counters = counters;
         this.declared = declared;
         this.guard = guard;
         this.sweep = sweep;
         this.overlap = overlap;
         int substeps = accuracy.substeps();
-        direct = new DirectSolver(motions, rows, overlap, substeps);
-        halfway = new Halfway(motions, rows);
-        before = new Halfway(motions, rows);
+        direct = new DirectSolver(motions, contacts, overlap, substeps);
+        halfway = new Halfway(motions, contacts);
+        before = new Halfway(motions, contacts);
         isDirect = accuracy.contactSolver() == ContactSolver.DIRECT;
         isCorrecting = accuracy.correction() == Correction.SOFT;
         most = LEAST_ROUNDS + substeps;
@@ -98,12 +98,12 @@ final class Rounds {
     /** Begins the packed island, unless it is too large. */
     boolean prepare(boolean isCalm) {
         double ofContact = isCalm ? worthIfCalm : worth;
-        return isDirect && direct.prepare(Math.max(LEAST_WORTH, ofContact * rows.count));
+        return isDirect && direct.prepare(Math.max(LEAST_WORTH, ofContact * contacts.count));
     }
 
     /** Multiplications that the blows of so many kicks are worth, be the island calm or not. */
     double worthOfBlows(int kicks) {
-        return Math.max(LEAST_WORTH_OF_BLOWS, worth * kicks * rows.count);
+        return Math.max(LEAST_WORTH_OF_BLOWS, worth * kicks * contacts.count);
     }
 
     /** The rows are not what they were. */
@@ -149,7 +149,7 @@ final class Rounds {
         double last = Double.POSITIVE_INFINITY;
         for (int i = 0; i < most && !direct.isSpent(); i++) {
             double change = sweep.once(h, substep);
-            settled = Math.max(settled, ROUND_OFF * rows.strongestAnswer());
+            settled = Math.max(settled, ROUND_OFF * contacts.strongestAnswer());
             if (change <= settled) {
                 return true;
             }

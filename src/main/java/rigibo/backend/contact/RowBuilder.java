@@ -42,7 +42,7 @@ final class RowBuilder {
     private final Islands islands;
     private final Counters counters;
     private final Motions motions;
-    private final Rows rows;
+    private final PackedContacts contacts;
 
     /** How bodies turn, or null where none does. */
     private final PackedTurns turns;
@@ -53,13 +53,13 @@ final class RowBuilder {
     /** The share of its width from which on a body of the packed island is crushed. */
     private double crushed;
 
-    RowBuilder(DataStorage data, Motions motions, Rows rows, PackedTurns turns) {
+    RowBuilder(DataStorage data, Motions motions, PackedContacts contacts, PackedTurns turns) {
         bodies = data.bodies;
         pairs = data.pairs;
         islands = data.islands;
         counters = data.counters;
         this.motions = motions;
-        this.rows = rows;
+        this.contacts = contacts;
         this.turns = turns;
     }
 
@@ -73,13 +73,13 @@ final class RowBuilder {
         int pairCount = islands.pairStart[island + 1] - islands.pairStart[island];
         boolean isCrowd = pairCount * SingleRows.ROWS_PER_CONTACT > DirectSolver.MOST_ROWS;
         crushed = isCrowd ? CRUSHED_IN_A_CROWD : CRUSHED;
-        rows.clear();
+        contacts.clear();
         for (int i = islands.pairStart[island]; i < islands.pairStart[island + 1]; i++) {
             if (!isAgainstGround(islands.pairs[i])) {
                 addRow(islands.pairs[i], firstKick);
             }
         }
-        rows.groundStart = rows.count;
+        contacts.groundStart = contacts.count;
         for (int i = islands.pairStart[island]; i < islands.pairStart[island + 1]; i++) {
             if (isAgainstGround(islands.pairs[i])) {
                 addRow(islands.pairs[i], firstKick);
@@ -106,35 +106,35 @@ final class RowBuilder {
     }
 
     private void addRow(int pair, double firstKick) {
-        int row = rows.add();
+        int row = contacts.add();
         int a = pairs.bodyA[pair];
         int b = pairs.bodyB[pair];
-        rows.pair[row] = pair;
-        rows.points[row] = pairs.points[pair];
+        contacts.pair[row] = pair;
+        contacts.points[row] = pairs.points[pair];
         boolean crushes = isCrushed(pair);
-        rows.bodyA[row] = crushes && bodies.isDriven(a) ? GROUND : motions.offset(bodies, a);
-        rows.bodyB[row] = crushes && bodies.isDriven(b) ? GROUND : motions.offset(bodies, b);
+        contacts.bodyA[row] = crushes && bodies.isDriven(a) ? GROUND : motions.offset(bodies, a);
+        contacts.bodyB[row] = crushes && bodies.isDriven(b) ? GROUND : motions.offset(bodies, b);
         pairs.crushed[pair] = crushes;
         counters.crushed += crushes ? 1 : 0;
-        int at = row * Rows.STRIDE;
+        int at = row * PackedContacts.STRIDE;
         writeManifold(row, at, pair);
-        rows.data[at + Rows.RECOVERY] = OverlapSolver.RATE;
-        rows.data[at + Rows.WIDTH] = PairTolerances.width(bodies, a, b);
+        contacts.data[at + PackedContacts.RECOVERY] = OverlapSolver.RATE;
+        contacts.data[at + PackedContacts.WIDTH] = PairTolerances.width(bodies, a, b);
         writeImpulses(row, at, pair, firstKick);
     }
 
     /** Starts from the forces that held last; a contact of one row carries both points' load. */
     private void writeImpulses(int row, int at, int pair, double firstKick) {
-        double[] d = rows.data;
+        double[] d = contacts.data;
         double impulse0 = pairs.normalForce[2 * pair] * firstKick;
         double impulse1 = pairs.normalForce[2 * pair + 1] * firstKick;
         double load0 = pairs.load[2 * pair];
         double load1 = pairs.load[2 * pair + 1];
-        boolean isPair = rows.points[row] == 2;
-        d[at + Rows.LOAD0] = isPair ? load0 : load0 + load1;
-        d[at + Rows.LOAD1] = isPair ? load1 : 0;
-        d[at + Rows.IMPULSE0] = isPair ? impulse0 : impulse0 + impulse1;
-        d[at + Rows.IMPULSE1] = isPair ? impulse1 : 0;
+        boolean isPair = contacts.points[row] == 2;
+        d[at + PackedContacts.LOAD0] = isPair ? load0 : load0 + load1;
+        d[at + PackedContacts.LOAD1] = isPair ? load1 : 0;
+        d[at + PackedContacts.IMPULSE0] = isPair ? impulse0 : impulse0 + impulse1;
+        d[at + PackedContacts.IMPULSE1] = isPair ? impulse1 : 0;
     }
 
     /**
@@ -142,15 +142,17 @@ final class RowBuilder {
      * those that it had when they entered the pile, for that is what they are compared with.
      */
     void rewrite(int row) {
-        int pair = rows.pair[row];
-        int at = row * Rows.STRIDE;
-        double[] d = rows.data;
-        rows.points[row] = Math.max(1, pairs.points[pair]);
+        int pair = contacts.pair[row];
+        int at = row * PackedContacts.STRIDE;
+        double[] d = contacts.data;
+        contacts.points[row] = Math.max(1, pairs.points[pair]);
         writeManifold(row, at, pair);
-        d[at + Rows.GAP0] = 2 * d[at + Rows.GAP0] - motions.gap(rows, row, 0);
-        d[at + Rows.GAP1] = 2 * d[at + Rows.GAP1] - motions.gap(rows, row, 1);
+        d[at + PackedContacts.GAP0] =
+                2 * d[at + PackedContacts.GAP0] - motions.gap(contacts, row, 0);
+        d[at + PackedContacts.GAP1] =
+                2 * d[at + PackedContacts.GAP1] - motions.gap(contacts, row, 1);
         if (pairs.points[pair] == 0) {
-            d[at + Rows.GAP0] = OUT_OF_REACH;
+            d[at + PackedContacts.GAP0] = OUT_OF_REACH;
         }
     }
 
@@ -165,36 +167,36 @@ final class RowBuilder {
 
     /** Where nothing turns there are no levers, and the nearer of two points says all. */
     private void writeStraight(int row, int at, int pair) {
-        double[] d = rows.data;
-        d[at + Rows.NX] = pairs.normalX[pair];
-        d[at + Rows.NY] = pairs.normalY[pair];
-        d[at + Rows.GAP0] = pairs.gap(pair);
-        rows.points[row] = 1;
+        double[] d = contacts.data;
+        d[at + PackedContacts.NX] = pairs.normalX[pair];
+        d[at + PackedContacts.NY] = pairs.normalY[pair];
+        d[at + PackedContacts.GAP0] = pairs.gap(pair);
+        contacts.points[row] = 1;
         writeMass(row, at, response(row, 0, 0, 0, 0));
-        d[at + Rows.M00] = 1 / d[at + Rows.K00];
+        d[at + PackedContacts.M00] = 1 / d[at + PackedContacts.K00];
     }
 
     private void writeLevers(int row, int at, int pair) {
-        double[] d = rows.data;
+        double[] d = contacts.data;
         double nx = pairs.normalX[pair];
         double ny = pairs.normalY[pair];
-        double ax = centreX(pairs.bodyA[pair], rows.bodyA[row]);
-        double ay = centreY(pairs.bodyA[pair], rows.bodyA[row]);
-        double bx = centreX(pairs.bodyB[pair], rows.bodyB[row]);
-        double by = centreY(pairs.bodyB[pair], rows.bodyB[row]);
+        double ax = centreX(pairs.bodyA[pair], contacts.bodyA[row]);
+        double ay = centreY(pairs.bodyA[pair], contacts.bodyA[row]);
+        double bx = centreX(pairs.bodyB[pair], contacts.bodyB[row]);
+        double by = centreY(pairs.bodyB[pair], contacts.bodyB[row]);
         for (int i = 0; i < pairs.points[pair]; i++) {
             double px = pairs.pointX[2 * pair + i];
             double py = pairs.pointY[2 * pair + i];
             int shift = at + 2 * i;
-            d[shift + Rows.LEVER_A0] = (px - ax) * ny - (py - ay) * nx;
-            d[shift + Rows.LEVER_B0] = (px - bx) * ny - (py - by) * nx;
-            d[at + Rows.GAP0 + i] = pairs.separation[2 * pair + i];
+            d[shift + PackedContacts.LEVER_A0] = (px - ax) * ny - (py - ay) * nx;
+            d[shift + PackedContacts.LEVER_B0] = (px - bx) * ny - (py - by) * nx;
+            d[at + PackedContacts.GAP0 + i] = pairs.separation[2 * pair + i];
         }
-        d[at + Rows.NX] = nx;
-        d[at + Rows.NY] = ny;
+        d[at + PackedContacts.NX] = nx;
+        d[at + PackedContacts.NY] = ny;
         double rubsAt = rubsAt(pairs, pair, nx, ny);
-        d[at + Rows.LEVER_TA] = rubsAt - ax * nx - ay * ny;
-        d[at + Rows.LEVER_TB] = rubsAt - bx * nx - by * ny;
+        d[at + PackedContacts.LEVER_TA] = rubsAt - ax * nx - ay * ny;
+        d[at + PackedContacts.LEVER_TB] = rubsAt - bx * nx - by * ny;
     }
 
     /**
@@ -221,60 +223,60 @@ final class RowBuilder {
     }
 
     private void writeNormalMasses(int row, int at) {
-        double[] d = rows.data;
+        double[] d = contacts.data;
         double k00 =
                 response(
                         row,
-                        d[at + Rows.LEVER_A0],
-                        d[at + Rows.LEVER_B0],
-                        d[at + Rows.LEVER_A0],
-                        d[at + Rows.LEVER_B0]);
+                        d[at + PackedContacts.LEVER_A0],
+                        d[at + PackedContacts.LEVER_B0],
+                        d[at + PackedContacts.LEVER_A0],
+                        d[at + PackedContacts.LEVER_B0]);
         writeMass(row, at, k00);
-        if (rows.points[row] == 1) {
-            d[at + Rows.M00] = 1 / d[at + Rows.K00];
+        if (contacts.points[row] == 1) {
+            d[at + PackedContacts.M00] = 1 / d[at + PackedContacts.K00];
         } else {
             writePairMasses(row, at);
         }
     }
 
     private void writeMass(int row, int at, double k00) {
-        double give = Rows.COMPLIANCE * k00 + (isDriven(row) ? GIVE_OF_DRIVEN / mass : 0);
-        rows.data[at + Rows.GIVE] = give;
-        rows.data[at + Rows.K00] = k00 + give;
+        double give = PackedContacts.COMPLIANCE * k00 + (isDriven(row) ? GIVE_OF_DRIVEN / mass : 0);
+        contacts.data[at + PackedContacts.GIVE] = give;
+        contacts.data[at + PackedContacts.K00] = k00 + give;
     }
 
     private void writePairMasses(int row, int at) {
-        double[] d = rows.data;
+        double[] d = contacts.data;
         double k01 =
                 response(
                         row,
-                        d[at + Rows.LEVER_A0],
-                        d[at + Rows.LEVER_B0],
-                        d[at + Rows.LEVER_A1],
-                        d[at + Rows.LEVER_B1]);
+                        d[at + PackedContacts.LEVER_A0],
+                        d[at + PackedContacts.LEVER_B0],
+                        d[at + PackedContacts.LEVER_A1],
+                        d[at + PackedContacts.LEVER_B1]);
         double k11 =
                 response(
                         row,
-                        d[at + Rows.LEVER_A1],
-                        d[at + Rows.LEVER_B1],
-                        d[at + Rows.LEVER_A1],
-                        d[at + Rows.LEVER_B1]);
-        double k00 = d[at + Rows.K00];
-        k11 += d[at + Rows.GIVE];
-        d[at + Rows.K01] = k01;
-        d[at + Rows.K11] = k11;
+                        d[at + PackedContacts.LEVER_A1],
+                        d[at + PackedContacts.LEVER_B1],
+                        d[at + PackedContacts.LEVER_A1],
+                        d[at + PackedContacts.LEVER_B1]);
+        double k00 = d[at + PackedContacts.K00];
+        k11 += d[at + PackedContacts.GIVE];
+        d[at + PackedContacts.K01] = k01;
+        d[at + PackedContacts.K11] = k11;
         double determinant = k00 * k11 - k01 * k01;
         if (determinant > DEPENDENT * k00 * k11) {
-            d[at + Rows.M00] = k11 / determinant;
-            d[at + Rows.M01] = -k01 / determinant;
-            d[at + Rows.M11] = k00 / determinant;
+            d[at + PackedContacts.M00] = k11 / determinant;
+            d[at + PackedContacts.M01] = -k01 / determinant;
+            d[at + PackedContacts.M11] = k00 / determinant;
         } else {
             keepDeeper(row, at);
         }
     }
 
     private boolean isDriven(int row) {
-        int pair = rows.pair[row];
+        int pair = contacts.pair[row];
         return bodies.isDriven(pairs.bodyA[pair]) || bodies.isDriven(pairs.bodyB[pair]);
     }
 
@@ -307,18 +309,18 @@ final class RowBuilder {
 
     /** Two points that are as good as one: the deeper is kept as the first. */
     private void keepDeeper(int row, int at) {
-        double[] d = rows.data;
-        rows.points[row] = 1;
-        if (d[at + Rows.GAP1] < d[at + Rows.GAP0]) {
-            d[at + Rows.GAP0] = d[at + Rows.GAP1];
-            d[at + Rows.LEVER_A0] = d[at + Rows.LEVER_A1];
-            d[at + Rows.LEVER_B0] = d[at + Rows.LEVER_B1];
-            d[at + Rows.K00] = d[at + Rows.K11];
+        double[] d = contacts.data;
+        contacts.points[row] = 1;
+        if (d[at + PackedContacts.GAP1] < d[at + PackedContacts.GAP0]) {
+            d[at + PackedContacts.GAP0] = d[at + PackedContacts.GAP1];
+            d[at + PackedContacts.LEVER_A0] = d[at + PackedContacts.LEVER_A1];
+            d[at + PackedContacts.LEVER_B0] = d[at + PackedContacts.LEVER_B1];
+            d[at + PackedContacts.K00] = d[at + PackedContacts.K11];
         }
-        d[at + Rows.M00] = 1 / d[at + Rows.K00];
+        d[at + PackedContacts.M00] = 1 / d[at + PackedContacts.K00];
     }
 
     private double response(int row, double la, double lb, double ma, double mb) {
-        return motions.response(rows.bodyA[row], rows.bodyB[row], la, lb, ma, mb);
+        return motions.response(contacts.bodyA[row], contacts.bodyB[row], la, lb, ma, mb);
     }
 }

@@ -16,7 +16,7 @@ final class RowFactor {
     /** Multiplications that writing one entry of the matrix takes. */
     private static final int WORK_OF_ENTRY = 40;
 
-    private final Rows rows;
+    private final PackedContacts contacts;
     private final SingleRows single;
     private final ContactOrder order;
 
@@ -38,8 +38,8 @@ final class RowFactor {
 
     private double work;
 
-    RowFactor(Rows rows, SingleRows single, ContactOrder order) {
-        this.rows = rows;
+    RowFactor(PackedContacts contacts, SingleRows single, ContactOrder order) {
+        this.contacts = contacts;
         this.single = single;
         this.order = order;
     }
@@ -60,7 +60,7 @@ final class RowFactor {
     /** Multiplications that factoring takes where all rows are loaded, by their envelope. */
     double workOfAll() {
         double all = 0;
-        for (int place = 0; place < rows.count; place++) {
+        for (int place = 0; place < contacts.count; place++) {
             double width = ROWS_PER_CONTACT * (place - order.firstNeighbour[place] + 1);
             all += ROWS_PER_CONTACT * width * width / 2;
         }
@@ -83,8 +83,8 @@ final class RowFactor {
     }
 
     private void reserve() {
-        if (firstInSet.length < ROWS_PER_CONTACT * rows.count) {
-            int capacity = ROWS_PER_CONTACT * rows.pair.length;
+        if (firstInSet.length < ROWS_PER_CONTACT * contacts.count) {
+            int capacity = ROWS_PER_CONTACT * contacts.pair.length;
             factored = Arrays.copyOf(factored, capacity);
             start = Arrays.copyOf(start, capacity + 1);
             first = Arrays.copyOf(first, capacity);
@@ -129,7 +129,7 @@ final class RowFactor {
     /** Where the rows of the set stand in the order of contacts, and the other way round. */
     private void findPlaces() {
         int i = 0;
-        for (int place = 0; place < rows.count; place++) {
+        for (int place = 0; place < contacts.count; place++) {
             firstInSet[place] = i;
             while (i < size && factored[i] / ROWS_PER_CONTACT == order.order[place]) {
                 placeInOrder[i++] = place;

@@ -12,22 +12,22 @@ final class RunningRows {
 
     private final Bodies bodies;
     private final Pairs pairs;
-    private final Rows rows;
+    private final PackedContacts contacts;
 
-    RunningRows(DataStorage data, Rows rows) {
+    RunningRows(DataStorage data, PackedContacts contacts) {
         bodies = data.bodies;
         pairs = data.pairs;
-        this.rows = rows;
+        this.contacts = contacts;
     }
 
     /** Writes the speeds of the packed island. */
     void begin() {
-        for (int row = 0; row < rows.count; row++) {
-            int pair = rows.pair[row];
-            rows.running[row] =
+        for (int row = 0; row < contacts.count; row++) {
+            int pair = contacts.pair[row];
+            contacts.running[row] =
                     bodies.surfaceSpeed[pairs.bodyA[pair]] + bodies.surfaceSpeed[pairs.bodyB[pair]];
-            rows.surface[row] = rows.running[row];
-            rows.isAnyRunning |= rows.running[row] != 0;
+            contacts.surface[row] = contacts.running[row];
+            contacts.isAnyRunning |= contacts.running[row] != 0;
         }
     }
 }

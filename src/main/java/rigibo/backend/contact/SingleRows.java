@@ -10,11 +10,11 @@ final class SingleRows {
     static final int TANGENT = 2;
 
     private final Motions motions;
-    private final Rows rows;
+    private final PackedContacts contacts;
 
-    SingleRows(Motions motions, Rows rows) {
+    SingleRows(Motions motions, PackedContacts contacts) {
         this.motions = motions;
-        this.rows = rows;
+        this.contacts = contacts;
     }
 
     /** How fast (or far) B moves against A along a row, by the columns named. */
@@ -25,8 +25,8 @@ final class SingleRows {
     /** The same for columns laid out as the motions. */
     double relative(double[] m, int id, int ix, int iy, int turn) {
         int row = id / ROWS_PER_CONTACT;
-        int a = rows.bodyA[row];
-        int b = rows.bodyB[row];
+        int a = contacts.bodyA[row];
+        int b = contacts.bodyB[row];
         return directionX(id) * (m[b + ix] - m[a + ix])
                 + directionY(id) * (m[b + iy] - m[a + iy])
                 + leverB(id) * m[b + turn]
@@ -41,8 +41,8 @@ final class SingleRows {
     /** The same for columns laid out as the motions. */
     void push(double[] m, int id, double impulse, int ix, int iy, int turn) {
         int row = id / ROWS_PER_CONTACT;
-        int a = rows.bodyA[row];
-        int b = rows.bodyB[row];
+        int a = contacts.bodyA[row];
+        int b = contacts.bodyB[row];
         double ma = m[a + Motions.INVERSE_MASS] * impulse;
         double mb = m[b + Motions.INVERSE_MASS] * impulse;
         m[a + ix] -= ma * directionX(id);
@@ -56,53 +56,63 @@ final class SingleRows {
     /** Where a row keeps its impulse, from its contact's start on. */
     static int impulseColumn(int id) {
         int kind = id % ROWS_PER_CONTACT;
-        return kind == TANGENT ? Rows.IMPULSE_T : Rows.IMPULSE0 + kind;
+        return kind == TANGENT ? PackedContacts.IMPULSE_T : PackedContacts.IMPULSE0 + kind;
     }
 
     /** Speed in m/s at which the surfaces of a row are driven past each other. */
     double running(int id) {
-        return id % ROWS_PER_CONTACT == TANGENT ? rows.running[id / ROWS_PER_CONTACT] : 0;
+        return id % ROWS_PER_CONTACT == TANGENT ? contacts.running[id / ROWS_PER_CONTACT] : 0;
     }
 
     /** Speed in m/s along a row that is none: as surfaces run, or come together by turning. */
     double ownSpeed(int id) {
         int row = id / ROWS_PER_CONTACT;
         return id % ROWS_PER_CONTACT == TANGENT
-                ? rows.surface[row]
-                : rows.data[row * Rows.STRIDE + Rows.NEARING];
+                ? contacts.surface[row]
+                : contacts.data[row * PackedContacts.STRIDE + PackedContacts.NEARING];
     }
 
     /** Speed at which a row gives way to a unit impulse, 1/kg. */
     double give(int id) {
-        int at = id / ROWS_PER_CONTACT * Rows.STRIDE;
+        int at = id / ROWS_PER_CONTACT * PackedContacts.STRIDE;
         boolean isTangent = id % ROWS_PER_CONTACT == TANGENT;
         return isTangent
-                ? Rows.COMPLIANCE / rows.data[at + Rows.MASS_T]
-                : rows.data[at + Rows.GIVE];
+                ? PackedContacts.COMPLIANCE / contacts.data[at + PackedContacts.MASS_T]
+                : contacts.data[at + PackedContacts.GIVE];
     }
 
     private double directionX(int id) {
-        int at = id / ROWS_PER_CONTACT * Rows.STRIDE;
+        int at = id / ROWS_PER_CONTACT * PackedContacts.STRIDE;
         return id % ROWS_PER_CONTACT == TANGENT
-                ? -rows.data[at + Rows.NY]
-                : rows.data[at + Rows.NX];
+                ? -contacts.data[at + PackedContacts.NY]
+                : contacts.data[at + PackedContacts.NX];
     }
 
     private double directionY(int id) {
-        int at = id / ROWS_PER_CONTACT * Rows.STRIDE;
-        return id % ROWS_PER_CONTACT == TANGENT ? rows.data[at + Rows.NX] : rows.data[at + Rows.NY];
+        int at = id / ROWS_PER_CONTACT * PackedContacts.STRIDE;
+        return id % ROWS_PER_CONTACT == TANGENT
+                ? contacts.data[at + PackedContacts.NX]
+                : contacts.data[at + PackedContacts.NY];
     }
 
     private double leverA(int id) {
-        int at = id / ROWS_PER_CONTACT * Rows.STRIDE;
+        int at = id / ROWS_PER_CONTACT * PackedContacts.STRIDE;
         int kind = id % ROWS_PER_CONTACT;
-        return rows.data[at + (kind == TANGENT ? Rows.LEVER_TA : Rows.LEVER_A0 + 2 * kind)];
+        return contacts.data[
+                at
+                        + (kind == TANGENT
+                                ? PackedContacts.LEVER_TA
+                                : PackedContacts.LEVER_A0 + 2 * kind)];
     }
 
     private double leverB(int id) {
-        int at = id / ROWS_PER_CONTACT * Rows.STRIDE;
+        int at = id / ROWS_PER_CONTACT * PackedContacts.STRIDE;
         int kind = id % ROWS_PER_CONTACT;
-        return rows.data[at + (kind == TANGENT ? Rows.LEVER_TB : Rows.LEVER_B0 + 2 * kind)];
+        return contacts.data[
+                at
+                        + (kind == TANGENT
+                                ? PackedContacts.LEVER_TB
+                                : PackedContacts.LEVER_B0 + 2 * kind)];
     }
 
     /** What a unit impulse of one row gives another, 1/kg. */
@@ -110,19 +120,19 @@ final class SingleRows {
         double direct = directionX(i) * directionX(j) + directionY(i) * directionY(j);
         int row = i / ROWS_PER_CONTACT;
         int other = j / ROWS_PER_CONTACT;
-        int a = rows.bodyA[row];
-        int b = rows.bodyB[row];
+        int a = contacts.bodyA[row];
+        int b = contacts.bodyB[row];
         double sum = 0;
-        if (a == rows.bodyA[other]) {
+        if (a == contacts.bodyA[other]) {
             sum += through(a, direct, leverA(i) * leverA(j));
         }
-        if (b == rows.bodyB[other]) {
+        if (b == contacts.bodyB[other]) {
             sum += through(b, direct, leverB(i) * leverB(j));
         }
-        if (a == rows.bodyB[other]) {
+        if (a == contacts.bodyB[other]) {
             sum -= through(a, direct, leverA(i) * leverB(j));
         }
-        if (b == rows.bodyA[other]) {
+        if (b == contacts.bodyA[other]) {
             sum -= through(b, direct, leverB(i) * leverA(j));
         }
         return sum;

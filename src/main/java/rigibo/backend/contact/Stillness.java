@@ -17,17 +17,22 @@ final class Stillness {
 
     private final Bodies bodies;
     private final Motions motions;
-    private final Rows rows;
+    private final PackedContacts contacts;
 
     /** Null where overlap is not taken back. */
     private final OverlapSolver overlap;
 
     private final Kick kick;
 
-    Stillness(Bodies bodies, Motions motions, Rows rows, OverlapSolver overlap, Kick kick) {
+    Stillness(
+            Bodies bodies,
+            Motions motions,
+            PackedContacts contacts,
+            OverlapSolver overlap,
+            Kick kick) {
         this.bodies = bodies;
         this.motions = motions;
-        this.rows = rows;
+        this.contacts = contacts;
         this.overlap = overlap;
         this.kick = kick;
     }
@@ -39,9 +44,9 @@ final class Stillness {
     boolean isAtRest(double start, double h, int substeps, double settled) {
         double length = substeps * h;
         double quiet = QUIET * settled;
-        return rows.lastJoining == Rows.ALWAYS
+        return contacts.lastJoining == PackedContacts.ALWAYS
                 && !motions.isAnyDriven
-                && !rows.isAnyRunning
+                && !contacts.isAnyRunning
                 && isEveryBodyStill(length, quiet)
                 && !(overlap != null && overlap.isAnyWanted(STILL, length, 0))
                 && kick.isSteady(start + h, h, substeps - 1, quiet / length);

@@ -19,18 +19,18 @@ final class Strays {
     private final Bodies bodies;
     private final Pairs pairs;
     private final Motions motions;
-    private final Rows rows;
+    private final PackedContacts contacts;
 
     /** By entry of the motions the way in m that its outline was to go at most. */
     private double[] foreseen = new double[16];
 
     private boolean[] strays = new boolean[16];
 
-    Strays(DataStorage data, Motions motions, Rows rows) {
+    Strays(DataStorage data, Motions motions, PackedContacts contacts) {
         bodies = data.bodies;
         pairs = data.pairs;
         this.motions = motions;
-        this.rows = rows;
+        this.contacts = contacts;
     }
 
     /** Foresees of the packed island what its bodies do now, with {@code left} seconds to go. */
@@ -74,10 +74,10 @@ final class Strays {
 
     /** Whether a contact may lack a corner that lands. */
     boolean mayLackPoint(int row) {
-        int a = rows.bodyA[row] / Motions.STRIDE;
-        int b = rows.bodyB[row] / Motions.STRIDE;
-        int pair = rows.pair[row];
-        return rows.points[row] == 1
+        int a = contacts.bodyA[row] / Motions.STRIDE;
+        int b = contacts.bodyB[row] / Motions.STRIDE;
+        int pair = contacts.pair[row];
+        return contacts.points[row] == 1
                 && (strays[a] || strays[b])
                 && bodies.shape[pairs.bodyA[pair]] instanceof Polygon
                 && bodies.shape[pairs.bodyB[pair]] instanceof Polygon;

@@ -37,7 +37,7 @@ final class TurningRows {
     private final Pairs pairs;
     private final Islands islands;
     private final Motions motions;
-    private final Rows rows;
+    private final PackedContacts contacts;
     private final FreshRows fresh;
 
     /** Whether any body of the packed island turns too far. */
@@ -47,13 +47,17 @@ final class TurningRows {
     private final Straightness straight;
 
     TurningRows(
-            DataStorage data, Motions motions, Rows rows, FreshRows fresh, Straightness straight) {
+            DataStorage data,
+            Motions motions,
+            PackedContacts contacts,
+            FreshRows fresh,
+            Straightness straight) {
         this.straight = straight;
         bodies = data.bodies;
         pairs = data.pairs;
         islands = data.islands;
         this.motions = motions;
-        this.rows = rows;
+        this.contacts = contacts;
         this.fresh = fresh;
     }
 
@@ -93,7 +97,8 @@ final class TurningRows {
     /** Whether the outline of a contact turns in the step, of which some seconds are to go. */
     boolean isTurning(int row, double left) {
         return isAnyTurning
-                && (isTurningBody(rows.bodyA[row], left) || isTurningBody(rows.bodyB[row], left));
+                && (isTurningBody(contacts.bodyA[row], left)
+                        || isTurningBody(contacts.bodyB[row], left));
     }
 
     /** Takes a contact for straight again, if it was bent in the substep before. */
@@ -119,27 +124,32 @@ final class TurningRows {
      * to part as fast.
      */
     void bend(int row, double h) {
-        int at = row * Rows.STRIDE;
-        double[] d = rows.data;
-        double bendA = bend(pairs.bodyA[rows.pair[row]], rows.bodyA[row], h);
-        double bendB = bend(pairs.bodyB[rows.pair[row]], rows.bodyB[row], h);
+        int at = row * PackedContacts.STRIDE;
+        double[] d = contacts.data;
+        double bendA = bend(pairs.bodyA[contacts.pair[row]], contacts.bodyA[row], h);
+        double bendB = bend(pairs.bodyB[contacts.pair[row]], contacts.bodyB[row], h);
         double gap =
-                bendA * d[at + Rows.LEVER_TA]
-                        - bendB * d[at + Rows.LEVER_TB]
+                bendA * d[at + PackedContacts.LEVER_TA]
+                        - bendB * d[at + PackedContacts.LEVER_TB]
                         + faceTurnsAway(row, h);
-        double way0 = bendA * d[at + Rows.LEVER_A0] - bendB * d[at + Rows.LEVER_B0];
-        double way1 = bendA * d[at + Rows.LEVER_A1] - bendB * d[at + Rows.LEVER_B1];
-        double difference = rows.points[row] == 2 ? d[at + Rows.GAP1] - d[at + Rows.GAP0] : 1;
+        double way0 =
+                bendA * d[at + PackedContacts.LEVER_A0] - bendB * d[at + PackedContacts.LEVER_B0];
+        double way1 =
+                bendA * d[at + PackedContacts.LEVER_A1] - bendB * d[at + PackedContacts.LEVER_B1];
+        double difference =
+                contacts.points[row] == 2
+                        ? d[at + PackedContacts.GAP1] - d[at + PackedContacts.GAP0]
+                        : 1;
         double way = difference == 0 ? (way0 + way1) / 2 : difference > 0 ? way0 : way1;
-        d[at + Rows.GAP0] += Math.max(0, gap);
-        d[at + Rows.GAP1] += Math.max(0, gap);
-        d[at + Rows.NEARING] = gap < 0 ? -gap / h : 0;
-        rows.surface[row] = rows.running[row] + (h > 0 ? way / h : 0);
+        d[at + PackedContacts.GAP0] += Math.max(0, gap);
+        d[at + PackedContacts.GAP1] += Math.max(0, gap);
+        d[at + PackedContacts.NEARING] = gap < 0 ? -gap / h : 0;
+        contacts.surface[row] = contacts.running[row] + (h > 0 ? way / h : 0);
     }
 
     private boolean isBent(int row) {
-        return rows.surface[row] != rows.running[row]
-                || rows.data[row * Rows.STRIDE + Rows.NEARING] != 0;
+        return contacts.surface[row] != contacts.running[row]
+                || contacts.data[row * PackedContacts.STRIDE + PackedContacts.NEARING] != 0;
     }
 
     /** Half the square of the angle by which an outline turns in h seconds. */
@@ -160,25 +170,25 @@ final class TurningRows {
      * which does not go along with the face.
      */
     private double faceTurnsAway(int row, double h) {
-        int pair = rows.pair[row];
+        int pair = contacts.pair[row];
         int face = pairs.faceOf[pair];
         if (face == Pairs.NONE) {
             return 0;
         }
         boolean isOfA = face == pairs.bodyA[pair];
-        double turn = turn(face, isOfA ? rows.bodyA[row] : rows.bodyB[row], h);
+        double turn = turn(face, isOfA ? contacts.bodyA[row] : contacts.bodyB[row], h);
         if (turn == 0) {
             return 0;
         }
-        double[] d = rows.data;
-        int at = row * Rows.STRIDE;
-        double armA = d[at + Rows.LEVER_TA];
-        double armB = d[at + Rows.LEVER_TB];
+        double[] d = contacts.data;
+        int at = row * PackedContacts.STRIDE;
+        double armA = d[at + PackedContacts.LEVER_TA];
+        double armB = d[at + PackedContacts.LEVER_TB];
         if (bodies.sweepRadius[pairs.other(pair, face)] > 0) {
-            return turn * h * motions.slide(rows, row, armA, armB);
+            return turn * h * motions.slide(contacts, row, armA, armB);
         }
         double toCentre = isOfA ? armB : -armA;
-        double slide = motions.slide(rows, row, isOfA ? armA : 0, isOfA ? 0 : armB);
+        double slide = motions.slide(contacts, row, isOfA ? armA : 0, isOfA ? 0 : armB);
         return turn * (h * slide + turn * toCentre / 2);
     }
 

@@ -15,60 +15,66 @@ import static rigibo.backend.contact.Motions.VY;
 final class WarmStart {
 
     private final Motions motions;
-    private final Rows rows;
+    private final PackedContacts contacts;
 
-    WarmStart(Motions motions, Rows rows) {
+    WarmStart(Motions motions, PackedContacts contacts) {
         this.motions = motions;
-        this.rows = rows;
+        this.contacts = contacts;
     }
 
     /** Takes the packed island's impulses for those of the last two kicks. */
     void prepare() {
-        for (int at = 0; at < rows.count * Rows.STRIDE; at += Rows.STRIDE) {
+        for (int at = 0; at < contacts.count * PackedContacts.STRIDE; at += PackedContacts.STRIDE) {
             keep(at);
         }
     }
 
     /** Leaves out of every impulse what it has more than a multiple of the one before. */
     void leaveOutBlows(double growth) {
-        double[] d = rows.data;
-        for (int at = 0; at < rows.count * Rows.STRIDE; at += Rows.STRIDE) {
-            double j0 = Math.min(d[at + Rows.IMPULSE0], growth * d[at + Rows.BEFORE0]);
-            double j1 = Math.min(d[at + Rows.IMPULSE1], growth * d[at + Rows.BEFORE1]);
-            double both = d[at + Rows.IMPULSE0] + d[at + Rows.IMPULSE1];
+        double[] d = contacts.data;
+        for (int at = 0; at < contacts.count * PackedContacts.STRIDE; at += PackedContacts.STRIDE) {
+            double j0 =
+                    Math.min(
+                            d[at + PackedContacts.IMPULSE0],
+                            growth * d[at + PackedContacts.BEFORE0]);
+            double j1 =
+                    Math.min(
+                            d[at + PackedContacts.IMPULSE1],
+                            growth * d[at + PackedContacts.BEFORE1]);
+            double both = d[at + PackedContacts.IMPULSE0] + d[at + PackedContacts.IMPULSE1];
             double share = both > 0 ? (j0 + j1) / both : 0;
             keep(at);
-            d[at + Rows.IMPULSE0] = j0;
-            d[at + Rows.IMPULSE1] = j1;
-            d[at + Rows.IMPULSE_T] *= share;
-            d[at + Rows.IMPULSE_R] *= share;
+            d[at + PackedContacts.IMPULSE0] = j0;
+            d[at + PackedContacts.IMPULSE1] = j1;
+            d[at + PackedContacts.IMPULSE_T] *= share;
+            d[at + PackedContacts.IMPULSE_R] *= share;
         }
     }
 
     private void keep(int at) {
-        rows.data[at + Rows.BEFORE0] = rows.data[at + Rows.IMPULSE0];
-        rows.data[at + Rows.BEFORE1] = rows.data[at + Rows.IMPULSE1];
+        contacts.data[at + PackedContacts.BEFORE0] = contacts.data[at + PackedContacts.IMPULSE0];
+        contacts.data[at + PackedContacts.BEFORE1] = contacts.data[at + PackedContacts.IMPULSE1];
     }
 
     /** Scales those of the kick before as {@link #apply} does the present ones. */
     void scaleBefore(double scale, int substep) {
-        for (int row = 0; row < rows.count; row++) {
-            if (rows.firstSubstep[row] <= substep) {
-                rows.data[row * Rows.STRIDE + Rows.BEFORE0] *= scale;
-                rows.data[row * Rows.STRIDE + Rows.BEFORE1] *= scale;
+        for (int row = 0; row < contacts.count; row++) {
+            if (contacts.firstSubstep[row] <= substep) {
+                contacts.data[row * PackedContacts.STRIDE + PackedContacts.BEFORE0] *= scale;
+                contacts.data[row * PackedContacts.STRIDE + PackedContacts.BEFORE1] *= scale;
             }
         }
     }
 
     /** Scales every impulse and applies it. */
     void apply(double scale, int substep) {
-        for (int row = 0; row < rows.count; row++) {
-            if (rows.firstSubstep[row] <= substep) {
-                int at = row * Rows.STRIDE;
-                rows.data[at + Rows.IMPULSE0] *= scale;
-                rows.data[at + Rows.IMPULSE1] *= scale;
-                rows.data[at + Rows.IMPULSE_T] *= scale;
-                rows.data[at + Rows.IMPULSE_R] *= scale;
+        for (int row = 0; row < contacts.count; row++) {
+            if (contacts.firstSubstep[row] <= substep) {
+                int at = row * PackedContacts.STRIDE;
+                contacts.data[at + PackedContacts.IMPULSE0] *= scale;
+                contacts.data[at + PackedContacts.IMPULSE1] *= scale;
+                contacts.data[at + PackedContacts.IMPULSE_T] *= scale;
+                contacts.data[at + PackedContacts.IMPULSE_R] *= scale;
             }
         }
         add(1, substep);
@@ -76,24 +82,24 @@ final class WarmStart {
 
     /** Gives bodies a multiple of all impulses; −1 takes back what they were given. */
     void add(double multiple, int substep) {
-        for (int row = 0; row < rows.count; row++) {
-            if (rows.firstSubstep[row] <= substep) {
+        for (int row = 0; row < contacts.count; row++) {
+            if (contacts.firstSubstep[row] <= substep) {
                 addOf(row, multiple);
             }
         }
     }
 
     private void addOf(int row, double multiple) {
-        double[] d = rows.data;
+        double[] d = contacts.data;
         double[] m = motions.data;
-        int at = row * Rows.STRIDE;
-        int a = rows.bodyA[row];
-        int b = rows.bodyB[row];
-        double nx = d[at + Rows.NX];
-        double ny = d[at + Rows.NY];
-        double j0 = multiple * d[at + Rows.IMPULSE0];
-        double j1 = multiple * d[at + Rows.IMPULSE1];
-        double jt = multiple * d[at + Rows.IMPULSE_T];
+        int at = row * PackedContacts.STRIDE;
+        int a = contacts.bodyA[row];
+        int b = contacts.bodyB[row];
+        double nx = d[at + PackedContacts.NX];
+        double ny = d[at + PackedContacts.NY];
+        double j0 = multiple * d[at + PackedContacts.IMPULSE0];
+        double j1 = multiple * d[at + PackedContacts.IMPULSE1];
+        double jt = multiple * d[at + PackedContacts.IMPULSE_T];
         double jx = (j0 + j1) * nx - jt * ny;
         double jy = (j0 + j1) * ny + jt * nx;
         m[a + VX] -= m[a + INVERSE_MASS] * jx;
@@ -101,7 +107,7 @@ final class WarmStart {
         m[b + VX] += m[b + INVERSE_MASS] * jx;
         m[b + VY] += m[b + INVERSE_MASS] * jy;
         if (motions.turns) {
-            turn(m, d, at, a, b, j0, j1, jt, multiple * d[at + Rows.IMPULSE_R]);
+            turn(m, d, at, a, b, j0, j1, jt, multiple * d[at + PackedContacts.IMPULSE_R]);
         }
     }
 
@@ -116,14 +122,14 @@ final class WarmStart {
             double jt,
             double jr) {
         double onA =
-                j0 * d[at + Rows.LEVER_A0]
-                        + j1 * d[at + Rows.LEVER_A1]
-                        + jt * d[at + Rows.LEVER_TA]
+                j0 * d[at + PackedContacts.LEVER_A0]
+                        + j1 * d[at + PackedContacts.LEVER_A1]
+                        + jt * d[at + PackedContacts.LEVER_TA]
                         + jr;
         double onB =
-                j0 * d[at + Rows.LEVER_B0]
-                        + j1 * d[at + Rows.LEVER_B1]
-                        + jt * d[at + Rows.LEVER_TB]
+                j0 * d[at + PackedContacts.LEVER_B0]
+                        + j1 * d[at + PackedContacts.LEVER_B1]
+                        + jt * d[at + PackedContacts.LEVER_TB]
                         + jr;
         m[a + SPIN] -= m[a + INVERSE_INERTIA] * onA;
         m[b + SPIN] += m[b + INVERSE_INERTIA] * onB;

@@ -21,7 +21,7 @@ class BlowShiftsTest {
     private final PackedIsland island = new PackedIsland();
     private final Motions motions = island.motions;
     private final Bodies bodies = new Bodies(Effects.of());
-    private final BlowShifts shifts = new BlowShifts(bodies, motions, island.rows);
+    private final BlowShifts shifts = new BlowShifts(bodies, motions, island.contacts);
 
     @Test
     void shiftThatLeadsIntoNothingStays() {
@@ -81,7 +81,7 @@ class BlowShiftsTest {
     @Test
     void contactThatIsNotThereYetHoldsNothingBack() {
         tower(1, 0.1);
-        island.rows.firstSubstep[0] = 2;
+        island.contacts.firstSubstep[0] = 2;
         shifts.begin();
         shift(1, -0.3);
         shifts.limit(1);
@@ -96,8 +96,8 @@ class BlowShiftsTest {
         island.begin(1);
         island.body(1, 1, 1);
         int row = island.onGround(1, 0.5, 0.5);
-        island.rows.data[row * Rows.STRIDE + Rows.GAP0] = 0.1;
-        island.rows.data[row * Rows.STRIDE + Rows.GAP1] = 0.1;
+        island.contacts.data[row * PackedContacts.STRIDE + PackedContacts.GAP0] = 0.1;
+        island.contacts.data[row * PackedContacts.STRIDE + PackedContacts.GAP1] = 0.1;
         shifts.begin();
         shifts.shift(Motions.STRIDE, 0, 0, 0.4);
         shifts.limit(0);
@@ -125,7 +125,7 @@ class BlowShiftsTest {
             }
             shifts.limit(0);
             for (int body = 1; body <= count; body++) {
-                double gap = motions.gap(island.rows, body - 1, 0);
+                double gap = motions.gap(island.contacts, body - 1, 0);
                 assertThat(gap).isGreaterThan(-UNSEEN - ROUND_OFF);
                 assertThat(Math.abs(way(body))).isLessThanOrEqualTo(Math.abs(wanted[body]));
                 heldBack += way(body) == wanted[body] ? 0 : 1;
@@ -147,7 +147,7 @@ class BlowShiftsTest {
         }
         for (int body = 1; body <= count; body++) {
             int row = island.contact(body - 1, body, 0.5, 0.5);
-            island.rows.data[row * Rows.STRIDE + Rows.GAP0] = gap;
+            island.contacts.data[row * PackedContacts.STRIDE + PackedContacts.GAP0] = gap;
         }
     }
 

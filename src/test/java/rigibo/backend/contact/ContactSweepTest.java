@@ -20,10 +20,10 @@ class ContactSweepTest {
 
     private final PackedIsland island = new PackedIsland();
     private final Motions motions = island.motions;
-    private final Rows rows = island.rows;
+    private final PackedContacts contacts = island.contacts;
     private final Counters counters = new Counters();
     private final ContactSweep sweep =
-            new ContactSweep(motions, rows, counters, new NoRubbing(), true);
+            new ContactSweep(motions, contacts, counters, new NoRubbing(), true);
 
     /** w ≥ 0, j ≥ 0, w·j = 0 for both points, in each of the four cases. */
     @Test
@@ -39,8 +39,10 @@ class ContactSweepTest {
             sweep.run(H, 0, 1, 0, 1);
             int loaded = 0;
             for (int point = 0; point < 2; point++) {
-                double impulse = rows.data[row * Rows.STRIDE + Rows.IMPULSE0 + point];
-                double parting = motions.parting(rows, row, point);
+                double impulse =
+                        contacts.data[
+                                row * PackedContacts.STRIDE + PackedContacts.IMPULSE0 + point];
+                double parting = motions.parting(contacts, row, point);
                 assertThat(impulse).isNotNegative();
                 assertThat(parting).isGreaterThanOrEqualTo(-ROUND_OFF);
                 assertThat(impulse * parting).isCloseTo(0, within(ROUND_OFF));
@@ -60,11 +62,11 @@ class ContactSweepTest {
             island.begin(1);
             island.body(1, 1, 0);
             int row = island.onGround(1, 0.5, 0.5);
-            int at = row * Rows.STRIDE;
+            int at = row * PackedContacts.STRIDE;
             double friction = random.nextDouble(0.1, 1);
             double speed = random.nextDouble(-1, 1);
-            rows.data[at + Rows.FRICTION] = friction;
-            rows.data[at + Rows.MASS_T] = 1;
+            contacts.data[at + PackedContacts.FRICTION] = friction;
+            contacts.data[at + PackedContacts.MASS_T] = 1;
             motions.data[Motions.STRIDE + Motions.VX] = speed;
             motions.data[Motions.STRIDE + Motions.VY] = -1;
             sweep.run(H, 0, 1, 0, 50);
@@ -82,8 +84,8 @@ class ContactSweepTest {
         island.begin(1);
         island.body(1, 1, 0);
         int row = island.onGround(1, 0.5, 0.5);
-        rows.data[row * Rows.STRIDE + Rows.GAP0] = 0.01;
-        rows.data[row * Rows.STRIDE + Rows.GAP1] = 0.01;
+        contacts.data[row * PackedContacts.STRIDE + PackedContacts.GAP0] = 0.01;
+        contacts.data[row * PackedContacts.STRIDE + PackedContacts.GAP1] = 0.01;
         motions.data[Motions.STRIDE + Motions.VY] = -10;
         sweep.run(H, 0, 1, 0, 1);
         assertThat(motions.data[Motions.STRIDE + Motions.VY]).isCloseTo(-0.01 / H, within(1e-9));
@@ -106,8 +108,10 @@ class ContactSweepTest {
         column(count);
         sweep.run(H, 0, 1, 1e-12, 100_000);
         for (int row = 0; row < count; row++) {
-            int at = row * Rows.STRIDE;
-            double load = rows.data[at + Rows.IMPULSE0] + rows.data[at + Rows.IMPULSE1];
+            int at = row * PackedContacts.STRIDE;
+            double load =
+                    contacts.data[at + PackedContacts.IMPULSE0]
+                            + contacts.data[at + PackedContacts.IMPULSE1];
             // 20 contacts may each miss 1e-12 m/s, which a column adds up 20 times over: 4e-10.
             assertThat(load).isCloseTo(count - row, within(1e-7));
         }
@@ -123,6 +127,6 @@ class ContactSweepTest {
         for (int body = 1; body <= count; body++) {
             island.contact(body - 1, body, 0.5, 0.5);
         }
-        rows.groundStart = rows.count;
+        contacts.groundStart = contacts.count;
     }
 }

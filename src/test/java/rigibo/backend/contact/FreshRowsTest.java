@@ -24,7 +24,7 @@ class FreshRowsTest {
     private final DataStorage data;
     private final int pair;
     private final Motions motions = new Motions(false);
-    private final Rows rows = new Rows();
+    private final PackedContacts contacts = new PackedContacts();
     private final FreshRows fresh;
     private final int row;
 
@@ -35,19 +35,19 @@ class FreshRowsTest {
         data = PoolStorage.of(pool);
         pair = data.pairs.active[0];
         motions.clear(data.bodies);
-        row = rows.add();
-        rows.pair[row] = pair;
-        rows.bodyA[row] = motions.offset(data.bodies, data.pairs.bodyA[pair]);
-        rows.bodyB[row] = motions.offset(data.bodies, data.pairs.bodyB[pair]);
-        RowBuilder builder = new RowBuilder(data, motions, rows, null);
-        fresh = new FreshRows(data, new Narrowphase(data), motions, rows, builder);
+        row = contacts.add();
+        contacts.pair[row] = pair;
+        contacts.bodyA[row] = motions.offset(data.bodies, data.pairs.bodyA[pair]);
+        contacts.bodyB[row] = motions.offset(data.bodies, data.pairs.bodyB[pair]);
+        RowBuilder builder = new RowBuilder(data, motions, contacts, null);
+        fresh = new FreshRows(data, new Narrowphase(data), motions, contacts, builder);
     }
 
     /** Up and to the right of the other, √2 m from it. */
     @Test
     void contactIsMeasuredWhereItsBodiesAreByNow() {
-        motions.data[rows.bodyB[row] + Motions.DX] = -1;
-        motions.data[rows.bodyB[row] + Motions.DY] = 1;
+        motions.data[contacts.bodyB[row] + Motions.DX] = -1;
+        motions.data[contacts.bodyB[row] + Motions.DY] = 1;
         fresh.measure(row, 1);
         assertThat(data.pairs.normalX[pair]).isEqualTo(Math.sqrt(0.5), within(1e-12));
         assertThat(data.pairs.normalY[pair]).isEqualTo(Math.sqrt(0.5), within(1e-12));
@@ -58,9 +58,9 @@ class FreshRowsTest {
     @ParameterizedTest
     @ValueSource(doubles = {1e155, 1e200, 1e308, Double.POSITIVE_INFINITY, Double.NaN})
     void whatIsTooFarAwayForADistanceIsNotMeasured(double x) {
-        motions.data[rows.bodyB[row] + Motions.DX] = x;
+        motions.data[contacts.bodyB[row] + Motions.DX] = x;
         // As fast as got it there: it is within reach of anything.
-        motions.data[rows.bodyB[row] + Motions.VX] = x;
+        motions.data[contacts.bodyB[row] + Motions.VX] = x;
         fresh.measure(row, 1);
         assertThat(data.pairs.normalX[pair]).isEqualTo(1);
         assertThat(data.pairs.normalY[pair]).isZero();

@@ -6,11 +6,11 @@ import java.util.Arrays;
 final class PackedIsland {
 
     final Motions motions = new Motions(true);
-    final Rows rows = new Rows();
+    final PackedContacts contacts = new PackedContacts();
 
     /** Empties it, and makes room for so many bodies. */
     void begin(int bodies) {
-        rows.clear();
+        contacts.clear();
         motions.count = bodies + 1;
         if (motions.slots.length < motions.count) {
             motions.slots = new int[motions.count];
@@ -18,7 +18,7 @@ final class PackedIsland {
             motions.data = new double[motions.count * Motions.STRIDE];
         }
         Arrays.fill(motions.data, 0);
-        rows.groundStart = 0;
+        contacts.groundStart = 0;
     }
 
     /** A body whose outline reaches one metre. */
@@ -35,31 +35,31 @@ final class PackedIsland {
 
     /** B on A, with points so far to the left and to the right of both centres, m. */
     int contact(int entryA, int entryB, double left, double right) {
-        int row = rows.add();
-        int at = row * Rows.STRIDE;
-        rows.bodyA[row] = entryA * Motions.STRIDE;
-        rows.bodyB[row] = entryB * Motions.STRIDE;
-        double[] d = rows.data;
-        d[at + Rows.NY] = 1;
-        d[at + Rows.WIDTH] = 1;
-        d[at + Rows.LEVER_A0] = -left;
-        d[at + Rows.LEVER_B0] = -left;
-        d[at + Rows.LEVER_A1] = right;
-        d[at + Rows.LEVER_B1] = right;
-        int a = rows.bodyA[row];
-        int b = rows.bodyB[row];
+        int row = contacts.add();
+        int at = row * PackedContacts.STRIDE;
+        contacts.bodyA[row] = entryA * Motions.STRIDE;
+        contacts.bodyB[row] = entryB * Motions.STRIDE;
+        double[] d = contacts.data;
+        d[at + PackedContacts.NY] = 1;
+        d[at + PackedContacts.WIDTH] = 1;
+        d[at + PackedContacts.LEVER_A0] = -left;
+        d[at + PackedContacts.LEVER_B0] = -left;
+        d[at + PackedContacts.LEVER_A1] = right;
+        d[at + PackedContacts.LEVER_B1] = right;
+        int a = contacts.bodyA[row];
+        int b = contacts.bodyB[row];
         double k00 = motions.response(a, b, -left, -left, -left, -left);
         double k01 = motions.response(a, b, -left, -left, right, right);
         double k11 = motions.response(a, b, right, right, right, right);
         double determinant = k00 * k11 - k01 * k01;
-        d[at + Rows.K00] = k00;
-        d[at + Rows.K01] = k01;
-        d[at + Rows.K11] = k11;
+        d[at + PackedContacts.K00] = k00;
+        d[at + PackedContacts.K01] = k01;
+        d[at + PackedContacts.K11] = k11;
         // Of bodies that do not turn both points are one.
-        rows.points[row] = determinant > 0 ? 2 : 1;
-        d[at + Rows.M00] = determinant > 0 ? k11 / determinant : 1 / k00;
-        d[at + Rows.M01] = -k01 / determinant;
-        d[at + Rows.M11] = k00 / determinant;
+        contacts.points[row] = determinant > 0 ? 2 : 1;
+        d[at + PackedContacts.M00] = determinant > 0 ? k11 / determinant : 1 / k00;
+        d[at + PackedContacts.M01] = -k01 / determinant;
+        d[at + PackedContacts.M11] = k00 / determinant;
         return row;
     }
 }

@@ -25,7 +25,7 @@ class PartingLimitTest {
     private final Bodies bodies = new Bodies(Effects.of(new Contacts()));
     private final PackedIsland island = new PackedIsland();
     private final Motions motions = island.motions;
-    private final PartingLimit limit = new PartingLimit(bodies, motions, island.rows);
+    private final PartingLimit limit = new PartingLimit(bodies, motions, island.contacts);
 
     @BeforeEach
     void widen() {

@@ -27,7 +27,7 @@ class StraysTest {
     private final DataStorage data = new DataStorage(Effects.of(new Contacts(), new Rotation()));
     private final PackedIsland island = new PackedIsland();
     private final Motions motions = island.motions;
-    private final Strays strays = new Strays(data, motions, island.rows);
+    private final Strays strays = new Strays(data, motions, island.contacts);
     private int row;
 
     @BeforeEach
@@ -38,7 +38,7 @@ class StraysTest {
         island.begin(Motions.FEW + 1);
         island.body(1, 1, 1);
         row = island.onGround(1, 0.5, 0.5);
-        island.rows.points[row] = 1;
+        island.contacts.points[row] = 1;
         strays.begin(STEP);
     }
 
@@ -95,7 +95,7 @@ class StraysTest {
 
     @Test
     void twoPointsLackNone() {
-        island.rows.points[row] = 2;
+        island.contacts.points[row] = 2;
         go(30, 0, 0);
         assertThat(strays.areAny(STEP)).isTrue();
         assertThat(strays.mayLackPoint(row)).isFalse();

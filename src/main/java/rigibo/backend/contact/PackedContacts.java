@@ -10,7 +10,7 @@ import java.util.Arrays;
  * <p>With n the normal from A to B and r the arms to the points, the speed at which point i parts
  * is n·(vB − vA) + leverB·ωB − leverA·ωA, lever = r × n.
  */
-final class Rows {
+final class PackedContacts {
 
     /*
      * What every pass reads stands first, and what only some do behind it: a cache line holds eight.
