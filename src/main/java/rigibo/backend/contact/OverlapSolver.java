@@ -27,7 +27,9 @@ final class OverlapSolver {
      */
     static final double KEPT_OVERLAP = 1e-5;
 
-    /** Share by which they are kept slower than that, for what is moved is rounded. */
+    /**
+     * Share by which what floats stays slower than {@link #MOST_PUSH}: what is moved is rounded.
+     */
     private static final double ROUND_OFF = 1e-9;
 
     private final Motions motions;
