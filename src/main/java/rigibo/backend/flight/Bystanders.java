@@ -168,11 +168,13 @@ final class Bystanders {
     /**
      * How far in m a body may get that another strikes which may get as far as {@code reach}: its
      * share, by their masses, of what is left of that where it has closed the gap, but for what
-     * their own ways close in a step of dt seconds; 0 where that surprises nobody.
+     * their own ways close in a step of dt seconds; 0 where that surprises nobody. A flyer goes its
+     * whole way: it may fall on what a floor has stopped, and then is stopped by the floor.
      */
     double reachLeft(int pair, int struck, double reach, double dt) {
         double left = reach - Math.max(0, pairs.gap(pair) - narrowphase.reach(pair, dt));
-        double handedOn = left * shareOf(struck, pair);
+        double share = shareOf(struck, pair);
+        double handedOn = left * (paths.isFlyer(struck) ? Math.max(1, share) : share);
         return isSurprise(struck, handedOn) ? handedOn : 0;
     }
 

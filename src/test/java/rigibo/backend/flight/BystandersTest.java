@@ -338,6 +338,7 @@ class BystandersTest {
     })
     void aGapUsesUpTheReach(double reach, double gap, double left) {
         int pushed = disc(2, 2, 0, 0);
+        air.pile(pushed);
         int pair = near(disc(0, 0, 1.2, 1.6), pushed, gap);
         assertThat(bystanders.reachLeft(pair, pushed, reach, 0.125))
                 .isEqualTo(left, within(ROUND_OFF));
@@ -349,6 +350,7 @@ class BystandersTest {
     void aStruckBodyTakesItsShareByMass(double ratio, double elasticity, double share) {
         int struck = disc(0, 0, 0, 0);
         int striking = disc(5, 0, 0, 0);
+        air.pile(struck);
         air.bodies.inverseMass[striking] = air.bodies.inverseMass[struck] / ratio;
         int pair = near(struck, striking, -1);
         air.pairs.elasticity[pair] = elasticity;
@@ -356,5 +358,21 @@ class BystandersTest {
                 .isEqualTo(share, within(ROUND_OFF));
         int wall = wall();
         assertThat(bystanders.reachLeft(near(struck, wall, -1), wall, 1, 0.125)).isZero();
+    }
+
+    /**
+     * It may fall on what a floor has stopped, of whatever mass: then the floor stops it, too. By
+     * more than that only what is struck by far more than its mass is thrown.
+     */
+    @ParameterizedTest(name = "by {0} of its mass with e = {1}: {2}")
+    @CsvSource({"0.25, 0, 1", "1, 0, 1", "4, 0.5, 1.2", "4, 1, 1.6"})
+    void aFlyerGoesItsWholeWay(double ratio, double elasticity, double share) {
+        int struck = disc(0, 0, 0, 0);
+        int striking = disc(5, 0, 0, 0);
+        air.bodies.inverseMass[striking] = air.bodies.inverseMass[struck] / ratio;
+        int pair = near(struck, striking, -1);
+        air.pairs.elasticity[pair] = elasticity;
+        assertThat(bystanders.reachLeft(pair, struck, 1, 0.125))
+                .isEqualTo(share, within(ROUND_OFF));
     }
 }
