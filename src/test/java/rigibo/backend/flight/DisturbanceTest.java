@@ -38,6 +38,10 @@ class DisturbanceTest {
     private void join(int flyer, double time, double dt) {
         paths.land(flyer, time);
         joined.add(flyer);
+        // Flight measures its pairs by the ways both are expected to go: they meet nobody.
+        for (int p = air.bodies.firstPair[flyer]; p != Pairs.NONE; p = air.pairs.nextOf(p, flyer)) {
+            air.pairs.points[p] = 0;
+        }
     }
 
     private int flyer(double x) {
@@ -74,6 +78,20 @@ class DisturbanceTest {
         disturb(disturbed, 1.06);
 
         assertThat(joined).containsExactly(beside);
+    }
+
+    /** What is disturbed gets to it, so their contact is one, whatever both were expected to do. */
+    @Test
+    void whoJoinsIsAContactOfWhatIsDisturbed() {
+        int disturbed = piled(0);
+        int beside = flyer(2 + 0.9);
+        begin();
+        disturb(disturbed, 1);
+
+        assertThat(joined).containsExactly(beside);
+        int pair = air.pairOf(disturbed, beside);
+        assertThat(air.pairs.points[pair]).isPositive();
+        assertThat(air.pairs.separation[2 * pair]).isEqualTo(0.9, within(1e-12));
     }
 
     @Test
