@@ -255,7 +255,7 @@ final class JointBlows {
         for (int point = 0; point < contacts.points[row]; point++) {
             double touching = TOUCHING * OverlapSolver.KEPT_OVERLAP * d[at + PackedContacts.WIDTH];
             if (gapAt(row, point, time) <= touching) {
-                addPoint(at, point);
+                contacts.addPoint(row, point, impact);
                 strikes |= strikes(row, point, time);
             }
         }
@@ -278,22 +278,6 @@ final class JointBlows {
         impact.load(bodies, pairs, contacts.pair[row]);
         impact.normalX = contacts.data[at + PackedContacts.NX];
         impact.normalY = contacts.data[at + PackedContacts.NY];
-    }
-
-    /** Rebuilds the arms from the levers along the normal and the tangent. */
-    private void addPoint(int at, int point) {
-        double[] d = contacts.data;
-        int i = impact.points++;
-        double nx = d[at + PackedContacts.NX];
-        double ny = d[at + PackedContacts.NY];
-        double acrossA = d[at + 2 * point + PackedContacts.LEVER_A0];
-        double acrossB = d[at + 2 * point + PackedContacts.LEVER_B0];
-        double alongA = d[at + PackedContacts.LEVER_TA];
-        double alongB = d[at + PackedContacts.LEVER_TB];
-        impact.armAX[i] = acrossA * ny + alongA * nx;
-        impact.armAY[i] = -acrossA * nx + alongA * ny;
-        impact.armBX[i] = acrossB * ny + alongB * nx;
-        impact.armBY[i] = -acrossB * nx + alongB * ny;
     }
 
     /** Takes what the blow changed, and the way gone with the old velocities before it. */

@@ -1,5 +1,7 @@
 package rigibo.backend.contact;
 
+import rigibo.backend.impact.Impact;
+
 import java.util.Arrays;
 
 /**
@@ -135,6 +137,22 @@ final class PackedContacts {
 
     /** Impacts that were resolved between them. */
     int blows;
+
+    /** Adds a point to a blow: its arms follow from the levers along the normal and the tangent. */
+    void addPoint(int row, int point, Impact impact) {
+        int at = row * STRIDE;
+        int i = impact.points++;
+        double nx = data[at + NX];
+        double ny = data[at + NY];
+        double acrossA = data[at + 2 * point + LEVER_A0];
+        double acrossB = data[at + 2 * point + LEVER_B0];
+        double alongA = data[at + LEVER_TA];
+        double alongB = data[at + LEVER_TB];
+        impact.armAX[i] = acrossA * ny + alongA * nx;
+        impact.armAY[i] = -acrossA * nx + alongA * ny;
+        impact.armBX[i] = acrossB * ny + alongB * nx;
+        impact.armBY[i] = -acrossB * nx + alongB * ny;
+    }
 
     /** Whether none is against what cannot give way: the bodies float. */
     boolean areFloating() {

@@ -65,15 +65,14 @@ final class PartingLimit {
 
     /** Moves all by what the centre of mass has moved since, the other way. */
     private void keepCentre() {
-        double mass = 0;
         double x = 0;
         double y = 0;
         for (int at = Motions.STRIDE; at < motions.count * Motions.STRIDE; at += Motions.STRIDE) {
             double own = 1 / motions.data[at + Motions.INVERSE_MASS];
-            mass += own;
             x += own * (motions.data[at + Motions.DX] - before[at + Motions.DX]);
             y += own * (motions.data[at + Motions.DY] - before[at + Motions.DY]);
         }
+        double mass = motions.mass();
         motions.moveAll(-x / mass, -y / mass);
     }
 

@@ -64,13 +64,18 @@ final class PileImpacts {
         }
         Arrays.fill(struckIn, 0, motions.count, NEVER);
         shifts.begin();
-        for (int sweep = 0; sweep < MOST_SWEEPS && closingCount > 0; sweep++) {
-            for (int i = 0; i < closingCount; i++) {
-                strike((int) closing[i] & Integer.MAX_VALUE, h, sweep);
-            }
-            findClosing(h, substep, sweep + 1);
+        strikeClosing(h, 0);
+        for (int sweep = 1; sweep < MOST_SWEEPS && closingCount > 0; sweep++) {
+            findClosing(h, substep, sweep);
+            strikeClosing(h, sweep);
         }
         shifts.limit(substep);
+    }
+
+    private void strikeClosing(double h, int sweep) {
+        for (int i = 0; i < closingCount; i++) {
+            strike((int) closing[i] & Integer.MAX_VALUE, h, sweep);
+        }
     }
 
     /**
@@ -179,7 +184,7 @@ final class PileImpacts {
             if (motions.gap(contacts, row, point)
                             + h * Math.min(0, motions.parting(contacts, row, point))
                     <= 0) {
-                addPoint(at, point);
+                contacts.addPoint(row, point, impact);
                 double speed = -motions.parting(contacts, row, point);
                 double when =
                         speed > 0 ? Math.max(0, motions.gap(contacts, row, point)) / speed : h;
@@ -187,21 +192,5 @@ final class PileImpacts {
             }
         }
         return time;
-    }
-
-    /** Rebuilds the arms from the levers along the normal and the tangent. */
-    private void addPoint(int at, int point) {
-        double[] d = contacts.data;
-        int i = impact.points++;
-        double nx = d[at + PackedContacts.NX];
-        double ny = d[at + PackedContacts.NY];
-        double acrossA = d[at + 2 * point + PackedContacts.LEVER_A0];
-        double acrossB = d[at + 2 * point + PackedContacts.LEVER_B0];
-        double alongA = d[at + PackedContacts.LEVER_TA];
-        double alongB = d[at + PackedContacts.LEVER_TB];
-        impact.armAX[i] = acrossA * ny + alongA * nx;
-        impact.armAY[i] = -acrossA * nx + alongA * ny;
-        impact.armBX[i] = acrossB * ny + alongB * nx;
-        impact.armBY[i] = -acrossB * nx + alongB * ny;
     }
 }

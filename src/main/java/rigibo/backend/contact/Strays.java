@@ -35,6 +35,9 @@ final class Strays {
 
     /** Foresees of the packed island what its bodies do now, with {@code left} seconds to go. */
     void begin(double left) {
+        if (motions.areFew()) {
+            return;
+        }
         if (foreseen.length < motions.count) {
             foreseen = new double[motions.slots.length];
             strays = new boolean[motions.slots.length];

@@ -10,6 +10,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
+import rigibo.backend.setup.BodyDefinition;
 
 /** How bounces end, against Zeno's series. */
 class EndOfBouncesTest {
@@ -57,11 +58,7 @@ class EndOfBouncesTest {
     /** What loses nothing but does not move, either, rests at once. */
     @Test
     void withoutASpeedThereIsNothingToLose() {
-        instant.layFloor(1);
-        air.add(Air.body(new Circle(1), 0).at(0, 1));
-        air.pull(0, -10);
-        instant.begin(2);
-        instant.strike(0, 2, 0);
+        land(Air.body(new Circle(1), 0).at(0, 1), 1, 2);
 
         assertThat(air.bodies.piled[1]).isTrue();
         assertThat(air.bodies.pileTime[1]).isZero();
@@ -71,11 +68,7 @@ class EndOfBouncesTest {
     @ParameterizedTest
     @CsvSource({"0.0015, true", "0.0025, false", "1, false"})
     void whatDoesNotTouchRestsWithoutABlow(double gap, boolean touches) {
-        instant.layFloor(0);
-        air.add(Air.body(new Circle(1), 0).at(0, 1 + gap).velocity(3, -2));
-        air.pull(0, -10);
-        instant.begin(2);
-        instant.strike(0, 2, 0);
+        land(Air.body(new Circle(1), 0).at(0, 1 + gap).velocity(3, -2), 0, 2);
 
         assertThat(air.bodies.piled[1]).isTrue();
         assertThat(air.bodies.pileTime[1]).isZero();
@@ -85,11 +78,7 @@ class EndOfBouncesTest {
     /** What the series needs does not fit into the step: it bounces by its elasticity. */
     @Test
     void bouncesThatOutlastTheStepGoOn() {
-        instant.layFloor(0.5);
-        air.add(Air.body(new Circle(1), 0).at(0, 1).velocity(0, -1));
-        air.pull(0, -10);
-        instant.begin(0.19);
-        instant.strike(0, 0.19, 0);
+        land(Air.body(new Circle(1), 0).at(0, 1).velocity(0, -1), 0.5, 0.19);
 
         assertThat(air.bodies.piled[1]).isFalse();
         assertThat(air.pairs.resting[0]).isFalse();
@@ -102,11 +91,7 @@ class EndOfBouncesTest {
     /** In 2·½·1/(10·½) = 0.2 s they are over, which is just when the step is. */
     @Test
     void bouncesThatEndWithTheStepHaveEnded() {
-        instant.layFloor(0.5);
-        air.add(Air.body(new Circle(1), 0).at(0, 1).velocity(0, -1));
-        air.pull(0, -10);
-        instant.begin(0.2);
-        instant.strike(0, 0.2, 0);
+        land(Air.body(new Circle(1), 0).at(0, 1).velocity(0, -1), 0.5, 0.2);
 
         assertThat(air.pairs.resting[0]).isTrue();
         assertThat(air.bodies.pileTime[1]).isEqualTo(0.2);
@@ -142,13 +127,18 @@ class EndOfBouncesTest {
         landFlat(0.5, -1);
     }
 
+    /** Under 10 m/s² it strikes a floor at the beginning of a step of dt seconds. */
+    private void land(BodyDefinition body, double elasticity, double dt) {
+        instant.layFloor(elasticity);
+        air.add(body);
+        air.pull(0, -10);
+        instant.begin(dt);
+        instant.strike(0, dt, 0);
+    }
+
     /** A box strikes a floor with its face, at so many m/s, and joins the pile at once, there. */
     private void landFlat(double elasticity, double velocityY) {
-        instant.layFloor(elasticity);
-        air.add(Air.body(Polygon.box(2, 2), 0).at(0, 1).velocity(3, velocityY));
-        air.pull(0, -10);
-        instant.begin(1);
-        instant.strike(0, 1, 0);
+        land(Air.body(Polygon.box(2, 2), 0).at(0, 1).velocity(3, velocityY), elasticity, 1);
 
         assertThat(air.bodies.pileTime[1]).isZero();
         assertThat(air.bodies.x[1]).isZero();
@@ -158,11 +148,7 @@ class EndOfBouncesTest {
     @ParameterizedTest
     @ValueSource(doubles = {4, 1, -1})
     void aDiscTurnsOnWhileItsLastBouncesGoBy(double spin) {
-        instant.layFloor(0.5);
-        air.add(Air.body(new Circle(1), 0).at(0, 1).velocity(0, -1).spin(spin));
-        air.pull(0, -10);
-        instant.begin(1);
-        instant.strike(0, 1, 0);
+        land(Air.body(new Circle(1), 0).at(0, 1).velocity(0, -1).spin(spin), 0.5, 1);
 
         assertThat(air.bodies.angle[1]).isEqualTo(spin * 0.2, within(1e-14));
         assertThat(air.bodies.cos[1]).isEqualTo(Math.cos(spin * 0.2), within(1e-14));

@@ -21,6 +21,18 @@ class ExpectedReboundTest {
     private final Trajectories paths = instant.paths;
     private final Blows blows = instant.blows;
 
+    /** What is expected of one of two that meets the other, which is of a pile. */
+    private Motion expectedOf(int lander) {
+        instant.begin(1);
+        air.pile(1 - lander);
+        blows.meet(0, 0);
+        paths.land(lander, 0);
+        blows.expectRebound(0, lander);
+        Motion motion = new Motion();
+        paths.load(lander, motion);
+        return motion;
+    }
+
     /**
      * A pile that comes at 1 m/s is taken for a wall: what meets it at 2 m/s goes back at 1 + 3·½.
      */
@@ -29,15 +41,9 @@ class ExpectedReboundTest {
     void aLanderIsExpectedToReboundAsFromAWall(int lander) {
         air.add(Air.disc(0, lander == 0 ? 2 : 1, 0.5));
         air.add(Air.disc(2, lander == 0 ? -1 : -2, 0.5));
-        instant.begin(1);
-        air.pile(1 - lander);
-        blows.meet(0, 0);
-        paths.land(lander, 0);
-        blows.expectRebound(0, lander);
-        Motion motion = new Motion();
-        paths.load(lander, motion);
 
-        assertThat(motion.velocityXAt(1)).isEqualTo(lander == 0 ? -2.5 : 2.5, within(1e-15));
+        assertThat(expectedOf(lander).velocityXAt(1))
+                .isEqualTo(lander == 0 ? -2.5 : 2.5, within(1e-15));
     }
 
     /** Beside the middle of a box that would turn away, and rough: a wall does not. */
@@ -52,15 +58,8 @@ class ExpectedReboundTest {
                         .material(new Material(1, 1, 0.5));
         air.add(lander == 0 ? disc : box);
         air.add(lander == 0 ? box : disc);
-        instant.begin(1);
-        air.pile(1 - lander);
-        blows.meet(0, 0);
-        paths.land(lander, 0);
-        blows.expectRebound(0, lander);
-        Motion motion = new Motion();
-        paths.load(lander, motion);
 
-        assertThat(motion.velocityX).isEqualTo(-1, within(1e-14));
+        assertThat(expectedOf(lander).velocityX).isEqualTo(-1, within(1e-14));
     }
 
     /** Where nothing touches there is no blow to be expected: it goes on as it came. */
@@ -68,15 +67,7 @@ class ExpectedReboundTest {
     void withoutAPointALanderIsExpectedToGoOn() {
         air.add(Air.disc(0, 2, 0.5));
         air.add(Air.disc(3, -1, 0.5));
-        instant.begin(1);
-        air.pile(1);
-        blows.meet(0, 0);
-        paths.land(0, 0);
-        blows.expectRebound(0, 0);
-        Motion motion = new Motion();
-        paths.load(0, motion);
-
-        assertThat(motion.velocityX).isEqualTo(2);
+        assertThat(expectedOf(0).velocityX).isEqualTo(2);
     }
 
     /** The blow is at the velocities expected, not at those in the columns. */

@@ -90,12 +90,7 @@ class SubstepsTest {
      */
     @Test
     void whatIsTooStiffKeepsUpWithWhatCarriesIt() {
-        Thrown thrown =
-                new Thrown(
-                        Thrown.by(Integrator.RK4),
-                        0,
-                        at -> at.accelerate(-1e7 * (at.velocityX - 4 * at.time), 0));
-        thrown.step(0.25, 0, 0);
+        Thrown thrown = thrownInto(at -> at.accelerate(-1e7 * (at.velocityX - 4 * at.time), 0));
 
         assertThat(thrown.bodies.velocityX[0]).isEqualTo(1, within(2 * 4 * 0.25 / 1024));
     }
@@ -108,14 +103,11 @@ class SubstepsTest {
     void whatIsTooStiffIsTakenAlongAtOnce() {
         double h = 0.25 / 1024;
         Thrown thrown =
-                new Thrown(
-                        Thrown.by(Integrator.RK4),
-                        0,
+                thrownInto(
                         at -> {
                             double medium = at.time < 1.25 * h ? 3 : 13;
                             at.accelerate(10 / h * (medium - at.velocityX), 0);
                         });
-        thrown.step(0.25, 0, 0);
 
         assertThat(thrown.bodies.x[0]).isEqualTo(1 + 3 * 2 * h + 13 * (0.25 - 2 * h), within(1e-9));
         assertThat(thrown.bodies.velocityX[0]).isEqualTo(13, within(1e-9));
@@ -124,12 +116,7 @@ class SubstepsTest {
     /** At its balance against a spring of 400/s² it is braked to −400·x/10⁷ m/s, for ¼ s. */
     @Test
     void whatIsTooStiffIsBrakedWhereItIs() {
-        Thrown thrown =
-                new Thrown(
-                        Thrown.by(Integrator.RK4),
-                        0,
-                        at -> at.accelerate(-1e7 * at.velocityX - 400 * at.x, 0));
-        thrown.step(0.25, 0, 0);
+        Thrown thrown = thrownInto(at -> at.accelerate(-1e7 * at.velocityX - 400 * at.x, 0));
 
         assertThat(thrown.bodies.x[0]).isEqualTo(1 - 400 * 0.25 / 1e7, within(1e-6));
     }
@@ -142,19 +129,23 @@ class SubstepsTest {
     void whatIsDrivenTooFastIsNotBraked() {
         double h = 0.25 / 1024;
         Thrown thrown =
-                new Thrown(
-                        Thrown.by(Integrator.RK4),
-                        0,
+                thrownInto(
                         at -> {
                             double rate = at.time < 0.75 * h ? 2 / h : 0;
                             at.accelerate(rate * at.velocityX, rate * at.velocityY);
                         });
-        thrown.step(0.25, 0, 0);
 
         assertThat(thrown.bodies.velocityX[0]).isEqualTo(3 * 3, within(1e-12));
         assertThat(thrown.bodies.velocityY[0]).isEqualTo(3 * 4, within(1e-12));
         assertThat(thrown.bodies.x[0]).isEqualTo(1 + 3 * 3 * 0.25, within(1e-12));
         assertThat(thrown.bodies.y[0]).isEqualTo(2 + 3 * 4 * 0.25, within(1e-12));
+    }
+
+    /** For a quarter of a second into a field too stiff for any substep. */
+    private static Thrown thrownInto(FieldFunction field) {
+        Thrown thrown = new Thrown(Thrown.by(Integrator.RK4), 0, field);
+        thrown.step(0.25, 0, 0);
+        return thrown;
     }
 
     /** How often the field is asked in a step of ½ s from (1, 2) at (3, 4) m/s. */
