@@ -76,7 +76,7 @@ final class DirectSolver {
      * multiplications than a substep is worth.
      */
     boolean prepare(double worthOfSubstep) {
-        if (ROWS_PER_CONTACT * contacts.count > MOST_ROWS) {
+        if (PackedContacts.areCrowd(contacts.count)) {
             return false;
         }
         worth = worthOfSubstep;

@@ -1,5 +1,7 @@
 package rigibo.backend.contact;
 
+import rigibo.backend.setup.Accuracy;
+import rigibo.backend.setup.Correction;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.Islands;
@@ -24,17 +26,24 @@ final class Equilibrium {
     /** Whether overlap is taken back, which moves bodies. */
     private final boolean isCorrecting;
 
+    /** Overlap that stays in a crowd, in widths. */
+    private final double keptInCrowd;
+
+    /** Overlap that stays in the island that is asked for, in widths. */
+    private double kept;
+
     /** By slot: what is left of its acceleration, m/s² and rad/s². */
     private double[] leftX = new double[16];
 
     private double[] leftY = new double[16];
     private double[] leftTurn = new double[16];
 
-    Equilibrium(DataStorage data, boolean isCorrecting) {
+    Equilibrium(DataStorage data, Accuracy accuracy) {
         bodies = data.bodies;
         pairs = data.pairs;
         islands = data.islands;
-        this.isCorrecting = isCorrecting;
+        isCorrecting = accuracy.correction() == Correction.SOFT;
+        keptInCrowd = OverlapSolver.keptInCrowd(accuracy);
     }
 
     /** Whether an island stays as it is for a step of {@code dt} seconds. */
@@ -63,6 +72,8 @@ final class Equilibrium {
 
     private boolean areHeld(int island, double most) {
         reserve();
+        int contacts = islands.pairStart[island + 1] - islands.pairStart[island];
+        kept = PackedContacts.areCrowd(contacts) ? keptInCrowd : OverlapSolver.KEPT_OVERLAP;
         for (int i = islands.bodyStart[island]; i < islands.bodyStart[island + 1]; i++) {
             int slot = islands.bodies[i];
             leftX[slot] = bodies.accelerationX[slot];
@@ -100,7 +111,7 @@ final class Equilibrium {
         int a = pairs.bodyA[pair];
         int b = pairs.bodyB[pair];
         double width = PairTolerances.width(bodies, a, b);
-        double most = (OverlapSolver.KEPT_OVERLAP + Stillness.STILL) * width;
+        double most = (kept + Stillness.STILL) * width;
         if (isCorrecting && pairs.gap(pair) < -most || bodies.isDriven(a) || bodies.isDriven(b)) {
             return false;
         }

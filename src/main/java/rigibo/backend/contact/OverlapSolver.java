@@ -6,6 +6,7 @@ import static rigibo.backend.contact.Motions.INVERSE_INERTIA;
 import static rigibo.backend.contact.Motions.INVERSE_MASS;
 import static rigibo.backend.contact.Motions.TURN;
 
+import rigibo.backend.setup.Accuracy;
 import rigibo.backend.storage.Bodies;
 
 /**
@@ -28,6 +29,15 @@ final class OverlapSolver {
     static final double KEPT_OVERLAP = 1e-5;
 
     /**
+     * The most that stays in a crowd, m for a body of one metre. What pushes one of its bodies
+     * opens gaps around others, which close again for as long as anything is taken back.
+     */
+    private static final double MOST_KEPT = 1e-3;
+
+    /** How many times the tolerance of impacts that is. */
+    private static final double KEPT_BY_TOLERANCE = 10;
+
+    /**
      * Share by which what floats stays slower than {@link #MOST_PUSH}: what is moved is rounded.
      */
     private static final double ROUND_OFF = 1e-9;
@@ -35,16 +45,35 @@ final class OverlapSolver {
     private final Motions motions;
     private final PackedContacts contacts;
     private final PartingLimit limit;
+    private final double keptInCrowd;
+
+    /** Overlap that stays in the packed island, m for a body of one metre. */
+    private double kept;
 
     /** The contacts that are deeper in each other than they may stay. */
     private int[] deep = new int[16];
 
     private int deepCount;
 
-    OverlapSolver(Bodies bodies, Motions motions, PackedContacts contacts) {
+    OverlapSolver(Bodies bodies, Motions motions, PackedContacts contacts, Accuracy accuracy) {
         this.motions = motions;
         this.contacts = contacts;
         limit = new PartingLimit(bodies, motions, contacts);
+        keptInCrowd = keptInCrowd(accuracy);
+    }
+
+    /**
+     * Overlap that stays in a crowd, m for a body of one metre: ten times the tolerance of impacts,
+     * of a body of a metre, within bounds.
+     */
+    static double keptInCrowd(Accuracy accuracy) {
+        return Math.max(
+                KEPT_OVERLAP, Math.min(MOST_KEPT, KEPT_BY_TOLERANCE * accuracy.impactTolerance()));
+    }
+
+    /** Begins the packed island. */
+    void prepare() {
+        kept = PackedContacts.areCrowd(contacts.count) ? keptInCrowd : KEPT_OVERLAP;
     }
 
     /** Begins to take overlap back. */
@@ -82,12 +111,11 @@ final class OverlapSolver {
         }
         deepCount = 0;
         for (int row = 0; row < contacts.count; row++) {
-            double kept =
-                    -KEPT_OVERLAP
-                            * contacts.data[row * PackedContacts.STRIDE + PackedContacts.WIDTH];
+            double least =
+                    -kept * contacts.data[row * PackedContacts.STRIDE + PackedContacts.WIDTH];
             boolean isDeep =
-                    motions.gap(contacts, row, 0) < kept
-                            || contacts.points[row] == 2 && motions.gap(contacts, row, 1) < kept;
+                    motions.gap(contacts, row, 0) < least
+                            || contacts.points[row] == 2 && motions.gap(contacts, row, 1) < least;
             if (isDeep && contacts.firstSubstep[row] <= substep) {
                 deep[deepCount++] = row;
             }
@@ -128,7 +156,7 @@ final class OverlapSolver {
     private double wanted(int row, int point, double h, double speed) {
         int at = row * PackedContacts.STRIDE;
         double width = contacts.data[at + PackedContacts.WIDTH];
-        double overlap = -motions.gap(contacts, row, point) - KEPT_OVERLAP * width;
+        double overlap = -motions.gap(contacts, row, point) - kept * width;
         double rate = contacts.data[at + PackedContacts.RECOVERY];
         double most = speed * width * h;
         return overlap > 0 ? Math.min(overlap * rate * h / (1 + rate * h), most) : 0;

@@ -154,6 +154,11 @@ final class PackedContacts {
         impact.armBY[i] = -acrossB * nx + alongB * ny;
     }
 
+    /** Whether so many contacts are too many to be solved but by passes. */
+    static boolean areCrowd(int contacts) {
+        return contacts * SingleRows.ROWS_PER_CONTACT > DirectSolver.MOST_ROWS;
+    }
+
     /** Whether none is against what cannot give way: the bodies float. */
     boolean areFloating() {
         return groundStart == count;

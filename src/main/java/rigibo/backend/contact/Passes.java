@@ -10,10 +10,19 @@ import rigibo.backend.setup.Correction;
 final class Passes {
 
     /**
-     * Share of the island's fastest speed that does not count, however slowly it moves; less where
-     * a substep is longer than the game's, and so what a kick gains in it.
+     * Share of the island's fastest speed that does not count; less where a substep is longer than
+     * the game's, and so what a kick gains in it.
      */
     private static final double QUIET = 0.03;
+
+    /**
+     * The same in a crowd that falls or is struck, where what sinks in is solved strictly. Passes
+     * that miss by so much would never end a motion.
+     */
+    private static final double QUIET_IN_A_CROWD = 0.1;
+
+    /** Share of what a free body gains in a step below which a crowd gets half of the passes. */
+    private static final double CALM = 0.25;
 
     /**
      * Substeps, cubed, for each pass that a substep may be given: twice the substeps halve what
@@ -22,6 +31,9 @@ final class Passes {
     private static final int CUBES_PER_PASS = 2;
 
     private static final int LEAST_PASSES = 16;
+
+    /** How many times more than else a contact may miss its bounds by in a crowd. */
+    private static final double MISSED_IN_A_CROWD = 3;
 
     /**
      * As many as the finest accuracy that has a name is given; what asks for more gains nothing.
@@ -39,7 +51,7 @@ final class Passes {
 
     private final Motions motions;
     private final PackedContacts contacts;
-    private final Kick kick;
+    private final Kick kicks;
     private final EnergyGuard guard;
     private final ContactSweep sweep;
     private final OverlapSolver overlap;
@@ -47,50 +59,55 @@ final class Passes {
     /** What a contact may miss its bounds by in a substep, in widths. */
     private final double missed;
 
-    private final double quiet;
+    /** How much shorter than the game's substeps are counted on, at most 1. */
+    private final double shorter;
+
     private final double noise;
     private final boolean isCorrecting;
     private final int most;
+    private final int substeps;
 
     Passes(
             Motions motions,
             PackedContacts contacts,
-            Kick kick,
+            Kick kicks,
             EnergyGuard guard,
             ContactSweep sweep,
             OverlapSolver overlap,
             Accuracy accuracy) {
         this.motions = motions;
         this.contacts = contacts;
-        this.kick = kick;
+        this.kicks = kicks;
         this.guard = guard;
         this.sweep = sweep;
         this.overlap = overlap;
-        missed = missed(accuracy.impactTolerance());
+        missed = missed(accuracy);
         isCorrecting = accuracy.correction() == Correction.SOFT;
         int substeps = accuracy.substeps();
-        double shorter = Math.min(1, substeps / (double) Accuracy.GAME.substeps());
-        quiet = QUIET * shorter;
+        this.substeps = substeps;
+        shorter = Math.min(1, substeps / (double) Accuracy.GAME.substeps());
         noise = NOISE * shorter * shorter;
         int passes = Math.max(LEAST_PASSES, substeps * substeps * substeps / CUBES_PER_PASS);
         most = Math.min(MOST_PASSES, accuracy.velocityIterations() * passes);
     }
 
     /**
-     * The tolerance of impacts to the power of three quarters: a thousandth at the game's accuracy.
-     * Finer ones ask for more, but passes come nearer by a share each, not by a digit.
+     * What a contact may miss its bounds by in a substep, in widths: the tolerance of impacts to
+     * the power of three quarters, a thousandth at the game's accuracy. Finer ones ask for more,
+     * but passes come nearer by a share each, not by a digit.
      */
-    private static double missed(double tolerance) {
-        double root = Math.sqrt(tolerance);
+    private static double missed(Accuracy accuracy) {
+        double root = Math.sqrt(accuracy.impactTolerance());
         return root * Math.sqrt(root);
     }
 
     /**
-     * One substep of h seconds, in which nothing goes faster than {@code fastest} m/s by what
-     * contacts carried, and that leaves nothing faster than a limit, m/s.
+     * One substep of h seconds, whose kick lasts {@code kick} seconds, in which nothing goes faster
+     * than {@code fastest} m/s by what contacts carried, and that leaves nothing faster than a
+     * limit, m/s.
      */
-    void advance(double h, int substep, double fastest, double limit) {
-        hold(h, substep, fastest, limit);
+    void advance(double h, double kick, int substep, double fastest, double limit) {
+        hold(h, kick, substep, fastest, limit);
         motions.drift(h);
         if (isCorrecting) {
             overlap.correctInPasses(h, substep, PASSES_OVER_OVERLAP);
@@ -98,10 +115,21 @@ final class Passes {
     }
 
     /** Keeps contacts from closing and sliding. */
-    void hold(double h, int substep, double fastest, double limit) {
-        sweep.run(h, substep, missed, quiet * fastest, most);
-        guard.limitWork(noise * kick.energy(h));
+    void hold(double h, double kick, int substep, double fastest, double limit) {
+        double gained = kicks.strongest() * h * substeps;
+        boolean isCrowd = PackedContacts.areCrowd(contacts.count);
+        double share = isCrowd ? shareOfCrowd(fastest, gained) : QUIET;
+        boolean isCalm = isCrowd && fastest < CALM * gained;
+        double tolerance = isCrowd ? MISSED_IN_A_CROWD * missed : missed;
+        sweep.run(h, kick, substep, tolerance, shorter * share * fastest, isCalm ? most / 2 : most);
+        guard.limitWork(noise * kicks.energy(h));
         guard.limitSpeed(limit);
         contacts.addUpImpulses(1);
+    }
+
+    /** What does not count of a crowd's speed: the less the slower it is already. */
+    private static double shareOfCrowd(double fastest, double gained) {
+        double share = gained > 0 ? Math.min(1, fastest / gained) : 0;
+        return Math.max(QUIET, share * QUIET_IN_A_CROWD);
     }
 }

@@ -54,6 +54,7 @@ public final class PileSolver {
     private final RowBuilder builder;
     private final Kick kick;
     private final WarmStart warmStart;
+    private final OverlapSolver overlap;
     private final EnergyGuard guard;
     private final LateJoiners lateJoiners;
     private final Landings landings;
@@ -112,7 +113,7 @@ public final class PileSolver {
         DragKick drag = drags ? new DragKick(data.bodies, motions) : null;
         kick = new Kick(data.bodies, motions, forces, drag, turns);
         lateJoiners = new LateJoiners(data.bodies, motions, contacts);
-        OverlapSolver overlap = new OverlapSolver(data.bodies, motions, contacts);
+        overlap = new OverlapSolver(data.bodies, motions, contacts, accuracy);
         boolean isCorrecting = accuracy.correction() == Correction.SOFT;
         OverlapSolver wanted = isCorrecting ? overlap : null;
         repose = new Repose(data, motions, contacts, wanted, kick, builder, accuracy);
@@ -154,6 +155,7 @@ public final class PileSolver {
         declared.begin(h, rounds.worthOfBlows(substeps + 1));
         declared.foresee(dt - start);
         warmStart.prepare();
+        overlap.prepare();
         isWhole = rounds.prepare(motions.fastest() <= CALM * dt * kick.strongest());
         lateJoiners.delay(start, h);
         landings.begin();
@@ -244,7 +246,7 @@ public final class PileSolver {
         }
         isWhole = isWhole && rounds.settle(h, substep, fastest, limit);
         if (!isWhole) {
-            passes.advance(h, substep, unanswered(), limit);
+            passes.advance(h, kicked, substep, unanswered(), limit);
             return false;
         }
         if (mayRest && substep == 0 && repose.isFound(start, h, substeps, rounds.settled())) {
@@ -362,7 +364,7 @@ public final class PileSolver {
         if (isWhole) {
             contacts.addUpImpulses(1);
         } else {
-            passes.hold(h, substep, unanswered(), limit);
+            passes.hold(h, kicked, substep, unanswered(), limit);
         }
     }
 

@@ -29,7 +29,7 @@ final class Repose {
         this.kick = kick;
         this.builder = builder;
         substeps = accuracy.substeps();
-        equilibrium = new Equilibrium(data, overlap != null);
+        equilibrium = new Equilibrium(data, accuracy);
         loads = new LoadsFromAbove(data.bodies, motions, contacts);
         stillness = new Stillness(data.bodies, motions, contacts, overlap, kick);
         before = new Halfway(motions, contacts);

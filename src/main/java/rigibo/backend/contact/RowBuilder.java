@@ -71,8 +71,7 @@ final class RowBuilder {
         int driven = motions.count;
         mass = motions.mass();
         int pairCount = islands.pairStart[island + 1] - islands.pairStart[island];
-        boolean isCrowd = pairCount * SingleRows.ROWS_PER_CONTACT > DirectSolver.MOST_ROWS;
-        crushed = isCrowd ? CRUSHED_IN_A_CROWD : CRUSHED;
+        crushed = PackedContacts.areCrowd(pairCount) ? CRUSHED_IN_A_CROWD : CRUSHED;
         contacts.clear();
         for (int i = islands.pairStart[island]; i < islands.pairStart[island + 1]; i++) {
             if (!isAgainstGround(islands.pairs[i])) {
