@@ -19,9 +19,9 @@ import java.util.Arrays;
  * <p>Passes go forth and back, so that loads which reach the ground in one of them come back up in
  * the next. Each solves only contacts whose bodies changed their speed, since the contact was
  * solved last, by more than what counts: most of a heap is quiet at any time, so that the passes
- * which follow a blow through it cost little. What overlaps is solved the more strictly the deeper
- * it does: a heap that sinks in by what does not count, little in each substep, always in the same
- * places, would do so for seconds.
+ * which follow a blow through it cost little. What overlaps in a crowd is solved the more strictly
+ * the deeper it does: a heap that sinks in by what does not count, little in each substep, always
+ * in the same places, would do so for seconds.
  */
 final class ContactSweep {
 
@@ -129,6 +129,7 @@ final class ContactSweep {
         }
         Arrays.fill(changed, 0, motions.count, 0);
         double perSubstep = 1 / h;
+        double strictly = PackedContacts.areCrowd(contacts.count) ? STRICTLY : 1;
         for (int row = 0; row < contacts.count; row++) {
             boolean isThere = contacts.firstSubstep[row] <= substep;
             seen[row] = isThere ? Double.NEGATIVE_INFINITY : Double.POSITIVE_INFINITY;
@@ -141,7 +142,7 @@ final class ContactSweep {
                 least = gap < least ? gap : least;
             }
             double counts = Math.min(sharePerSecond * width, quiet);
-            uncounted[row] = counts * Math.max(STRICTLY, 1 + least / (DEEP * width));
+            uncounted[row] = counts * Math.max(strictly, 1 + least / (DEEP * width));
         }
     }
 

@@ -119,24 +119,25 @@ class ContactSweepTest {
 
     /**
      * What a contact misses by does not grow beyond what does not count; where it overlaps by a
-     * hundredth of its width that is three thousandths of it.
+     * hundredth of its width, in a crowd, that is three thousandths of it.
      */
     @Test
     void whatOverlapsIsSolvedStrictly() {
+        int crowd = 65;
         double quiet = 0.1;
         double strictly = 0.003 * quiet;
         SplittableRandom random = new SplittableRandom(3);
         int sloppy = 0;
         for (int i = 0; i < 200; i++) {
-            column(20);
-            for (int body = 1; body <= 20; body++) {
+            column(crowd);
+            for (int body = 1; body <= crowd; body++) {
                 motions.data[body * Motions.STRIDE + Motions.VY] = random.nextDouble(-1, 0);
             }
-            int deep = random.nextInt(20);
+            int deep = random.nextInt(crowd);
             contacts.data[deep * PackedContacts.STRIDE + PackedContacts.GAP0] = -0.01;
             contacts.data[deep * PackedContacts.STRIDE + PackedContacts.GAP1] = -0.01;
             sweep.run(H, H, 0, 1, quiet, 100_000);
-            for (int row = 0; row < 20; row++) {
+            for (int row = 0; row < crowd; row++) {
                 double missed = -motions.parting(contacts, row, 0);
                 assertThat(missed).isLessThan((row == deep ? strictly : quiet) + 1e-12);
                 sloppy += missed > 10 * strictly ? 1 : 0;
