@@ -184,11 +184,7 @@ class RestTest {
             assertThat(box.y()).isEqualTo(Math.round(box.y() - 0.5) + 0.5);
         }
         double weight = boxes.stream().mapToDouble(box -> box.mass() * GRAVITY).sum();
-        double carried =
-                pool.contactEvents().stream()
-                        .filter(event -> event.a() == floor || event.b() == floor)
-                        .mapToDouble(ContactEvent::impulse)
-                        .sum();
+        double carried = carriedBy(floor, pool);
         // Every body is held to 10⁻¹⁰ of its weight.
         assertThat(carried).isEqualTo(weight * Scenes.DT, within(1e-9 * weight * Scenes.DT));
     }
@@ -216,13 +212,17 @@ class RestTest {
         assertThat(pool.report().contactSolves()).isZero();
         assertThat(pool.report().multiplications()).isZero();
         double weight = base * (base + 1) / 2.0 * GRAVITY;
-        double carried =
-                pool.contactEvents().stream()
-                        .filter(event -> event.a() == floor || event.b() == floor)
-                        .mapToDouble(ContactEvent::impulse)
-                        .sum();
+        double carried = carriedBy(floor, pool);
         // Every body is held to 10⁻⁹ of its weight.
         assertThat(carried).isEqualTo(weight * Scenes.DT, within(1e-8 * weight * Scenes.DT));
+    }
+
+    /** The impulse in N·s that a body carried in the last step. */
+    private static double carriedBy(RigidBody body, Pool pool) {
+        return pool.contactEvents().stream()
+                .filter(event -> event.a() == body || event.b() == body)
+                .mapToDouble(ContactEvent::impulse)
+                .sum();
     }
 
     /**

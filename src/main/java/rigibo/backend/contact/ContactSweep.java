@@ -40,10 +40,10 @@ final class ContactSweep {
     /** By row: the change of speed that does not count, m/s. */
     private double[] uncounted = new double[16];
 
-    /** Overlap in widths from which on a contact is solved strictly. */
+    /** Overlap in widths from which on a contact is solved as strictly as any. */
     private static final double DEEP = 0.005;
 
-    /** The share of what else does not count that still does not where it is. */
+    /** What may be missed there, as a share of what may be missed elsewhere. */
     private static final double STRICTLY = 0.003;
 
     /** By point: the speed at which it may close, for it has a gap left, m/s. */

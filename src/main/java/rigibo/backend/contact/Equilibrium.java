@@ -26,8 +26,7 @@ final class Equilibrium {
     /** Whether overlap is taken back, which moves bodies. */
     private final boolean isCorrecting;
 
-    /** Overlap that stays in a crowd, in widths. */
-    private final double keptInCrowd;
+    private final Accuracy accuracy;
 
     /** Overlap that stays in the island that is asked for, in widths. */
     private double kept;
@@ -43,7 +42,7 @@ final class Equilibrium {
         pairs = data.pairs;
         islands = data.islands;
         isCorrecting = accuracy.correction() == Correction.SOFT;
-        keptInCrowd = OverlapSolver.keptInCrowd(accuracy);
+        this.accuracy = accuracy;
     }
 
     /** Whether an island stays as it is for a step of {@code dt} seconds. */
@@ -73,7 +72,7 @@ final class Equilibrium {
     private boolean areHeld(int island, double most) {
         reserve();
         int contacts = islands.pairStart[island + 1] - islands.pairStart[island];
-        kept = PackedContacts.areCrowd(contacts) ? keptInCrowd : OverlapSolver.KEPT_OVERLAP;
+        kept = OverlapSolver.kept(contacts, accuracy);
         for (int i = islands.bodyStart[island]; i < islands.bodyStart[island + 1]; i++) {
             int slot = islands.bodies[i];
             leftX[slot] = bodies.accelerationX[slot];

@@ -45,7 +45,7 @@ final class OverlapSolver {
     private final Motions motions;
     private final PackedContacts contacts;
     private final PartingLimit limit;
-    private final double keptInCrowd;
+    private final Accuracy accuracy;
 
     /** Overlap that stays in the packed island, m for a body of one metre. */
     private double kept;
@@ -59,21 +59,24 @@ final class OverlapSolver {
         this.motions = motions;
         this.contacts = contacts;
         limit = new PartingLimit(bodies, motions, contacts);
-        keptInCrowd = keptInCrowd(accuracy);
+        this.accuracy = accuracy;
     }
 
     /**
-     * Overlap that stays in a crowd, m for a body of one metre: ten times the tolerance of impacts,
-     * of a body of a metre, within bounds.
+     * Overlap that stays among so many contacts, m for a body of one metre. In a crowd that is ten
+     * times the tolerance of impacts, within bounds.
      */
-    static double keptInCrowd(Accuracy accuracy) {
-        return Math.max(
-                KEPT_OVERLAP, Math.min(MOST_KEPT, KEPT_BY_TOLERANCE * accuracy.impactTolerance()));
+    static double kept(int contacts, Accuracy accuracy) {
+        if (!PackedContacts.areCrowd(contacts)) {
+            return KEPT_OVERLAP;
+        }
+        double wanted = KEPT_BY_TOLERANCE * accuracy.impactTolerance();
+        return Math.max(KEPT_OVERLAP, Math.min(MOST_KEPT, wanted));
     }
 
     /** Begins the packed island. */
     void prepare() {
-        kept = PackedContacts.areCrowd(contacts.count) ? keptInCrowd : KEPT_OVERLAP;
+        kept = kept(contacts.count, accuracy);
     }
 
     /** Begins to take overlap back. */

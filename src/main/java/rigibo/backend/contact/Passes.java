@@ -16,8 +16,9 @@ final class Passes {
     private static final double QUIET = 0.03;
 
     /**
-     * The same in a crowd that falls or is struck, where what sinks in is solved strictly. Passes
-     * that miss by so much would never end a motion.
+     * The same in a crowd that falls or is struck: {@link ContactSweep} solves what sinks in
+     * strictly whatever this share is. A crowd that slows down is given less and less of it, for it
+     * would never come to rest with all of it.
      */
     private static final double QUIET_IN_A_CROWD = 0.1;
 
@@ -32,7 +33,7 @@ final class Passes {
 
     private static final int LEAST_PASSES = 16;
 
-    /** How many times more than else a contact may miss its bounds by in a crowd. */
+    /** How many times farther a contact of a crowd may miss its bounds than one of a few. */
     private static final double MISSED_IN_A_CROWD = 3;
 
     /**
@@ -51,7 +52,7 @@ final class Passes {
 
     private final Motions motions;
     private final PackedContacts contacts;
-    private final Kick kicks;
+    private final Kick kick;
     private final EnergyGuard guard;
     private final ContactSweep sweep;
     private final OverlapSolver overlap;
@@ -59,7 +60,7 @@ final class Passes {
     /** What a contact may miss its bounds by in a substep, in widths. */
     private final double missed;
 
-    /** How much shorter than the game's substeps are counted on, at most 1. */
+    /** How many substeps a step has for each of the game's, at most 1. */
     private final double shorter;
 
     private final double noise;
@@ -70,21 +71,20 @@ final class Passes {
     Passes(
             Motions motions,
             PackedContacts contacts,
-            Kick kicks,
+            Kick kick,
             EnergyGuard guard,
             ContactSweep sweep,
             OverlapSolver overlap,
             Accuracy accuracy) {
         this.motions = motions;
         this.contacts = contacts;
-        this.kicks = kicks;
+        this.kick = kick;
         this.guard = guard;
         this.sweep = sweep;
         this.overlap = overlap;
         missed = missed(accuracy);
         isCorrecting = accuracy.correction() == Correction.SOFT;
-        int substeps = accuracy.substeps();
-        this.substeps = substeps;
+        substeps = accuracy.substeps();
         shorter = Math.min(1, substeps / (double) Accuracy.GAME.substeps());
         noise = NOISE * shorter * shorter;
         int passes = Math.max(LEAST_PASSES, substeps * substeps * substeps / CUBES_PER_PASS);
@@ -102,12 +102,12 @@ final class Passes {
     }
 
     /**
-     * One substep of h seconds, whose kick lasts {@code kick} seconds, in which nothing goes faster
-     * than {@code fastest} m/s by what contacts carried, and that leaves nothing faster than a
-     * limit, m/s.
+     * One substep of h seconds, whose kick lasts {@code length} seconds, in which nothing goes
+     * faster than {@code fastest} m/s by what contacts carried, and that leaves nothing faster than
+     * a limit, m/s.
      */
-    void advance(double h, double kick, int substep, double fastest, double limit) {
-        hold(h, kick, substep, fastest, limit);
+    void advance(double h, double length, int substep, double fastest, double limit) {
+        hold(h, length, substep, fastest, limit);
         motions.drift(h);
         if (isCorrecting) {
             overlap.correctInPasses(h, substep, PASSES_OVER_OVERLAP);
@@ -115,21 +115,23 @@ final class Passes {
     }
 
     /** Keeps contacts from closing and sliding. */
-    void hold(double h, double kick, int substep, double fastest, double limit) {
-        double gained = kicks.strongest() * h * substeps;
-        boolean isCrowd = PackedContacts.areCrowd(contacts.count);
-        double share = isCrowd ? shareOfCrowd(fastest, gained) : QUIET;
-        boolean isCalm = isCrowd && fastest < CALM * gained;
-        double tolerance = isCrowd ? MISSED_IN_A_CROWD * missed : missed;
-        sweep.run(h, kick, substep, tolerance, shorter * share * fastest, isCalm ? most / 2 : most);
-        guard.limitWork(noise * kicks.energy(h));
+    void hold(double h, double length, int substep, double fastest, double limit) {
+        if (PackedContacts.areCrowd(contacts.count)) {
+            sweepCrowd(h, length, substep, fastest);
+        } else {
+            sweep.run(h, length, substep, missed, shorter * QUIET * fastest, most);
+        }
+        guard.limitWork(noise * kick.energy(h));
         guard.limitSpeed(limit);
         contacts.addUpImpulses(1);
     }
 
-    /** What does not count of a crowd's speed: the less the slower it is already. */
-    private static double shareOfCrowd(double fastest, double gained) {
-        double share = gained > 0 ? Math.min(1, fastest / gained) : 0;
-        return Math.max(QUIET, share * QUIET_IN_A_CROWD);
+    /** A crowd is solved the more coarsely the faster it moves, and when calm in fewer passes. */
+    private void sweepCrowd(double h, double length, int substep, double fastest) {
+        double gained = kick.strongest() * h * substeps;
+        double ofFall = gained > 0 ? Math.min(1, fastest / gained) : 0;
+        double quiet = shorter * Math.max(QUIET, ofFall * QUIET_IN_A_CROWD) * fastest;
+        int passes = fastest < CALM * gained ? most / 2 : most;
+        sweep.run(h, length, substep, MISSED_IN_A_CROWD * missed, quiet, passes);
     }
 }

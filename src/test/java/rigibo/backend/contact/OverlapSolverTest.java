@@ -45,7 +45,7 @@ class OverlapSolverTest {
         assertThat(left(CROWD, 0.9e-3, Accuracy.EXACT)).isLessThan(0.9e-3);
     }
 
-    /** What is left of an overlap in m after a pass over so many bodies of a metre. */
+    /** What one pass leaves of the overlap in m, with so many bodies of a metre on the ground. */
     private double left(int count, double overlap, Accuracy accuracy) {
         island.begin(count);
         for (int body = 1; body <= count; body++) {
