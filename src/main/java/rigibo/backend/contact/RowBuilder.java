@@ -41,6 +41,7 @@ final class RowBuilder {
     private final Pairs pairs;
     private final Islands islands;
     private final Counters counters;
+    private final Colours colours;
     private final Motions motions;
     private final PackedContacts contacts;
 
@@ -61,6 +62,7 @@ final class RowBuilder {
         this.motions = motions;
         this.contacts = contacts;
         this.turns = turns;
+        colours = new Colours(data);
     }
 
     /**
@@ -73,17 +75,11 @@ final class RowBuilder {
         int pairCount = islands.pairStart[island + 1] - islands.pairStart[island];
         crushed = PackedContacts.areCrowd(pairCount) ? CRUSHED_IN_A_CROWD : CRUSHED;
         contacts.clear();
-        for (int i = islands.pairStart[island]; i < islands.pairStart[island + 1]; i++) {
-            if (!isAgainstGround(islands.pairs[i])) {
-                addRow(islands.pairs[i], firstKick);
-            }
+        colours.find(island);
+        for (int i = 0; i < pairCount; i++) {
+            addRow(colours.order[i], firstKick);
         }
-        contacts.groundStart = contacts.count;
-        for (int i = islands.pairStart[island]; i < islands.pairStart[island + 1]; i++) {
-            if (isAgainstGround(islands.pairs[i])) {
-                addRow(islands.pairs[i], firstKick);
-            }
-        }
+        contacts.groundStart = colours.groundStart;
         if (turns != null) {
             turns.pack(driven);
         }
@@ -98,10 +94,6 @@ final class RowBuilder {
         if (turns != null) {
             turns.pack(1);
         }
-    }
-
-    private boolean isAgainstGround(int pair) {
-        return !bodies.isDynamic(pairs.bodyA[pair]) || !bodies.isDynamic(pairs.bodyB[pair]);
     }
 
     private void addRow(int pair, double firstKick) {
