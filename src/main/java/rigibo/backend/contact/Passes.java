@@ -1,5 +1,12 @@
 package rigibo.backend.contact;
 
+import rigibo.backend.contact.solve.ContactSweep;
+import rigibo.backend.contact.solve.EnergyGuard;
+import rigibo.backend.contact.row.Kick;
+import rigibo.backend.contact.row.Motions;
+import rigibo.backend.contact.solve.OverlapSolver;
+import rigibo.backend.contact.row.PackedContacts;
+
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.Correction;
 
@@ -7,7 +14,7 @@ import rigibo.backend.setup.Correction;
  * Advances an island that moves, substep by substep, by passes over its contacts. Where bodies
  * overlap they are moved apart, which gives them no speed.
  */
-final class Passes {
+public final class Passes {
 
     /**
      * Share of the island's fastest speed that does not count; less where a substep is longer than
@@ -68,7 +75,7 @@ final class Passes {
     private final int most;
     private final int substeps;
 
-    Passes(
+    public Passes(
             Motions motions,
             PackedContacts contacts,
             Kick kick,

@@ -1,5 +1,26 @@
 package rigibo.backend.contact;
 
+import rigibo.backend.contact.row.CarriedFrame;
+import rigibo.backend.contact.solve.ContactSweep;
+import rigibo.backend.contact.row.DragKick;
+import rigibo.backend.contact.solve.EnergyBalance;
+import rigibo.backend.contact.solve.EnergyGuard;
+import rigibo.backend.contact.row.FreshRows;
+import rigibo.backend.contact.row.Kick;
+import rigibo.backend.contact.row.Landings;
+import rigibo.backend.contact.row.LateJoiners;
+import rigibo.backend.contact.row.Motions;
+import rigibo.backend.contact.solve.OverlapSolver;
+import rigibo.backend.contact.row.PackedContacts;
+import rigibo.backend.contact.row.PackedTurns;
+import rigibo.backend.contact.row.PileForces;
+import rigibo.backend.contact.row.PileResults;
+import rigibo.backend.contact.row.Recovery;
+import rigibo.backend.contact.hold.Repose;
+import rigibo.backend.contact.row.RowBuilder;
+import rigibo.backend.contact.row.Straightness;
+import rigibo.backend.contact.row.WarmStart;
+
 import rigibo.backend.collision.Narrowphase;
 import rigibo.backend.effect.Drag;
 import rigibo.backend.effect.Effects;
@@ -297,7 +318,7 @@ public final class PileSolver {
     /** What passes solve may also part as fast as overlap is taken back. */
     private void setLimit(int substep) {
         if (substep == 0) {
-            double parting = isWhole ? 0 : OverlapSolver.MOST_PUSH * contacts.widest();
+            double parting = isWhole ? 0 : Recovery.MOST_PUSH * contacts.widest();
             limit = Math.max(leverage() * fastest, parting);
         } else if (isWhole) {
             limit = Math.max(limit, fastest);

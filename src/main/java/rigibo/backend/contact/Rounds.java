@@ -1,5 +1,13 @@
 package rigibo.backend.contact;
 
+import rigibo.backend.contact.solve.ContactSweep;
+import rigibo.backend.contact.solve.DirectSolver;
+import rigibo.backend.contact.solve.EnergyGuard;
+import rigibo.backend.contact.solve.Halfway;
+import rigibo.backend.contact.row.Motions;
+import rigibo.backend.contact.solve.OverlapSolver;
+import rigibo.backend.contact.row.PackedContacts;
+
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.ContactSolver;
 import rigibo.backend.setup.Correction;
@@ -10,7 +18,7 @@ import rigibo.backend.storage.Counters;
  * anything is left, and one elimination. What takes more work than it is worth is given up, and
  * left as it was for {@link Passes}.
  */
-final class Rounds {
+public final class Rounds {
 
     /** Share of the fastest speed that may be left unsolved, per metre of the tolerance. */
     private static final double SETTLED = 1e-2;
@@ -65,7 +73,7 @@ final class Rounds {
 
     private double settled;
 
-    Rounds(
+    public Rounds(
             Motions motions,
             PackedContacts contacts,
             Counters counters,

@@ -2,7 +2,7 @@ package rigibo.backend.step;
 
 import rigibo.backend.broadphase.Broadphase;
 import rigibo.backend.collision.Narrowphase;
-import rigibo.backend.contact.PileForces;
+import rigibo.backend.contact.row.PileForces;
 import rigibo.backend.contact.PileSolver;
 import rigibo.backend.effect.Contacts;
 import rigibo.backend.effect.ContinuousImpacts;

@@ -1,0 +1,83 @@
+package rigibo.backend.contact.bounce;
+
+import rigibo.backend.contact.row.PackedContacts;
+
+import rigibo.backend.storage.Bodies;
+import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.PairTolerances;
+import rigibo.backend.storage.Pairs;
+
+/** The contacts of a packed island that can bounce, and from which approach on they do. */
+final class BounceRows {
+
+    /**
+     * Share of what the effects add to a speed in one substep that a closing speed must pass to be
+     * a blow: less is what one pass over a pile leaves unsolved.
+     */
+    private static final double PULLED = 0.25;
+
+    private final Bodies bodies;
+    private final Pairs pairs;
+    private final PackedContacts contacts;
+
+    /** Rows with elasticity. */
+    int[] elastic = new int[16];
+
+    /** The approach of each of them from which on it bounces, m/s. */
+    double[] bounceSpeeds = new double[16];
+
+    int count;
+
+    BounceRows(DataStorage data, PackedContacts contacts) {
+        bodies = data.bodies;
+        pairs = data.pairs;
+        this.contacts = contacts;
+    }
+
+    /** Lists the rows of the packed island, for substeps of h seconds. */
+    void begin(double h) {
+        if (elastic.length < contacts.count) {
+            elastic = new int[contacts.pair.length];
+            bounceSpeeds = new double[contacts.pair.length];
+        }
+        count = 0;
+        for (int row = 0; row < contacts.count; row++) {
+            double elasticity = pairs.elasticity[contacts.pair[row]];
+            if (elasticity > 0) {
+                contacts.data[row * PackedContacts.STRIDE + PackedContacts.ELASTICITY] = elasticity;
+                bounceSpeeds[count] = bounceSpeed(row, h);
+                contacts.data[row * PackedContacts.STRIDE + PackedContacts.BOUNCE_SPEED] =
+                        bounceSpeeds[count];
+                elastic[count++] = row;
+            }
+        }
+    }
+
+    /**
+     * From which approach on, m/s, a contact bounces. What presses it is the effects' acceleration
+     * or the load it carried, whichever is more: inside a heap a contact is pressed from far above.
+     * What a body gains by being pressed for a substep is load, not a blow.
+     */
+    private double bounceSpeed(int row, double h) {
+        double[] d = contacts.data;
+        int at = row * PackedContacts.STRIDE;
+        int pair = contacts.pair[row];
+        int a = pairs.bodyA[pair];
+        int b = pairs.bodyB[pair];
+        double load = pairs.normalForce[2 * pair] + pairs.normalForce[2 * pair + 1];
+        double pressing =
+                Math.max(
+                        load * d[at + PackedContacts.K00],
+                        PairTolerances.pressingAcceleration(
+                                bodies, a, b, pairs.normalX[pair], pairs.normalY[pair]));
+        double unseen = PairTolerances.restSpeed(pressing, d[at + PackedContacts.WIDTH]);
+        double pulled = Math.max(acceleration(a), acceleration(b)) * h * PULLED;
+        return Math.max(pulled, Math.max(unseen, pressing * h));
+    }
+
+    private double acceleration(int slot) {
+        double x = bodies.accelerationX[slot];
+        double y = bodies.accelerationY[slot];
+        return bodies.isMoved(slot) ? Math.sqrt(x * x + y * y) : 0;
+    }
+}

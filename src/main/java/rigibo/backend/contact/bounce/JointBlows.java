@@ -1,0 +1,310 @@
+package rigibo.backend.contact.bounce;
+
+import rigibo.backend.contact.row.Kick;
+import rigibo.backend.contact.row.Motions;
+import rigibo.backend.contact.row.PackedContacts;
+import rigibo.backend.contact.row.Recovery;
+
+import rigibo.backend.impact.Impact;
+import rigibo.backend.impact.TiedImpacts;
+import rigibo.backend.storage.Bodies;
+import rigibo.backend.storage.Counters;
+import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.Pairs;
+
+import java.util.Arrays;
+
+/**
+ * Blows inside a small pile, in the order of time, each answered by all contacts that touch then: a
+ * ball that falls on a box that stands on the floor rebounds as from the floor.
+ *
+ * <p>A substep is split at the blow: up to then bodies move with their old velocities, from there
+ * with the new ones. Between two kicks a velocity is that of the middle of the substep; at a time τ
+ * of it, it is v + a·(τ − h/2), and that is what the law of impact is asked with. So a ball that
+ * loses nothing keeps its height at any length of the substep.
+ */
+final class JointBlows {
+
+    /** Blows in one substep; a longer chain goes on in the next one. */
+    private static final int MOST_BLOWS = 32;
+
+    /** What a pass over a row takes, in multiplications of an elimination. */
+    private static final double WORK_OF_ROW = 60;
+
+    /** Gap up to which a contact takes part, as a multiple of the overlap that is left alone. */
+    private static final double TOUCHING = 10;
+
+    /** Closing speeds under this (m/s) are what is left of solved rows, not blows. */
+    private static final double ROUND_OFF = 1e-9;
+
+    private final Bodies bodies;
+    private final Pairs pairs;
+    private final Counters counters;
+    private final Motions motions;
+    private final PackedContacts contacts;
+    private final Kick kick;
+    private final BounceRows bounces;
+    private final Impact impact = new Impact();
+    private final TiedImpacts together;
+
+    /** The substep looked at, its length in s, and how far velocities are from its start, s. */
+    private int substep;
+
+    private double h;
+    private double middle;
+
+    /** Multiplications that are left for the blows of the step. */
+    private double left;
+
+    /** The rows that strike at the present instant. */
+    private int[] striking = new int[16];
+
+    private int strikingCount;
+
+    JointBlows(
+            DataStorage data,
+            Motions motions,
+            PackedContacts contacts,
+            Kick kick,
+            BounceRows bounces) {
+        bodies = data.bodies;
+        pairs = data.pairs;
+        counters = data.counters;
+        this.motions = motions;
+        this.contacts = contacts;
+        this.kick = kick;
+        this.bounces = bounces;
+        together = new TiedImpacts(bodies, pairs);
+    }
+
+    /** Begins the packed island, whose blows are worth so many multiplications in this step. */
+    void begin(double worth) {
+        left = worth;
+    }
+
+    /**
+     * Resolves all blows that fall into a substep of h seconds. Returns whether what was left of
+     * the step's work was enough; blows that it was not enough for are not struck.
+     */
+    boolean resolve(double length, int number) {
+        return resolve(length, length / 2, number);
+    }
+
+    /** Resolves the blows of velocities as they are, within next to no time. */
+    boolean resolveAtOnce(double length, int number) {
+        return resolve(length, 0, number);
+    }
+
+    private boolean resolve(double length, double middleOfVelocities, int number) {
+        h = length;
+        middle = middleOfVelocities;
+        substep = number;
+        boolean isAnswered = true;
+        for (int blow = 0; blow < MOST_BLOWS && isAnswered && left > 0; blow++) {
+            double time = firstBlow();
+            if (time > h) {
+                return true;
+            }
+            isAnswered = strike(time);
+        }
+        return left > 0;
+    }
+
+    /** When the first row strikes, s into the substep; infinite where none does. */
+    private double firstBlow() {
+        double first = Double.POSITIVE_INFINITY;
+        for (int i = 0; i < bounces.count; i++) {
+            int row = bounces.elastic[i];
+            if (contacts.firstSubstep[row] <= substep) {
+                for (int point = 0; point < contacts.points[row]; point++) {
+                    first = Math.min(first, strikesAt(row, point));
+                }
+            }
+        }
+        return first;
+    }
+
+    /** When a point strikes, s into the substep; infinite where it does not, or too softly. */
+    private double strikesAt(int row, int point) {
+        double speed = motions.parting(contacts, row, point);
+        double gap = motions.gap(contacts, row, point);
+        if (gap + h * speed >= 0) {
+            return Double.POSITIVE_INFINITY;
+        }
+        double pull = gained(row, point);
+        double time = Math.min(h, timeToClose(gap, speed - middle * pull, pull));
+        return strikes(row, point, time) ? time : Double.POSITIVE_INFINITY;
+    }
+
+    /**
+     * Whether a point closes too fast for a load at a time. What touched before the kick that
+     * presses it now, or before the face turned that it lies on, carries a load, however fast it
+     * would close without an answer; it does not strike.
+     */
+    private boolean strikes(int row, int point, double time) {
+        double speed = motions.parting(contacts, row, point);
+        double met = speed + (time - middle) * gained(row, point);
+        boolean touched = motions.gap(contacts, row, point) <= 0;
+        double unloaded = speed - gainedInAll(row, point) + turnedBy(row);
+        double parting = touched ? Math.max(met, unloaded) : met;
+        double limit = contacts.data[row * PackedContacts.STRIDE + PackedContacts.BOUNCE_SPEED];
+        return parting < -Math.max(ROUND_OFF, limit);
+    }
+
+    /** The first root of gap + v·τ + a·τ²/2, by the form that does not cancel. */
+    private static double timeToClose(double gap, double v, double a) {
+        if (gap <= 0) {
+            return 0;
+        }
+        double discriminant = v * v - 2 * a * gap;
+        return v < 0 && discriminant >= 0
+                ? 2 * gap / (-v + Math.sqrt(discriminant))
+                : a < 0 ? (v + Math.sqrt(Math.max(0, discriminant))) / -a : 0;
+    }
+
+    /** How fast the parting of a point grows, m/s². */
+    private double gained(int row, int point) {
+        return gained(row, point, contacts.bodyB[row]) - gained(row, point, contacts.bodyA[row]);
+    }
+
+    /** What the parting of a point grew by in the kick, m/s. */
+    private double gainedInAll(int row, int point) {
+        int a = contacts.bodyA[row];
+        int b = contacts.bodyB[row];
+        return kick.length(b) * gained(row, point, b) - kick.length(a) * gained(row, point, a);
+    }
+
+    /** How much faster the surfaces come together than a substep ago, by turning alone, m/s. */
+    private double turnedBy(int row) {
+        return 2 * contacts.data[row * PackedContacts.STRIDE + PackedContacts.NEARING];
+    }
+
+    /** How fast a body's point of a contact gains speed along the normal, m/s². */
+    private double gained(int row, int point, int body) {
+        int at = row * PackedContacts.STRIDE;
+        double[] d = contacts.data;
+        int lever = body == contacts.bodyA[row] ? PackedContacts.LEVER_A0 : PackedContacts.LEVER_B0;
+        return d[at + PackedContacts.NX] * kick.gained(body, Motions.VX)
+                + d[at + PackedContacts.NY] * kick.gained(body, Motions.VY)
+                + d[at + 2 * point + lever] * kick.gained(body, Motions.SPIN);
+    }
+
+    /**
+     * Whether the blows of one instant had an answer; without one, rows have to hold them. They are
+     * left out where they take more work than is left.
+     */
+    private boolean strike(double time) {
+        moveVelocities(time - middle);
+        if (bodies.turns()) {
+            moveSpins(time - middle);
+        }
+        together.clear();
+        strikingCount = 0;
+        for (int row = 0; row < contacts.count; row++) {
+            if (contacts.firstSubstep[row] <= substep) {
+                add(row, time);
+            }
+        }
+        double workOfPass = WORK_OF_ROW * together.rows();
+        double affordable = Math.ceil(left / workOfPass);
+        int most = (int) Math.min(TiedImpacts.MOST_PASSES, affordable);
+        boolean isAnswered = together.solve(most);
+        double work = (1 + together.passes()) * workOfPass;
+        left -= work;
+        counters.multiplications += work;
+        if (isAnswered || left > 0) {
+            together.keep(isAnswered);
+            takeVelocities(time);
+            if (bodies.turns()) {
+                takeSpins(time);
+            }
+            countStrikes();
+        }
+        return isAnswered;
+    }
+
+    private void countStrikes() {
+        for (int i = 0; i < strikingCount; i++) {
+            pairs.impacts[contacts.pair[striking[i]]]++;
+        }
+        contacts.blows += strikingCount;
+        counters.impacts += strikingCount;
+    }
+
+    /** Hands all velocities to the columns, as they are some seconds later. */
+    private void moveVelocities(double later) {
+        for (int entry = 1; entry < motions.count; entry++) {
+            int slot = motions.slots[entry];
+            int at = entry * Motions.STRIDE;
+            bodies.velocityX[slot] = at(at, Motions.VX, later);
+            bodies.velocityY[slot] = at(at, Motions.VY, later);
+        }
+    }
+
+    private void moveSpins(double later) {
+        for (int entry = 1; entry < motions.count; entry++) {
+            bodies.spin[motions.slots[entry]] = at(entry * Motions.STRIDE, Motions.SPIN, later);
+        }
+    }
+
+    private double at(int body, int column, double later) {
+        return motions.data[body + column] + later * kick.gained(body, column);
+    }
+
+    /** Adds the points of a row that touch at a time, and its elasticity if it strikes then. */
+    private void add(int row, double time) {
+        double[] d = contacts.data;
+        int at = row * PackedContacts.STRIDE;
+        load(row, at);
+        boolean strikes = false;
+        for (int point = 0; point < contacts.points[row]; point++) {
+            double touching = TOUCHING * Recovery.KEPT_OVERLAP * d[at + PackedContacts.WIDTH];
+            if (gapAt(row, point, time) <= touching) {
+                contacts.addPoint(row, point, impact);
+                strikes |= strikes(row, point, time);
+            }
+        }
+        together.add(contacts.pair[row], impact, strikes ? d[at + PackedContacts.ELASTICITY] : 0);
+        if (strikes) {
+            if (strikingCount == striking.length) {
+                striking = Arrays.copyOf(striking, 2 * strikingCount);
+            }
+            striking[strikingCount++] = row;
+        }
+    }
+
+    private double gapAt(int row, int point, double time) {
+        double pull = gained(row, point);
+        double speed = motions.parting(contacts, row, point) - middle * pull;
+        return motions.gap(contacts, row, point) + time * (speed + time * pull / 2);
+    }
+
+    private void load(int row, int at) {
+        impact.load(bodies, pairs, contacts.pair[row]);
+        impact.normalX = contacts.data[at + PackedContacts.NX];
+        impact.normalY = contacts.data[at + PackedContacts.NY];
+    }
+
+    /** Takes what the blow changed, and the way gone with the old velocities before it. */
+    private void takeVelocities(double time) {
+        for (int entry = 1; entry < motions.count; entry++) {
+            int slot = motions.slots[entry];
+            int at = entry * Motions.STRIDE;
+            take(at, Motions.VX, Motions.DX, bodies.velocityX[slot], time);
+            take(at, Motions.VY, Motions.DY, bodies.velocityY[slot], time);
+        }
+    }
+
+    private void takeSpins(double time) {
+        for (int entry = 1; entry < motions.count; entry++) {
+            double after = bodies.spin[motions.slots[entry]];
+            take(entry * Motions.STRIDE, Motions.SPIN, Motions.TURN, after, time);
+        }
+    }
+
+    private void take(int body, int speed, int way, double after, double time) {
+        double gained = after - at(body, speed, time - middle);
+        motions.data[body + speed] += gained;
+        motions.data[body + way] -= time * gained;
+    }
+}

@@ -1,0 +1,49 @@
+package rigibo.backend.contact.bounce;
+
+import rigibo.backend.contact.row.Kick;
+import rigibo.backend.contact.row.Motions;
+import rigibo.backend.contact.row.PackedContacts;
+
+import rigibo.backend.storage.DataStorage;
+
+/** Blows inside piles: answered by all that touches where a pile is solved whole. */
+public final class PileBlows {
+
+    private final BounceRows bounces;
+    private final JointBlows joint;
+    private final PileImpacts apart;
+
+    public PileBlows(DataStorage data, Motions motions, PackedContacts contacts, Kick kick) {
+        bounces = new BounceRows(data, contacts);
+        joint = new JointBlows(data, motions, contacts, kick, bounces);
+        apart = new PileImpacts(data, motions, contacts, bounces);
+    }
+
+    /**
+     * Lists what can bounce in the packed island, for substeps of h seconds; to answer it jointly
+     * is worth so many multiplications in this step.
+     */
+    public void begin(double h, double worth) {
+        bounces.begin(h);
+        joint.begin(worth);
+    }
+
+    /**
+     * Resolves all blows that fall into a substep of h seconds of a pile that is solved whole.
+     *
+     * @return whether what was left of the step's work was enough for that
+     */
+    public boolean resolveJointly(double h, int substep) {
+        return joint.resolve(h, substep);
+    }
+
+    /** The same of velocities as they are, within next to no time. */
+    public boolean resolveAtOnce(double h, int substep) {
+        return joint.resolveAtOnce(h, substep);
+    }
+
+    /** Resolves all blows that fall into a substep of h seconds, one after the other. */
+    public void resolveApart(double h, int substep) {
+        apart.resolve(h, substep);
+    }
+}

@@ -1,0 +1,199 @@
+package rigibo.backend.contact.bounce;
+
+import rigibo.backend.contact.row.Motions;
+import rigibo.backend.contact.row.PackedContacts;
+
+import static rigibo.backend.contact.row.Motions.INVERSE_INERTIA;
+import static rigibo.backend.contact.row.Motions.INVERSE_MASS;
+import static rigibo.backend.contact.row.Motions.SPIN;
+import static rigibo.backend.contact.row.Motions.VX;
+import static rigibo.backend.contact.row.Motions.VY;
+
+import rigibo.backend.impact.Impact;
+import rigibo.backend.impact.ImpactLaw;
+import rigibo.backend.storage.Counters;
+import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.Pairs;
+
+import java.util.Arrays;
+
+/**
+ * Blows inside piles, split within the substep: up to the time the gap closes bodies move with
+ * their old velocities, from there with the new ones. The pairs that close fastest come first, and
+ * a blow that makes a neighbour close fast is answered in the next sweep.
+ */
+final class PileImpacts {
+
+    /** Sweeps over the contacts in one substep; a longer chain goes on in the next substep. */
+    private static final int MOST_SWEEPS = 8;
+
+    private final Motions motions;
+    private final PackedContacts contacts;
+    private final Pairs pairs;
+    private final Counters counters;
+    private final Impact impact = new Impact();
+    private final ImpactLaw law = new ImpactLaw();
+
+    private final BounceRows bounces;
+    private final BlowShifts shifts;
+
+    /** Of the rows that can bounce the ones that close fast, with their speed. */
+    private long[] closing = new long[16];
+
+    private int closingCount;
+
+    /** By entry of the motions the sweep in which it was struck last, in this substep. */
+    private int[] struckIn = new int[16];
+
+    private static final int NEVER = -1;
+
+    PileImpacts(DataStorage data, Motions motions, PackedContacts contacts, BounceRows bounces) {
+        this.motions = motions;
+        this.contacts = contacts;
+        this.bounces = bounces;
+        shifts = new BlowShifts(data.bodies, motions, contacts);
+        pairs = data.pairs;
+        counters = data.counters;
+    }
+
+    /** Resolves all blows that fall into a substep of h seconds. */
+    void resolve(double h, int substep) {
+        if (struckIn.length < motions.count) {
+            struckIn = new int[motions.slots.length];
+        }
+        findClosing(h, substep, 0);
+        if (closingCount == 0) {
+            return;
+        }
+        Arrays.fill(struckIn, 0, motions.count, NEVER);
+        shifts.begin();
+        strikeClosing(h, 0);
+        for (int sweep = 1; sweep < MOST_SWEEPS && closingCount > 0; sweep++) {
+            findClosing(h, substep, sweep);
+            strikeClosing(h, sweep);
+        }
+        shifts.limit(substep);
+    }
+
+    private void strikeClosing(double h, int sweep) {
+        for (int i = 0; i < closingCount; i++) {
+            strike((int) closing[i] & Integer.MAX_VALUE, h, sweep);
+        }
+    }
+
+    /**
+     * Sorted by closing speed, as the bits of a float order; ties by row. After the first sweep
+     * only what the one before has struck can close anew.
+     */
+    private void findClosing(double h, int substep, int sweep) {
+        closingCount = 0;
+        if (closing.length < bounces.count) {
+            closing = new long[bounces.elastic.length];
+        }
+        for (int i = 0; i < bounces.count; i++) {
+            int row = bounces.elastic[i];
+            if (contacts.firstSubstep[row] <= substep
+                    && (sweep == 0 || wasStruck(row, sweep - 1))
+                    && strikes(row, h, -bounces.bounceSpeeds[i])) {
+                int order = ~Float.floatToIntBits((float) -slowest(row));
+                closing[closingCount++] = (long) order << 32 | row;
+            }
+        }
+        Arrays.sort(closing, 0, closingCount);
+    }
+
+    private boolean wasStruck(int row, int sweep) {
+        return struckIn[contacts.bodyA[row] / Motions.STRIDE] == sweep
+                || struckIn[contacts.bodyB[row] / Motions.STRIDE] == sweep;
+    }
+
+    private boolean strikes(int row, double h, double limit) {
+        return strikes(row, 0, h, limit) || contacts.points[row] == 2 && strikes(row, 1, h, limit);
+    }
+
+    private boolean strikes(int row, int point, double h, double limit) {
+        double v = motions.parting(contacts, row, point);
+        return v < limit && v < -ROUND_OFF && motions.gap(contacts, row, point) + h * v < 0;
+    }
+
+    /** Closing speeds under this (m/s) are what is left of solved rows, not blows. */
+    private static final double ROUND_OFF = 1e-9;
+
+    private double slowest(int row) {
+        double v0 = motions.parting(contacts, row, 0);
+        return contacts.points[row] == 1 ? v0 : Math.min(v0, motions.parting(contacts, row, 1));
+    }
+
+    private void strike(int row, double h, int sweep) {
+        if (!strikes(
+                row,
+                h,
+                -contacts.data[row * PackedContacts.STRIDE + PackedContacts.BOUNCE_SPEED])) {
+            return; // An earlier blow of this sweep turned it.
+        }
+        double time = load(row, h);
+        int a = contacts.bodyA[row];
+        int b = contacts.bodyB[row];
+        double before = motions.energy(a) + motions.energy(b);
+        law.resolve(impact);
+        take(a, time, impact.velocityAX, impact.velocityAY, impact.spinA);
+        take(b, time, impact.velocityBX, impact.velocityBY, impact.spinB);
+        shifts.take(before - motions.energy(a) - motions.energy(b));
+        struckIn[a / Motions.STRIDE] = sweep;
+        struckIn[b / Motions.STRIDE] = sweep;
+        struckIn[0] = NEVER; // The ground goes on as before.
+        contacts.data[row * PackedContacts.STRIDE + PackedContacts.TOTAL] +=
+                impact.totalNormalImpulse();
+        pairs.impacts[contacts.pair[row]]++;
+        contacts.blows++;
+        counters.impacts++;
+    }
+
+    /** Takes a new velocity, and the way gone with the old one before the blow. */
+    private void take(int at, double time, double x, double y, double spin) {
+        double[] m = motions.data;
+        shifts.shift(
+                at, time * (m[at + VX] - x), time * (m[at + VY] - y), time * (m[at + SPIN] - spin));
+        m[at + VX] = x;
+        m[at + VY] = y;
+        m[at + SPIN] = spin;
+    }
+
+    /** Loads the points that strike; returns the time in s at which the first of them does. */
+    private double load(int row, double h) {
+        double[] d = contacts.data;
+        double[] m = motions.data;
+        int at = row * PackedContacts.STRIDE;
+        int a = contacts.bodyA[row];
+        int b = contacts.bodyB[row];
+        impact.normalX = d[at + PackedContacts.NX];
+        impact.normalY = d[at + PackedContacts.NY];
+        impact.friction = d[at + PackedContacts.FRICTION];
+        impact.elasticity = d[at + PackedContacts.ELASTICITY];
+        impact.surfaceSpeed = contacts.surface[row];
+        impact.inverseMassA = m[a + INVERSE_MASS];
+        impact.inverseInertiaA = m[a + INVERSE_INERTIA];
+        impact.inverseMassB = m[b + INVERSE_MASS];
+        impact.inverseInertiaB = m[b + INVERSE_INERTIA];
+        impact.velocityAX = m[a + VX];
+        impact.velocityAY = m[a + VY];
+        impact.spinA = m[a + SPIN];
+        impact.velocityBX = m[b + VX];
+        impact.velocityBY = m[b + VY];
+        impact.spinB = m[b + SPIN];
+        impact.points = 0;
+        double time = h;
+        for (int point = 0; point < contacts.points[row]; point++) {
+            if (motions.gap(contacts, row, point)
+                            + h * Math.min(0, motions.parting(contacts, row, point))
+                    <= 0) {
+                contacts.addPoint(row, point, impact);
+                double speed = -motions.parting(contacts, row, point);
+                double when =
+                        speed > 0 ? Math.max(0, motions.gap(contacts, row, point)) / speed : h;
+                time = Math.min(time, when);
+            }
+        }
+        return time;
+    }
+}

@@ -1,0 +1,176 @@
+package rigibo.backend.contact.hold;
+
+import rigibo.backend.contact.row.Recovery;
+import rigibo.backend.contact.row.RowBuilder;
+
+import rigibo.backend.setup.Accuracy;
+import rigibo.backend.setup.Correction;
+import rigibo.backend.storage.Bodies;
+import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.Islands;
+import rigibo.backend.storage.PairTolerances;
+import rigibo.backend.storage.Pairs;
+
+/**
+ * Tells whether an island rests by what it carries already: whether the forces that held when the
+ * last step ended hold every body against what pulls at it now, Σ F + m·a = 0 and Σ r × F + I·α =
+ * 0, each of them within its bounds. Then nothing moves, and solving would find the same forces
+ * again. Nothing is remembered for it: whatever changed since shows in the sums.
+ */
+final class Equilibrium {
+
+    /** Share of the island's strongest pull by which a body may be held too little or too much. */
+    static final double UNHELD = 1e-9;
+
+    private final Bodies bodies;
+    private final Pairs pairs;
+    private final Islands islands;
+
+    /** Whether overlap is taken back, which moves bodies. */
+    private final boolean isCorrecting;
+
+    private final Accuracy accuracy;
+
+    /** Overlap that stays in the island that is asked for, in widths. */
+    private double kept;
+
+    /** By slot: what is left of its acceleration, m/s² and rad/s². */
+    private double[] leftX = new double[16];
+
+    private double[] leftY = new double[16];
+    private double[] leftTurn = new double[16];
+
+    Equilibrium(DataStorage data, Accuracy accuracy) {
+        bodies = data.bodies;
+        pairs = data.pairs;
+        islands = data.islands;
+        isCorrecting = accuracy.correction() == Correction.SOFT;
+        this.accuracy = accuracy;
+    }
+
+    /** Whether an island stays as it is for a step of {@code dt} seconds. */
+    boolean lasts(int island, double dt) {
+        double strongest = 0;
+        for (int i = islands.bodyStart[island]; i < islands.bodyStart[island + 1]; i++) {
+            int slot = islands.bodies[i];
+            if (!isStill(slot, dt)) {
+                return false;
+            }
+            strongest = Math.max(strongest, pull(slot));
+        }
+        return areHeld(island, UNHELD * strongest);
+    }
+
+    private boolean isStill(int slot, double dt) {
+        double speed = Math.abs(bodies.velocityX[slot]) + Math.abs(bodies.velocityY[slot]);
+        speed += bodies.boundingRadius[slot] * Math.abs(bodies.spinOf(slot));
+        return bodies.pileTime[slot] == 0
+                && speed * dt <= Stillness.STILL * bodies.smallestWidth[slot];
+    }
+
+    private double pull(int slot) {
+        return Math.abs(bodies.accelerationX[slot]) + Math.abs(bodies.accelerationY[slot]);
+    }
+
+    private boolean areHeld(int island, double most) {
+        reserve();
+        int contacts = islands.pairStart[island + 1] - islands.pairStart[island];
+        kept = Recovery.kept(contacts, accuracy);
+        for (int i = islands.bodyStart[island]; i < islands.bodyStart[island + 1]; i++) {
+            int slot = islands.bodies[i];
+            leftX[slot] = bodies.accelerationX[slot];
+            leftY[slot] = bodies.accelerationY[slot];
+            leftTurn[slot] = bodies.turns() ? bodies.angularAcceleration[slot] : 0;
+        }
+        for (int i = islands.pairStart[island]; i < islands.pairStart[island + 1]; i++) {
+            int pair = islands.pairs[i];
+            if (!isSteady(pair)) {
+                return false;
+            }
+            addForces(pair);
+        }
+        for (int i = islands.bodyStart[island]; i < islands.bodyStart[island + 1]; i++) {
+            int slot = islands.bodies[i];
+            double left = Math.abs(leftX[slot]) + Math.abs(leftY[slot]);
+            left += bodies.boundingRadius[slot] * Math.abs(leftTurn[slot]);
+            if (!(left <= most)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private void reserve() {
+        if (leftX.length < bodies.type.length) {
+            leftX = new double[bodies.type.length];
+            leftY = new double[bodies.type.length];
+            leftTurn = new double[bodies.type.length];
+        }
+    }
+
+    /** Whether a contact goes on carrying what it carries: closed, and within its bounds. */
+    private boolean isSteady(int pair) {
+        int a = pairs.bodyA[pair];
+        int b = pairs.bodyB[pair];
+        double width = PairTolerances.width(bodies, a, b);
+        double most = (kept + Stillness.STILL) * width;
+        if (isCorrecting && pairs.gap(pair) < -most || bodies.isDriven(a) || bodies.isDriven(b)) {
+            return false;
+        }
+        boolean runs = bodies.surfaceSpeed != null;
+        if (runs && (bodies.surfaceSpeed[a] != 0 || bodies.surfaceSpeed[b] != 0)) {
+            return false;
+        }
+        double touching = PairTolerances.TOUCHING_GAP * width;
+        double load0 = pairs.normalForce[2 * pair];
+        double load1 = pairs.normalForce[2 * pair + 1];
+        return (load0 == 0 || pairs.separation[2 * pair] <= touching)
+                && (load1 == 0 || pairs.separation[2 * pair + 1] <= touching)
+                && rubsWithin(pair, load0 + load1);
+    }
+
+    private boolean rubsWithin(int pair, double load) {
+        boolean slides =
+                pairs.friction != null
+                        && Math.abs(pairs.heldFriction(pair))
+                                > (1 + UNHELD) * pairs.friction[pair] * load;
+        return !slides
+                && (bodies.rollingResistance == null
+                        || Math.abs(pairs.heldTorque(pair))
+                                <= (1 + UNHELD) * load * pairs.rollingLever(bodies, pair));
+    }
+
+    private void addForces(int pair) {
+        double nx = pairs.normalX[pair];
+        double ny = pairs.normalY[pair];
+        double load = pairs.normalForce[2 * pair] + pairs.normalForce[2 * pair + 1];
+        double along = pairs.heldFriction(pair);
+        double fx = load * nx - along * ny;
+        double fy = load * ny + along * nx;
+        int a = pairs.bodyA[pair];
+        int b = pairs.bodyB[pair];
+        leftX[a] -= bodies.inverseMass[a] * fx;
+        leftY[a] -= bodies.inverseMass[a] * fy;
+        leftX[b] += bodies.inverseMass[b] * fx;
+        leftY[b] += bodies.inverseMass[b] * fy;
+        if (bodies.turns() && load > 0) {
+            double rubsAt = RowBuilder.rubsAt(pairs, pair, nx, ny);
+            leftTurn[a] -= bodies.inverseInertia[a] * torque(pair, a, along, rubsAt);
+            leftTurn[b] += bodies.inverseInertia[b] * torque(pair, b, along, rubsAt);
+        }
+    }
+
+    /** Σ r × F + τ about a body's centre, N·m, as B feels it, with the friction and its height. */
+    private double torque(int pair, int slot, double along, double rubsAt) {
+        double nx = pairs.normalX[pair];
+        double ny = pairs.normalY[pair];
+        double x = bodies.x[slot];
+        double y = bodies.y[slot];
+        double sum = pairs.heldTorque(pair);
+        for (int point = 2 * pair; point < 2 * pair + pairs.points[pair]; point++) {
+            double lever = (pairs.pointX[point] - x) * ny - (pairs.pointY[point] - y) * nx;
+            sum += lever * pairs.normalForce[point];
+        }
+        return sum + along * (rubsAt - x * nx - y * ny);
+    }
+}

@@ -1,0 +1,230 @@
+package rigibo.backend.contact.hold;
+
+import rigibo.backend.contact.row.Motions;
+import rigibo.backend.contact.row.PackedContacts;
+import rigibo.backend.contact.Rounds;
+
+import rigibo.backend.storage.Bodies;
+
+import java.util.Arrays;
+
+/**
+ * Hands the loads of a pile down from body to body, the highest first. When a body's turn comes all
+ * that rests on it has been told what it carries, so that what its own supports have to carry is
+ * the statics of one body, whatever stands below. In a stack of a hundred storeys one such pass
+ * finds what passes over the contacts come near to after thousands: they carry a load on by one
+ * storey at a time. (The opposite of shock propagation, which goes from the ground up: E.
+ * Guendelman, R. Bridson and R. Fedkiw, Nonconvex Rigid Bodies with Stacking, 2003.)
+ *
+ * <p>It is an answer only where it leaves nobody unsupported; what leans on its equals, as the
+ * stones of an arch do, is not for it.
+ */
+final class LoadsFromAbove {
+
+    /** Share of the fastest speed that a body may be left with. */
+    private static final double UNHELD = 1e-10;
+
+    /** A body that is held is held better as long as a round leaves no more of its speed. */
+    private static final double IMPROVES = 0.5;
+
+    /** Rounds over the contacts of one body: by their normals alone, and with friction. */
+    private static final int ROUNDS = 100;
+
+    private final Bodies bodies;
+    private final Motions motions;
+    private final PackedContacts contacts;
+
+    /** The packed bodies from the highest down: how deep and which, in one number each. */
+    private long[] order = new long[16];
+
+    /** By entry: its place in the order. */
+    private int[] place = new int[16];
+
+    /** The contacts on which an entry lies: supports[start[e]] to supports[start[e + 1]]. */
+    private int[] start = new int[17];
+
+    private int[] supports = new int[16];
+
+    LoadsFromAbove(Bodies bodies, Motions motions, PackedContacts contacts) {
+        this.bodies = bodies;
+        this.motions = motions;
+        this.contacts = contacts;
+    }
+
+    /**
+     * Lets the contacts of the packed island carry what pulls at it.
+     *
+     * @param fastest the fastest speed before contacts answer, m/s
+     * @return whether every body is held; if not, impulses and speeds are of no use
+     */
+    boolean handDown(double fastest) {
+        reserve();
+        sort();
+        listSupports();
+        for (int i = 1; i < motions.count; i++) {
+            int entry = (int) order[i];
+            boolean isMovable = motions.data[entry * Motions.STRIDE + Motions.INVERSE_MASS] > 0;
+            if (isMovable && !hold(entry, UNHELD * fastest)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private void reserve() {
+        if (order.length < motions.count) {
+            order = new long[motions.slots.length];
+            place = new int[motions.slots.length];
+            start = new int[motions.slots.length + 1];
+        }
+        if (supports.length < contacts.count) {
+            supports = new int[contacts.pair.length];
+        }
+    }
+
+    /** By how far each lies along what pulls at them all; equals by their entries. */
+    private void sort() {
+        double pullX = 0;
+        double pullY = 0;
+        for (int entry = 1; entry < motions.count; entry++) {
+            double inverse = motions.data[entry * Motions.STRIDE + Motions.INVERSE_MASS];
+            if (inverse > 0) {
+                pullX += bodies.accelerationX[motions.slots[entry]] / inverse;
+                pullY += bodies.accelerationY[motions.slots[entry]] / inverse;
+            }
+        }
+        double pull = Math.sqrt(pullX * pullX + pullY * pullY);
+        for (int entry = 1; entry < motions.count; entry++) {
+            int slot = motions.slots[entry];
+            double depth = pull > 0 ? (pullX * bodies.x[slot] + pullY * bodies.y[slot]) / pull : 0;
+            order[entry] = (long) ascending((float) depth) << Integer.SIZE | entry;
+        }
+        Arrays.sort(order, 1, motions.count);
+        place[0] = motions.count;
+        for (int i = 1; i < motions.count; i++) {
+            place[(int) order[i]] = i;
+        }
+    }
+
+    /** A number that is the greater the greater the other. */
+    private static int ascending(float number) {
+        int bits = Float.floatToIntBits(number);
+        return bits < 0 ? bits ^ Integer.MAX_VALUE : bits;
+    }
+
+    /**
+     * Counts each body's supports, turns counts into starts, and fills the lists from their ends.
+     */
+    private void listSupports() {
+        Arrays.fill(start, 0, motions.count + 1, 0);
+        for (int row = 0; row < contacts.count; row++) {
+            start[upper(row)]++;
+        }
+        for (int entry = 1; entry <= motions.count; entry++) {
+            start[entry] += start[entry - 1];
+        }
+        for (int row = contacts.count - 1; row >= 0; row--) {
+            supports[--start[upper(row)]] = row;
+        }
+    }
+
+    /** The higher of two bodies; what cannot be moved is below everything. */
+    private int upper(int row) {
+        int a = contacts.bodyA[row];
+        int b = contacts.bodyB[row];
+        boolean canMoveA = motions.data[a + Motions.INVERSE_MASS] > 0;
+        boolean canMoveB = motions.data[b + Motions.INVERSE_MASS] > 0;
+        int entryA = a / Motions.STRIDE;
+        int entryB = b / Motions.STRIDE;
+        if (canMoveA != canMoveB) {
+            return canMoveA ? entryA : entryB;
+        }
+        return place[entryA] < place[entryB] ? entryA : entryB;
+    }
+
+    /**
+     * Holds one body on what it lies on, whose own speeds are not looked at: they will be none. By
+     * the normals first: friction that is not needed would push apart what stands below.
+     */
+    private boolean hold(int entry, double most) {
+        double left = speed(entry);
+        double before;
+        int round = 0;
+        // What was carried before may be beyond bounds that have changed: everyone is asked once.
+        do {
+            for (int i = start[entry]; i < start[entry + 1]; i++) {
+                carry(supports[i], entry * Motions.STRIDE, round >= ROUNDS);
+            }
+            before = left;
+            left = speed(entry);
+        } while (++round < 2 * ROUNDS && (left > most || left < IMPROVES * before));
+        return left <= most;
+    }
+
+    /** The fastest that any point of a body goes, m/s. */
+    private double speed(int entry) {
+        double[] m = motions.data;
+        int at = entry * Motions.STRIDE;
+        double straight = Math.abs(m[at + Motions.VX]) + Math.abs(m[at + Motions.VY]);
+        double radius = bodies.boundingRadius[motions.slots[entry]];
+        return straight + radius * Math.abs(m[at + Motions.SPIN]);
+    }
+
+    private void carry(int row, int body, boolean rubs) {
+        double[] d = contacts.data;
+        int at = row * PackedContacts.STRIDE;
+        boolean isB = contacts.bodyB[row] == body;
+        int other = isB ? contacts.bodyA[row] : contacts.bodyB[row];
+        int own = at + (isB ? PackedContacts.LEVER_B0 : PackedContacts.LEVER_A0);
+        int others = at + (isB ? PackedContacts.LEVER_A0 : PackedContacts.LEVER_B0);
+        double side = isB ? 1 : -1;
+        double nx = side * d[at + PackedContacts.NX];
+        double ny = side * d[at + PackedContacts.NY];
+        double load = 0;
+        for (int point = 0; point < contacts.points[row]; point++) {
+            double before = d[at + PackedContacts.IMPULSE0 + point];
+            if (before > 0 || isClosed(row, point)) {
+                double lever = side * d[own + 2 * point];
+                double after = Math.max(0, before + wanted(body, nx, ny, lever));
+                d[at + PackedContacts.IMPULSE0 + point] = after;
+                push(body, other, nx, ny, lever, side * d[others + 2 * point], after - before);
+                load += after;
+            }
+        }
+        double before = d[at + PackedContacts.IMPULSE_T];
+        double lever = side * d[at + (isB ? PackedContacts.LEVER_TB : PackedContacts.LEVER_TA)];
+        double after = before + (rubs ? wanted(body, -ny, nx, lever) : 0);
+        double cone = d[at + PackedContacts.FRICTION] * load;
+        after = Math.max(-cone, Math.min(cone, after));
+        d[at + PackedContacts.IMPULSE_T] = after;
+        double otherLever =
+                side * d[at + (isB ? PackedContacts.LEVER_TA : PackedContacts.LEVER_TB)];
+        push(body, other, -ny, nx, lever, otherLever, after - before);
+    }
+
+    private boolean isClosed(int row, int point) {
+        double width = contacts.data[row * PackedContacts.STRIDE + PackedContacts.WIDTH];
+        return motions.gap(contacts, row, point) <= Stillness.STILL * width;
+    }
+
+    /** The impulse along a row that stops a body on what does not move, N·s. */
+    private double wanted(int body, double nx, double ny, double lever) {
+        double[] m = motions.data;
+        double speed = nx * m[body + Motions.VX] + ny * m[body + Motions.VY];
+        speed += lever * m[body + Motions.SPIN];
+        double response = m[body + Motions.INVERSE_MASS];
+        response += m[body + Motions.INVERSE_INERTIA] * lever * lever;
+        return -speed / response;
+    }
+
+    private void push(
+            int body, int other, double nx, double ny, double lever, double others, double j) {
+        double[] m = motions.data;
+        m[body + Motions.VX] += m[body + Motions.INVERSE_MASS] * j * nx;
+        m[body + Motions.VY] += m[body + Motions.INVERSE_MASS] * j * ny;
+        m[body + Motions.SPIN] += m[body + Motions.INVERSE_INERTIA] * j * lever;
+        m[other + Motions.VX] -= m[other + Motions.INVERSE_MASS] * j * nx;
+        m[other + Motions.VY] -= m[other + Motions.INVERSE_MASS] * j * ny;
+        m[other + Motions.SPIN] -= m[other + Motions.INVERSE_INERTIA] * j * others;
+    }
+}

@@ -1,0 +1,95 @@
+package rigibo.backend.contact.hold;
+
+import rigibo.backend.contact.solve.Halfway;
+import rigibo.backend.contact.row.Kick;
+import rigibo.backend.contact.row.Motions;
+import rigibo.backend.contact.solve.OverlapSolver;
+import rigibo.backend.contact.row.PackedContacts;
+import rigibo.backend.contact.row.RowBuilder;
+
+import rigibo.backend.setup.Accuracy;
+import rigibo.backend.storage.DataStorage;
+
+/**
+ * Finds piles that rest, by the cheapest way that tells: by what they carry already, by loads
+ * handed down from above, or, once they were solved, by the answer.
+ */
+public final class Repose {
+
+    private final Kick kick;
+    private final RowBuilder builder;
+    private final int substeps;
+    private final Equilibrium equilibrium;
+    private final LoadsFromAbove loads;
+    private final Stillness stillness;
+    private final Halfway before;
+
+    /** Of piles that {@code builder} packs; {@code overlap} is null where none is taken back. */
+    public Repose(
+            DataStorage data,
+            Motions motions,
+            PackedContacts contacts,
+            OverlapSolver overlap,
+            Kick kick,
+            RowBuilder builder,
+            Accuracy accuracy) {
+        this.kick = kick;
+        this.builder = builder;
+        substeps = accuracy.substeps();
+        equilibrium = new Equilibrium(data, accuracy);
+        loads = new LoadsFromAbove(data.bodies, motions, contacts);
+        stillness = new Stillness(data.bodies, motions, contacts, overlap, kick);
+        before = new Halfway(motions, contacts);
+    }
+
+    /**
+     * Whether an island that is not packed yet rests for a step of {@code dt} seconds on what it
+     * carried at the end of the last.
+     */
+    public boolean lasts(int island, double dt) {
+        return equilibrium.lasts(island, dt) && isPulledSteadily(island, dt);
+    }
+
+    private boolean isPulledSteadily(int island, double dt) {
+        if (!kick.mayChange()) {
+            return true;
+        }
+        builder.packBodies(island);
+        double h = dt / substeps;
+        return isPulledSteadily(h, h, substeps);
+    }
+
+    /** Whether forces that change along the way do not, up to the end of the step. */
+    private boolean isPulledSteadily(double first, double h, int kicks) {
+        return kick.isSteady(first, h, kicks, Equilibrium.UNHELD * kick.strongest());
+    }
+
+    /**
+     * Whether nothing in the packed island moves before a step of {@code dt} seconds but by what
+     * counts as nothing: a multiple of a share of what the step's pull would give it.
+     */
+    public boolean isStill(double dt, double share) {
+        return stillness.isEveryBodyStill(dt, Stillness.QUIET * share * dt * kick.strongest());
+    }
+
+    /**
+     * Whether the packed island, which was still, rests on loads handed down from above, in the
+     * first of its substeps; if not it is as it was. Nothing went faster than {@code fastest} m/s.
+     */
+    public boolean isCarried(double start, double h, int substeps, double settled, double fastest) {
+        before.begin();
+        boolean isCarried =
+                loads.handDown(fastest)
+                        && isFound(start, h, substeps, settled)
+                        && isPulledSteadily(start + h, h, substeps);
+        if (!isCarried) {
+            before.takeBack();
+        }
+        return isCarried;
+    }
+
+    /** Whether the packed island was solved to rest, in the first of its substeps. */
+    public boolean isFound(double start, double h, int substeps, double settled) {
+        return stillness.isAtRest(start, h, substeps, settled);
+    }
+}

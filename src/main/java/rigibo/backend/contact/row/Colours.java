@@ -1,0 +1,130 @@
+package rigibo.backend.contact.row;
+
+import rigibo.backend.storage.Bodies;
+import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.Islands;
+import rigibo.backend.storage.Pairs;
+
+import java.util.Arrays;
+
+/**
+ * The order in which passes take the contacts of an island: colour by colour, where no two contacts
+ * of one colour share a body that impulses move. None of them waits for another, so that a
+ * processor works on several at once, and cores may share them with the same bits.
+ *
+ * <p>A contact gets the first colour that both of its bodies have to spare, in the order of the
+ * island's pairs: the island alone decides, whatever else there is. Contacts against what cannot
+ * give way come after all others, in colours of their own: what a pass leaves unsolved is then
+ * between bodies, and none sinks into the floor.
+ */
+final class Colours {
+
+    /** Colours that are handed out by what is to spare; those from here on in turn. */
+    private static final int FEW = 64;
+
+    private final Bodies bodies;
+    private final Pairs pairs;
+    private final Islands islands;
+
+    /** The island's pairs in their order. */
+    int[] order = new int[16];
+
+    /** Where colours end in it. */
+    int[] end = new int[16];
+
+    int count;
+
+    /** Where contacts against what cannot give way begin in it. */
+    int groundStart;
+
+    /** By pair of the island: its colour. */
+    private int[] colour = new int[16];
+
+    /** By slot: a bit for each of its few colours, and how many it has beyond them. */
+    private long[] taken = new long[16];
+
+    private int[] beyond = new int[16];
+
+    Colours(DataStorage data) {
+        bodies = data.bodies;
+        pairs = data.pairs;
+        islands = data.islands;
+    }
+
+    /** Orders an island's pairs. */
+    void find(int island) {
+        int pairCount = islands.pairStart[island + 1] - islands.pairStart[island];
+        reserve(pairCount);
+        count = 0;
+        colour(island, false);
+        int ofGround = count;
+        colour(island, true);
+        sort(islands.pairStart[island], pairCount);
+        groundStart = ofGround > 0 ? end[ofGround - 1] : 0;
+    }
+
+    /**
+     * Gives colours that are not taken yet to contacts between bodies, or to those of the ground.
+     */
+    private void colour(int island, boolean ofGround) {
+        for (int i = islands.bodyStart[island]; i < islands.bodyStart[island + 1]; i++) {
+            taken[islands.bodies[i]] = 0;
+            beyond[islands.bodies[i]] = 0;
+        }
+        int first = count;
+        int from = islands.pairStart[island];
+        for (int i = from; i < islands.pairStart[island + 1]; i++) {
+            int a = pairs.bodyA[islands.pairs[i]];
+            int b = pairs.bodyB[islands.pairs[i]];
+            boolean isOfGround = !bodies.isDynamic(a) || !bodies.isDynamic(b);
+            if (isOfGround == ofGround) {
+                int own = bodies.isDynamic(a) ? a : b;
+                colour[i - from] = first + take(own, bodies.isDynamic(b) ? b : own);
+                count = Math.max(count, colour[i - from] + 1);
+            }
+        }
+    }
+
+    /** Takes the first colour that two bodies have to spare. */
+    private int take(int a, int b) {
+        int spare = Long.numberOfTrailingZeros(~(taken[a] | taken[b]));
+        if (spare < FEW) {
+            taken[a] |= 1L << spare;
+            taken[b] |= 1L << spare;
+            return spare;
+        }
+        int next = Math.max(beyond[a], beyond[b]);
+        beyond[a] = next + 1;
+        beyond[b] = next + 1;
+        return FEW + next;
+    }
+
+    /** By colour, and within one as they came. */
+    private void sort(int from, int pairCount) {
+        Arrays.fill(end, 0, count, 0);
+        for (int i = 0; i < pairCount; i++) {
+            end[colour[i]]++;
+        }
+        // Each is a colour's size, then its start, and its end once it is filled.
+        int start = 0;
+        for (int i = 0; i < count; i++) {
+            start += end[i];
+            end[i] = start - end[i];
+        }
+        for (int i = 0; i < pairCount; i++) {
+            order[end[colour[i]]++] = islands.pairs[from + i];
+        }
+    }
+
+    private void reserve(int pairCount) {
+        if (taken.length < bodies.type.length) {
+            taken = new long[bodies.type.length];
+            beyond = new int[bodies.type.length];
+        }
+        if (order.length < pairCount) {
+            order = new int[2 * pairCount];
+            colour = new int[2 * pairCount];
+            end = new int[2 * pairCount];
+        }
+    }
+}

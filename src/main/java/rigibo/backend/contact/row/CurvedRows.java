@@ -1,0 +1,154 @@
+package rigibo.backend.contact.row;
+
+import rigibo.backend.geometry.Circle;
+import rigibo.backend.geometry.Polygon;
+import rigibo.backend.geometry.Shape;
+import rigibo.backend.storage.Bodies;
+import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.Pairs;
+
+/**
+ * Contacts whose normal turns along the way of their bodies: of a disc round another disc or a
+ * corner, and, where bodies are few, of whatever slides from one face to the next. They are
+ * measured anew before every substep. Round an outline of radius ρ a way of s opens the gap by √(ρ²
+ * + s²) − ρ meanwhile, which the gap foresees: so a disc follows a curve as a constrained motion
+ * does whose error is of second order (SHAKE: Ryckaert, Ciccotti and Berendsen, 1977).
+ */
+public final class CurvedRows {
+
+    private final Bodies bodies;
+    private final Pairs pairs;
+    private final Motions motions;
+    private final PackedContacts contacts;
+
+    /** Way off a straight line that may be passed over in a step, as a share of the width. */
+    private final Straightness straight;
+
+    /** Where the two ends of a face lie along the tangent of a contact, from its body, m. */
+    private final double[] endsA = new double[2];
+
+    private final double[] endsB = new double[2];
+
+    public CurvedRows(DataStorage data, Motions motions, PackedContacts contacts, Straightness straight) {
+        bodies = data.bodies;
+        pairs = data.pairs;
+        this.motions = motions;
+        this.contacts = contacts;
+        this.straight = straight;
+    }
+
+    /** Whether a contact's normal turns in the step, of which {@code left} seconds are to go. */
+    boolean isCurved(int row, double left) {
+        int pair = contacts.pair[row];
+        double way = Math.abs(slid(row)) + Math.abs(slide(row)) * left;
+        double shows =
+                straight.unseen()
+                        * contacts.data[row * PackedContacts.STRIDE + PackedContacts.WIDTH];
+        if (!(way > shows)) {
+            return false;
+        }
+        if (pairs.faceOf[pair] != Pairs.NONE) {
+            return motions.areFew() && leavesFace(row, pair, way);
+        }
+        double radius = radius(pair);
+        return (radius > 0 || motions.areFew()) && opens(radius, way) > shows;
+    }
+
+    /**
+     * Widens the gap by what the way of a substep of h seconds is going to open. Of two corners
+     * that would be all of the way, and where friction stops them they would be in each other.
+     */
+    void bend(int row, double h) {
+        int pair = contacts.pair[row];
+        double radius = radius(pair);
+        if (radius > 0 && pairs.faceOf[pair] == Pairs.NONE) {
+            double opens = opens(radius, slide(row) * h);
+            contacts.data[row * PackedContacts.STRIDE + PackedContacts.GAP0] += opens;
+            contacts.data[row * PackedContacts.STRIDE + PackedContacts.GAP1] += opens;
+        }
+    }
+
+    private static double opens(double radius, double way) {
+        return Math.sqrt(radius * radius + way * way) - radius;
+    }
+
+    /** The radius in m at which two outlines go round each other; a corner has none. */
+    private double radius(int pair) {
+        return radiusOf(bodies.shape[pairs.bodyA[pair]])
+                + radiusOf(bodies.shape[pairs.bodyB[pair]]);
+    }
+
+    private static double radiusOf(Shape shape) {
+        return shape instanceof Circle disc ? disc.radius() : 0;
+    }
+
+    /** Whether a corner, or the foot of a disc, comes to the end of the face it is on. */
+    private boolean leavesFace(int row, int pair, double way) {
+        double nx = pairs.normalX[pair];
+        double ny = pairs.normalY[pair];
+        findEnds(pairs.bodyA[pair], nx, ny, -1, endsA);
+        findEnds(pairs.bodyB[pair], -nx, -ny, 1, endsB);
+        double apart = along(pair, nx, ny);
+        for (int i = 0; i < 2; i++) {
+            for (int j = 0; j < 2; j++) {
+                if (Math.abs(endsB[j] + apart - endsA[i]) <= way) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    /** How far B lies along the tangent from A, m. */
+    private double along(int pair, double nx, double ny) {
+        int a = pairs.bodyA[pair];
+        int b = pairs.bodyB[pair];
+        return nx * (bodies.y[b] - bodies.y[a]) - ny * (bodies.x[b] - bodies.x[a]);
+    }
+
+    /** Finds the ends of the face that looks along (nx, ny); a disc has but its centre. */
+    private void findEnds(int slot, double nx, double ny, int side, double[] ends) {
+        ends[0] = 0;
+        ends[1] = 0;
+        if (!(bodies.shape[slot] instanceof Polygon polygon)) {
+            return;
+        }
+        double cos = bodies.cos[slot];
+        double sin = bodies.sin[slot];
+        double x = cos * nx + sin * ny;
+        double y = cos * ny - sin * nx;
+        int face = 0;
+        double most = Double.NEGATIVE_INFINITY;
+        for (int i = 0; i < polygon.corners(); i++) {
+            double faces = polygon.normalX(i) * x + polygon.normalY(i) * y;
+            if (faces > most) {
+                most = faces;
+                face = i;
+            }
+        }
+        int next = face + 1 == polygon.corners() ? 0 : face + 1;
+        // The tangent of the contact is that of A's outward normal.
+        double tx = side * y;
+        double ty = -side * x;
+        ends[0] = tx * polygon.cornerX(face) + ty * polygon.cornerY(face);
+        ends[1] = tx * polygon.cornerX(next) + ty * polygon.cornerY(next);
+    }
+
+    /** How far B has slid along A since the step began, m. */
+    private double slid(int row) {
+        return motions.slid(contacts, row, arm(row, true), arm(row, false));
+    }
+
+    /** How fast it does, m/s. */
+    private double slide(int row) {
+        return motions.slide(contacts, row, arm(row, true), arm(row, false));
+    }
+
+    /** A disc turns without a change: what counts is its centre. */
+    private double arm(int row, boolean isOfA) {
+        int pair = contacts.pair[row];
+        Shape shape = bodies.shape[isOfA ? pairs.bodyA[pair] : pairs.bodyB[pair]];
+        int lever = isOfA ? PackedContacts.LEVER_TA : PackedContacts.LEVER_TB;
+        return radiusOf(shape) > 0 ? 0 : contacts.data[row * PackedContacts.STRIDE + lever];
+    }
+}

@@ -1,0 +1,43 @@
+package rigibo.backend.contact.row;
+
+import rigibo.backend.storage.Bodies;
+
+/**
+ * A kick where linear drag is declared: v′ = a − k·v, exactly, so v·e^(−kh) + a·(1 − e^(−kh))/k.
+ */
+public final class DragKick {
+
+    private final Bodies bodies;
+    private final Motions motions;
+
+    public DragKick(Bodies bodies, Motions motions) {
+        this.bodies = bodies;
+        this.motions = motions;
+    }
+
+    /**
+     * Moves the velocities from one time to a later one and notes how long that was for each, s.
+     */
+    void accelerate(double from, double to, double[] lengths) {
+        double[] m = motions.data;
+        for (int entry = 1; entry < motions.count; entry++) {
+            int slot = motions.slots[entry];
+            int at = entry * Motions.STRIDE;
+            double h = to - Math.max(from, bodies.pileTime[slot]);
+            if (m[at + Motions.INVERSE_MASS] > 0 && h > 0) {
+                lengths[at + Kick.LENGTH] = h;
+                double k = bodies.drag[slot];
+                double ax = bodies.accelerationX[slot];
+                double ay = bodies.accelerationY[slot];
+                if (k > 0) {
+                    double lost = -StrictMath.expm1(-k * h);
+                    m[at + Motions.VX] += lost * (ax / k - motions.frameX - m[at + Motions.VX]);
+                    m[at + Motions.VY] += lost * (ay / k - motions.frameY - m[at + Motions.VY]);
+                } else {
+                    m[at + Motions.VX] += h * ax;
+                    m[at + Motions.VY] += h * ay;
+                }
+            }
+        }
+    }
+}

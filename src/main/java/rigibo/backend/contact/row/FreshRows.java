@@ -1,0 +1,137 @@
+package rigibo.backend.contact.row;
+
+import rigibo.backend.collision.Narrowphase;
+import rigibo.backend.collision.Pose;
+import rigibo.backend.geometry.Angle;
+import rigibo.backend.storage.Bodies;
+import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.Pairs;
+
+/**
+ * Contacts that are measured anew within a step. What joins the pile in a substep is measured where
+ * the two are when it joins: the pile has moved on since the step's start.
+ */
+public final class FreshRows {
+
+    /** Bodies beyond this, m, have no distance: its square is no number any more. */
+    private static final double FARTHEST = 1e150;
+
+    /** Share of an overlap that contacts measured anew take back per second, 1/s. */
+    double recovery = Recovery.RATE;
+
+    private final Bodies bodies;
+    private final Pairs pairs;
+    private final Narrowphase narrowphase;
+    private final Motions motions;
+    private final PackedContacts contacts;
+    private final RowBuilder builder;
+    private final Pose poseA = new Pose();
+    private final Pose poseB = new Pose();
+
+    public FreshRows(
+            DataStorage data,
+            Narrowphase narrowphase,
+            Motions motions,
+            PackedContacts contacts,
+            RowBuilder builder) {
+        bodies = data.bodies;
+        pairs = data.pairs;
+        this.narrowphase = narrowphase;
+        this.motions = motions;
+        this.contacts = contacts;
+        this.builder = builder;
+    }
+
+    /**
+     * Measures what joins in a substep that begins at {@code time}, with {@code left} seconds to
+     * go.
+     *
+     * @return whether there was anything
+     */
+    public boolean measureJoining(int substep, double time, double left) {
+        boolean isAny = false;
+        for (int row = 0; substep <= contacts.lastJoining && row < contacts.count; row++) {
+            if (contacts.firstSubstep[row] == substep) {
+                measureAhead(row, left, Math.max(0, joinsAt(row) - time));
+                isAny = true;
+            }
+        }
+        return isAny;
+    }
+
+    /** When the later of two bodies joins, s after the step's start. */
+    private double joinsAt(int row) {
+        int a = contacts.bodyA[row];
+        int b = contacts.bodyB[row];
+        double whenA = a == 0 ? 0 : bodies.pileTime[motions.slots[a / Motions.STRIDE]];
+        double whenB = b == 0 ? 0 : bodies.pileTime[motions.slots[b / Motions.STRIDE]];
+        return Math.max(whenA, whenB);
+    }
+
+    private void measureAhead(int row, double left, double ahead) {
+        motions.drift(contacts.bodyA[row], ahead);
+        motions.drift(contacts.bodyB[row], ahead);
+        measure(row, left);
+        motions.drift(contacts.bodyA[row], -ahead);
+        motions.drift(contacts.bodyB[row], -ahead);
+    }
+
+    /**
+     * Measures a contact where its bodies are now, with {@code left} seconds to go. It stays as it
+     * is where one of them is nowhere any more: that one will be put to rest where the step began.
+     */
+    public void measure(int row, double left) {
+        int pair = contacts.pair[row];
+        place(pairs.bodyA[pair], contacts.bodyA[row], poseA);
+        place(pairs.bodyB[pair], contacts.bodyB[row], poseB);
+        if (!isSomewhere(poseA) || !isSomewhere(poseB)) {
+            return;
+        }
+        int at = row * PackedContacts.STRIDE;
+        // The manifold hands on what its columns hold from the points it had to those it has.
+        pairs.normalForce[2 * pair] = contacts.data[at + PackedContacts.IMPULSE0];
+        pairs.normalForce[2 * pair + 1] = contacts.data[at + PackedContacts.IMPULSE1];
+        narrowphase.measureContact(pair, poseA, poseB, reach(row, pair, left));
+        contacts.data[at + PackedContacts.IMPULSE0] = pairs.normalForce[2 * pair];
+        contacts.data[at + PackedContacts.IMPULSE1] = pairs.normalForce[2 * pair + 1];
+        double before0 = before(at, pairs.former[2 * pair]);
+        double before1 = before(at, pairs.former[2 * pair + 1]);
+        contacts.data[at + PackedContacts.BEFORE0] = before0;
+        contacts.data[at + PackedContacts.BEFORE1] = before1;
+        builder.rewrite(row);
+        contacts.data[at + PackedContacts.RECOVERY] = recovery;
+    }
+
+    private static boolean isSomewhere(Pose pose) {
+        double sum = Math.abs(pose.x) + Math.abs(pose.y) + Math.abs(pose.cos);
+        return sum < FARTHEST;
+    }
+
+    private double before(int at, int point) {
+        return point == Pairs.NONE ? 0 : contacts.data[at + PackedContacts.BEFORE0 + point];
+    }
+
+    private void place(int slot, int entry, Pose pose) {
+        double angle = bodies.angle[slot] + motions.data[entry + Motions.TURN];
+        pose.set(
+                bodies.x[slot] + motions.data[entry + Motions.DX],
+                bodies.y[slot] + motions.data[entry + Motions.DY],
+                Angle.cos(angle),
+                Angle.sin(angle));
+    }
+
+    /** The gap in m that could close in what is left of the step. */
+    private double reach(int row, int pair, double left) {
+        double[] m = motions.data;
+        int a = contacts.bodyA[row];
+        int b = contacts.bodyB[row];
+        double speed =
+                Math.abs(m[b + Motions.VX] - m[a + Motions.VX])
+                        + Math.abs(m[b + Motions.VY] - m[a + Motions.VY]);
+        if (bodies.turns()) {
+            speed += Math.abs(m[a + Motions.SPIN]) * bodies.sweepRadius[pairs.bodyA[pair]];
+            speed += Math.abs(m[b + Motions.SPIN]) * bodies.sweepRadius[pairs.bodyB[pair]];
+        }
+        return 2 * speed * left + bodies.smallestWidth[pairs.bodyA[pair]];
+    }
+}

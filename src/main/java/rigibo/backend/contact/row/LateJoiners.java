@@ -1,0 +1,73 @@
+package rigibo.backend.contact.row;
+
+import rigibo.backend.storage.Bodies;
+import rigibo.backend.storage.Islands;
+
+import java.util.Arrays;
+
+/**
+ * Bodies that join a pile within a step. One that joined at time t takes part from the substep that
+ * holds t. It is set back along its straight line to where it would have been when the island
+ * began, so that the blow comes at its time. Its contacts have carried nothing yet.
+ */
+public final class LateJoiners {
+
+    private final Bodies bodies;
+    private final Motions motions;
+    private final PackedContacts contacts;
+
+    /** By entry of the motions the substep in which it joins. */
+    private int[] joinsIn = new int[16];
+
+    public LateJoiners(Bodies bodies, Motions motions, PackedContacts contacts) {
+        this.bodies = bodies;
+        this.motions = motions;
+        this.contacts = contacts;
+    }
+
+    /** When the first of an island's bodies joined, s after the step's start. */
+    public double startOf(Islands islands, int island) {
+        double first = Double.POSITIVE_INFINITY;
+        for (int i = islands.bodyStart[island]; i < islands.bodyStart[island + 1]; i++) {
+            first = Math.min(first, bodies.pileTime[islands.bodies[i]]);
+        }
+        return first;
+    }
+
+    /** Delays those of the packed island, whose substeps of h seconds begin at a time in s. */
+    public void delay(double start, double h) {
+        boolean isAny = false;
+        if (joinsIn.length < motions.count) {
+            joinsIn = new int[motions.slots.length];
+        }
+        Arrays.fill(joinsIn, 0, motions.count, PackedContacts.ALWAYS);
+        for (int entry = 1; entry < motions.count; entry++) {
+            int at = entry * Motions.STRIDE;
+            int slot = motions.slots[entry];
+            if (bodies.isDriven(slot)) {
+                // Its place is that of the step's start; the island begins later.
+                motions.drift(at, start);
+            } else if (bodies.pileTime[slot] > 0) {
+                double late = bodies.pileTime[slot] - start;
+                // Drift moves it from the island's start on, so it is set back by all of that way.
+                motions.drift(at, -late);
+                joinsIn[entry] = (int) (late / h);
+                isAny = true;
+            }
+        }
+        if (isAny) {
+            delayRows();
+        }
+    }
+
+    private void delayRows() {
+        for (int row = 0; row < contacts.count; row++) {
+            int joinsA = joinsIn[contacts.bodyA[row] / Motions.STRIDE];
+            int joinsB = joinsIn[contacts.bodyB[row] / Motions.STRIDE];
+            int joins = Math.max(joinsA, joinsB);
+            if (joins != PackedContacts.ALWAYS) {
+                contacts.joinsIn(row, joins);
+            }
+        }
+    }
+}

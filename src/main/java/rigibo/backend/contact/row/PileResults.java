@@ -1,0 +1,124 @@
+package rigibo.backend.contact.row;
+
+import rigibo.backend.storage.Bodies;
+import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.Islands;
+import rigibo.backend.storage.Pairs;
+import rigibo.backend.storage.Quarantine;
+
+/** Carries what a packed island came to back into the storage. */
+public final class PileResults {
+
+    /** Over how many seconds a contact's load is averaged: longer than a pile rocks. */
+    private static final double LOAD_MEMORY = 2;
+
+    private final Quarantine quarantine;
+    private final Bodies bodies;
+    private final Pairs pairs;
+    private final Islands islands;
+    private final Motions motions;
+    private final PackedContacts contacts;
+
+    /** How bodies turn, or null where none does. */
+    private final PackedTurns turns;
+
+    public PileResults(DataStorage data, Motions motions, PackedContacts contacts, PackedTurns turns) {
+        this.turns = turns;
+        quarantine = new Quarantine(data);
+        bodies = data.bodies;
+        pairs = data.pairs;
+        islands = data.islands;
+        this.motions = motions;
+        this.contacts = contacts;
+    }
+
+    /** Stores an island that went {@code length} seconds in substeps of {@code h}. */
+    public void store(double h, double length) {
+        for (int entry = 1; entry < motions.count; entry++) {
+            int slot = motions.slots[entry];
+            if (bodies.isDynamic(slot)) {
+                storeBody(slot, entry * Motions.STRIDE);
+            }
+        }
+        if (turns != null) {
+            turns.store();
+        }
+        for (int row = 0; row < contacts.count; row++) {
+            storePair(row, h, Math.min(1, length / LOAD_MEMORY));
+        }
+    }
+
+    /** Puts to rest what the packed island has thrown beyond all bounds. */
+    public void quarantine() {
+        for (int entry = 1; entry < motions.count; entry++) {
+            quarantine.putToRestIfUnbounded(motions.slots[entry]);
+        }
+    }
+
+    /** Lets an island carry for {@code dt} seconds more what it carries, and stay where it is. */
+    public void goOn(int island, double dt) {
+        for (int i = islands.pairStart[island]; i < islands.pairStart[island + 1]; i++) {
+            int pair = islands.pairs[i];
+            double force = pairs.normalForce[2 * pair] + pairs.normalForce[2 * pair + 1];
+            remember(2 * pair, Math.min(1, dt / LOAD_MEMORY));
+            remember(2 * pair + 1, Math.min(1, dt / LOAD_MEMORY));
+            pairs.tellImpulse(pair, dt * force);
+            noteTouch(pair, force);
+        }
+    }
+
+    private void storeBody(int slot, int at) {
+        double[] m = motions.data;
+        bodies.x[slot] += m[at + Motions.DX];
+        bodies.y[slot] += m[at + Motions.DY];
+        bodies.velocityX[slot] = m[at + Motions.VX];
+        bodies.velocityY[slot] = m[at + Motions.VY];
+    }
+
+    /** Keeps the forces that held, as impulses of the last half kick over its length. */
+    private void storePair(int row, double h, double share) {
+        double[] d = contacts.data;
+        int at = row * PackedContacts.STRIDE;
+        int pair = contacts.pair[row];
+        if (!isFinite(at)) {
+            forgetForces(pair);
+            return;
+        }
+        double perSecond = 2 / h;
+        pairs.normalForce[2 * pair] = d[at + PackedContacts.IMPULSE0] * perSecond;
+        pairs.normalForce[2 * pair + 1] = d[at + PackedContacts.IMPULSE1] * perSecond;
+        remember(2 * pair, share);
+        remember(2 * pair + 1, share);
+        pairs.tellImpulse(pair, d[at + PackedContacts.TOTAL]);
+        noteTouch(pair, d[at + PackedContacts.IMPULSE0] + d[at + PackedContacts.IMPULSE1]);
+    }
+
+    private boolean isFinite(int at) {
+        double[] d = contacts.data;
+        double sum =
+                d[at + PackedContacts.IMPULSE0]
+                        + d[at + PackedContacts.IMPULSE1]
+                        + d[at + PackedContacts.TOTAL];
+        return Math.abs(sum) < Double.POSITIVE_INFINITY;
+    }
+
+    /** Forces beyond all bounds would poison every step to come. */
+    private void forgetForces(int pair) {
+        for (int point = 2 * pair; point < 2 * pair + 2; point++) {
+            pairs.normalForce[point] = 0;
+            pairs.load[point] = 0;
+        }
+    }
+
+    private void noteTouch(int pair, double carried) {
+        if (carried > 0) {
+            pairs.resting[pair] = true;
+            pairs.touching[pair] = true;
+        }
+    }
+
+    /** Moves a point's remembered load by a share towards the force it carries. */
+    private void remember(int point, double share) {
+        pairs.load[point] += share * (pairs.normalForce[point] - pairs.load[point]);
+    }
+}

@@ -1,0 +1,317 @@
+package rigibo.backend.contact.row;
+
+import rigibo.backend.storage.Bodies;
+import rigibo.backend.storage.Counters;
+import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.Islands;
+import rigibo.backend.storage.PairTolerances;
+import rigibo.backend.storage.Pairs;
+import rigibo.backend.storage.PointSpeeds;
+
+/** Turns the pairs of an island into packed contacts. */
+public final class RowBuilder {
+
+    /** Two points whose rows are this dependent are solved as one; below it M loses its digits. */
+    private static final double DEPENDENT = 1e-4;
+
+    /** Overlap with what is driven from which on a body is crushed, as a share of its width. */
+    private static final double CRUSHED = 0.05;
+
+    /** The same in a crowd, which is pressed that deep by any hard blow and then gives way. */
+    private static final double CRUSHED_IN_A_CROWD = 0.25;
+
+    /** Share of the pressing speed by which what is crushed does not go along. */
+    private static final double STAYS_BEHIND = 0.5;
+
+    /** Where the motions keep what stands still. */
+    private static final int GROUND = 0;
+
+    /** Gap in m of a contact that has parted beyond all reach. */
+    private static final double OUT_OF_REACH = 1e9;
+
+    /**
+     * What moves as it is told presses with what force it takes, and against a wall no force is
+     * enough: there the equations would squeeze a body out at any speed. So its contacts give way,
+     * at this share of the speed that the same impulse would give the whole island: under a load of
+     * its weight that is 1 % of g·h.
+     */
+    private static final double GIVE_OF_DRIVEN = 0.01;
+
+    private final Bodies bodies;
+    private final Pairs pairs;
+    private final Islands islands;
+    private final Counters counters;
+    private final Colours colours;
+    private final Motions motions;
+    private final PackedContacts contacts;
+
+    /** How bodies turn, or null where none does. */
+    private final PackedTurns turns;
+
+    /** Of all that can be moved in the packed island, kg. */
+    private double mass;
+
+    /** The share of its width from which on a body of the packed island is crushed. */
+    private double crushed;
+
+    public RowBuilder(DataStorage data, Motions motions, PackedContacts contacts, PackedTurns turns) {
+        bodies = data.bodies;
+        pairs = data.pairs;
+        islands = data.islands;
+        counters = data.counters;
+        this.motions = motions;
+        this.contacts = contacts;
+        this.turns = turns;
+        colours = new Colours(data);
+    }
+
+    /**
+     * Packs an island for substeps of h seconds whose kicks begin with {@code firstKick} seconds.
+     */
+    public void build(int island, double firstKick) {
+        packBodies(island);
+        int driven = motions.count;
+        mass = motions.mass();
+        int pairCount = islands.pairStart[island + 1] - islands.pairStart[island];
+        crushed = PackedContacts.areCrowd(pairCount) ? CRUSHED_IN_A_CROWD : CRUSHED;
+        contacts.clear();
+        colours.find(island);
+        for (int i = 0; i < pairCount; i++) {
+            addRow(colours.order[i], firstKick);
+        }
+        contacts.groundStart = colours.groundStart;
+        if (turns != null) {
+            turns.pack(driven);
+        }
+    }
+
+    /** Packs the bodies of an island alone. */
+    public void packBodies(int island) {
+        motions.clear(bodies);
+        for (int i = islands.bodyStart[island]; i < islands.bodyStart[island + 1]; i++) {
+            motions.offset(bodies, islands.bodies[i]);
+        }
+        if (turns != null) {
+            turns.pack(1);
+        }
+    }
+
+    private void addRow(int pair, double firstKick) {
+        int row = contacts.add();
+        int a = pairs.bodyA[pair];
+        int b = pairs.bodyB[pair];
+        contacts.pair[row] = pair;
+        contacts.points[row] = pairs.points[pair];
+        boolean crushes = isCrushed(pair);
+        contacts.bodyA[row] = crushes && bodies.isDriven(a) ? GROUND : motions.offset(bodies, a);
+        contacts.bodyB[row] = crushes && bodies.isDriven(b) ? GROUND : motions.offset(bodies, b);
+        pairs.crushed[pair] = crushes;
+        counters.crushed += crushes ? 1 : 0;
+        int at = row * PackedContacts.STRIDE;
+        writeManifold(row, at, pair);
+        contacts.data[at + PackedContacts.RECOVERY] = Recovery.RATE;
+        contacts.data[at + PackedContacts.WIDTH] = PairTolerances.width(bodies, a, b);
+        writeImpulses(row, at, pair, firstKick);
+    }
+
+    /** Starts from the forces that held last; a contact of one row carries both points' load. */
+    private void writeImpulses(int row, int at, int pair, double firstKick) {
+        double[] d = contacts.data;
+        double impulse0 = pairs.normalForce[2 * pair] * firstKick;
+        double impulse1 = pairs.normalForce[2 * pair + 1] * firstKick;
+        double load0 = pairs.load[2 * pair];
+        double load1 = pairs.load[2 * pair + 1];
+        boolean isPair = contacts.points[row] == 2;
+        d[at + PackedContacts.LOAD0] = isPair ? load0 : load0 + load1;
+        d[at + PackedContacts.LOAD1] = isPair ? load1 : 0;
+        d[at + PackedContacts.IMPULSE0] = isPair ? impulse0 : impulse0 + impulse1;
+        d[at + PackedContacts.IMPULSE1] = isPair ? impulse1 : 0;
+    }
+
+    /**
+     * Writes a contact anew whose manifold was measured where its bodies are now. Its gaps stay
+     * those that it had when they entered the pile, for that is what they are compared with.
+     */
+    void rewrite(int row) {
+        int pair = contacts.pair[row];
+        int at = row * PackedContacts.STRIDE;
+        double[] d = contacts.data;
+        contacts.points[row] = Math.max(1, pairs.points[pair]);
+        writeManifold(row, at, pair);
+        d[at + PackedContacts.GAP0] =
+                2 * d[at + PackedContacts.GAP0] - motions.gap(contacts, row, 0);
+        d[at + PackedContacts.GAP1] =
+                2 * d[at + PackedContacts.GAP1] - motions.gap(contacts, row, 1);
+        if (pairs.points[pair] == 0) {
+            d[at + PackedContacts.GAP0] = OUT_OF_REACH;
+        }
+    }
+
+    private void writeManifold(int row, int at, int pair) {
+        if (turns != null) {
+            writeLevers(row, at, pair);
+            writeNormalMasses(row, at);
+        } else {
+            writeStraight(row, at, pair);
+        }
+    }
+
+    /** Where nothing turns there are no levers, and the nearer of two points says all. */
+    private void writeStraight(int row, int at, int pair) {
+        double[] d = contacts.data;
+        d[at + PackedContacts.NX] = pairs.normalX[pair];
+        d[at + PackedContacts.NY] = pairs.normalY[pair];
+        d[at + PackedContacts.GAP0] = pairs.gap(pair);
+        contacts.points[row] = 1;
+        writeMass(row, at, response(row, 0, 0, 0, 0));
+        d[at + PackedContacts.M00] = 1 / d[at + PackedContacts.K00];
+    }
+
+    private void writeLevers(int row, int at, int pair) {
+        double[] d = contacts.data;
+        double nx = pairs.normalX[pair];
+        double ny = pairs.normalY[pair];
+        double ax = centreX(pairs.bodyA[pair], contacts.bodyA[row]);
+        double ay = centreY(pairs.bodyA[pair], contacts.bodyA[row]);
+        double bx = centreX(pairs.bodyB[pair], contacts.bodyB[row]);
+        double by = centreY(pairs.bodyB[pair], contacts.bodyB[row]);
+        for (int i = 0; i < pairs.points[pair]; i++) {
+            double px = pairs.pointX[2 * pair + i];
+            double py = pairs.pointY[2 * pair + i];
+            int shift = at + 2 * i;
+            d[shift + PackedContacts.LEVER_A0] = (px - ax) * ny - (py - ay) * nx;
+            d[shift + PackedContacts.LEVER_B0] = (px - bx) * ny - (py - by) * nx;
+            d[at + PackedContacts.GAP0 + i] = pairs.separation[2 * pair + i];
+        }
+        d[at + PackedContacts.NX] = nx;
+        d[at + PackedContacts.NY] = ny;
+        double rubsAt = rubsAt(pairs, pair, nx, ny);
+        d[at + PackedContacts.LEVER_TA] = rubsAt - ax * nx - ay * ny;
+        d[at + PackedContacts.LEVER_TB] = rubsAt - bx * nx - by * ny;
+    }
+
+    /**
+     * How far along the normal a contact rubs, m: where its nearest point is. What stands on one
+     * corner and has the other in the air turns about the one.
+     */
+    public static double rubsAt(Pairs pairs, int pair, double nx, double ny) {
+        int point = 2 * pair;
+        double first = nx * pairs.pointX[point] + ny * pairs.pointY[point];
+        if (pairs.points[pair] < 2) {
+            return first;
+        }
+        double second = nx * pairs.pointX[point + 1] + ny * pairs.pointY[point + 1];
+        double difference = pairs.separation[point + 1] - pairs.separation[point];
+        return difference == 0 ? (first + second) / 2 : difference > 0 ? first : second;
+    }
+
+    private double centreX(int slot, int entry) {
+        return bodies.x[slot] + motions.data[entry + Motions.DX];
+    }
+
+    private double centreY(int slot, int entry) {
+        return bodies.y[slot] + motions.data[entry + Motions.DY];
+    }
+
+    private void writeNormalMasses(int row, int at) {
+        double[] d = contacts.data;
+        double k00 =
+                response(
+                        row,
+                        d[at + PackedContacts.LEVER_A0],
+                        d[at + PackedContacts.LEVER_B0],
+                        d[at + PackedContacts.LEVER_A0],
+                        d[at + PackedContacts.LEVER_B0]);
+        writeMass(row, at, k00);
+        if (contacts.points[row] == 1) {
+            d[at + PackedContacts.M00] = 1 / d[at + PackedContacts.K00];
+        } else {
+            writePairMasses(row, at);
+        }
+    }
+
+    private void writeMass(int row, int at, double k00) {
+        double give = PackedContacts.COMPLIANCE * k00 + (isDriven(row) ? GIVE_OF_DRIVEN / mass : 0);
+        contacts.data[at + PackedContacts.GIVE] = give;
+        contacts.data[at + PackedContacts.K00] = k00 + give;
+    }
+
+    private void writePairMasses(int row, int at) {
+        double[] d = contacts.data;
+        double k01 =
+                response(
+                        row,
+                        d[at + PackedContacts.LEVER_A0],
+                        d[at + PackedContacts.LEVER_B0],
+                        d[at + PackedContacts.LEVER_A1],
+                        d[at + PackedContacts.LEVER_B1]);
+        double k11 =
+                response(
+                        row,
+                        d[at + PackedContacts.LEVER_A1],
+                        d[at + PackedContacts.LEVER_B1],
+                        d[at + PackedContacts.LEVER_A1],
+                        d[at + PackedContacts.LEVER_B1]);
+        double k00 = d[at + PackedContacts.K00];
+        k11 += d[at + PackedContacts.GIVE];
+        d[at + PackedContacts.K01] = k01;
+        d[at + PackedContacts.K11] = k11;
+        double determinant = k00 * k11 - k01 * k01;
+        if (determinant > DEPENDENT * k00 * k11) {
+            d[at + PackedContacts.M00] = k11 / determinant;
+            d[at + PackedContacts.M01] = -k01 / determinant;
+            d[at + PackedContacts.M11] = k00 / determinant;
+        } else {
+            keepDeeper(row, at);
+        }
+    }
+
+    private boolean isDriven(int row) {
+        int pair = contacts.pair[row];
+        return bodies.isDriven(pairs.bodyA[pair]) || bodies.isDriven(pairs.bodyB[pair]);
+    }
+
+    /**
+     * What is pressed in this deep and does not go along is not pressed on: the driven body counts
+     * as standing still. What goes along has been hit hard, and has somewhere to go; and so may
+     * what has not been pushed yet.
+     */
+    private boolean isCrushed(int pair) {
+        int a = pairs.bodyA[pair];
+        int b = pairs.bodyB[pair];
+        boolean isDriven = bodies.isDriven(a) || bodies.isDriven(b);
+        return isDriven
+                && pairs.touchedBefore[pair]
+                && -pairs.gap(pair) > crushed * PairTolerances.width(bodies, a, b)
+                && (staysBehind(pair, 2 * pair)
+                        || staysBehind(pair, 2 * pair + pairs.points[pair] - 1));
+    }
+
+    /** Whether a point closes at more than half of the speed at which what is driven presses. */
+    private boolean staysBehind(int pair, int point) {
+        int a = pairs.bodyA[pair];
+        double pressing =
+                bodies.isDriven(a)
+                        ? PointSpeeds.along(bodies, pairs, pair, point, a)
+                        : -PointSpeeds.along(bodies, pairs, pair, point, pairs.bodyB[pair]);
+        double parting = PointSpeeds.parting(bodies, pairs, pair, point);
+        return pressing > 0 && -parting > STAYS_BEHIND * pressing;
+    }
+
+    /** Two points that are as good as one: the deeper is kept as the first. */
+    private void keepDeeper(int row, int at) {
+        double[] d = contacts.data;
+        contacts.points[row] = 1;
+        if (d[at + PackedContacts.GAP1] < d[at + PackedContacts.GAP0]) {
+            d[at + PackedContacts.GAP0] = d[at + PackedContacts.GAP1];
+            d[at + PackedContacts.LEVER_A0] = d[at + PackedContacts.LEVER_A1];
+            d[at + PackedContacts.LEVER_B0] = d[at + PackedContacts.LEVER_B1];
+            d[at + PackedContacts.K00] = d[at + PackedContacts.K11];
+        }
+        d[at + PackedContacts.M00] = 1 / d[at + PackedContacts.K00];
+    }
+
+    private double response(int row, double la, double lb, double ma, double mb) {
+        return motions.response(contacts.bodyA[row], contacts.bodyB[row], la, lb, ma, mb);
+    }
+}

@@ -1,0 +1,33 @@
+package rigibo.backend.contact.row;
+
+import rigibo.backend.storage.Bodies;
+import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.Pairs;
+
+/**
+ * Surfaces that run, such as a conveyor's: friction aims at their speed. Both outlines run
+ * counter-clockwise, so that at the contact their speeds add.
+ */
+public final class RunningRows {
+
+    private final Bodies bodies;
+    private final Pairs pairs;
+    private final PackedContacts contacts;
+
+    public RunningRows(DataStorage data, PackedContacts contacts) {
+        bodies = data.bodies;
+        pairs = data.pairs;
+        this.contacts = contacts;
+    }
+
+    /** Writes the speeds of the packed island. */
+    public void begin() {
+        for (int row = 0; row < contacts.count; row++) {
+            int pair = contacts.pair[row];
+            contacts.running[row] =
+                    bodies.surfaceSpeed[pairs.bodyA[pair]] + bodies.surfaceSpeed[pairs.bodyB[pair]];
+            contacts.surface[row] = contacts.running[row];
+            contacts.isAnyRunning |= contacts.running[row] != 0;
+        }
+    }
+}

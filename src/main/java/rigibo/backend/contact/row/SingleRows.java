@@ -1,0 +1,148 @@
+package rigibo.backend.contact.row;
+
+/**
+ * The rows of packed contacts one by one: row {@code 3·contact + kind}, where kind is the point of
+ * a normal row or {@link #TANGENT}.
+ */
+public final class SingleRows {
+
+    public static final int ROWS_PER_CONTACT = 3;
+    public static final int TANGENT = 2;
+
+    /** Rows of the largest island that is eliminated; beyond it that costs more than it gains. */
+    public static final int MOST_ELIMINATED = 192;
+
+    private final Motions motions;
+    private final PackedContacts contacts;
+
+    public SingleRows(Motions motions, PackedContacts contacts) {
+        this.motions = motions;
+        this.contacts = contacts;
+    }
+
+    /** How fast (or far) B moves against A along a row, by the columns named. */
+    public double relative(int id, int ix, int iy, int turn) {
+        return relative(motions.data, id, ix, iy, turn);
+    }
+
+    /** The same for columns laid out as the motions. */
+    public double relative(double[] m, int id, int ix, int iy, int turn) {
+        int row = id / ROWS_PER_CONTACT;
+        int a = contacts.bodyA[row];
+        int b = contacts.bodyB[row];
+        return directionX(id) * (m[b + ix] - m[a + ix])
+                + directionY(id) * (m[b + iy] - m[a + iy])
+                + leverB(id) * m[b + turn]
+                - leverA(id) * m[a + turn];
+    }
+
+    /** Applies an impulse along a row to the columns named. */
+    public void push(int id, double impulse, int ix, int iy, int turn) {
+        push(motions.data, id, impulse, ix, iy, turn);
+    }
+
+    /** The same for columns laid out as the motions. */
+    public void push(double[] m, int id, double impulse, int ix, int iy, int turn) {
+        int row = id / ROWS_PER_CONTACT;
+        int a = contacts.bodyA[row];
+        int b = contacts.bodyB[row];
+        double ma = m[a + Motions.INVERSE_MASS] * impulse;
+        double mb = m[b + Motions.INVERSE_MASS] * impulse;
+        m[a + ix] -= ma * directionX(id);
+        m[a + iy] -= ma * directionY(id);
+        m[a + turn] -= m[a + Motions.INVERSE_INERTIA] * leverA(id) * impulse;
+        m[b + ix] += mb * directionX(id);
+        m[b + iy] += mb * directionY(id);
+        m[b + turn] += m[b + Motions.INVERSE_INERTIA] * leverB(id) * impulse;
+    }
+
+    /** Where a row keeps its impulse, from its contact's start on. */
+    public static int impulseColumn(int id) {
+        int kind = id % ROWS_PER_CONTACT;
+        return kind == TANGENT ? PackedContacts.IMPULSE_T : PackedContacts.IMPULSE0 + kind;
+    }
+
+    /** Speed in m/s at which the surfaces of a row are driven past each other. */
+    public double running(int id) {
+        return id % ROWS_PER_CONTACT == TANGENT ? contacts.running[id / ROWS_PER_CONTACT] : 0;
+    }
+
+    /** Speed in m/s along a row that is none: as surfaces run, or come together by turning. */
+    public double ownSpeed(int id) {
+        int row = id / ROWS_PER_CONTACT;
+        return id % ROWS_PER_CONTACT == TANGENT
+                ? contacts.surface[row]
+                : contacts.data[row * PackedContacts.STRIDE + PackedContacts.NEARING];
+    }
+
+    /** Speed at which a row gives way to a unit impulse, 1/kg. */
+    public double give(int id) {
+        int at = id / ROWS_PER_CONTACT * PackedContacts.STRIDE;
+        boolean isTangent = id % ROWS_PER_CONTACT == TANGENT;
+        return isTangent
+                ? PackedContacts.COMPLIANCE / contacts.data[at + PackedContacts.MASS_T]
+                : contacts.data[at + PackedContacts.GIVE];
+    }
+
+    private double directionX(int id) {
+        int at = id / ROWS_PER_CONTACT * PackedContacts.STRIDE;
+        return id % ROWS_PER_CONTACT == TANGENT
+                ? -contacts.data[at + PackedContacts.NY]
+                : contacts.data[at + PackedContacts.NX];
+    }
+
+    private double directionY(int id) {
+        int at = id / ROWS_PER_CONTACT * PackedContacts.STRIDE;
+        return id % ROWS_PER_CONTACT == TANGENT
+                ? contacts.data[at + PackedContacts.NX]
+                : contacts.data[at + PackedContacts.NY];
+    }
+
+    private double leverA(int id) {
+        int at = id / ROWS_PER_CONTACT * PackedContacts.STRIDE;
+        int kind = id % ROWS_PER_CONTACT;
+        return contacts.data[
+                at
+                        + (kind == TANGENT
+                                ? PackedContacts.LEVER_TA
+                                : PackedContacts.LEVER_A0 + 2 * kind)];
+    }
+
+    private double leverB(int id) {
+        int at = id / ROWS_PER_CONTACT * PackedContacts.STRIDE;
+        int kind = id % ROWS_PER_CONTACT;
+        return contacts.data[
+                at
+                        + (kind == TANGENT
+                                ? PackedContacts.LEVER_TB
+                                : PackedContacts.LEVER_B0 + 2 * kind)];
+    }
+
+    /** What a unit impulse of one row gives another, 1/kg. */
+    public double response(int i, int j) {
+        double direct = directionX(i) * directionX(j) + directionY(i) * directionY(j);
+        int row = i / ROWS_PER_CONTACT;
+        int other = j / ROWS_PER_CONTACT;
+        int a = contacts.bodyA[row];
+        int b = contacts.bodyB[row];
+        double sum = 0;
+        if (a == contacts.bodyA[other]) {
+            sum += through(a, direct, leverA(i) * leverA(j));
+        }
+        if (b == contacts.bodyB[other]) {
+            sum += through(b, direct, leverB(i) * leverB(j));
+        }
+        if (a == contacts.bodyB[other]) {
+            sum -= through(a, direct, leverA(i) * leverB(j));
+        }
+        if (b == contacts.bodyA[other]) {
+            sum -= through(b, direct, leverB(i) * leverA(j));
+        }
+        return sum;
+    }
+
+    private double through(int body, double direct, double levers) {
+        double[] m = motions.data;
+        return m[body + Motions.INVERSE_MASS] * direct + m[body + Motions.INVERSE_INERTIA] * levers;
+    }
+}

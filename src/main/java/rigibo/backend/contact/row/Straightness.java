@@ -1,0 +1,30 @@
+package rigibo.backend.contact.row;
+
+import rigibo.backend.setup.Accuracy;
+import rigibo.backend.setup.ImpactMode;
+
+/** How far from a straight line a contact may get in a step for it to count as straight. */
+public final class Straightness {
+
+    /** Share of the tolerance that shows where bodies are few: what turns on keeps its energy. */
+    private static final double FINER = 1e-2;
+
+    private final Motions motions;
+
+    /** As a share of a body's width. */
+    private final double tolerance;
+
+    /** Whether bodies are followed where they are few, too: they are if impacts are. */
+    public final boolean follows;
+
+    public Straightness(Motions motions, Accuracy accuracy) {
+        this.motions = motions;
+        tolerance = accuracy.impactTolerance();
+        follows = accuracy.impacts() == ImpactMode.EVENTS;
+    }
+
+    /** In the packed island, as a share of a body's width. */
+    double unseen() {
+        return follows && motions.areFew() ? FINER * tolerance : tolerance;
+    }
+}

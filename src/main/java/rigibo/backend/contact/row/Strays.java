@@ -1,0 +1,88 @@
+package rigibo.backend.contact.row;
+
+import rigibo.backend.geometry.Polygon;
+import rigibo.backend.storage.Bodies;
+import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.Pairs;
+
+/**
+ * Bodies that go farther in a step than was foreseen as it began, since something struck them or
+ * what they lean on. Their contacts were measured for less: a second corner may land that was too
+ * far away to be a point. Of few bodies every landing is followed ({@link Landings}), and what is
+ * crushed between walls would be measured anew against one and then the other.
+ */
+public final class Strays {
+
+    /** Way beyond what was foreseen that does not show, as a share of the width. */
+    private static final double UNSEEN = 1e-3;
+
+    private final Bodies bodies;
+    private final Pairs pairs;
+    private final Motions motions;
+    private final PackedContacts contacts;
+
+    /** By entry of the motions the way in m that its outline was to go at most. */
+    private double[] foreseen = new double[16];
+
+    private boolean[] strays = new boolean[16];
+
+    public Strays(DataStorage data, Motions motions, PackedContacts contacts) {
+        bodies = data.bodies;
+        pairs = data.pairs;
+        this.motions = motions;
+        this.contacts = contacts;
+    }
+
+    /** Foresees of the packed island what its bodies do now, with {@code left} seconds to go. */
+    public void begin(double left) {
+        if (motions.areFew()) {
+            return;
+        }
+        if (foreseen.length < motions.count) {
+            foreseen = new double[motions.slots.length];
+            strays = new boolean[motions.slots.length];
+        }
+        strays[0] = false;
+        for (int entry = 1; entry < motions.count; entry++) {
+            int slot = motions.slots[entry];
+            double pull =
+                    Math.abs(bodies.accelerationX[slot]) + Math.abs(bodies.accelerationY[slot]);
+            double unseen = UNSEEN * bodies.smallestWidth[slot];
+            foreseen[entry] = way(entry, left) + pull * left * left + unseen;
+        }
+    }
+
+    /** Finds who strays, with {@code left} seconds of the step to go; returns whether any does. */
+    public boolean areAny(double left) {
+        if (motions.areFew()) {
+            return false;
+        }
+        boolean isAny = false;
+        for (int entry = 1; entry < motions.count; entry++) {
+            strays[entry] = way(entry, left) > foreseen[entry];
+            isAny |= strays[entry];
+        }
+        return isAny;
+    }
+
+    /** How far in m the outline of an entry gets from where it was when the step began. */
+    private double way(int entry, double left) {
+        double[] m = motions.data;
+        int at = entry * Motions.STRIDE;
+        double moved = Math.abs(m[at + Motions.DX]) + Math.abs(m[at + Motions.DY]);
+        double speed = Math.abs(m[at + Motions.VX]) + Math.abs(m[at + Motions.VY]);
+        double turned = Math.abs(m[at + Motions.TURN]) + left * Math.abs(m[at + Motions.SPIN]);
+        return moved + left * speed + motions.reach[entry] * turned;
+    }
+
+    /** Whether a contact may lack a corner that lands. */
+    public boolean mayLackPoint(int row) {
+        int a = contacts.bodyA[row] / Motions.STRIDE;
+        int b = contacts.bodyB[row] / Motions.STRIDE;
+        int pair = contacts.pair[row];
+        return contacts.points[row] == 1
+                && (strays[a] || strays[b])
+                && bodies.shape[pairs.bodyA[pair]] instanceof Polygon
+                && bodies.shape[pairs.bodyB[pair]] instanceof Polygon;
+    }
+}

@@ -1,0 +1,209 @@
+package rigibo.backend.contact.row;
+
+import rigibo.backend.geometry.Polygon;
+import rigibo.backend.storage.Bodies;
+import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.Islands;
+import rigibo.backend.storage.Pairs;
+
+/**
+ * The contacts of bodies that turn fast. A row takes the outline of its bodies for straight, and
+ * the way they go for straight too; while a body of reach R turns by φ, its outline leaves that
+ * line by the sagitta Rφ²/2, and by sφ more where it slides on for s. Where a step's sagitta
+ * counts, the contact is measured anew before every substep; where a substep's would, the island is
+ * given more of them, and takes back at once what it missed.
+ */
+public final class TurningRows {
+
+    /** What all substeps may miss together, likewise; n of them miss an n-th of the whole way. */
+    private static final double CALM = 0.02;
+
+    /** Share of a face that a body may turn by in a substep, at the end of which a corner lands. */
+    private static final double MOST_OF_FACE = 0.05;
+
+    /** An island is given at most this many times the substeps of a calm one; */
+    private static final double MOST_MORE = 16;
+
+    /** no more than this over the square of its bodies, for one wild body in a heap costs all. */
+    private static final double MOST_IN_ALL = 4096;
+
+    /** Turn within a substep up to which the arc is that of a parabola, rad. */
+    private static final double MOST_BEND = 0.1;
+
+    /** Share of an overlap taken back per second for each such time: all of it, 1/s. */
+    private static final double AT_ONCE = 1e4;
+
+    private final Bodies bodies;
+    private final Pairs pairs;
+    private final Islands islands;
+    private final Motions motions;
+    private final PackedContacts contacts;
+    private final FreshRows fresh;
+
+    /** Whether any body of the packed island turns too far. */
+    private boolean isAnyTurning;
+
+    /** Sagitta of a whole step that may be passed over, as a share of the body's width. */
+    private final Straightness straight;
+
+    public TurningRows(
+            DataStorage data,
+            Motions motions,
+            PackedContacts contacts,
+            FreshRows fresh,
+            Straightness straight) {
+        this.straight = straight;
+        bodies = data.bodies;
+        pairs = data.pairs;
+        islands = data.islands;
+        this.motions = motions;
+        this.contacts = contacts;
+        this.fresh = fresh;
+    }
+
+    /** How many substeps the bodies of an island need for the rest of a step, usually as usual. */
+    public int substepsFor(int island, double left, int usual) {
+        double wanted = 1;
+        int end = islands.bodyStart[island + 1];
+        for (int i = islands.bodyStart[island]; i < end; i++) {
+            int slot = islands.bodies[i];
+            double missed = leaves(slot, left) / usual;
+            wanted = Math.max(wanted, missed / (CALM * bodies.smallestWidth[slot]));
+            if (end - islands.bodyStart[island] <= Motions.FEW) {
+                wanted = Math.max(wanted, facesTurned(slot, left) / (usual * MOST_OF_FACE));
+            }
+        }
+        double count = end - islands.bodyStart[island];
+        double most = Math.min(MOST_MORE, MOST_IN_ALL / (count * count));
+        double more = Math.max(1, Math.min(most, wanted));
+        fresh.recovery = Recovery.RATE + (more - 1) * AT_ONCE;
+        return (int) Math.ceil(usual * more);
+    }
+
+    /** By how many of its faces a body turns in h seconds: each puts it on another corner. */
+    private double facesTurned(int slot, double h) {
+        return bodies.shape[slot] instanceof Polygon polygon
+                ? Math.abs(bodies.spin[slot]) * h * polygon.corners() / (2 * Math.PI)
+                : 0;
+    }
+
+    /** How far in m the outline leaves its line in h seconds, by turning and by sliding off it. */
+    private double leaves(int slot, double h) {
+        double turn = bodies.sweepRadius[slot] > 0 ? Math.abs(bodies.spin[slot]) * h : 0;
+        double way = h * (Math.abs(bodies.velocityX[slot]) + Math.abs(bodies.velocityY[slot]));
+        return sagitta(slot, turn) + way * turn;
+    }
+
+    /** Whether the outline of a contact turns in the step, of which some seconds are to go. */
+    boolean isTurning(int row, double left) {
+        return isAnyTurning
+                && (isTurningBody(contacts.bodyA[row], left)
+                        || isTurningBody(contacts.bodyB[row], left));
+    }
+
+    /** Takes a contact for straight again, if it was bent in the substep before. */
+    void straighten(int row) {
+        if (isBent(row)) {
+            bend(row, 0);
+        }
+    }
+
+    /** Begins a substep with {@code left} seconds to go. */
+    void begin(double left) {
+        isAnyTurning = false;
+        for (int entry = 1; !isAnyTurning && entry < motions.count; entry++) {
+            isAnyTurning = isTurningBody(entry * Motions.STRIDE, left);
+        }
+    }
+
+    /**
+     * A point that turns with its body leaves its line by ½ω²h² of its arm within a substep,
+     * towards the centre of mass. So much wider is the gap that may close, and so much the point
+     * must run ahead along the surface if it is to stay where it is: then what pivots on a corner
+     * keeps its energy but for terms in h². Where the gap gets narrower by itself, the contact has
+     * to part as fast.
+     */
+    void bend(int row, double h) {
+        int at = row * PackedContacts.STRIDE;
+        double[] d = contacts.data;
+        double bendA = bend(pairs.bodyA[contacts.pair[row]], contacts.bodyA[row], h);
+        double bendB = bend(pairs.bodyB[contacts.pair[row]], contacts.bodyB[row], h);
+        double gap =
+                bendA * d[at + PackedContacts.LEVER_TA]
+                        - bendB * d[at + PackedContacts.LEVER_TB]
+                        + faceTurnsAway(row, h);
+        double way0 =
+                bendA * d[at + PackedContacts.LEVER_A0] - bendB * d[at + PackedContacts.LEVER_B0];
+        double way1 =
+                bendA * d[at + PackedContacts.LEVER_A1] - bendB * d[at + PackedContacts.LEVER_B1];
+        double difference =
+                contacts.points[row] == 2
+                        ? d[at + PackedContacts.GAP1] - d[at + PackedContacts.GAP0]
+                        : 1;
+        double way = difference == 0 ? (way0 + way1) / 2 : difference > 0 ? way0 : way1;
+        d[at + PackedContacts.GAP0] += Math.max(0, gap);
+        d[at + PackedContacts.GAP1] += Math.max(0, gap);
+        d[at + PackedContacts.NEARING] = gap < 0 ? -gap / h : 0;
+        contacts.surface[row] = contacts.running[row] + (h > 0 ? way / h : 0);
+    }
+
+    private boolean isBent(int row) {
+        return contacts.surface[row] != contacts.running[row]
+                || contacts.data[row * PackedContacts.STRIDE + PackedContacts.NEARING] != 0;
+    }
+
+    /** Half the square of the angle by which an outline turns in h seconds. */
+    private double bend(int slot, int entry, double h) {
+        double turn = turn(slot, entry, h);
+        return turn * turn / 2;
+    }
+
+    /** The angle by which an outline turns in h seconds, as far as its arc is a parabola's. */
+    private double turn(int slot, int entry, double h) {
+        double turn = motions.data[entry + Motions.SPIN] * h;
+        return bodies.sweepRadius[slot] > 0 ? Math.max(-MOST_BEND, Math.min(MOST_BEND, turn)) : 0;
+    }
+
+    /**
+     * How much wider than that the gap gets, m, where it is measured from a face that turns while
+     * the other body slides along it by s: by φs. Of a disc the point that counts is its centre,
+     * which does not go along with the face.
+     */
+    private double faceTurnsAway(int row, double h) {
+        int pair = contacts.pair[row];
+        int face = pairs.faceOf[pair];
+        if (face == Pairs.NONE) {
+            return 0;
+        }
+        boolean isOfA = face == pairs.bodyA[pair];
+        double turn = turn(face, isOfA ? contacts.bodyA[row] : contacts.bodyB[row], h);
+        if (turn == 0) {
+            return 0;
+        }
+        double[] d = contacts.data;
+        int at = row * PackedContacts.STRIDE;
+        double armA = d[at + PackedContacts.LEVER_TA];
+        double armB = d[at + PackedContacts.LEVER_TB];
+        if (bodies.sweepRadius[pairs.other(pair, face)] > 0) {
+            return turn * h * motions.slide(contacts, row, armA, armB);
+        }
+        double toCentre = isOfA ? armB : -armA;
+        double slide = motions.slide(contacts, row, isOfA ? armA : 0, isOfA ? 0 : armB);
+        return turn * (h * slide + turn * toCentre / 2);
+    }
+
+    private boolean isTurningBody(int entry, double left) {
+        if (entry == 0) {
+            return false;
+        }
+        int slot = motions.slots[entry / Motions.STRIDE];
+        double turn =
+                Math.abs(motions.data[entry + Motions.TURN])
+                        + Math.abs(motions.data[entry + Motions.SPIN]) * left;
+        return sagitta(slot, turn) > straight.unseen() * bodies.smallestWidth[slot];
+    }
+
+    private double sagitta(int slot, double turn) {
+        return bodies.sweepRadius[slot] * turn * turn / 2;
+    }
+}

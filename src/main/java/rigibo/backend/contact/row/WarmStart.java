@@ -1,0 +1,137 @@
+package rigibo.backend.contact.row;
+
+import static rigibo.backend.contact.row.Motions.INVERSE_INERTIA;
+import static rigibo.backend.contact.row.Motions.INVERSE_MASS;
+import static rigibo.backend.contact.row.Motions.SPIN;
+import static rigibo.backend.contact.row.Motions.VX;
+import static rigibo.backend.contact.row.Motions.VY;
+
+/**
+ * Begins a kick with the impulses of the one before, scaled by the kicks' lengths. What a contact
+ * carries it carries for two kicks at least; what stopped a fall it did once, and given again it
+ * would throw the body back. So a kick begins with no more than a multiple of what a contact
+ * carried in the one before the last.
+ */
+public final class WarmStart {
+
+    private final Motions motions;
+    private final PackedContacts contacts;
+
+    public WarmStart(Motions motions, PackedContacts contacts) {
+        this.motions = motions;
+        this.contacts = contacts;
+    }
+
+    /** Takes the packed island's impulses for those of the last two kicks. */
+    public void prepare() {
+        for (int at = 0; at < contacts.count * PackedContacts.STRIDE; at += PackedContacts.STRIDE) {
+            keep(at);
+        }
+    }
+
+    /** Leaves out of every impulse what it has more than a multiple of the one before. */
+    public void leaveOutBlows(double growth) {
+        double[] d = contacts.data;
+        for (int at = 0; at < contacts.count * PackedContacts.STRIDE; at += PackedContacts.STRIDE) {
+            double j0 =
+                    Math.min(
+                            d[at + PackedContacts.IMPULSE0],
+                            growth * d[at + PackedContacts.BEFORE0]);
+            double j1 =
+                    Math.min(
+                            d[at + PackedContacts.IMPULSE1],
+                            growth * d[at + PackedContacts.BEFORE1]);
+            double both = d[at + PackedContacts.IMPULSE0] + d[at + PackedContacts.IMPULSE1];
+            double share = both > 0 ? (j0 + j1) / both : 0;
+            keep(at);
+            d[at + PackedContacts.IMPULSE0] = j0;
+            d[at + PackedContacts.IMPULSE1] = j1;
+            d[at + PackedContacts.IMPULSE_T] *= share;
+            d[at + PackedContacts.IMPULSE_R] *= share;
+        }
+    }
+
+    private void keep(int at) {
+        contacts.data[at + PackedContacts.BEFORE0] = contacts.data[at + PackedContacts.IMPULSE0];
+        contacts.data[at + PackedContacts.BEFORE1] = contacts.data[at + PackedContacts.IMPULSE1];
+    }
+
+    /** Scales those of the kick before as {@link #apply} does the present ones. */
+    public void scaleBefore(double scale, int substep) {
+        for (int row = 0; row < contacts.count; row++) {
+            if (contacts.firstSubstep[row] <= substep) {
+                contacts.data[row * PackedContacts.STRIDE + PackedContacts.BEFORE0] *= scale;
+                contacts.data[row * PackedContacts.STRIDE + PackedContacts.BEFORE1] *= scale;
+            }
+        }
+    }
+
+    /** Scales every impulse and applies it. */
+    public void apply(double scale, int substep) {
+        for (int row = 0; row < contacts.count; row++) {
+            if (contacts.firstSubstep[row] <= substep) {
+                int at = row * PackedContacts.STRIDE;
+                contacts.data[at + PackedContacts.IMPULSE0] *= scale;
+                contacts.data[at + PackedContacts.IMPULSE1] *= scale;
+                contacts.data[at + PackedContacts.IMPULSE_T] *= scale;
+                contacts.data[at + PackedContacts.IMPULSE_R] *= scale;
+            }
+        }
+        add(1, substep);
+    }
+
+    /** Gives bodies a multiple of all impulses; −1 takes back what they were given. */
+    public void add(double multiple, int substep) {
+        for (int row = 0; row < contacts.count; row++) {
+            if (contacts.firstSubstep[row] <= substep) {
+                addOf(row, multiple);
+            }
+        }
+    }
+
+    private void addOf(int row, double multiple) {
+        double[] d = contacts.data;
+        double[] m = motions.data;
+        int at = row * PackedContacts.STRIDE;
+        int a = contacts.bodyA[row];
+        int b = contacts.bodyB[row];
+        double nx = d[at + PackedContacts.NX];
+        double ny = d[at + PackedContacts.NY];
+        double j0 = multiple * d[at + PackedContacts.IMPULSE0];
+        double j1 = multiple * d[at + PackedContacts.IMPULSE1];
+        double jt = multiple * d[at + PackedContacts.IMPULSE_T];
+        double jx = (j0 + j1) * nx - jt * ny;
+        double jy = (j0 + j1) * ny + jt * nx;
+        m[a + VX] -= m[a + INVERSE_MASS] * jx;
+        m[a + VY] -= m[a + INVERSE_MASS] * jy;
+        m[b + VX] += m[b + INVERSE_MASS] * jx;
+        m[b + VY] += m[b + INVERSE_MASS] * jy;
+        if (motions.turns) {
+            turn(m, d, at, a, b, j0, j1, jt, multiple * d[at + PackedContacts.IMPULSE_R]);
+        }
+    }
+
+    private static void turn(
+            double[] m,
+            double[] d,
+            int at,
+            int a,
+            int b,
+            double j0,
+            double j1,
+            double jt,
+            double jr) {
+        double onA =
+                j0 * d[at + PackedContacts.LEVER_A0]
+                        + j1 * d[at + PackedContacts.LEVER_A1]
+                        + jt * d[at + PackedContacts.LEVER_TA]
+                        + jr;
+        double onB =
+                j0 * d[at + PackedContacts.LEVER_B0]
+                        + j1 * d[at + PackedContacts.LEVER_B1]
+                        + jt * d[at + PackedContacts.LEVER_TB]
+                        + jr;
+        m[a + SPIN] -= m[a + INVERSE_INERTIA] * onA;
+        m[b + SPIN] += m[b + INVERSE_INERTIA] * onB;
+    }
+}

@@ -1,0 +1,289 @@
+package rigibo.backend.contact.solve;
+
+import rigibo.backend.contact.row.Motions;
+import rigibo.backend.contact.row.PackedContacts;
+import rigibo.backend.contact.Passes;
+
+import static rigibo.backend.contact.row.Motions.INVERSE_INERTIA;
+import static rigibo.backend.contact.row.Motions.INVERSE_MASS;
+import static rigibo.backend.contact.row.Motions.SPIN;
+import static rigibo.backend.contact.row.Motions.VX;
+import static rigibo.backend.contact.row.Motions.VY;
+
+import rigibo.backend.storage.Counters;
+
+import java.util.Arrays;
+
+/**
+ * Passes over the contacts of an island: the projected Gauss-Seidel method. Points do not close
+ * faster than their gap allows within a substep, and push only (j ≥ 0 ⊥ v + gap/h ≥ 0). Two points
+ * of one contact are one small complementarity problem, solved by trying its four cases, so that a
+ * flat box answers both corners at once and does not rock.
+ *
+ * <p>Passes go forth and back, so that loads which reach the ground in one of them come back up in
+ * the next. Each solves only contacts whose bodies changed their speed, since the contact was
+ * solved last, by more than what counts: most of a heap is quiet at any time, so that the passes
+ * which follow a blow through it cost little. What overlaps in a crowd is solved the more strictly
+ * the deeper it does: a heap that sinks in by what does not count, little in each substep, always
+ * in the same places, would do so for seconds.
+ */
+public final class ContactSweep {
+
+    private final Motions motions;
+    private final PackedContacts contacts;
+    private final Counters counters;
+    private final Rubbing rubbing;
+    private final boolean isBlock;
+
+    /** By entry of the motions: how much its speed has changed so far in this sweep, m/s. */
+    private double[] changed = new double[16];
+
+    /** By row: what that was of its two bodies when it was solved last, m/s. */
+    private double[] seen = new double[16];
+
+    /** By row: the change of speed that does not count, m/s. */
+    private double[] uncounted = new double[16];
+
+    /** Overlap in widths from which on a contact is solved as strictly as any. */
+    private static final double DEEP = 0.005;
+
+    /** What may be missed there, as a share of what may be missed elsewhere. */
+    private static final double STRICTLY = 0.003;
+
+    /** By point: the speed at which it may close, for it has a gap left, m/s. */
+    private double[] spare = new double[32];
+
+    /** How many substeps like this one its kick would fill: 2 of half a kick, else 1. */
+    private double softness;
+
+    public ContactSweep(
+            Motions motions,
+            PackedContacts contacts,
+            Counters counters,
+            Rubbing rubbing,
+            boolean isBlock) {
+        this.motions = motions;
+        this.contacts = contacts;
+        this.counters = counters;
+        this.rubbing = rubbing;
+        this.isBlock = isBlock;
+    }
+
+    /**
+     * Makes passes until no contact is due any more, for a substep of h seconds whose kick lasts
+     * {@code kick} seconds. What a contact gives way by goes with its force, so that what carries
+     * the same force in half a kick and in a whole one moves alike in both, and can rest.
+     *
+     * @param share of its width per substep up to which a change of speed does not count
+     * @param quiet speed in m/s up to which it does not count for anybody
+     * @param most passes
+     */
+    public void run(double h, double kick, int substep, double share, double quiet, int most) {
+        softness = h / kick;
+        begin(h, substep, share / h, quiet);
+        int solved = 1;
+        for (int pass = 0; pass < most && solved > 0; pass++) {
+            solved = pass(pass % 2 == 1);
+        }
+    }
+
+    /**
+     * One pass back over all contacts, for a substep of h seconds.
+     *
+     * @return the largest change of a body's speed in it, m/s
+     */
+    public double once(double h, int substep) {
+        softness = 1;
+        begin(h, substep, 0, 0);
+        pass(true);
+        double most = 0;
+        for (int body = 1; body < motions.count; body++) {
+            most = Math.max(most, changed[body]);
+        }
+        return most;
+    }
+
+    /** Returns how many contacts were due. */
+    private int pass(boolean isBack) {
+        int ground = contacts.groundStart;
+        int solved = 0;
+        for (int i = 0; i < contacts.count; i++) {
+            int row = isBack && i < ground ? ground - 1 - i : i;
+            int a = contacts.bodyA[row];
+            int b = contacts.bodyB[row];
+            double now = changed[a / Motions.STRIDE] + changed[b / Motions.STRIDE];
+            if (now - seen[row] > uncounted[row]) {
+                solve(row, a, b);
+                solved++;
+            }
+        }
+        counters.contactSolves += solved;
+        return solved;
+    }
+
+    /** Nothing moves within a sweep, so neither does a gap. */
+    private void begin(double h, int substep, double sharePerSecond, double quiet) {
+        if (changed.length < motions.count) {
+            changed = new double[motions.slots.length];
+        }
+        if (seen.length < contacts.count) {
+            seen = new double[contacts.pair.length];
+            uncounted = new double[contacts.pair.length];
+            spare = new double[2 * contacts.pair.length];
+        }
+        Arrays.fill(changed, 0, motions.count, 0);
+        double perSubstep = 1 / h;
+        double strictly = PackedContacts.areCrowd(contacts.count) ? STRICTLY : 1;
+        for (int row = 0; row < contacts.count; row++) {
+            boolean isThere = contacts.firstSubstep[row] <= substep;
+            seen[row] = isThere ? Double.NEGATIVE_INFINITY : Double.POSITIVE_INFINITY;
+            double width = contacts.data[row * PackedContacts.STRIDE + PackedContacts.WIDTH];
+            double least = 0;
+            double nearing = contacts.data[row * PackedContacts.STRIDE + PackedContacts.NEARING];
+            for (int point = 0; point < contacts.points[row]; point++) {
+                double gap = motions.gap(contacts, row, point);
+                spare[2 * row + point] = (gap > 0 ? gap * perSubstep : 0) - nearing;
+                least = gap < least ? gap : least;
+            }
+            double counts = Math.min(sharePerSecond * width, quiet);
+            uncounted[row] = counts * Math.max(strictly, 1 + least / (DEEP * width));
+        }
+    }
+
+    /** Friction first, by the load so far, then the load. */
+    private void solve(int row, int a, int b) {
+        double[] d = contacts.data;
+        double[] m = motions.data;
+        int at = row * PackedContacts.STRIDE;
+        boolean rolls = d[at + PackedContacts.ROLLING] > 0;
+        if (rolls) {
+            roll(row, a, b);
+        }
+        double nx = d[at + PackedContacts.NX];
+        double ny = d[at + PackedContacts.NY];
+        double massA = m[a + INVERSE_MASS];
+        double massB = m[b + INVERSE_MASS];
+        double inertiaA = m[a + INVERSE_INERTIA];
+        double inertiaB = m[b + INVERSE_INERTIA];
+        double vx = m[b + VX] - m[a + VX];
+        double vy = m[b + VY] - m[a + VY];
+        double spinA = m[a + SPIN];
+        double spinB = m[b + SPIN];
+        double old0 = d[at + PackedContacts.IMPULSE0];
+        double old1 = d[at + PackedContacts.IMPULSE1];
+        double jt = 0;
+        double turnA = 0;
+        double turnB = 0;
+        double friction = d[at + PackedContacts.FRICTION];
+        boolean slips = false;
+        if (friction > 0 && !rolls) {
+            double leverA = d[at + PackedContacts.LEVER_TA];
+            double leverB = d[at + PackedContacts.LEVER_TB];
+            double slides =
+                    nx * vy - ny * vx + leverB * spinB - leverA * spinA - contacts.surface[row];
+            double oldT = d[at + PackedContacts.IMPULSE_T];
+            double most = friction * (old0 + old1);
+            double wanted =
+                    (oldT - d[at + PackedContacts.MASS_T] * slides)
+                            / (1 + softness * PackedContacts.COMPLIANCE);
+            double kept = FrictionSolver.clamp(wanted, most);
+            slips = kept != wanted;
+            d[at + PackedContacts.IMPULSE_T] = kept;
+            jt = kept - oldT;
+            turnA = leverA * jt;
+            turnB = leverB * jt;
+            double both = massA + massB;
+            vx -= both * jt * ny;
+            vy += both * jt * nx;
+            spinA -= inertiaA * turnA;
+            spinB += inertiaB * turnB;
+        }
+        double la0 = d[at + PackedContacts.LEVER_A0];
+        double lb0 = d[at + PackedContacts.LEVER_B0];
+        double vn = nx * vx + ny * vy;
+        double give = softness * d[at + PackedContacts.GIVE];
+        double w0 = vn + lb0 * spinB - la0 * spinA + spare[2 * row] + give * old0;
+        double jn;
+        if (contacts.points[row] == 1) {
+            double wanted = old0 - w0 * d[at + PackedContacts.M00];
+            double kept = push(wanted);
+            d[at + PackedContacts.IMPULSE0] = kept;
+            jn = kept - old0;
+            turnA += la0 * jn;
+            turnB += lb0 * jn;
+        } else {
+            double la1 = d[at + PackedContacts.LEVER_A1];
+            double lb1 = d[at + PackedContacts.LEVER_B1];
+            double w1 = vn + lb1 * spinB - la1 * spinA + spare[2 * row + 1] + give * old1;
+            solvePair(d, at, w0, w1);
+            double j0 = d[at + PackedContacts.IMPULSE0] - old0;
+            double j1 = d[at + PackedContacts.IMPULSE1] - old1;
+            jn = j0 + j1;
+            turnA += la0 * j0 + la1 * j1;
+            turnB += lb0 * j0 + lb1 * j1;
+        }
+        double jx = jn * nx - jt * ny;
+        double jy = jn * ny + jt * nx;
+        m[a + VX] -= massA * jx;
+        m[a + VY] -= massA * jy;
+        m[a + SPIN] -= inertiaA * turnA;
+        m[b + VX] += massB * jx;
+        m[b + VY] += massB * jy;
+        m[b + SPIN] += inertiaB * turnB;
+        double j = Math.abs(jn) + Math.abs(jt);
+        int entryA = a / Motions.STRIDE;
+        int entryB = b / Motions.STRIDE;
+        changed[entryA] += massA * j + motions.reach[entryA] * inertiaA * Math.abs(turnA);
+        changed[entryB] += massB * j + motions.reach[entryB] * inertiaB * Math.abs(turnB);
+        // What slips is braked by a load that has just changed.
+        double unseen = slips ? friction * Math.abs(jn) * (massA + massB) : 0;
+        seen[row] = changed[entryA] + changed[entryB] - unseen;
+    }
+
+    /** Rolling and friction, where both may hold. */
+    private void roll(int row, int a, int b) {
+        double spinA = motions.data[a + SPIN];
+        double spinB = motions.data[b + SPIN];
+        rubbing.roll(row);
+        changed[a / Motions.STRIDE] +=
+                motions.reach[a / Motions.STRIDE] * Math.abs(motions.data[a + SPIN] - spinA);
+        changed[b / Motions.STRIDE] +=
+                motions.reach[b / Motions.STRIDE] * Math.abs(motions.data[b + SPIN] - spinB);
+    }
+
+    /** Writes the impulses that bring w = v + gap/h to w ≥ 0, j ≥ 0, w·j = 0. */
+    private void solvePair(double[] d, int at, double w0, double w1) {
+        double old0 = d[at + PackedContacts.IMPULSE0];
+        double old1 = d[at + PackedContacts.IMPULSE1];
+        if (!isBlock) {
+            double j0 = push(old0 - w0 / d[at + PackedContacts.K00]);
+            double after1 = w1 + d[at + PackedContacts.K01] * (j0 - old0);
+            d[at + PackedContacts.IMPULSE0] = j0;
+            d[at + PackedContacts.IMPULSE1] = push(old1 - after1 / d[at + PackedContacts.K11]);
+            return;
+        }
+        double both0 = old0 - d[at + PackedContacts.M00] * w0 - d[at + PackedContacts.M01] * w1;
+        double both1 = old1 - d[at + PackedContacts.M01] * w0 - d[at + PackedContacts.M11] * w1;
+        if (both0 < 0 || both1 < 0) {
+            double k00 = d[at + PackedContacts.K00];
+            double k01 = d[at + PackedContacts.K01];
+            double k11 = d[at + PackedContacts.K11];
+            // What w would be without any impulse of these two points.
+            double free0 = w0 - k00 * old0 - k01 * old1;
+            double free1 = w1 - k01 * old0 - k11 * old1;
+            double only0 = push(-free0 / k00);
+            double only1 = push(-free1 / k11);
+            // Of the cases that are left round-off may deny all: then the nearer one is true.
+            boolean isFirst = free1 + k01 * only0 >= free0 + k01 * only1;
+            both0 = isFirst ? only0 : 0;
+            both1 = isFirst ? 0 : only1;
+        }
+        d[at + PackedContacts.IMPULSE0] = both0;
+        d[at + PackedContacts.IMPULSE1] = both1;
+    }
+
+    /** An impulse that only pushes; Math.max would take care of signed zeros, thrice as long. */
+    private static double push(double wanted) {
+        return wanted > 0 ? wanted : 0;
+    }
+}

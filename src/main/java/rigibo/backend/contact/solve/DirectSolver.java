@@ -1,0 +1,359 @@
+package rigibo.backend.contact.solve;
+
+import rigibo.backend.contact.row.Motions;
+import rigibo.backend.contact.row.PackedContacts;
+import rigibo.backend.contact.row.Recovery;
+import rigibo.backend.contact.row.SingleRows;
+
+import static rigibo.backend.contact.row.SingleRows.ROWS_PER_CONTACT;
+import static rigibo.backend.contact.row.SingleRows.TANGENT;
+
+/**
+ * Solves all loaded rows of a small island at once. Passing over the contacts one by one carries a
+ * load through a stack of N only after some N² passes, and its bending after N⁴, so that a tower
+ * sways and a light box under a heavy one sinks; one elimination does both exactly.
+ *
+ * <p>The rows that carry load are taken as equations: K·Δj = −w with K = J·M⁻¹·Jᵀ (Baraff 1994).
+ * The step towards the solution ends where the first impulse would pull or the first friction would
+ * pass its cone; that row is left out, and the rest is solved again: an active-set method, whose
+ * kinetic energy never rises from one step to the next. K is factored by Cholesky within its
+ * envelope, which in a stack is a band of six rows.
+ */
+public final class DirectSolver {
+
+    /**
+     * Share of what may be left that is: the pass that looks whether all is settled answers two
+     * points at once, and finds more than each has left.
+     */
+    private static final double TO_SPARE = 0.5;
+
+    /** Sets tried within one solve, for each substep; passes over the rows see to what is left. */
+    private static final int TRIES_PER_SUBSTEP = 8;
+
+    /** Multiplications that a row takes in one try beside those of factoring. */
+    private static final int WORK_OF_ROW = 100;
+
+    private final Motions motions;
+    private final PackedContacts contacts;
+    private final OverlapSolver overlap;
+    private final SingleRows single;
+    private final ContactOrder order;
+    private final RowFactor factor;
+    private final int mostTries;
+
+    /** Multiplications that a substep is worth. */
+    private double worth;
+
+    /** The rows of the present set: 3·contact + point, or + 2 for the tangent. */
+    private int[] set = new int[64];
+
+    private int size;
+
+    private double[] unknown = new double[64];
+
+    /** By how much the rows of the set moved last, and each contact's bound of friction, N·s. */
+    private double[] moved = new double[64];
+
+    private double[] cone = new double[64];
+
+    /** A load that gives a row less speed than this in m/s is none. */
+    private double least;
+
+    /** Where bodies were before their overlap is taken back, laid out as the motions. */
+    private double[] places = new double[64];
+
+    /** A solver that tries the harder the more substeps an accuracy asks for. */
+    public DirectSolver(Motions motions, PackedContacts contacts, OverlapSolver overlap, int substeps) {
+        this.motions = motions;
+        this.contacts = contacts;
+        this.overlap = overlap;
+        single = new SingleRows(motions, contacts);
+        order = new ContactOrder(motions, contacts);
+        factor = new RowFactor(contacts, single, order);
+        mostTries = TRIES_PER_SUBSTEP * substeps;
+    }
+
+    /**
+     * Begins the packed island, unless it is too large, or factoring all of its rows takes more
+     * multiplications than a substep is worth.
+     */
+    public boolean prepare(double worthOfSubstep) {
+        if (PackedContacts.areCrowd(contacts.count)) {
+            return false;
+        }
+        worth = worthOfSubstep;
+        forget();
+        order.find();
+        return factor.workOfAll() <= worth;
+    }
+
+    /** The rows are not what they were: a factor of them is worth nothing. */
+    public void forget() {
+        factor.forget();
+    }
+
+    /** Begins a substep: what was spent counts anew. */
+    public void begin() {
+        factor.clearWork();
+    }
+
+    /** Multiplications of this substep. */
+    public double work() {
+        return factor.work();
+    }
+
+    /** Whether what is left of the rows is not worth more in this substep. */
+    public boolean isSpent() {
+        return factor.work() > worth;
+    }
+
+    /** A lone disc's normal and friction do not feel each other: nothing is to be eliminated. */
+    private boolean isUncoupled() {
+        return contacts.count == 1 && contacts.points[0] == 1;
+    }
+
+    /**
+     * Brings the rows to rest against each other, for a substep of h seconds, but for a speed of
+     * {@code settled} m/s.
+     */
+    public void solve(double h, int substep, double settled) {
+        if (isUncoupled()) {
+            return;
+        }
+        least = settled;
+        chooseLoaded(h, substep);
+        for (int i = 0; i < mostTries && !isSpent() && !isSolved(h, TO_SPARE * settled); i++) {
+            factor.factorize(set, size);
+            factor.addWork(WORK_OF_ROW * size);
+            for (int k = 0; k < size; k++) {
+                unknown[k] = -approach(set[k], h);
+            }
+            factor.solve(unknown);
+            if (stepToAllBounds(h)) {
+                chooseLoaded(h, substep);
+            } else {
+                stepToFirstBound();
+            }
+        }
+    }
+
+    /** Takes the overlap of loaded rows back, or of all that overlap where nothing is loaded. */
+    public void correct(double h, int substep) {
+        if (factor.size() == 0) {
+            chooseOverlapping(h, substep);
+            factor.factorize(set, size);
+        }
+        size = factor.writeSet(set);
+        double widest = 0;
+        for (int i = 0; i < size; i++) {
+            int row = set[i] / ROWS_PER_CONTACT;
+            int kind = set[i] % ROWS_PER_CONTACT;
+            unknown[i] = kind == TANGENT ? 0 : overlap.wanted(row, kind, h);
+            if (unknown[i] > 0) {
+                widest =
+                        Math.max(
+                                widest,
+                                contacts.data[row * PackedContacts.STRIDE + PackedContacts.WIDTH]);
+            }
+        }
+        if (widest > 0) {
+            factor.solve(unknown);
+            keepPlaces();
+            for (int i = 0; i < size; i++) {
+                single.push(set[i], unknown[i], Motions.DX, Motions.DY, Motions.TURN);
+            }
+            limitWay(Recovery.MOST_PUSH * widest * h);
+        }
+    }
+
+    private void chooseOverlapping(double h, int substep) {
+        reserve();
+        size = 0;
+        for (int i = 0; i < contacts.count; i++) {
+            int row = order.order[i];
+            if (contacts.firstSubstep[row] <= substep) {
+                for (int point = 0; point < contacts.points[row]; point++) {
+                    if (overlap.wanted(row, point, h) > 0) {
+                        set[size++] = ROWS_PER_CONTACT * row + point;
+                    }
+                }
+            }
+        }
+    }
+
+    private void keepPlaces() {
+        int length = motions.count * Motions.STRIDE;
+        if (places.length < length) {
+            places = new double[motions.data.length];
+        }
+        System.arraycopy(motions.data, 0, places, 0, length);
+    }
+
+    /**
+     * Keeps all from being moved farther than a way in m. Overlaps that contradict each other, of a
+     * body between two that do not give way, are else resolved by sending it round them.
+     */
+    private void limitWay(double most) {
+        double farthest = 0;
+        for (int at = Motions.STRIDE; at < motions.count * Motions.STRIDE; at += Motions.STRIDE) {
+            double x = motions.data[at + Motions.DX] - places[at + Motions.DX];
+            double y = motions.data[at + Motions.DY] - places[at + Motions.DY];
+            farthest = Math.max(farthest, Math.max(Math.abs(x), Math.abs(y)));
+        }
+        if (farthest <= most) {
+            return;
+        }
+        double share = most / farthest;
+        for (int at = Motions.STRIDE; at < motions.count * Motions.STRIDE; at += Motions.STRIDE) {
+            for (int i = at + Motions.DX; i <= at + Motions.TURN; i++) {
+                motions.data[i] = places[i] + share * (motions.data[i] - places[i]);
+            }
+        }
+    }
+
+    private void chooseLoaded(double h, int substep) {
+        reserve();
+        size = 0;
+        for (int i = 0; i < contacts.count; i++) {
+            if (contacts.firstSubstep[order.order[i]] <= substep) {
+                chooseLoadedOf(order.order[i], h);
+            }
+        }
+    }
+
+    private void reserve() {
+        if (set.length < ROWS_PER_CONTACT * contacts.count) {
+            int capacity = ROWS_PER_CONTACT * contacts.pair.length;
+            set = new int[capacity];
+            unknown = new double[capacity];
+            moved = new double[capacity];
+            cone = new double[capacity];
+        }
+    }
+
+    /**
+     * A row is solved for if it is loaded after its own next change: one that is about to let go
+     * would only shorten the step of all.
+     */
+    private void chooseLoadedOf(int row, double h) {
+        int before = size;
+        for (int point = 0; point < contacts.points[row]; point++) {
+            int id = ROWS_PER_CONTACT * row + point;
+            if (answerAfterOwnChange(id, h) > least) {
+                set[size++] = id;
+            }
+        }
+        cone[row] = friction(row);
+        int tangent = ROWS_PER_CONTACT * row + TANGENT;
+        double most = cone[row] * single.response(tangent, tangent);
+        if (size > before && Math.abs(answerAfterOwnChange(tangent, h)) < most) {
+            set[size++] = tangent;
+        }
+    }
+
+    /** The speed that a row's impulse gives it, m/s, with the impulse that would solve it alone. */
+    private double answerAfterOwnChange(int id, double h) {
+        double impulse =
+                contacts.data[
+                        id / ROWS_PER_CONTACT * PackedContacts.STRIDE
+                                + SingleRows.impulseColumn(id)];
+        double response = single.response(id, id);
+        return response * (impulse - approach(id, h) / (response + single.give(id)));
+    }
+
+    private double friction(int row) {
+        double[] d = contacts.data;
+        int at = row * PackedContacts.STRIDE;
+        return d[at + PackedContacts.FRICTION]
+                * (d[at + PackedContacts.IMPULSE0] + d[at + PackedContacts.IMPULSE1]);
+    }
+
+    /** Speed in m/s at which a row violates what it asks for. */
+    private double approach(int id, double h) {
+        int row = id / ROWS_PER_CONTACT;
+        int kind = id % ROWS_PER_CONTACT;
+        double v = single.relative(id, Motions.VX, Motions.VY, Motions.SPIN);
+        double impulse = contacts.data[row * PackedContacts.STRIDE + SingleRows.impulseColumn(id)];
+        double given = v + single.give(id) * impulse - single.ownSpeed(id);
+        return kind == TANGENT ? given : given + Math.max(0, motions.gap(contacts, row, kind)) / h;
+    }
+
+    /**
+     * Goes to the solution, each row no farther than to its bound, if that lowers what is
+     * minimized: ½jᵀKj + wᵀj, whose gradient is w.
+     */
+    private boolean stepToAllBounds(double h) {
+        if (moveBy(h) <= 0) {
+            return true;
+        }
+        for (int i = 0; i < size; i++) {
+            push(set[i], -moved[i]);
+        }
+        return false;
+    }
+
+    /** Goes towards the solution until the first bound is met, and drops the row that met it. */
+    private void stepToFirstBound() {
+        double step = 1;
+        int met = -1;
+        for (int i = 0; i < size; i++) {
+            double change = withinBounds(set[i], unknown[i]);
+            // A friction that its cone no longer holds has no room at all.
+            double room = change == unknown[i] ? 1 : Math.max(0, change / unknown[i]);
+            if (room < step) {
+                step = room;
+                met = i;
+            }
+        }
+        for (int i = 0; i < size; i++) {
+            push(set[i], withinBounds(set[i], step * unknown[i]));
+        }
+        if (met >= 0) {
+            System.arraycopy(set, met + 1, set, met, size - met - 1);
+            size--;
+        }
+    }
+
+    /** Moves along the step as far as bounds allow; returns by how much the minimized rises, J. */
+    private double moveBy(double h) {
+        double rise = 0;
+        for (int i = 0; i < size; i++) {
+            moved[i] = withinBounds(set[i], unknown[i]);
+            rise += moved[i] * approach(set[i], h) / 2;
+        }
+        for (int i = 0; i < size; i++) {
+            push(set[i], moved[i]);
+        }
+        for (int i = 0; i < size; i++) {
+            rise += moved[i] * approach(set[i], h) / 2;
+        }
+        return rise;
+    }
+
+    private void push(int id, double change) {
+        contacts.data[
+                        id / ROWS_PER_CONTACT * PackedContacts.STRIDE
+                                + SingleRows.impulseColumn(id)] +=
+                change;
+        single.push(id, change, Motions.VX, Motions.VY, Motions.SPIN);
+    }
+
+    /** The part of a change that leaves its row within its bounds. */
+    private double withinBounds(int id, double change) {
+        int row = id / ROWS_PER_CONTACT;
+        double impulse = contacts.data[row * PackedContacts.STRIDE + SingleRows.impulseColumn(id)];
+        if (id % ROWS_PER_CONTACT != TANGENT) {
+            return Math.max(change, -impulse);
+        }
+        double most = cone[row];
+        return Math.max(-most, Math.min(most, impulse + change)) - impulse;
+    }
+
+    private boolean isSolved(double h, double settled) {
+        double worst = 0;
+        for (int i = 0; i < size; i++) {
+            worst = Math.max(worst, Math.abs(approach(set[i], h)));
+        }
+        return worst <= settled;
+    }
+}

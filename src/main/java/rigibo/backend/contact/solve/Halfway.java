@@ -1,0 +1,64 @@
+package rigibo.backend.contact.solve;
+
+import rigibo.backend.contact.row.Motions;
+import rigibo.backend.contact.row.PackedContacts;
+
+/**
+ * Goes half of the way that a round of the solver went. Friction holds what is pressed, and presses
+ * what it holds: rounds can chase each other in a circle, and the middle of a circle is nearer to
+ * what they look for than any point of it. Bounds are kept, for they are convex.
+ */
+public final class Halfway {
+
+    private final Motions motions;
+    private final PackedContacts contacts;
+
+    /** The velocities and impulses that a round began with, laid out as motions and rows. */
+    private double[] velocities = new double[64];
+
+    private double[] impulses = new double[64];
+
+    public Halfway(Motions motions, PackedContacts contacts) {
+        this.motions = motions;
+        this.contacts = contacts;
+    }
+
+    /** Remembers where a round begins. */
+    public void begin() {
+        int moving = motions.count * Motions.STRIDE;
+        int touching = contacts.count * PackedContacts.STRIDE;
+        if (velocities.length < moving) {
+            velocities = new double[motions.data.length];
+        }
+        if (impulses.length < touching) {
+            impulses = new double[contacts.data.length];
+        }
+        System.arraycopy(motions.data, 0, velocities, 0, moving);
+        System.arraycopy(contacts.data, 0, impulses, 0, touching);
+    }
+
+    /** Takes half of the round back. */
+    public void end() {
+        for (int at = Motions.STRIDE; at < motions.count * Motions.STRIDE; at += Motions.STRIDE) {
+            for (int column = at; column < at + Motions.DX; column++) {
+                motions.data[column] = (motions.data[column] + velocities[column]) / 2;
+            }
+        }
+        for (int at = 0; at < contacts.count * PackedContacts.STRIDE; at += PackedContacts.STRIDE) {
+            halve(at + PackedContacts.IMPULSE0);
+            halve(at + PackedContacts.IMPULSE1);
+            halve(at + PackedContacts.IMPULSE_T);
+            halve(at + PackedContacts.IMPULSE_R);
+        }
+    }
+
+    /** Takes all of the round back. */
+    public void takeBack() {
+        System.arraycopy(velocities, 0, motions.data, 0, motions.count * Motions.STRIDE);
+        System.arraycopy(impulses, 0, contacts.data, 0, contacts.count * PackedContacts.STRIDE);
+    }
+
+    private void halve(int column) {
+        contacts.data[column] = (contacts.data[column] + impulses[column]) / 2;
+    }
+}

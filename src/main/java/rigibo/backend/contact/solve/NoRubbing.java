@@ -1,0 +1,19 @@
+package rigibo.backend.contact.solve;
+
+/** Where neither friction nor rolling resistance is declared. */
+public final class NoRubbing implements Rubbing {
+
+    @Override
+    public void begin(double firstKick) {}
+
+    @Override
+    public void refresh() {}
+
+    @Override
+    public int rowCount() {
+        return 0;
+    }
+
+    @Override
+    public void store(double h) {}
+}

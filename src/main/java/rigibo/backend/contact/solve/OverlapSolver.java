@@ -1,0 +1,179 @@
+package rigibo.backend.contact.solve;
+
+import rigibo.backend.contact.row.Motions;
+import rigibo.backend.contact.row.PackedContacts;
+import rigibo.backend.contact.Passes;
+import rigibo.backend.contact.row.Recovery;
+
+import static rigibo.backend.contact.row.Motions.DX;
+import static rigibo.backend.contact.row.Motions.DY;
+import static rigibo.backend.contact.row.Motions.INVERSE_INERTIA;
+import static rigibo.backend.contact.row.Motions.INVERSE_MASS;
+import static rigibo.backend.contact.row.Motions.TURN;
+
+import rigibo.backend.setup.Accuracy;
+import rigibo.backend.storage.Bodies;
+
+/**
+ * Takes overlap back by moving bodies, not by speeding them up: a velocity that pushes apart would
+ * stay behind in the impulses that the next substep starts from, and a resting stack would never be
+ * quite at rest.
+ */
+public final class OverlapSolver {
+
+    /**
+     * Share by which what floats stays slower than {@link Recovery#MOST_PUSH}: what is moved is rounded.
+     */
+    private static final double ROUND_OFF = 1e-9;
+
+    private final Motions motions;
+    private final PackedContacts contacts;
+    private final PartingLimit limit;
+    private final Accuracy accuracy;
+
+    /** Overlap that stays in the packed island, m for a body of one metre. */
+    private double kept;
+
+    /** The contacts that are deeper in each other than they may stay. */
+    private int[] deep = new int[16];
+
+    private int deepCount;
+
+    public OverlapSolver(Bodies bodies, Motions motions, PackedContacts contacts, Accuracy accuracy) {
+        this.motions = motions;
+        this.contacts = contacts;
+        limit = new PartingLimit(bodies, motions, contacts);
+        this.accuracy = accuracy;
+    }
+
+    /** Begins the packed island. */
+    public void prepare() {
+        kept = Recovery.kept(contacts.count, accuracy);
+    }
+
+    /** Begins to take overlap back. */
+    public void begin() {
+        limit.begin();
+    }
+
+    /** Ends what was taken back in h seconds. */
+    public void end(double h) {
+        limit.end((1 - ROUND_OFF) * Recovery.MOST_PUSH * h);
+    }
+
+    /**
+     * Passes over all contacts that overlap, for a substep of h seconds, from the ground up and
+     * back; all of them together part two bodies no faster than one pass may.
+     */
+    public void correctInPasses(double h, int substep, int passes) {
+        findDeep(substep);
+        if (deepCount == 0) {
+            return;
+        }
+        begin();
+        for (int pass = 0; pass < passes; pass++) {
+            boolean isUpwards = pass % 2 == 0;
+            for (int i = 0; i < deepCount; i++) {
+                correct(deep[isUpwards ? deepCount - 1 - i : i], h, Recovery.MOST_PUSH / passes);
+            }
+        }
+        end(h);
+    }
+
+    private void findDeep(int substep) {
+        if (deep.length < contacts.count) {
+            deep = new int[contacts.pair.length];
+        }
+        deepCount = 0;
+        for (int row = 0; row < contacts.count; row++) {
+            double least =
+                    -kept * contacts.data[row * PackedContacts.STRIDE + PackedContacts.WIDTH];
+            boolean isDeep =
+                    motions.gap(contacts, row, 0) < least
+                            || contacts.points[row] == 2 && motions.gap(contacts, row, 1) < least;
+            if (isDeep && contacts.firstSubstep[row] <= substep) {
+                deep[deepCount++] = row;
+            }
+        }
+    }
+
+    /** One pass over all rows. */
+    public void correct(double h, int substep) {
+        for (int row = 0; row < contacts.count; row++) {
+            if (contacts.firstSubstep[row] <= substep) {
+                correct(row, h, Recovery.MOST_PUSH);
+            }
+        }
+    }
+
+    /** Whether a gap is to open by more than a share of a width within h seconds. */
+    public boolean isAnyWanted(double share, double h, int substep) {
+        for (int row = 0; row < contacts.count; row++) {
+            if (contacts.firstSubstep[row] <= substep) {
+                double least =
+                        share * contacts.data[row * PackedContacts.STRIDE + PackedContacts.WIDTH];
+                for (int point = 0; point < contacts.points[row]; point++) {
+                    if (wanted(row, point, h) > least) {
+                        return true;
+                    }
+                }
+            }
+        }
+        return false;
+    }
+
+    /** How far in m a point's gap is to open within h seconds; 0 where it does not overlap. */
+    double wanted(int row, int point, double h) {
+        return wanted(row, point, h, Recovery.MOST_PUSH);
+    }
+
+    /** The same at so many widths a second at most. */
+    private double wanted(int row, int point, double h, double speed) {
+        int at = row * PackedContacts.STRIDE;
+        double width = contacts.data[at + PackedContacts.WIDTH];
+        double overlap = -motions.gap(contacts, row, point) - kept * width;
+        double rate = contacts.data[at + PackedContacts.RECOVERY];
+        double most = speed * width * h;
+        return overlap > 0 ? Math.min(overlap * rate * h / (1 + rate * h), most) : 0;
+    }
+
+    private void correct(int row, double h, double speed) {
+        double want0 = wanted(row, 0, h, speed);
+        double want1 = contacts.points[row] == 2 ? wanted(row, 1, h, speed) : 0;
+        if (want0 == 0 && want1 == 0) {
+            return;
+        }
+        double[] d = contacts.data;
+        int at = row * PackedContacts.STRIDE;
+        double both0 = d[at + PackedContacts.M00] * want0 + d[at + PackedContacts.M01] * want1;
+        double both1 = d[at + PackedContacts.M01] * want0 + d[at + PackedContacts.M11] * want1;
+        if (want1 == 0 || both1 < 0) {
+            move(row, want0 / d[at + PackedContacts.K00], 0);
+        } else if (want0 == 0 || both0 < 0) {
+            move(row, 0, want1 / d[at + PackedContacts.K11]);
+        } else {
+            move(row, both0, both1);
+        }
+    }
+
+    /** Moves both bodies as impulses at the points would in one second, kg·m. */
+    private void move(int row, double push0, double push1) {
+        double[] d = contacts.data;
+        double[] m = motions.data;
+        int at = row * PackedContacts.STRIDE;
+        int a = contacts.bodyA[row];
+        int b = contacts.bodyB[row];
+        double px = (push0 + push1) * d[at + PackedContacts.NX];
+        double py = (push0 + push1) * d[at + PackedContacts.NY];
+        double onA =
+                push0 * d[at + PackedContacts.LEVER_A0] + push1 * d[at + PackedContacts.LEVER_A1];
+        double onB =
+                push0 * d[at + PackedContacts.LEVER_B0] + push1 * d[at + PackedContacts.LEVER_B1];
+        m[a + DX] -= m[a + INVERSE_MASS] * px;
+        m[a + DY] -= m[a + INVERSE_MASS] * py;
+        m[a + TURN] -= m[a + INVERSE_INERTIA] * onA;
+        m[b + DX] += m[b + INVERSE_MASS] * px;
+        m[b + DY] += m[b + INVERSE_MASS] * py;
+        m[b + TURN] += m[b + INVERSE_INERTIA] * onB;
+    }
+}

@@ -1,0 +1,183 @@
+package rigibo.backend.contact.solve;
+
+import rigibo.backend.contact.row.Motions;
+import rigibo.backend.contact.row.PackedContacts;
+import rigibo.backend.contact.row.PackedIsland;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import org.junit.jupiter.api.Test;
+
+import rigibo.backend.storage.Counters;
+
+import java.util.Arrays;
+import java.util.SplittableRandom;
+
+/** Single contacts against the truth of their small problems, and how often contacts are solved. */
+class ContactSweepTest {
+
+    private static final double H = 1.0 / 240;
+
+    /** A few roundings of numbers of the order of one. */
+    private static final double ROUND_OFF = 1e-12;
+
+    private final PackedIsland island = new PackedIsland();
+    private final Motions motions = island.motions;
+    private final PackedContacts contacts = island.contacts;
+    private final Counters counters = new Counters();
+    private final ContactSweep sweep =
+            new ContactSweep(motions, contacts, counters, new NoRubbing(), true);
+
+    /** w ≥ 0, j ≥ 0, w·j = 0 for both points, in each of the four cases. */
+    @Test
+    void twoPointsOfOneContactAnswerAsOne() {
+        SplittableRandom random = new SplittableRandom(1);
+        int[] asked = new int[4];
+        for (int i = 0; i < 10_000; i++) {
+            island.begin(1);
+            island.body(1, random.nextDouble(0.1, 10), random.nextDouble(0.1, 10));
+            int row = island.onGround(1, random.nextDouble(0.1, 1), random.nextDouble(0.1, 1));
+            motions.data[Motions.STRIDE + Motions.VY] = random.nextDouble(-1, 1);
+            motions.data[Motions.STRIDE + Motions.SPIN] = random.nextDouble(-1, 1);
+            sweep.run(H, H, 0, 1, 0, 1);
+            int loaded = 0;
+            for (int point = 0; point < 2; point++) {
+                double impulse =
+                        contacts.data[
+                                row * PackedContacts.STRIDE + PackedContacts.IMPULSE0 + point];
+                double parting = motions.parting(contacts, row, point);
+                assertThat(impulse).isNotNegative();
+                assertThat(parting).isGreaterThanOrEqualTo(-ROUND_OFF);
+                assertThat(impulse * parting).isCloseTo(0, within(ROUND_OFF));
+                loaded += impulse > 0 ? 1 + point : 0;
+            }
+            asked[loaded]++;
+        }
+        assertThat(Arrays.stream(asked).min().orElseThrow()).isGreaterThan(500);
+    }
+
+    /** What slides is braked by μ times the load, and what is held does not move. */
+    @Test
+    void frictionHoldsUpToItsConeAndBrakesBeyond() {
+        SplittableRandom random = new SplittableRandom(2);
+        int held = 0;
+        for (int i = 0; i < 1_000; i++) {
+            island.begin(1);
+            island.body(1, 1, 0);
+            int row = island.onGround(1, 0.5, 0.5);
+            int at = row * PackedContacts.STRIDE;
+            double friction = random.nextDouble(0.1, 1);
+            double speed = random.nextDouble(-1, 1);
+            contacts.data[at + PackedContacts.FRICTION] = friction;
+            contacts.data[at + PackedContacts.MASS_T] = 1;
+            motions.data[Motions.STRIDE + Motions.VX] = speed;
+            motions.data[Motions.STRIDE + Motions.VY] = -1;
+            sweep.run(H, H, 0, 1, 0, 50);
+            // A mass of 1 kg at 1 m/s is stopped by 1 N·s.
+            double left = Math.max(0, Math.abs(speed) - friction) * Math.signum(speed);
+            assertThat(motions.data[Motions.STRIDE + Motions.VX]).isCloseTo(left, within(1e-9));
+            held += left == 0 ? 1 : 0;
+        }
+        assertThat(held).isBetween(300, 700);
+    }
+
+    /** A gap may close within the substep, and no faster. */
+    @Test
+    void gapMayCloseWithinTheSubstep() {
+        island.begin(1);
+        island.body(1, 1, 0);
+        int row = island.onGround(1, 0.5, 0.5);
+        contacts.data[row * PackedContacts.STRIDE + PackedContacts.GAP0] = 0.01;
+        contacts.data[row * PackedContacts.STRIDE + PackedContacts.GAP1] = 0.01;
+        motions.data[Motions.STRIDE + Motions.VY] = -10;
+        sweep.run(H, H, 0, 1, 0, 1);
+        assertThat(motions.data[Motions.STRIDE + Motions.VY]).isCloseTo(-0.01 / H, within(1e-9));
+    }
+
+    /** In a column at rest each contact is solved once, and one more pass finds nothing due. */
+    @Test
+    void whatIsQuietIsLeftAlone() {
+        column(20);
+        sweep.run(H, H, 0, 1, 1e-9, 10_000);
+        counters.contactSolves = 0;
+        sweep.run(H, H, 0, 1, 1e-9, 10_000);
+        assertThat(counters.contactSolves).isEqualTo(20);
+    }
+
+    /** The lowest of n equal bodies is held by n of their momenta, N·s. */
+    @Test
+    void columnIsHeldByWhatLiesOnIt() {
+        int count = 20;
+        column(count);
+        sweep.run(H, H, 0, 1, 1e-12, 100_000);
+        for (int row = 0; row < count; row++) {
+            int at = row * PackedContacts.STRIDE;
+            double load =
+                    contacts.data[at + PackedContacts.IMPULSE0]
+                            + contacts.data[at + PackedContacts.IMPULSE1];
+            // 20 contacts may each miss 1e-12 m/s, which a column adds up 20 times over: 4e-10.
+            assertThat(load).isCloseTo(count - row, within(1e-7));
+        }
+    }
+
+    /**
+     * What a contact misses by does not grow beyond what does not count; where it overlaps by a
+     * hundredth of its width, in a crowd, that is three thousandths of it.
+     */
+    @Test
+    void whatOverlapsIsSolvedStrictly() {
+        int crowd = 65;
+        double quiet = 0.1;
+        double strictly = 0.003 * quiet;
+        SplittableRandom random = new SplittableRandom(3);
+        int sloppy = 0;
+        for (int i = 0; i < 200; i++) {
+            column(crowd);
+            for (int body = 1; body <= crowd; body++) {
+                motions.data[body * Motions.STRIDE + Motions.VY] = random.nextDouble(-1, 0);
+            }
+            int deep = random.nextInt(crowd);
+            contacts.data[deep * PackedContacts.STRIDE + PackedContacts.GAP0] = -0.01;
+            contacts.data[deep * PackedContacts.STRIDE + PackedContacts.GAP1] = -0.01;
+            sweep.run(H, H, 0, 1, quiet, 100_000);
+            for (int row = 0; row < crowd; row++) {
+                double missed = -motions.parting(contacts, row, 0);
+                assertThat(missed).isLessThan((row == deep ? strictly : quiet) + 1e-12);
+                sloppy += missed > 10 * strictly ? 1 : 0;
+            }
+        }
+        assertThat(sloppy).as("contacts that missed by more than they may in overlap").isPositive();
+    }
+
+    /** What gives way under a force goes as fast in half a kick, with half of the impulse. */
+    @Test
+    void whatGivesWayGoesByItsForce() {
+        double give = 0.01;
+        for (double kick : new double[] {H, H / 2}) {
+            island.begin(1);
+            island.body(1, 1, 0);
+            int row = island.onGround(1, 0.5, 0.5);
+            int at = row * PackedContacts.STRIDE;
+            contacts.data[at + PackedContacts.GIVE] = give;
+            double force = 3 / H;
+            contacts.data[at + PackedContacts.IMPULSE0] = force * kick;
+            sweep.run(H, kick, 0, 1, 0, 1);
+            assertThat(motions.data[Motions.STRIDE + Motions.VY])
+                    .isCloseTo(-give * force * H, within(1e-12));
+        }
+    }
+
+    /** Bodies of 1 kg one on the other, all at 1 m/s downwards, the lowest contact first. */
+    private void column(int count) {
+        island.begin(count);
+        for (int body = 1; body <= count; body++) {
+            island.body(body, 1, 0);
+            motions.data[body * Motions.STRIDE + Motions.VY] = -1;
+        }
+        for (int body = 1; body <= count; body++) {
+            island.contact(body - 1, body, 0.5, 0.5);
+        }
+        contacts.groundStart = contacts.count;
+    }
+}
