@@ -51,7 +51,7 @@ class BystandersTest {
 
     /**
      * A column of discs falls on one that lies. In what is left of the step what bounces gets no
-     * farther than twice the way at the speed of the blow, and pushes no more discs than there are
+     * farther than twice the way at the speed of the impact, and pushes no more discs than there are
      * gaps in that: the others fly on, and are no rows.
      */
     @ParameterizedTest

@@ -28,11 +28,11 @@ class ToldImpulseTest {
                     new Rotation());
 
     /**
-     * An inertia of 10⁻³⁵ kg·m² turns what round-off leaves of a lever into any speed: the blow
+     * An inertia of 10⁻³⁵ kg·m² turns what round-off leaves of a lever into any speed: the impact
      * puts both to rest, and is told as if it had not been.
      */
     @Test
-    void blowBeyondAllBoundsIsNotTold() {
+    void impactBeyondAllBoundsIsNotTold() {
         Accuracy accuracy = Accuracy.FINE.withContactSolver(ContactSolver.BLOCK);
         Pool pool = new Pool(EFFECTS, accuracy);
         pool.add(

@@ -64,7 +64,7 @@ class UndeclaredCodeTest {
         "flight.Course",
         "flight.Deviation",
         "flight.TurningCourse",
-        "contact.PileForces",
+        "contact.IslandForces",
         "contact.DragKick"
     };
 
@@ -74,7 +74,7 @@ class UndeclaredCodeTest {
         "contact.TurningRows",
         "flight.OpenTurning",
         "flight.TurningPaths",
-        "step.TurningLedger"
+        "step.StepTurns"
     };
 
     @Test
@@ -87,10 +87,10 @@ class UndeclaredCodeTest {
                         "contact.FrictionSolver",
                         "contact.PackedTurns",
                         "contact.TurningRows",
-                        "contact.PileBlows",
+                        "contact.IslandImpacts",
                         "flight.Flight",
                         "flight.TurningPaths",
-                        "step.TurningLedger",
+                        "step.StepTurns",
                         "rest.Sleeping")
                 .doesNotContain(FORCES)
                 .doesNotContain("contact.RollingSolver", "contact.RunningRows");
@@ -99,19 +99,19 @@ class UndeclaredCodeTest {
     @Test
     void contactsAloneLoadNothingOfWhatBuildsOnThem() throws IOException, InterruptedException {
         assertThat(loaded("contacts"))
-                .contains("contact.PileSolver", "contact.NoRubbing", "flight.FreeFlight")
+                .contains("contact.IslandSolver", "contact.NoRubbing", "flight.FreeFlight")
                 .doesNotContain(FORCES)
                 .doesNotContain(TURNING)
                 .doesNotContain(
                         "contact.FrictionSolver",
                         "contact.RollingSolver",
                         "contact.RunningRows",
-                        "contact.PileBlows",
+                        "contact.IslandImpacts",
                         "contact.BounceRows",
-                        "contact.JointBlows",
-                        "contact.PileImpacts",
+                        "contact.SimultaneousImpacts",
+                        "contact.PairwiseImpacts",
                         "flight.Flight",
-                        "flight.Blows",
+                        "flight.FlightImpacts",
                         "flight.Bystanders",
                         "flight.ImpactQueue",
                         "collision.TimeOfImpact",

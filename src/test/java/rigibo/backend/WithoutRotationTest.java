@@ -195,7 +195,7 @@ class WithoutRotationTest {
         return Scenes.restingBox().velocity(2, 0).spin(3);
     }
 
-    /** ω = r·J/I of a blow J at the arm r. */
+    /** ω = r·J/I of an impact J at the arm r. */
     @Test
     void bodiesBeginToTurnFromRestWhenRotationIsDeclaredLater() {
         Pool pool = new Pool(GRAVITY, Accuracy.GAME);

@@ -8,7 +8,7 @@ import rigibo.backend.contact.row.Kick;
 import rigibo.backend.contact.row.Motions;
 import rigibo.backend.contact.solve.NoRubbing;
 import rigibo.backend.contact.row.PackedContacts;
-import rigibo.backend.contact.bounce.PileBlows;
+import rigibo.backend.contact.bounce.IslandImpacts;
 import rigibo.backend.contact.solve.RollingSolver;
 import rigibo.backend.contact.solve.Rubbing;
 import rigibo.backend.contact.row.RunningRows;
@@ -37,7 +37,7 @@ final class DeclaredRows {
     private final RunningRows running;
     private final TurningRows turning;
     private final BentRows bent;
-    private final PileBlows blows;
+    private final IslandImpacts impacts;
 
     /** Who goes farther than foreseen, or null where that cannot bring another corner to land. */
     private final Strays strays;
@@ -63,7 +63,7 @@ final class DeclaredRows {
         CurvedRows curved = curves ? new CurvedRows(data, motions, contacts, straight) : null;
         bent = new BentRows(contacts, fresh, turning, curved);
         boolean bounces = effects.declares(Restitution.class);
-        blows = bounces ? new PileBlows(data, motions, contacts, kick) : null;
+        impacts = bounces ? new IslandImpacts(data, motions, contacts, kick) : null;
     }
 
     private static Rubbing rubbing(
@@ -87,17 +87,17 @@ final class DeclaredRows {
     }
 
     /**
-     * Writes the rows of the packed island for substeps of h seconds. To answer its blows jointly
+     * Writes the rows of the packed island for substeps of h seconds. To answer its impacts jointly
      * is worth so many multiplications in this step.
      */
-    void begin(double h, double worthOfBlows) {
+    void begin(double h, double worthOfImpacts) {
         bent.begin();
         rubbing.begin(h / 2);
         if (running != null) {
             running.begin();
         }
-        if (blows != null) {
-            blows.begin(h, worthOfBlows);
+        if (impacts != null) {
+            impacts.begin(h, worthOfImpacts);
         }
     }
 
@@ -161,27 +161,27 @@ final class DeclaredRows {
     }
 
     /**
-     * Resolves the blows in a substep of h seconds of a pile that is solved whole.
+     * Resolves the impacts in a substep of h seconds of a pile that is solved whole.
      *
      * @return whether what was left of the step's work was enough for that
      */
     boolean strikeJointly(double h, int substep) {
-        if (blows == null) {
+        if (impacts == null) {
             return true;
         }
         kick.measureGain();
-        return blows.resolveJointly(h, substep);
+        return impacts.resolveJointly(h, substep);
     }
 
     /** The same of velocities as they are, within next to no time. */
     boolean strikeAtOnce(double h, int substep) {
-        return blows == null || blows.resolveAtOnce(h, substep);
+        return impacts == null || impacts.resolveAtOnce(h, substep);
     }
 
-    /** Resolves the blows in a substep of h seconds one after the other. */
+    /** Resolves the impacts in a substep of h seconds one after the other. */
     void strikeApart(double h, int substep) {
-        if (blows != null) {
-            blows.resolveApart(h, substep);
+        if (impacts != null) {
+            impacts.resolveApart(h, substep);
         }
     }
 

@@ -44,8 +44,8 @@ public final class Rounds {
     /** Multiplications that the smallest island is worth in a substep: some ten microseconds. */
     private static final double LEAST_WORTH = 20_000;
 
-    /** Multiplications that the blows of the smallest island are worth in a step. */
-    private static final double LEAST_WORTH_OF_BLOWS = 1e6;
+    /** Multiplications that the impacts of the smallest island are worth in a step. */
+    private static final double LEAST_WORTH_OF_IMPACTS = 1e6;
 
     /** What passes take in multiplications: by a contact in a substep, mostly six times. */
     private static final double WORK_OF_PASSES = 6 * 60;
@@ -109,9 +109,9 @@ public final class Rounds {
         return isDirect && direct.prepare(Math.max(LEAST_WORTH, ofContact * contacts.count));
     }
 
-    /** Multiplications that the blows of so many kicks are worth, be the island calm or not. */
-    double worthOfBlows(int kicks) {
-        return Math.max(LEAST_WORTH_OF_BLOWS, worth * kicks * contacts.count);
+    /** Multiplications that the impacts of so many kicks are worth, be the island calm or not. */
+    double worthOfImpacts(int kicks) {
+        return Math.max(LEAST_WORTH_OF_IMPACTS, worth * kicks * contacts.count);
     }
 
     /** The rows are not what they were. */

@@ -18,13 +18,13 @@ import rigibo.backend.storage.PointSpeeds;
  */
 final class Bystanders {
 
-    /** How much faster than by a single blow a body may leave when it is struck against others. */
+    /** How much faster than by a single impact a body may leave when it is struck against others. */
     private static final double WEDGED = 2;
 
     /** Way off its path, as a share of its width, from which on a body surprises its neighbours. */
     private final double surprise;
 
-    /** What was found of the last blow, m. */
+    /** What was found of the last impact, m. */
     double reachOfA;
 
     double reachOfB;
@@ -57,20 +57,20 @@ final class Bystanders {
     }
 
     /**
-     * Finds how far in m the bodies of a blow may get from where they are expected in what is left
+     * Finds how far in m the bodies of an impact may get from where they are expected in what is left
      * of the step, s, when a flyer strikes a pile: {@link #reachOfA} and {@link #reachOfB}, 0 where
-     * that surprises nobody. The blow is resolved.
+     * that surprises nobody. The impact is resolved.
      */
-    void measureBlow(int a, int b, Impact blow, double left) {
-        double oldAX = blow.velocityAX;
-        double oldAY = blow.velocityAY;
-        double oldBX = blow.velocityBX;
-        double oldBY = blow.velocityBY;
-        if (blow.points > 0) {
-            law.resolve(blow);
+    void measureImpact(int a, int b, Impact impact, double left) {
+        double oldAX = impact.velocityAX;
+        double oldAY = impact.velocityAY;
+        double oldBX = impact.velocityBX;
+        double oldBY = impact.velocityBY;
+        if (impact.points > 0) {
+            law.resolve(impact);
         }
-        reachOfA = reach(a, blow.velocityAX, blow.velocityAY, oldAX, oldAY, left);
-        reachOfB = reach(b, blow.velocityBX, blow.velocityBY, oldBX, oldBY, left);
+        reachOfA = reach(a, impact.velocityAX, impact.velocityAY, oldAX, oldAY, left);
+        reachOfB = reach(b, impact.velocityBX, impact.velocityBY, oldBX, oldBY, left);
     }
 
     /** It may be stopped, or thrown back, by whatever else touches it. */

@@ -36,7 +36,7 @@ public final class Flight {
     private final Accuracy accuracy;
     private final FreeFlight free;
     private final Trajectories paths;
-    private final Blows blows;
+    private final FlightImpacts impacts;
     private final Bystanders bystanders;
     private final Disturbance disturbance;
 
@@ -73,7 +73,7 @@ public final class Flight {
         free = new FreeFlight(data, course);
         paths = free.paths;
         queue = new ImpactQueue(pairs);
-        blows = new Blows(data, narrowphase, accuracy, paths, course);
+        impacts = new FlightImpacts(data, narrowphase, accuracy, paths, course);
         bystanders =
                 new Bystanders(data, narrowphase, broadphase, paths, accuracy.impactTolerance());
         disturbance = new Disturbance(data, paths, bystanders, this::join);
@@ -101,7 +101,7 @@ public final class Flight {
 
     /** A bystander becomes part of a pile. */
     private void join(int flyer, double time, double dt) {
-        blows.bring(flyer, time);
+        impacts.bring(flyer, time);
         paths.land(flyer, time);
         repredict(flyer, time, dt);
     }
@@ -144,7 +144,7 @@ public final class Flight {
         if (tied.length < pairCapacity) {
             tied = Arrays.copyOf(tied, pairCapacity);
         }
-        blows.reserve(pairCapacity);
+        impacts.reserve(pairCapacity);
     }
 
     /**
@@ -183,7 +183,7 @@ public final class Flight {
                 tied[left++] = tied[i];
             }
         }
-        blows.strike(tied, left, time, dt);
+        impacts.strike(tied, left, time, dt);
         for (int i = 0; i < left; i++) {
             repredict(pairs.bodyA[tied[i]], time, dt);
             repredict(pairs.bodyB[tied[i]], time, dt);
@@ -202,7 +202,7 @@ public final class Flight {
         int flyer = isPileA ? b : a;
         // One that hits several at once has joined by the first of them.
         if (paths.isFlyer(flyer)) {
-            blows.meet(pair, time);
+            impacts.meet(pair, time);
             joinPile(flyer, isPileA ? a : b, pair, time, dt);
         }
         return true;
@@ -212,19 +212,19 @@ public final class Flight {
         return bodies.isDynamic(slot) && !paths.isFlyer(slot);
     }
 
-    /** A flyer that hits a pile becomes part of it; the pile's solver resolves the blow. */
+    /** A flyer that hits a pile becomes part of it; the pile's solver resolves the impact. */
     private void joinPile(int flyer, int pileBody, int pair, double time, double dt) {
         if (!bodies.awake[pileBody]) {
             waking.wakeIntoPile(pileBody);
         }
         paths.landEarlier(pileBody, time);
         paths.land(flyer, time);
-        Impact blow = blows.expectedBlow(pair);
+        Impact impact = impacts.expectedImpact(pair);
         int a = pairs.bodyA[pair];
         int b = pairs.bodyB[pair];
-        bystanders.measureBlow(a, b, blow, dt - time);
-        blows.expectRebound(pair, flyer);
-        pairs.impacts[pair] += blows.touches(pair) ? 1 : 0;
+        bystanders.measureImpact(a, b, impact, dt - time);
+        impacts.expectRebound(pair, flyer);
+        pairs.impacts[pair] += impacts.touches(pair) ? 1 : 0;
         repredict(flyer, time, dt);
         disturbance.note(a, bystanders.reachOfA);
         disturbance.note(b, bystanders.reachOfB);

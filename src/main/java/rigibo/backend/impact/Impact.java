@@ -4,7 +4,7 @@ import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.Pairs;
 
 /**
- * A blow between two bodies A and B: what goes into it, and what comes out. A plain carrier that
+ * An impact between two bodies A and B: what goes into it, and what comes out. A plain carrier that
  * its owner reuses; velocities are those at the time of the impact, and are changed by it.
  */
 public final class Impact {

@@ -33,24 +33,24 @@ public final class ImpactLaw {
     private final double[] leverA = new double[3];
     private final double[] leverB = new double[3];
 
-    /** Changes the velocities of the carrier by the blow, with its own elasticity. */
-    public void resolve(Impact blow) {
-        resolve(blow, blow.elasticity);
+    /** Changes the velocities of the carrier by the impact, with its own elasticity. */
+    public void resolve(Impact impact) {
+        resolve(impact, impact.elasticity);
     }
 
-    /** Changes the velocities of the carrier by the blow, with another elasticity from 0 to 1. */
-    public void resolve(Impact blow, double elasticity) {
-        impact = blow;
-        if (blow.points == 2 && isOnePoint()) {
-            blow.keepOnly(blow.parting(0) <= blow.parting(1) ? 0 : 1);
+    /** Changes the velocities of the carrier by the impact, with another elasticity from 0 to 1. */
+    public void resolve(Impact impact, double elasticity) {
+        impact = impact;
+        if (impact.points == 2 && isOnePoint()) {
+            impact.keepOnly(impact.parting(0) <= impact.parting(1) ? 0 : 1);
         }
         buildRows();
-        for (int i = 0; i < blow.points; i++) {
+        for (int i = 0; i < impact.points; i++) {
             target[i] = velocity[i] < 0 ? -elasticity * velocity[i] : 0;
         }
         Arrays.fill(result, 0);
-        if (blow.slowestParting() < 0) {
-            if (!solve(blow.friction) && !solve(0)) {
+        if (impact.slowestParting() < 0) {
+            if (!solve(impact.friction) && !solve(0)) {
                 pushFaster();
             }
             limitEnergy();

@@ -6,24 +6,24 @@ import rigibo.backend.storage.Pairs;
 import java.util.Arrays;
 
 /**
- * Blows that fall on the same instant and share bodies, resolved at once: one after the other they
+ * FlightImpacts that fall on the same instant and share bodies, resolved at once: one after the other they
  * would give the first of two equals more than the second.
  *
  * <p>Every point asks for vₙ' ≥ −e·vₙ, j ≥ 0, and one of the two as an equation; every pair for
  * |jₜ| ≤ μ·Σjₙ. Passes over the rows go on until nothing changes (projected Gauss–Seidel, which
  * converges for such problems; R. W. Cottle et al., The Linear Complementarity Problem, 1992, ch.
- * 5). For e = 1 and μ = 0 the limit keeps the energy, as one blow does; where friction would add to
+ * 5). For e = 1 and μ = 0 the limit keeps the energy, as one impact does; where friction would add to
  * it, all impulses are scaled back.
  */
 public final class TiedImpacts {
 
-    /** Passes after which blows count as ones without an answer. */
+    /** Passes after which impacts count as ones without an answer. */
     public static final int MOST_PASSES = 300;
 
     /** A change of speed that is round-off, as a share of the fastest approach. */
     private static final double ROUND_OFF = 1e-15;
 
-    /** How many times faster than the fastest row blows without an answer may leave one. */
+    /** How many times faster than the fastest row impacts without an answer may leave one. */
     private static final double MOST_LEVERAGE = 2;
 
     /** Doubles per row, and where each quantity sits. */
@@ -51,7 +51,7 @@ public final class TiedImpacts {
     private double fastest;
     private int passes;
 
-    /** Blows between bodies of these columns. */
+    /** FlightImpacts between bodies of these columns. */
     public TiedImpacts(Bodies bodies, Pairs pairs) {
         this.bodies = bodies;
         this.pairs = pairs;
@@ -63,33 +63,33 @@ public final class TiedImpacts {
         fastest = 0;
     }
 
-    /** Adds the blow of a pair, with the elasticity it is to have; nothing moves yet. */
-    public void add(int pair, Impact blow, double elasticity) {
-        for (int i = 0; i < blow.points; i++) {
-            double speed = blow.parting(i);
+    /** Adds the impact of a pair, with the elasticity it is to have; nothing moves yet. */
+    public void add(int pair, Impact impact, double elasticity) {
+        for (int i = 0; i < impact.points; i++) {
+            double speed = impact.parting(i);
             fastest = Math.max(fastest, -speed);
-            add(pair, blow.normalX, blow.normalY, blow, i, i);
+            add(pair, impact.normalX, impact.normalY, impact, i, i);
             row[(count - 1) * STRIDE + TARGET] = speed < 0 ? -elasticity * speed : 0;
         }
-        if (blow.friction > 0 && blow.points > 0) {
-            add(pair, -blow.normalY, blow.normalX, blow, 0, blow.points - 1);
-            row[(count - 1) * STRIDE + FRICTION] = blow.friction;
-            row[(count - 1) * STRIDE + TARGET] = blow.surfaceSpeed;
-            points[count - 1] = blow.points;
+        if (impact.friction > 0 && impact.points > 0) {
+            add(pair, -impact.normalY, impact.normalX, impact, 0, impact.points - 1);
+            row[(count - 1) * STRIDE + FRICTION] = impact.friction;
+            row[(count - 1) * STRIDE + TARGET] = impact.surfaceSpeed;
+            points[count - 1] = impact.points;
         }
     }
 
-    /** A row through the middle of two of the blow's points. */
-    private void add(int pair, double x, double y, Impact blow, int i, int j) {
+    /** A row through the middle of two of the impact's points. */
+    private void add(int pair, double x, double y, Impact impact, int i, int j) {
         if (count == pairOf.length) {
             row = Arrays.copyOf(row, 2 * count * STRIDE);
             pairOf = Arrays.copyOf(pairOf, 2 * count);
             points = Arrays.copyOf(points, 2 * count);
         }
         double leverA =
-                ((blow.armAX[i] + blow.armAX[j]) * y - (blow.armAY[i] + blow.armAY[j]) * x) / 2;
+                ((impact.armAX[i] + impact.armAX[j]) * y - (impact.armAY[i] + impact.armAY[j]) * x) / 2;
         double leverB =
-                ((blow.armBX[i] + blow.armBX[j]) * y - (blow.armBY[i] + blow.armBY[j]) * x) / 2;
+                ((impact.armBX[i] + impact.armBX[j]) * y - (impact.armBY[i] + impact.armBY[j]) * x) / 2;
         int at = count * STRIDE;
         Arrays.fill(row, at, at + STRIDE, 0);
         row[at + DX] = x;
@@ -97,10 +97,10 @@ public final class TiedImpacts {
         row[at + LEVER_A] = leverA;
         row[at + LEVER_B] = leverB;
         row[at + RESPONSE] =
-                blow.inverseMassA
-                        + blow.inverseMassB
-                        + blow.inverseInertiaA * leverA * leverA
-                        + blow.inverseInertiaB * leverB * leverB;
+                impact.inverseMassA
+                        + impact.inverseMassB
+                        + impact.inverseInertiaA * leverA * leverA
+                        + impact.inverseInertiaB * leverB * leverB;
         pairOf[count] = pair;
         points[count++] = 0;
         row[at + SPEED_BEFORE] = speed(count - 1);
@@ -111,14 +111,14 @@ public final class TiedImpacts {
         return count;
     }
 
-    /** How many passes the last blows took after the first. */
+    /** How many passes the last impacts took after the first. */
     public int passes() {
         return passes;
     }
 
     /**
      * Changes the velocities of all bodies, and adds up the impulses of the pairs. Returns whether
-     * the blows have an answer: between a driven body and a wall nothing can part from both.
+     * the impacts have an answer: between a driven body and a wall nothing can part from both.
      */
     public boolean resolve() {
         boolean isAnswered = solve(MOST_PASSES);

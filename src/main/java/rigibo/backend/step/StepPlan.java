@@ -2,8 +2,8 @@ package rigibo.backend.step;
 
 import rigibo.backend.broadphase.Broadphase;
 import rigibo.backend.collision.Narrowphase;
-import rigibo.backend.contact.row.PileForces;
-import rigibo.backend.contact.PileSolver;
+import rigibo.backend.contact.row.IslandForces;
+import rigibo.backend.contact.IslandSolver;
 import rigibo.backend.effect.Contacts;
 import rigibo.backend.effect.ContinuousImpacts;
 import rigibo.backend.effect.Drag;
@@ -66,7 +66,7 @@ public final class StepPlan {
         effects = declared;
         accuracy = wanted;
         parts.clear();
-        BodyLedger ledger = new BodyLedger(data);
+        StepBodies ledger = new StepBodies(data);
         ChangingForces forces = new ChangingForces(declared);
         boolean areIntegrated = !forces.isEmpty() || wanted.integrator() != Integrator.BALLISTIC;
         data.bodies.integratePaths(areIntegrated);
@@ -75,7 +75,7 @@ public final class StepPlan {
         compileEffects(ledger, course);
         if (declared.declares(Contacts.class)) {
             broadphase = broadphase == null ? new Broadphase(data) : broadphase;
-            compileContacts(ledger, course, areIntegrated ? new PileForces(data, forces) : null);
+            compileContacts(ledger, course, areIntegrated ? new IslandForces(data, forces) : null);
         } else {
             broadphase = null;
             OpenFlight flight = new OpenFlight(data, course);
@@ -97,7 +97,7 @@ public final class StepPlan {
         }
     }
 
-    private void compileEffects(BodyLedger ledger, Course course) {
+    private void compileEffects(StepBodies ledger, Course course) {
         add(StepStage.EFFECTS, "begin with no acceleration", ledger::clearAccelerations);
         effects.find(Gravity.class)
                 .ifPresent(
@@ -124,7 +124,7 @@ public final class StepPlan {
         add(StepStage.EFFECTS, "refuse forces beyond all bounds", ledger::quarantine);
     }
 
-    private void compileContacts(BodyLedger ledger, Course course, PileForces forces) {
+    private void compileContacts(StepBodies ledger, Course course, IslandForces forces) {
         ImpactMode mode =
                 effects.declares(ContinuousImpacts.class)
                         ? accuracy.impacts()
@@ -155,7 +155,7 @@ public final class StepPlan {
         add(
                 StepStage.CONTACT,
                 "solve piles in " + accuracy.substeps() + " substeps: " + rowsInWords(),
-                new PileSolver(data, narrowphase, effects, accuracy, forces)::solve);
+                new IslandSolver(data, narrowphase, effects, accuracy, forces)::solve);
     }
 
     private String rowsInWords() {
@@ -163,7 +163,7 @@ public final class StepPlan {
         addIf(Friction.class, "friction", rows);
         addIf(RollingResistance.class, "rolling", rows);
         addIf(SurfaceSpeed.class, "running surfaces", rows);
-        addIf(Restitution.class, "blows", rows);
+        addIf(Restitution.class, "impacts", rows);
         addIf(Rotation.class, "faces that turn", rows);
         return rows.toString();
     }

@@ -18,7 +18,7 @@ final class StepLaws {
     private static final String REPORT = "a step's report is consistent";
 
     /** Of one pair in a pile: 32 together with others, and in 8 sweeps alone. */
-    private static final int MOST_BLOWS_PER_SUBSTEP = 40;
+    private static final int MOST_IMPACTS_PER_SUBSTEP = 40;
 
     /** How many times the usual substeps a few bodies are given that spin. */
     private static final int MOST_MORE_SUBSTEPS = 16;
@@ -85,9 +85,9 @@ final class StepLaws {
      */
     private static long mostImpacts(Pool pool, StepReport report) {
         Accuracy accuracy = pool.accuracy();
-        // Half a kick ends the step, in which blows are struck once more.
+        // Half a kick ends the step, in which impacts are struck once more.
         int substeps = accuracy.substeps() * MOST_MORE_SUBSTEPS + 1;
-        int inPiles = substeps * MOST_BLOWS_PER_SUBSTEP;
+        int inPiles = substeps * MOST_IMPACTS_PER_SUBSTEP;
         return (long) report.pairs() * (accuracy.maxImpactsPerPair() + inPiles);
     }
 

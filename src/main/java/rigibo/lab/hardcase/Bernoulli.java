@@ -26,7 +26,7 @@ final class Bernoulli implements HardCase {
         return "a disc that meets two at once rebounds with a fifth of its speed";
     }
 
-    /** DRAFT leaves blows to the one solve of a pile that a step has. */
+    /** DRAFT leaves impacts to the one solve of a pile that a step has. */
     @Override
     public Preset limitedFrom() {
         return Preset.GAME;

@@ -26,7 +26,7 @@ final class BulletsMeet implements HardCase {
         return "two bullets meet in flight";
     }
 
-    /** DRAFT leaves blows to the one solve of a pile that a step has. */
+    /** DRAFT leaves impacts to the one solve of a pile that a step has. */
     @Override
     public Preset limitedFrom() {
         return Preset.GAME;

@@ -32,7 +32,7 @@ final class Conveyor implements HardCase {
         return "a conveyor takes up what lies on it and carries it at its speed";
     }
 
-    /** DRAFT leaves blows to the one solve of a pile that a step has. */
+    /** DRAFT leaves impacts to the one solve of a pile that a step has. */
     @Override
     public Preset limitedFrom() {
         return Preset.GAME;

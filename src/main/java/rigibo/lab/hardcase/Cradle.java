@@ -31,7 +31,7 @@ final class Cradle implements HardCase {
         return "as many discs leave a row as came in";
     }
 
-    /** DRAFT leaves blows to the one solve of a pile that a step has. */
+    /** DRAFT leaves impacts to the one solve of a pile that a step has. */
     @Override
     public Preset limitedFrom() {
         return Preset.GAME;

@@ -29,7 +29,7 @@ final class Grazing implements HardCase {
         return "a near miss is a miss and a graze is a graze";
     }
 
-    /** DRAFT leaves blows to the one solve of a pile that a step has. */
+    /** DRAFT leaves impacts to the one solve of a pile that a step has. */
     @Override
     public Preset limitedFrom() {
         return Preset.GAME;

@@ -24,7 +24,7 @@ final class ObliqueDisc implements HardCase {
         return "a disc thrown at the floor sticks or slips as Coulomb says";
     }
 
-    /** DRAFT leaves blows to the one solve of a pile that a step has. */
+    /** DRAFT leaves impacts to the one solve of a pile that a step has. */
     @Override
     public Preset limitedFrom() {
         return Preset.GAME;

@@ -26,7 +26,7 @@ final class OffCentre implements HardCase {
         return "discs that meet off centre part at a right angle";
     }
 
-    /** DRAFT leaves blows to the one solve of a pile that a step has. */
+    /** DRAFT leaves impacts to the one solve of a pile that a step has. */
     @Override
     public Preset limitedFrom() {
         return Preset.GAME;

@@ -28,7 +28,7 @@ final class TurningRod implements HardCase {
         return "a rod that only turns is stopped by a corner in its way";
     }
 
-    /** DRAFT leaves blows to the one solve of a pile that a step has. */
+    /** DRAFT leaves impacts to the one solve of a pile that a step has. */
     @Override
     public Preset limitedFrom() {
         return Preset.GAME;

@@ -29,7 +29,7 @@ final class Zeno implements HardCase {
         return "a bouncing ball comes to rest after infinitely many bounces, in time";
     }
 
-    /** DRAFT leaves blows to the one solve of a pile that a step has. */
+    /** DRAFT leaves impacts to the one solve of a pile that a step has. */
     @Override
     public Preset limitedFrom() {
         return Preset.GAME;

@@ -58,20 +58,20 @@ class BystandersTest {
     }
 
     /** Discs along the direction (0.6, 0.8) from A to B, with an elasticity. */
-    private Impact blow(int a, int b, double elasticity) {
+    private Impact impact(int a, int b, double elasticity) {
         int pair = air.storage.pair(a, b);
         air.pairs.normalX[pair] = 0.6;
         air.pairs.normalY[pair] = 0.8;
-        Impact blow = new Impact();
-        blow.load(air.bodies, air.pairs, pair);
-        blow.elasticity = elasticity;
-        blow.addPoint(0.6, 0.8, 0, 0, 1.2, 1.6);
-        return blow;
+        Impact impact = new Impact();
+        impact.load(air.bodies, air.pairs, pair);
+        impact.elasticity = elasticity;
+        impact.addPoint(0.6, 0.8, 0, 0, 1.2, 1.6);
+        return impact;
     }
 
     /** Of whichever gets farther. */
-    private double reachOfBlow(int a, int b, Impact blow, double left) {
-        bystanders.measureBlow(a, b, blow, left);
+    private double reachOfImpact(int a, int b, Impact impact, double left) {
+        bystanders.measureImpact(a, b, impact, left);
         return Math.max(bystanders.reachOfA, bystanders.reachOfB);
     }
 
@@ -91,10 +91,10 @@ class BystandersTest {
             double speed, double elasticity, double left, double reach) {
         int a = disc(0, 0, 0.6 * speed, 0.8 * speed);
         int b = disc(1.2, 1.6, 0, 0);
-        assertThat(reachOfBlow(a, b, blow(a, b, elasticity), left))
+        assertThat(reachOfImpact(a, b, impact(a, b, elasticity), left))
                 .isEqualTo(reach, within(ROUND_OFF));
         int c = disc(2, 2, -0.6 * speed, -0.8 * speed);
-        assertThat(reachOfBlow(b, c, blow(b, c, elasticity), left))
+        assertThat(reachOfImpact(b, c, impact(b, c, elasticity), left))
                 .isEqualTo(reach, within(ROUND_OFF));
     }
 
@@ -105,7 +105,7 @@ class BystandersTest {
         air.bodies.spin[a] = -0.5;
         air.bodies.sweepRadius[a] = 1;
         int b = disc(1.2, 1.6, 0, 0);
-        assertThat(reachOfBlow(a, b, blow(a, b, 0), 0.5))
+        assertThat(reachOfImpact(a, b, impact(a, b, 0), 0.5))
                 .isEqualTo(2 * (0.6 + 0.5) * 0.5, within(ROUND_OFF));
     }
 
@@ -114,17 +114,17 @@ class BystandersTest {
         turnNothing();
         int a = disc(0, 0, 0.6, 0.8);
         int b = disc(1.2, 1.6, 0, 0);
-        assertThat(reachOfBlow(a, b, blow(a, b, 0), 0.5)).isEqualTo(2 * 0.5, within(ROUND_OFF));
+        assertThat(reachOfImpact(a, b, impact(a, b, 0), 0.5)).isEqualTo(2 * 0.5, within(ROUND_OFF));
     }
 
-    /** A blow that makes what is struck go faster than either went: 2·v·2m/(3m) of a third. */
+    /** An impact that makes what is struck go faster than either went: 2·v·2m/(3m) of a third. */
     @Test
     void whatIsLighterGoesFaster() {
         int a = disc(0, 0, 0.6, 0.8);
         int b = disc(1.2, 1.6, 0, 0);
-        Impact blow = blow(a, b, 1);
-        blow.inverseMassB = 2 * blow.inverseMassA;
-        assertThat(reachOfBlow(a, b, blow, 0.5)).isEqualTo(2 * (4 / 3.0) * 0.5, within(ROUND_OFF));
+        Impact impact = impact(a, b, 1);
+        impact.inverseMassB = 2 * impact.inverseMassA;
+        assertThat(reachOfImpact(a, b, impact, 0.5)).isEqualTo(2 * (4 / 3.0) * 0.5, within(ROUND_OFF));
     }
 
     /** At a wall that comes at 1 m/s it comes at 2; what cannot be moved gets where it is told. */
@@ -140,7 +140,7 @@ class BystandersTest {
         int disc = disc(0, 0, side * -1.2, side * -1.6);
         int a = isFirst ? wall : disc;
         int b = isFirst ? disc : wall;
-        assertThat(reachOfBlow(a, b, blow(a, b, 0.25), 0.5))
+        assertThat(reachOfImpact(a, b, impact(a, b, 0.25), 0.5))
                 .isEqualTo(2 * 2 * 0.5, within(ROUND_OFF));
         assertThat(isFirst ? bystanders.reachOfA : bystanders.reachOfB).isZero();
     }
@@ -150,9 +150,9 @@ class BystandersTest {
     void withoutAPointItMayBeStopped() {
         int a = disc(0, 0, 6, 8);
         int b = disc(1.2, 1.6, 0, 0);
-        Impact blow = blow(a, b, 0.5);
-        blow.points = 0;
-        assertThat(reachOfBlow(a, b, blow, 0.5)).isEqualTo(2 * 10 * 0.5, within(ROUND_OFF));
+        Impact impact = impact(a, b, 0.5);
+        impact.points = 0;
+        assertThat(reachOfImpact(a, b, impact, 0.5)).isEqualTo(2 * 10 * 0.5, within(ROUND_OFF));
     }
 
     /** A pair with a gap, along (0.6, 0.8). */

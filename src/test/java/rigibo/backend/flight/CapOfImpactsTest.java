@@ -19,7 +19,7 @@ class CapOfImpactsTest {
     private final OneInstant instant = new OneInstant();
     private final Air air = instant.air;
     private final Trajectories paths = instant.paths;
-    private final Blows blows = instant.blows;
+    private final FlightImpacts impacts = instant.impacts;
 
     /** Lets the first pair meet so many times more, this one included. */
     private void leave(int impacts) {
@@ -70,7 +70,7 @@ class CapOfImpactsTest {
         instant.strike(0, 1, 0);
     }
 
-    /** Where nothing presses, a blow that finds them parting already is not the end of bounces. */
+    /** Where nothing presses, an impact that finds them parting already is not the end of bounces. */
     @Test
     void whatPartsUnpressedDoesNotRest() {
         air.add(Air.disc(0, -1, 1));
@@ -127,7 +127,7 @@ class CapOfImpactsTest {
         instant.begin(1);
         leave(1);
         instant.strike(0, 1, 0);
-        blows.bring(1, 0.5);
+        impacts.bring(1, 0.5);
 
         assertThat(air.bodies.piled[1]).isFalse();
         assertThat(air.bodies.x[1]).isZero();

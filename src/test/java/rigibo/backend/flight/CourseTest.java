@@ -73,7 +73,7 @@ class CourseTest {
     }
 
     /**
-     * What a blow at the very start of a step sends into forces beyond all bounds goes on as it
+     * What an impact at the very start of a step sends into forces beyond all bounds goes on as it
      * was: who is not finite then would spread to all that it meets before the step ends.
      */
     @Test

@@ -67,7 +67,7 @@ class EndOfBouncesTest {
     /** Up to a thousandth of its width a pair touches; farther there is nothing to strike. */
     @ParameterizedTest
     @CsvSource({"0.0015, true", "0.0025, false", "1, false"})
-    void whatDoesNotTouchRestsWithoutABlow(double gap, boolean touches) {
+    void whatDoesNotTouchRestsWithoutAImpact(double gap, boolean touches) {
         land(Air.body(new Circle(1), 0).at(0, 1 + gap).velocity(3, -2), 0, 2);
 
         assertThat(air.bodies.piled[1]).isTrue();
@@ -112,7 +112,7 @@ class EndOfBouncesTest {
 
     /** Without elasticity the first bounce is the last, and a box rests where it is. */
     @Test
-    void aPlasticBlowRestsAtOnce() {
+    void aPlasticImpactRestsAtOnce() {
         landFlat(0, -2);
 
         assertThat(air.bodies.velocityX[1]).isEqualTo(3);
@@ -121,7 +121,7 @@ class EndOfBouncesTest {
         assertThat(air.pairs.impulse[0]).isEqualTo(2, within(1e-14));
     }
 
-    /** A box would turn on the way: it rests where it is, at the time of the blow. */
+    /** A box would turn on the way: it rests where it is, at the time of the impact. */
     @Test
     void aBoxRestsWhereItIs() {
         landFlat(0.5, -1);

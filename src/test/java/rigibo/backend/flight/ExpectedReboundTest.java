@@ -19,15 +19,15 @@ class ExpectedReboundTest {
     private final OneInstant instant = new OneInstant();
     private final Air air = instant.air;
     private final Trajectories paths = instant.paths;
-    private final Blows blows = instant.blows;
+    private final FlightImpacts impacts = instant.impacts;
 
     /** What is expected of one of two that meets the other, which is of a pile. */
     private Motion expectedOf(int lander) {
         instant.begin(1);
         air.pile(1 - lander);
-        blows.meet(0, 0);
+        impacts.meet(0, 0);
         paths.land(lander, 0);
-        blows.expectRebound(0, lander);
+        impacts.expectRebound(0, lander);
         Motion motion = new Motion();
         paths.load(lander, motion);
         return motion;
@@ -62,7 +62,7 @@ class ExpectedReboundTest {
         assertThat(expectedOf(lander).velocityX).isEqualTo(-1, within(1e-14));
     }
 
-    /** Where nothing touches there is no blow to be expected: it goes on as it came. */
+    /** Where nothing touches there is no impact to be expected: it goes on as it came. */
     @Test
     void withoutAPointALanderIsExpectedToGoOn() {
         air.add(Air.disc(0, 2, 0.5));
@@ -70,9 +70,9 @@ class ExpectedReboundTest {
         assertThat(expectedOf(0).velocityX).isEqualTo(2);
     }
 
-    /** The blow is at the velocities expected, not at those in the columns. */
+    /** The impact is at the velocities expected, not at those in the columns. */
     @Test
-    void aBlowIsOfTheVelocitiesExpected() {
+    void aImpactIsOfTheVelocitiesExpected() {
         air.add(Air.disc(0, 2, 0.5).spin(1));
         air.add(Air.disc(2, -1, 0.5).spin(2));
         instant.begin(1);
@@ -80,14 +80,14 @@ class ExpectedReboundTest {
         paths.expect(0, 7, 8, 9);
         paths.land(1, 0);
         paths.expect(1, -7, -8, -9);
-        blows.meet(0, 0);
-        Impact blow = blows.expectedBlow(0);
+        impacts.meet(0, 0);
+        Impact impact = impacts.expectedImpact(0);
 
-        assertThat(new double[] {blow.velocityAX, blow.velocityAY, blow.spinA})
+        assertThat(new double[] {impact.velocityAX, impact.velocityAY, impact.spinA})
                 .containsExactly(7, 8, 9);
-        assertThat(new double[] {blow.velocityBX, blow.velocityBY, blow.spinB})
+        assertThat(new double[] {impact.velocityBX, impact.velocityBY, impact.spinB})
                 .containsExactly(-7, -8, -9);
-        assertThat(blow.armAX[0]).isEqualTo(1, within(1e-15));
-        assertThat(blow.armBX[0]).isEqualTo(-1, within(1e-15));
+        assertThat(impact.armAX[0]).isEqualTo(1, within(1e-15));
+        assertThat(impact.armBX[0]).isEqualTo(-1, within(1e-15));
     }
 }

@@ -112,7 +112,7 @@ class FlightTest {
     }
 
     /**
-     * What hits a pile at ½ s is part of it from then on, and the pile's solver sees to the blow.
+     * What hits a pile at ½ s is part of it from then on, and the pile's solver sees to the impact.
      */
     @Test
     void aFlyerThatHitsAPileJoinsIt() {

@@ -5,12 +5,12 @@ import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.Material;
 
-/** Blows of one instant of a step, without the flight that leads to it. */
+/** FlightImpacts of one instant of a step, without the flight that leads to it. */
 final class OneInstant {
 
     final Air air = new Air(Accuracy.GAME);
     final Trajectories paths = new Trajectories(air.bodies);
-    final Blows blows = new Blows(air.storage.data, air.narrowphase, Accuracy.GAME, paths, null);
+    final FlightImpacts impacts = new FlightImpacts(air.storage.data, air.narrowphase, Accuracy.GAME, paths, null);
 
     /** A floor with its top at y = 0 in slot 0. */
     void layFloor(double elasticity) {
@@ -24,11 +24,11 @@ final class OneInstant {
     void begin(double dt) {
         air.meet(dt);
         paths.begin();
-        blows.reserve(air.pairs.bodyA.length);
+        impacts.reserve(air.pairs.bodyA.length);
     }
 
     /** Strikes pairs at once, at a time in s within a step of dt seconds. */
     void strike(double time, double dt, int... pairs) {
-        blows.strike(pairs, pairs.length, time, dt);
+        impacts.strike(pairs, pairs.length, time, dt);
     }
 }

@@ -78,7 +78,7 @@ class KernelsTest {
     }
 
     @Test
-    void windBlowsByTheDrag() {
+    void windImpactsByTheDrag() {
         bodies.drag[second] = 2;
         new WindKernel(data, wind).accelerate(DT);
 

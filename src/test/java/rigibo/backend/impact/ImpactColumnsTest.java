@@ -44,42 +44,42 @@ class ImpactColumnsTest {
                                 new Friction(),
                                 new Restitution(),
                                 new SurfaceSpeed()));
-        Impact blow = new Impact();
-        blow.points = 2;
-        blow.load(storage.bodies, storage.pairs, 0);
+        Impact impact = new Impact();
+        impact.points = 2;
+        impact.load(storage.bodies, storage.pairs, 0);
 
-        assertThat(blow.points).isZero();
-        assertThat(new double[] {blow.normalX, blow.normalY}).containsExactly(0.6, 0.8);
-        assertThat(new double[] {blow.friction, blow.elasticity}).containsExactly(0.5, 0.5);
-        assertThat(blow.surfaceSpeed).isEqualTo(6);
-        assertThat(new double[] {blow.inverseMassA, blow.inverseInertiaA}).containsExactly(0.5, 1);
-        assertThat(new double[] {blow.inverseMassB, blow.inverseInertiaB})
+        assertThat(impact.points).isZero();
+        assertThat(new double[] {impact.normalX, impact.normalY}).containsExactly(0.6, 0.8);
+        assertThat(new double[] {impact.friction, impact.elasticity}).containsExactly(0.5, 0.5);
+        assertThat(impact.surfaceSpeed).isEqualTo(6);
+        assertThat(new double[] {impact.inverseMassA, impact.inverseInertiaA}).containsExactly(0.5, 1);
+        assertThat(new double[] {impact.inverseMassB, impact.inverseInertiaB})
                 .containsExactly(0.25, 0.5);
-        assertThat(new double[] {blow.velocityAX, blow.velocityAY, blow.spinA})
+        assertThat(new double[] {impact.velocityAX, impact.velocityAY, impact.spinA})
                 .containsExactly(1, 2, 3);
-        assertThat(new double[] {blow.velocityBX, blow.velocityBY, blow.spinB})
+        assertThat(new double[] {impact.velocityBX, impact.velocityBY, impact.spinB})
                 .containsExactly(4, 5, 6);
     }
 
     @Test
     void whatIsNotDeclaredIsZero() {
         FilledStorage storage = met(new FilledStorage(new Contacts()));
-        Impact blow = new Impact();
-        blow.load(storage.bodies, storage.pairs, 0);
+        Impact impact = new Impact();
+        impact.load(storage.bodies, storage.pairs, 0);
 
-        assertThat(blow.friction).isZero();
-        assertThat(blow.elasticity).isZero();
-        assertThat(blow.surfaceSpeed).isZero();
-        assertThat(blow.inverseInertiaA).isZero();
-        assertThat(blow.inverseInertiaB).isZero();
-        assertThat(blow.spinA).isZero();
-        assertThat(blow.spinB).isZero();
+        assertThat(impact.friction).isZero();
+        assertThat(impact.elasticity).isZero();
+        assertThat(impact.surfaceSpeed).isZero();
+        assertThat(impact.inverseInertiaA).isZero();
+        assertThat(impact.inverseInertiaB).isZero();
+        assertThat(impact.spinA).isZero();
+        assertThat(impact.spinB).isZero();
     }
 
     @Test
     void storesTheVelocitiesAfterIt() {
         FilledStorage storage = met(new FilledStorage(new Contacts(), new Rotation()));
-        blowWithVelocities().store(storage.bodies, storage.pairs, 0);
+        impactWithVelocities().store(storage.bodies, storage.pairs, 0);
 
         assertThat(storage.bodies.velocityX).startsWith(-1, -4);
         assertThat(storage.bodies.velocityY).startsWith(-2, -5);
@@ -89,7 +89,7 @@ class ImpactColumnsTest {
     @Test
     void storesNoSpinWhereNothingTurns() {
         FilledStorage storage = met(new FilledStorage(new Contacts()));
-        blowWithVelocities().store(storage.bodies, storage.pairs, 0);
+        impactWithVelocities().store(storage.bodies, storage.pairs, 0);
 
         assertThat(storage.bodies.velocityX).startsWith(-1, -4);
         assertThat(storage.bodies.spin).isNull();
@@ -102,34 +102,34 @@ class ImpactColumnsTest {
         storage.add(BodyDefinition.kinematic(new Circle(1)).velocity(1, 2).spin(3));
         storage.add(BodyDefinition.fixed(new Circle(1)));
         storage.pair(0, 1);
-        blowWithVelocities().store(storage.bodies, storage.pairs, 0);
+        impactWithVelocities().store(storage.bodies, storage.pairs, 0);
 
         assertThat(storage.bodies.velocityX).startsWith(1, 0);
         assertThat(storage.bodies.velocityY).startsWith(2, 0);
         assertThat(storage.bodies.spin).startsWith(3, 0);
     }
 
-    private static Impact blowWithVelocities() {
-        Impact blow = new Impact();
-        blow.velocityAX = -1;
-        blow.velocityAY = -2;
-        blow.spinA = -3;
-        blow.velocityBX = -4;
-        blow.velocityBY = -5;
-        blow.spinB = -6;
-        return blow;
+    private static Impact impactWithVelocities() {
+        Impact impact = new Impact();
+        impact.velocityAX = -1;
+        impact.velocityAY = -2;
+        impact.spinA = -3;
+        impact.velocityBX = -4;
+        impact.velocityBY = -5;
+        impact.spinB = -6;
+        return impact;
     }
 
     @Test
     void pointsAreSeenFromBothCentres() {
-        Impact blow = new Impact();
-        blow.addPoint(5, 7, 1, 2, 3, 4);
-        blow.addPoint(6, 9, 1, 2, 3, 4);
+        Impact impact = new Impact();
+        impact.addPoint(5, 7, 1, 2, 3, 4);
+        impact.addPoint(6, 9, 1, 2, 3, 4);
 
-        assertThat(blow.points).isEqualTo(2);
-        assertThat(blow.armAX).containsExactly(4, 5);
-        assertThat(blow.armAY).containsExactly(5, 7);
-        assertThat(blow.armBX).containsExactly(2, 3);
-        assertThat(blow.armBY).containsExactly(3, 5);
+        assertThat(impact.points).isEqualTo(2);
+        assertThat(impact.armAX).containsExactly(4, 5);
+        assertThat(impact.armAY).containsExactly(5, 7);
+        assertThat(impact.armBX).containsExactly(2, 3);
+        assertThat(impact.armBY).containsExactly(3, 5);
     }
 }

@@ -17,12 +17,12 @@ class ImpactLawTest {
     /** A few roundings of sums of terms of that size, multiplied by the condition of the 2 × 2. */
     private static final double ROUND_OFF = 1e-10;
 
-    /** One for all blows of a test: none leaves anything to the next. */
+    /** One for all impacts of a test: none leaves anything to the next. */
     private final ImpactLaw law = new ImpactLaw();
 
-    private Impact resolved(Impact blow) {
-        law.resolve(blow);
-        return blow;
+    private Impact resolved(Impact impact) {
+        law.resolve(impact);
+        return impact;
     }
 
     @Test
@@ -30,28 +30,28 @@ class ImpactLawTest {
         Random random = new Random(1);
         int[] cases = new int[3];
         for (int i = 0; i < 100_000; i++) {
-            Impact blow = Meet.any(random, 1);
-            if (blow.parting(0) < 0) {
-                TwoByTwo truth = new TwoByTwo(blow);
+            Impact impact = Meet.any(random, 1);
+            if (impact.parting(0) < 0) {
+                TwoByTwo truth = new TwoByTwo(impact);
                 cases[truth.isScaled ? 0 : truth.sticks ? 1 : 2]++;
-                assertOutcome(i, blow, truth);
+                assertOutcome(i, impact, truth);
             }
         }
         assertThat(IntStream.of(cases)).as("scaled back, sticking, sliding").allMatch(n -> n > 100);
     }
 
-    private void assertOutcome(int number, Impact blow, TwoByTwo truth) {
-        Impact after = resolved(Meet.copy(blow));
+    private void assertOutcome(int number, Impact impact, TwoByTwo truth) {
+        Impact after = resolved(Meet.copy(impact));
         double scale = Math.abs(truth.x) + Math.abs(truth.y) + 1;
-        double jx = after.normalImpulse[0] * blow.normalX - after.tangentImpulse * blow.normalY;
-        double jy = after.normalImpulse[0] * blow.normalY + after.tangentImpulse * blow.normalX;
+        double jx = after.normalImpulse[0] * impact.normalX - after.tangentImpulse * impact.normalY;
+        double jy = after.normalImpulse[0] * impact.normalY + after.tangentImpulse * impact.normalX;
         assertThat(jx)
                 .as("impact %d, seed 1", number)
                 .isCloseTo(truth.x, within(scale * ROUND_OFF));
         assertThat(jy)
                 .as("impact %d, seed 1", number)
                 .isCloseTo(truth.y, within(scale * ROUND_OFF));
-        assertPushed(number, blow, after);
+        assertPushed(number, impact, after);
     }
 
     /**
@@ -91,32 +91,32 @@ class ImpactLawTest {
     void holdsNothingThatParts(int points) {
         Random random = new Random(2);
         for (int i = 0; i < 20_000; i++) {
-            Impact blow = Meet.any(random, points);
-            if (blow.slowestParting() >= 0) {
-                Impact after = resolved(Meet.copy(blow));
+            Impact impact = Meet.any(random, points);
+            if (impact.slowestParting() >= 0) {
+                Impact after = resolved(Meet.copy(impact));
                 assertThat(after.totalNormalImpulse()).as("impact %d, seed 2", i).isZero();
                 assertThat(after.tangentImpulse).isZero();
-                assertThat(energy(after)).isEqualTo(energy(blow));
+                assertThat(energy(after)).isEqualTo(energy(impact));
             }
         }
     }
 
     /**
      * Bodies that slide along each other, neither closing nor parting, and rub as hard as they may:
-     * there is no blow that friction could be a share of.
+     * there is no impact that friction could be a share of.
      */
     @ParameterizedTest
     @ValueSource(ints = {1, 2})
     void whatOnlySlidesIsNotStruck(int points) {
         Random random = new Random(7);
         for (int i = 0; i < 2_000; i++) {
-            Impact blow = Meet.stopped(Meet.level(random, points));
-            blow.velocityBY = Meet.between(random, -2, 2);
-            blow.friction = Meet.between(random, 0, 8);
-            Impact after = resolved(Meet.copy(blow));
+            Impact impact = Meet.stopped(Meet.level(random, points));
+            impact.velocityBY = Meet.between(random, -2, 2);
+            impact.friction = Meet.between(random, 0, 8);
+            Impact after = resolved(Meet.copy(impact));
             assertThat(after.totalNormalImpulse()).as("impact %d, seed 7", i).isZero();
             assertThat(after.tangentImpulse).as("impact %d, seed 7", i).isZero();
-            assertThat(energy(after)).isEqualTo(energy(blow));
+            assertThat(energy(after)).isEqualTo(energy(impact));
         }
     }
 
@@ -124,19 +124,19 @@ class ImpactLawTest {
      * What an impact beyond all bounds left in the carrier and in the law is no part of the next.
      */
     @Test
-    void anUnboundedBlowLeavesNothingBehind() {
+    void anUnboundedImpactLeavesNothingBehind() {
         Random random = new Random(8);
         for (int i = 0; i < 1_000; i++) {
             Impact wild = Meet.any(random, 2);
             wild.armAX[1] = Double.POSITIVE_INFINITY;
             wild.armBY[1] = Double.NaN;
             resolved(wild);
-            Impact blow = Meet.any(random, 1);
-            Impact after = resolved(Meet.copy(blow));
-            if (blow.parting(0) < 0) {
-                assertOutcome(i, blow, new TwoByTwo(blow));
+            Impact impact = Meet.any(random, 1);
+            Impact after = resolved(Meet.copy(impact));
+            if (impact.parting(0) < 0) {
+                assertOutcome(i, impact, new TwoByTwo(impact));
             } else {
-                assertThat(energy(after)).isEqualTo(energy(blow));
+                assertThat(energy(after)).isEqualTo(energy(impact));
             }
         }
     }
@@ -144,12 +144,12 @@ class ImpactLawTest {
     /** A point that goes away at 1 m/s by the spin of a body that comes at 1 m/s. */
     @Test
     void onlyPointsThatTouchCount() {
-        Impact blow = Meet.wall(-1, 0, 2, 0.5);
-        blow.addPoint(-1, -1, 0, 0, 0, 0);
-        blow.addPoint(-1, 1, 0, 0, 0, 0);
-        assertThat(blow.slowestParting()).isEqualTo(-3);
-        assertThat(resolved(blow).totalNormalImpulse())
-                .isEqualTo(blow.normalImpulse[1])
+        Impact impact = Meet.wall(-1, 0, 2, 0.5);
+        impact.addPoint(-1, -1, 0, 0, 0, 0);
+        impact.addPoint(-1, 1, 0, 0, 0, 0);
+        assertThat(impact.slowestParting()).isEqualTo(-3);
+        assertThat(resolved(impact).totalNormalImpulse())
+                .isEqualTo(impact.normalImpulse[1])
                 .isPositive();
 
         Impact other = Meet.wall(-1, 0, 2, 0.5);
@@ -164,25 +164,25 @@ class ImpactLawTest {
      */
     @Test
     void reboundsFromAWallByItsElasticity() {
-        Impact blow = Meet.wall(-2, 0, 0, 0.5);
-        blow.addPoint(-1, 0, 0, 0, 0, 0);
-        blow.elasticity = 0.5;
-        resolved(blow);
+        Impact impact = Meet.wall(-2, 0, 0, 0.5);
+        impact.addPoint(-1, 0, 0, 0, 0, 0);
+        impact.elasticity = 0.5;
+        resolved(impact);
 
-        assertThat(blow.velocityBX).isEqualTo(1);
-        assertThat(blow.totalNormalImpulse()).isEqualTo(3);
-        assertThat(blow.slowestParting()).isEqualTo(1);
+        assertThat(impact.velocityBX).isEqualTo(1);
+        assertThat(impact.totalNormalImpulse()).isEqualTo(3);
+        assertThat(impact.slowestParting()).isEqualTo(1);
     }
 
     @Test
     void anotherElasticityStandsInForItsOwn() {
-        Impact blow = Meet.wall(-2, 0, 0, 0.5);
-        blow.addPoint(-1, 0, 0, 0, 0, 0);
-        blow.elasticity = 0.5;
-        new ImpactLaw().resolve(blow, 0);
+        Impact impact = Meet.wall(-2, 0, 0, 0.5);
+        impact.addPoint(-1, 0, 0, 0, 0, 0);
+        impact.elasticity = 0.5;
+        new ImpactLaw().resolve(impact, 0);
 
-        assertThat(blow.velocityBX).isZero();
-        assertThat(blow.totalNormalImpulse()).isEqualTo(2);
+        assertThat(impact.velocityBX).isZero();
+        assertThat(impact.totalNormalImpulse()).isEqualTo(2);
     }
 
     /**
@@ -192,40 +192,40 @@ class ImpactLawTest {
     @ParameterizedTest
     @ValueSource(doubles = {-1.5, 1.5})
     void stickingDiscLeavesRolling(double sliding) {
-        Impact blow = Meet.wall(-2, sliding, 0, 0.5);
-        blow.addPoint(-1, 0, 0, 0, 0, 0);
-        blow.friction = 1;
-        resolved(blow);
+        Impact impact = Meet.wall(-2, sliding, 0, 0.5);
+        impact.addPoint(-1, 0, 0, 0, 0, 0);
+        impact.friction = 1;
+        resolved(impact);
 
-        assertThat(blow.tangentImpulse).isCloseTo(-sliding / 3, within(1e-15));
-        assertThat(blow.velocityBY).isCloseTo(sliding * 2 / 3, within(1e-15));
-        assertThat(blow.velocityBY - blow.spinB).as("rolls").isCloseTo(0, within(1e-15));
+        assertThat(impact.tangentImpulse).isCloseTo(-sliding / 3, within(1e-15));
+        assertThat(impact.velocityBY).isCloseTo(sliding * 2 / 3, within(1e-15));
+        assertThat(impact.velocityBY - impact.spinB).as("rolls").isCloseTo(0, within(1e-15));
     }
 
     /** It needs |jₜ| = ½ of the normal 2 N·s and gets 0.1 of it. */
     @ParameterizedTest
     @ValueSource(doubles = {-3, 3})
     void slidingDiscIsRubbedByCoulombsShare(double sliding) {
-        Impact blow = Meet.wall(-2, sliding, 0, 0.5);
-        blow.addPoint(-1, 0, 0, 0, 0, 0);
-        blow.friction = 0.1;
-        resolved(blow);
+        Impact impact = Meet.wall(-2, sliding, 0, 0.5);
+        impact.addPoint(-1, 0, 0, 0, 0, 0);
+        impact.friction = 0.1;
+        resolved(impact);
 
-        assertThat(blow.velocityBX).isCloseTo(0, within(1e-15));
-        assertThat(blow.tangentImpulse).isCloseTo(-Math.copySign(0.2, sliding), within(1e-15));
+        assertThat(impact.velocityBX).isCloseTo(0, within(1e-15));
+        assertThat(impact.tangentImpulse).isCloseTo(-Math.copySign(0.2, sliding), within(1e-15));
     }
 
     /** Rubbing starts from the speed of the belt, not from rest: jₜ = (1.5 − 0)/3. */
     @Test
     void sticksToARunningSurface() {
-        Impact blow = Meet.wall(-2, 0, 0, 0.5);
-        blow.addPoint(-1, 0, 0, 0, 0, 0);
-        blow.friction = 1;
-        blow.surfaceSpeed = 1.5;
-        resolved(blow);
+        Impact impact = Meet.wall(-2, 0, 0, 0.5);
+        impact.addPoint(-1, 0, 0, 0, 0, 0);
+        impact.friction = 1;
+        impact.surfaceSpeed = 1.5;
+        resolved(impact);
 
-        assertThat(blow.tangentImpulse).isCloseTo(0.5, within(1e-15));
-        assertThat(blow.velocityBY - blow.spinB).isCloseTo(1.5, within(1e-15));
+        assertThat(impact.tangentImpulse).isCloseTo(0.5, within(1e-15));
+        assertThat(impact.velocityBY - impact.spinB).isCloseTo(1.5, within(1e-15));
     }
 
     /**
@@ -236,14 +236,14 @@ class ImpactLawTest {
     @ParameterizedTest
     @CsvSource({"-9, 1.36", "9, 2.80"})
     void frictionLiftsOrPressesTheEndOfARod(double sliding, double response) {
-        Impact blow = Meet.wall(-2, sliding, 0, 1.0 / 12);
-        blow.addPoint(-0.4, -0.3, 0, 0, 0, 0);
-        blow.friction = 0.5;
-        blow.elasticity = 0.5;
-        resolved(blow);
+        Impact impact = Meet.wall(-2, sliding, 0, 1.0 / 12);
+        impact.addPoint(-0.4, -0.3, 0, 0, 0, 0);
+        impact.friction = 0.5;
+        impact.elasticity = 0.5;
+        resolved(impact);
 
-        assertThat(blow.totalNormalImpulse()).isCloseTo(3 / response, within(1e-14));
-        assertThat(blow.parting(0)).isCloseTo(1, within(1e-14));
+        assertThat(impact.totalNormalImpulse()).isCloseTo(3 / response, within(1e-14));
+        assertThat(impact.parting(0)).isCloseTo(1, within(1e-14));
     }
 
     @Test
@@ -251,22 +251,22 @@ class ImpactLawTest {
         Random random = new Random(3);
         for (int points = 1; points <= 2; points++) {
             for (int i = 0; i < 20_000; i++) {
-                Impact blow = Meet.any(random, points);
-                blow.surfaceSpeed = 0;
-                Meet.haltFixed(blow);
-                double before = energy(blow);
-                assertThat(energy(resolved(blow)))
+                Impact impact = Meet.any(random, points);
+                impact.surfaceSpeed = 0;
+                Meet.haltFixed(impact);
+                double before = energy(impact);
+                assertThat(energy(resolved(impact)))
                         .as("impact %d of %d points, seed 3", i, points)
                         .isLessThanOrEqualTo(before * (1 + 1e-12));
             }
         }
     }
 
-    static double energy(Impact blow) {
-        return half(blow.inverseMassA, blow.velocityAX, blow.velocityAY)
-                + half(blow.inverseInertiaA, blow.spinA, 0)
-                + half(blow.inverseMassB, blow.velocityBX, blow.velocityBY)
-                + half(blow.inverseInertiaB, blow.spinB, 0);
+    static double energy(Impact impact) {
+        return half(impact.inverseMassA, impact.velocityAX, impact.velocityAY)
+                + half(impact.inverseInertiaA, impact.spinA, 0)
+                + half(impact.inverseMassB, impact.velocityBX, impact.velocityBY)
+                + half(impact.inverseInertiaB, impact.spinB, 0);
     }
 
     /** ½mv², 0 for what is fixed. */

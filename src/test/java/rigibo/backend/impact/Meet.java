@@ -9,84 +9,84 @@ final class Meet {
 
     /** A 1 kg body B that meets a wall to its left, which nothing moves; no points yet. */
     static Impact wall(double velocityX, double velocityY, double spin, double inertia) {
-        Impact blow = new Impact();
-        blow.normalX = 1;
-        blow.inverseMassB = 1;
-        blow.inverseInertiaB = 1 / inertia;
-        blow.velocityBX = velocityX;
-        blow.velocityBY = velocityY;
-        blow.spinB = spin;
-        return blow;
+        Impact impact = new Impact();
+        impact.normalX = 1;
+        impact.inverseMassB = 1;
+        impact.inverseInertiaB = 1 / inertia;
+        impact.velocityBX = velocityX;
+        impact.velocityBY = velocityY;
+        impact.spinB = spin;
+        return impact;
     }
 
     /** Bodies of 0.1 to 10 kg, one in four of them fixed, that meet at a point 1 m round each. */
     static Impact any(Random random, int points) {
-        Impact blow = new Impact();
+        Impact impact = new Impact();
         double angle = between(random, -Math.PI, Math.PI);
-        blow.normalX = Math.cos(angle);
-        blow.normalY = Math.sin(angle);
-        blow.friction = random.nextInt(4) == 0 ? 0 : between(random, 0, 1.5);
-        blow.elasticity = random.nextInt(4) == 0 ? random.nextInt(2) : random.nextDouble();
-        blow.surfaceSpeed = random.nextInt(4) == 0 ? between(random, -1, 1) : 0;
+        impact.normalX = Math.cos(angle);
+        impact.normalY = Math.sin(angle);
+        impact.friction = random.nextInt(4) == 0 ? 0 : between(random, 0, 1.5);
+        impact.elasticity = random.nextInt(4) == 0 ? random.nextInt(2) : random.nextDouble();
+        impact.surfaceSpeed = random.nextInt(4) == 0 ? between(random, -1, 1) : 0;
         int fixed = random.nextInt(8);
         if (fixed != 0) {
-            blow.inverseMassA = Math.pow(10, between(random, -1, 1));
-            blow.inverseInertiaA = blow.inverseMassA * between(random, 0.5, 8);
+            impact.inverseMassA = Math.pow(10, between(random, -1, 1));
+            impact.inverseInertiaA = impact.inverseMassA * between(random, 0.5, 8);
         }
         if (fixed != 1) {
-            blow.inverseMassB = Math.pow(10, between(random, -1, 1));
-            blow.inverseInertiaB = blow.inverseMassB * between(random, 0.5, 8);
+            impact.inverseMassB = Math.pow(10, between(random, -1, 1));
+            impact.inverseInertiaB = impact.inverseMassB * between(random, 0.5, 8);
         }
-        blow.velocityAX = between(random, -2, 2);
-        blow.velocityAY = between(random, -2, 2);
-        blow.spinA = between(random, -3, 3);
-        blow.velocityBX = between(random, -2, 2);
-        blow.velocityBY = between(random, -2, 2);
-        blow.spinB = between(random, -3, 3);
-        place(random, blow, points);
-        return blow;
+        impact.velocityAX = between(random, -2, 2);
+        impact.velocityAY = between(random, -2, 2);
+        impact.spinA = between(random, -3, 3);
+        impact.velocityBX = between(random, -2, 2);
+        impact.velocityBY = between(random, -2, 2);
+        impact.spinB = between(random, -3, 3);
+        place(random, impact, points);
+        return impact;
     }
 
     /** Two bodies that meet along the axes, B to the right of A. */
     static Impact level(Random random, int points) {
-        Impact blow = any(random, points);
-        blow.normalX = 1;
-        blow.normalY = 0;
-        blow.points = 0;
-        place(random, blow, points);
-        return blow;
+        Impact impact = any(random, points);
+        impact.normalX = 1;
+        impact.normalY = 0;
+        impact.points = 0;
+        place(random, impact, points);
+        return impact;
     }
 
     /** Two points lie on one face, across the normal, and no nearer than 0.2 m. */
-    private static void place(Random random, Impact blow, int points) {
+    private static void place(Random random, Impact impact, int points) {
         double x = between(random, -1, 1);
         double y = between(random, -1, 1);
         double bx = x + between(random, -1, 1);
         double by = y + between(random, -1, 1);
-        blow.addPoint(0, 0, x, y, bx, by);
+        impact.addPoint(0, 0, x, y, bx, by);
         if (points == 2) {
             double apart = between(random, 0.2, 2);
-            blow.addPoint(-apart * blow.normalY, apart * blow.normalX, x, y, bx, by);
+            impact.addPoint(-apart * impact.normalY, apart * impact.normalX, x, y, bx, by);
         }
     }
 
     /** Takes the drive from what is fixed, which would put energy in. */
-    static void haltFixed(Impact blow) {
-        if (blow.inverseMassA == 0) {
-            blow.velocityAX = 0;
-            blow.velocityAY = 0;
-            blow.spinA = 0;
+    static void haltFixed(Impact impact) {
+        if (impact.inverseMassA == 0) {
+            impact.velocityAX = 0;
+            impact.velocityAY = 0;
+            impact.spinA = 0;
         }
-        if (blow.inverseMassB == 0) {
-            blow.velocityBX = 0;
-            blow.velocityBY = 0;
-            blow.spinB = 0;
+        if (impact.inverseMassB == 0) {
+            impact.velocityBX = 0;
+            impact.velocityBY = 0;
+            impact.spinB = 0;
         }
     }
 
-    /** A copy of a blow in which no body moves and no surface runs. */
-    static Impact stopped(Impact blow) {
-        Impact stopped = copy(blow);
+    /** A copy of an impact in which no body moves and no surface runs. */
+    static Impact stopped(Impact impact) {
+        Impact stopped = copy(impact);
         stopped.velocityAX = 0;
         stopped.velocityAY = 0;
         stopped.spinA = 0;
@@ -101,30 +101,30 @@ final class Meet {
         return least + random.nextDouble() * (most - least);
     }
 
-    static Impact copy(Impact blow) {
+    static Impact copy(Impact impact) {
         Impact copy = new Impact();
-        copy.normalX = blow.normalX;
-        copy.normalY = blow.normalY;
-        copy.points = blow.points;
-        for (int i = 0; i < blow.points; i++) {
-            copy.armAX[i] = blow.armAX[i];
-            copy.armAY[i] = blow.armAY[i];
-            copy.armBX[i] = blow.armBX[i];
-            copy.armBY[i] = blow.armBY[i];
+        copy.normalX = impact.normalX;
+        copy.normalY = impact.normalY;
+        copy.points = impact.points;
+        for (int i = 0; i < impact.points; i++) {
+            copy.armAX[i] = impact.armAX[i];
+            copy.armAY[i] = impact.armAY[i];
+            copy.armBX[i] = impact.armBX[i];
+            copy.armBY[i] = impact.armBY[i];
         }
-        copy.inverseMassA = blow.inverseMassA;
-        copy.inverseInertiaA = blow.inverseInertiaA;
-        copy.inverseMassB = blow.inverseMassB;
-        copy.inverseInertiaB = blow.inverseInertiaB;
-        copy.velocityAX = blow.velocityAX;
-        copy.velocityAY = blow.velocityAY;
-        copy.spinA = blow.spinA;
-        copy.velocityBX = blow.velocityBX;
-        copy.velocityBY = blow.velocityBY;
-        copy.spinB = blow.spinB;
-        copy.surfaceSpeed = blow.surfaceSpeed;
-        copy.friction = blow.friction;
-        copy.elasticity = blow.elasticity;
+        copy.inverseMassA = impact.inverseMassA;
+        copy.inverseInertiaA = impact.inverseInertiaA;
+        copy.inverseMassB = impact.inverseMassB;
+        copy.inverseInertiaB = impact.inverseInertiaB;
+        copy.velocityAX = impact.velocityAX;
+        copy.velocityAY = impact.velocityAY;
+        copy.spinA = impact.spinA;
+        copy.velocityBX = impact.velocityBX;
+        copy.velocityBY = impact.velocityBY;
+        copy.spinB = impact.spinB;
+        copy.surfaceSpeed = impact.surfaceSpeed;
+        copy.friction = impact.friction;
+        copy.elasticity = impact.elasticity;
         return copy;
     }
 }

@@ -10,7 +10,7 @@ final class ThreeByThree {
     /** Which points push, in the order in which the law tries it. */
     private static final boolean[][] PUSHING = {{true, true}, {true, false}, {false, true}};
 
-    private final Impact blow;
+    private final Impact impact;
     private final double[][] given = new double[3][];
     private final double[] before;
     private final double[] wanted = new double[2];
@@ -24,11 +24,11 @@ final class ThreeByThree {
     /** Cases that failed before the one that holds: two of each kind of pushing, then smooth. */
     int tried;
 
-    ThreeByThree(Impact blow) {
-        this.blow = blow;
-        before = rows(blow);
+    ThreeByThree(Impact impact) {
+        this.impact = impact;
+        before = rows(impact);
         for (int i = 0; i < 2; i++) {
-            wanted[i] = Math.max(0, -blow.elasticity * before[i]) - before[i];
+            wanted[i] = Math.max(0, -impact.elasticity * before[i]) - before[i];
         }
         for (int j = 0; j < 3; j++) {
             given[j] = givenBy(j);
@@ -40,36 +40,36 @@ final class ThreeByThree {
     }
 
     /** Speeds of B's points seen from A's: both along the normal, their mean along the belt. */
-    private static double[] rows(Impact blow) {
-        double[] rows = {0, 0, -blow.surfaceSpeed};
+    private static double[] rows(Impact impact) {
+        double[] rows = {0, 0, -impact.surfaceSpeed};
         for (int i = 0; i < 2; i++) {
-            double x = TwoByTwo.pointX(blow, i);
-            double y = TwoByTwo.pointY(blow, i);
-            rows[i] = x * blow.normalX + y * blow.normalY;
-            rows[2] += (y * blow.normalX - x * blow.normalY) / 2;
+            double x = TwoByTwo.pointX(impact, i);
+            double y = TwoByTwo.pointY(impact, i);
+            rows[i] = x * impact.normalX + y * impact.normalY;
+            rows[2] += (y * impact.normalX - x * impact.normalY) / 2;
         }
         return rows;
     }
 
     /** The speeds of bodies that nothing moves but a unit impulse, at a point or shared by both. */
     private double[] givenBy(int row) {
-        Impact pushed = Meet.stopped(blow);
-        double x = row < 2 ? blow.normalX : -blow.normalY;
-        double y = row < 2 ? blow.normalY : blow.normalX;
+        Impact pushed = Meet.stopped(impact);
+        double x = row < 2 ? impact.normalX : -impact.normalY;
+        double y = row < 2 ? impact.normalY : impact.normalX;
         for (int i = 0; i < 2; i++) {
             double share = row == 2 ? 0.5 : row == i ? 1 : 0;
-            pushed.velocityAX -= share * x * blow.inverseMassA;
-            pushed.velocityAY -= share * y * blow.inverseMassA;
-            pushed.spinA -= share * (blow.armAX[i] * y - blow.armAY[i] * x) * blow.inverseInertiaA;
-            pushed.velocityBX += share * x * blow.inverseMassB;
-            pushed.velocityBY += share * y * blow.inverseMassB;
-            pushed.spinB += share * (blow.armBX[i] * y - blow.armBY[i] * x) * blow.inverseInertiaB;
+            pushed.velocityAX -= share * x * impact.inverseMassA;
+            pushed.velocityAY -= share * y * impact.inverseMassA;
+            pushed.spinA -= share * (impact.armAX[i] * y - impact.armAY[i] * x) * impact.inverseInertiaA;
+            pushed.velocityBX += share * x * impact.inverseMassB;
+            pushed.velocityBY += share * y * impact.inverseMassB;
+            pushed.spinB += share * (impact.armBX[i] * y - impact.armBY[i] * x) * impact.inverseInertiaB;
         }
         return rows(pushed);
     }
 
     private void solve() {
-        for (double friction : new double[] {blow.friction, 0}) {
+        for (double friction : new double[] {impact.friction, 0}) {
             for (boolean[] pushing : PUSHING) {
                 if (sticks(pushing, friction) || slides(pushing, friction)) {
                     return;

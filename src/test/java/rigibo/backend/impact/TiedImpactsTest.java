@@ -22,7 +22,7 @@ import rigibo.backend.storage.Pairs;
 
 import java.util.Random;
 
-/** Blows at one instant that share bodies, against solutions by hand and the conditions asked. */
+/** FlightImpacts at one instant that share bodies, against solutions by hand and the conditions asked. */
 class TiedImpactsTest {
 
     private static final Effect[] ALL = {
@@ -48,16 +48,16 @@ class TiedImpactsTest {
         return new Material(1, friction, 0);
     }
 
-    /** Discs of 1 m that touch, the normal from the one to the other; returns the blow. */
+    /** Discs of 1 m that touch, the normal from the one to the other; returns the impact. */
     private Impact touch(int pair, double angle) {
         double nx = Math.cos(angle);
         double ny = Math.sin(angle);
         pairs.normalX[pair] = nx;
         pairs.normalY[pair] = ny;
-        Impact blow = new Impact();
-        blow.load(bodies, pairs, pair);
-        blow.addPoint(nx, ny, 0, 0, 2 * nx, 2 * ny);
-        return blow;
+        Impact impact = new Impact();
+        impact.load(bodies, pairs, pair);
+        impact.addPoint(nx, ny, 0, 0, 2 * nx, 2 * ny);
+        return impact;
     }
 
     private void tie(int a, int b, double angle, double elasticity) {
@@ -94,7 +94,7 @@ class TiedImpactsTest {
      */
     @ParameterizedTest
     @ValueSource(doubles = {0, 0.5, 1})
-    void rowOfThreeSharesTheBlow(double elasticity) {
+    void rowOfThreeSharesTheImpact(double elasticity) {
         storage.add(disc(1).velocity(3, 0));
         storage.add(disc(1));
         storage.add(disc(1));
@@ -122,10 +122,10 @@ class TiedImpactsTest {
         assertThat(pairs.impulse).startsWith(new double[] {2, 2}, within(ROUND_OFF));
     }
 
-    /** By one blow alone: kₜ = 3 for a disc at a wall, 1/3 of the sliding sticks; else μ·jₙ. */
+    /** By one impact alone: kₜ = 3 for a disc at a wall, 1/3 of the sliding sticks; else μ·jₙ. */
     @ParameterizedTest
     @ValueSource(doubles = {0.05, 10})
-    void frictionSticksOrSlidesAsInASingleBlow(double friction) {
+    void frictionSticksOrSlidesAsInASingleImpact(double friction) {
         storage.add(BodyDefinition.fixed(new Circle(1)).material(rubbing(friction)));
         storage.add(disc(1).velocity(-2, 1.5).material(rubbing(friction)));
         tie(0, 1, 0, 0.5);
@@ -156,11 +156,11 @@ class TiedImpactsTest {
         storage.add(BodyDefinition.fixed(new Circle(1)).material(rubbing(1)));
         storage.add(disc(1).velocity(-4, 0.25).material(rubbing(1)));
         int pair = storage.pair(0, 1);
-        Impact blow = touch(pair, 0);
-        blow.points = 0;
-        blow.addPoint(1, -1, 0, 0, 2, 0);
-        blow.addPoint(1, 1, 0, 0, 2, 0);
-        tied.add(pair, blow, 0.25);
+        Impact impact = touch(pair, 0);
+        impact.points = 0;
+        impact.addPoint(1, -1, 0, 0, 2, 0);
+        impact.addPoint(1, 1, 0, 0, 2, 0);
+        tied.add(pair, impact, 0.25);
         assertThat(tied.resolve()).isTrue();
 
         assertThat(bodies.velocityX[1]).isCloseTo(1, within(ROUND_OFF));
@@ -171,7 +171,7 @@ class TiedImpactsTest {
 
     /** Between a driven disc and a wall there is no way out: it ends, and nothing runs away. */
     @Test
-    void blowsWithoutAnAnswerLeaveNothingFast() {
+    void impactsWithoutAnAnswerLeaveNothingFast() {
         storage.add(BodyDefinition.kinematic(new Circle(1)).velocity(1, 0));
         storage.add(disc(1));
         storage.add(BodyDefinition.fixed(new Circle(1)));
@@ -183,7 +183,7 @@ class TiedImpactsTest {
     }
 
     @Test
-    void nothingHappensWithoutBlows() {
+    void nothingHappensWithoutImpacts() {
         storage.add(disc(1).velocity(1, 0));
         storage.add(disc(1));
         tie(0, 1, 0, 1);
@@ -201,11 +201,11 @@ class TiedImpactsTest {
         plain.add(disc(1));
         int pair = plain.pair(0, 1);
         plain.pairs.normalX[pair] = 1;
-        Impact blow = new Impact();
-        blow.load(plain.bodies, plain.pairs, pair);
-        blow.addPoint(1, 0, 0, 0, 2, 0);
+        Impact impact = new Impact();
+        impact.load(plain.bodies, plain.pairs, pair);
+        impact.addPoint(1, 0, 0, 0, 2, 0);
         TiedImpacts one = new TiedImpacts(plain.bodies, plain.pairs);
-        one.add(pair, blow, 0);
+        one.add(pair, impact, 0);
         assertThat(one.resolve()).isTrue();
 
         assertThat(plain.bodies.velocityX).startsWith(new double[] {1, 1}, within(ROUND_OFF));
@@ -235,13 +235,13 @@ class TiedImpactsTest {
         private final FilledStorage storage = new FilledStorage(ALL);
         private final Bodies bodies = storage.bodies;
         private final TiedImpacts tied = new TiedImpacts(bodies, storage.pairs);
-        private final Impact[] blows;
+        private final Impact[] impacts;
         private final double elasticity;
         int stuck;
 
         Ring(Random random) {
             int others = 2 + random.nextInt(5);
-            blows = new Impact[others];
+            impacts = new Impact[others];
             elasticity = random.nextInt(3) == 0 ? 0 : Meet.between(random, 0, 0.4);
             double friction = random.nextInt(3) == 0 ? 0 : random.nextDouble() / 4;
             for (int i = 0; i <= others; i++) {
@@ -256,11 +256,11 @@ class TiedImpactsTest {
                 int pair = storage.pair(0, i + 1);
                 storage.pairs.normalX[pair] = Math.cos(angle);
                 storage.pairs.normalY[pair] = Math.sin(angle);
-                blows[i] = new Impact();
-                blows[i].load(bodies, storage.pairs, pair);
-                double nx = blows[i].normalX;
-                double ny = blows[i].normalY;
-                blows[i].addPoint(nx, ny, 0, 0, 2 * nx, 2 * ny);
+                impacts[i] = new Impact();
+                impacts[i].load(bodies, storage.pairs, pair);
+                double nx = impacts[i].normalX;
+                double ny = impacts[i].normalY;
+                impacts[i].addPoint(nx, ny, 0, 0, 2 * nx, 2 * ny);
             }
         }
 
@@ -269,22 +269,22 @@ class TiedImpactsTest {
             double before = energy();
             double momentum = momentum();
             double spins = turning();
-            for (int i = 0; i < blows.length; i++) {
-                tied.add(i, blows[i], elasticity);
+            for (int i = 0; i < impacts.length; i++) {
+                tied.add(i, impacts[i], elasticity);
             }
             boolean isSettled = tied.resolve();
             assertThat(energy()).as("seed %d", seed).isLessThan(before * (1 + ROUND_OFF));
             assertThat(momentum()).as("seed %d", seed).isCloseTo(momentum, within(1e-11));
             // Discs of one size rub at equal arms: I·ω of the others grows as that of the middle.
             assertThat(turning()).as("seed %d", seed).isCloseTo(spins, within(1e-11));
-            for (int i = 0; i < blows.length && isSettled; i++) {
+            for (int i = 0; i < impacts.length && isSettled; i++) {
                 assertRow(seed, i);
             }
             return isSettled;
         }
 
         private void assertRow(int seed, int pair) {
-            Impact before = blows[pair];
+            Impact before = impacts[pair];
             Impact after = Meet.copy(before);
             after.velocityAX = bodies.velocityX[0];
             after.velocityAY = bodies.velocityY[0];
@@ -315,7 +315,7 @@ class TiedImpactsTest {
 
         private double energy() {
             double sum = 0;
-            for (int slot = 0; slot <= blows.length; slot++) {
+            for (int slot = 0; slot <= impacts.length; slot++) {
                 sum += bodies.kineticEnergy(slot);
             }
             return sum;
@@ -323,7 +323,7 @@ class TiedImpactsTest {
 
         private double momentum() {
             double sum = 0;
-            for (int slot = 0; slot <= blows.length; slot++) {
+            for (int slot = 0; slot <= impacts.length; slot++) {
                 sum += bodies.mass[slot] * (bodies.velocityX[slot] + 2 * bodies.velocityY[slot]);
             }
             return sum;
@@ -332,7 +332,7 @@ class TiedImpactsTest {
         /** Spin of the middle less that of the others: friction turns both of a pair alike. */
         private double turning() {
             double sum = bodies.inertia[0] * bodies.spin[0];
-            for (int slot = 1; slot <= blows.length; slot++) {
+            for (int slot = 1; slot <= impacts.length; slot++) {
                 sum -= bodies.inertia[slot] * bodies.spin[slot];
             }
             return sum;

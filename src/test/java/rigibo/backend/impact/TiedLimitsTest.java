@@ -21,7 +21,7 @@ import java.util.function.Function;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 
-/** Ties against single blows, whose law is tested by itself, and what holds ties in bounds. */
+/** Ties against single impacts, whose law is tested by itself, and what holds ties in bounds. */
 class TiedLimitsTest {
 
     /** Of impulses that grew with each of 300 passes. */
@@ -50,26 +50,26 @@ class TiedLimitsTest {
         int pair = storage.pair(a, b);
         storage.pairs.normalX[pair] = 1;
         storage.pairs.normalY[pair] = 0;
-        Impact blow = new Impact();
-        blow.load(bodies, storage.pairs, pair);
-        blow.friction = 0;
-        blow.addPoint(1, 0, 0, 0, 2, 0);
-        tied.add(pair, blow, elasticity);
+        Impact impact = new Impact();
+        impact.load(bodies, storage.pairs, pair);
+        impact.friction = 0;
+        impact.addPoint(1, 0, 0, 0, 2, 0);
+        tied.add(pair, impact, elasticity);
         return pair;
     }
 
-    /** Writes a blow's bodies into the columns; a tie of it alone then has the law's answer. */
-    private void write(Impact blow) {
-        bodies.inverseMass[0] = blow.inverseMassA;
-        bodies.inverseMass[1] = blow.inverseMassB;
-        bodies.inverseInertia[0] = blow.inverseInertiaA;
-        bodies.inverseInertia[1] = blow.inverseInertiaB;
-        bodies.velocityX[0] = blow.velocityAX;
-        bodies.velocityY[0] = blow.velocityAY;
-        bodies.spin[0] = blow.spinA;
-        bodies.velocityX[1] = blow.velocityBX;
-        bodies.velocityY[1] = blow.velocityBY;
-        bodies.spin[1] = blow.spinB;
+    /** Writes an impact's bodies into the columns; a tie of it alone then has the law's answer. */
+    private void write(Impact impact) {
+        bodies.inverseMass[0] = impact.inverseMassA;
+        bodies.inverseMass[1] = impact.inverseMassB;
+        bodies.inverseInertia[0] = impact.inverseInertiaA;
+        bodies.inverseInertia[1] = impact.inverseInertiaB;
+        bodies.velocityX[0] = impact.velocityAX;
+        bodies.velocityY[0] = impact.velocityAY;
+        bodies.spin[0] = impact.spinA;
+        bodies.velocityX[1] = impact.velocityBX;
+        bodies.velocityY[1] = impact.velocityBY;
+        bodies.spin[1] = impact.spinB;
     }
 
     private double off(Impact after) {
@@ -83,26 +83,26 @@ class TiedLimitsTest {
 
     /** Sticking, sliding or scaled back by the energy, over a running surface or not. */
     @Test
-    void aTieOfOneIsTheBlowAlone() {
+    void aTieOfOneIsTheImpactAlone() {
         assertThat(answeredAsAlone(5_000, 5, TiedLimitsTest::closing)).isGreaterThan(4000);
     }
 
     /** Without friction two points have one answer. */
     @Test
-    void aTieOfTwoPointsIsTheBlowAlone() {
+    void aTieOfTwoPointsIsTheImpactAlone() {
         assertThat(answeredAsAlone(3_000, 6, TiedLimitsTest::smoothOnTwoPoints))
                 .isGreaterThan(2500);
     }
 
     private static Impact closing(Random random) {
-        Impact blow = Meet.any(random, 1);
-        return blow.parting(0) < 0 ? blow : closing(random);
+        Impact impact = Meet.any(random, 1);
+        return impact.parting(0) < 0 ? impact : closing(random);
     }
 
     private static Impact smoothOnTwoPoints(Random random) {
-        Impact blow = Meet.any(random, 2);
-        blow.friction = 0;
-        return blow;
+        Impact impact = Meet.any(random, 2);
+        impact.friction = 0;
+        return impact;
     }
 
     /** Velocities and the impulse told for the pair, which is also what was scaled back. */
@@ -113,18 +113,18 @@ class TiedLimitsTest {
         Random random = new Random(seed);
         int answered = 0;
         for (int i = 0; i < count; i++) {
-            Impact blow = draw.apply(random);
-            write(blow);
+            Impact impact = draw.apply(random);
+            write(impact);
             tied.clear();
-            tied.add(pair, blow, blow.elasticity);
+            tied.add(pair, impact, impact.elasticity);
             storage.pairs.impulse[pair] = 0;
             if (tied.resolve()) {
                 answered++;
-                new ImpactLaw().resolve(blow);
+                new ImpactLaw().resolve(impact);
                 // Ten passes to a digit, where rows hang together most.
-                assertThat(off(blow)).as("impact %d, seed %d", i, seed).isLessThan(1e-8);
+                assertThat(off(impact)).as("impact %d, seed %d", i, seed).isLessThan(1e-8);
                 double told = storage.pairs.impulse[pair];
-                assertThat(told).isCloseTo(blow.totalNormalImpulse(), within(1e-8 * (1 + told)));
+                assertThat(told).isCloseTo(impact.totalNormalImpulse(), within(1e-8 * (1 + told)));
             }
         }
         return answered;
@@ -138,7 +138,7 @@ class TiedLimitsTest {
      */
     @ParameterizedTest
     @CsvSource({"1, 0", "0.1, 0", "1, 0.25", "1, 0.5", "3, -0.5"})
-    void blowsWithoutAnAnswerLeaveNoRowTwiceAsFast(double driven, double own) {
+    void impactsWithoutAnAnswerLeaveNoRowTwiceAsFast(double driven, double own) {
         beginAfterAFasterInstant();
         int left = add(own);
         int right = add(-own);
@@ -194,16 +194,16 @@ class TiedLimitsTest {
         assertThat(storage.pairs.impulse[0]).as("told once").isCloseTo(1000, within(1e-9));
     }
 
-    /** A row for each point, and one for what rubs; none for a blow that touches nowhere. */
+    /** A row for each point, and one for what rubs; none for an impact that touches nowhere. */
     @ParameterizedTest
     @CsvSource({"0, 0, 0", "0, 0.5, 0", "1, 0, 1", "1, 0.5, 2", "2, 0, 2", "2, 0.5, 3"})
     void everyPointHasItsRow(int points, double friction, int rows) {
         add(1);
         add(0);
-        Impact blow = Meet.any(new Random(11), 2);
-        blow.points = points;
-        blow.friction = friction;
-        tied.add(storage.pair(0, 1), blow, 0);
+        Impact impact = Meet.any(new Random(11), 2);
+        impact.points = points;
+        impact.friction = friction;
+        tied.add(storage.pair(0, 1), impact, 0);
         assertThat(tied.rows()).isEqualTo(rows);
     }
 
@@ -249,9 +249,9 @@ class TiedLimitsTest {
         assertThat(bodies.spin[wall]).isZero();
     }
 
-    /** More rows than there was room for, each of a blow of its own: equal discs exchange. */
+    /** More rows than there was room for, each of an impact of its own: equal discs exchange. */
     @Test
-    void holdsAsManyBlowsAsFallOnTheInstant() {
+    void holdsAsManyImpactsAsFallOnTheInstant() {
         for (int i = 0; i < 20; i++) {
             add(i + 1);
             add(0);
@@ -277,11 +277,11 @@ class TiedLimitsTest {
         bodies.velocityX[0] = 3;
         bodies.velocityX[1] = 0;
         tied.clear();
-        Impact blow = new Impact();
-        blow.load(bodies, storage.pairs, pair);
-        blow.friction = 0;
-        blow.addPoint(1, 0, 0, 0, 2, 0);
-        tied.add(pair, blow, 1);
+        Impact impact = new Impact();
+        impact.load(bodies, storage.pairs, pair);
+        impact.friction = 0;
+        impact.addPoint(1, 0, 0, 0, 2, 0);
+        tied.add(pair, impact, 1);
         tied.resolve();
 
         assertThat(bodies.velocityX).startsWith(new double[] {0, 3}, within(1e-14));

@@ -20,33 +20,33 @@ final class TwoByTwo {
 
     boolean isScaled;
 
-    TwoByTwo(Impact blow) {
-        double mass = blow.inverseMassA + blow.inverseMassB;
-        double ax = blow.armAX[0];
-        double ay = blow.armAY[0];
-        double bx = blow.armBX[0];
-        double by = blow.armBY[0];
-        double iA = blow.inverseInertiaA;
-        double iB = blow.inverseInertiaB;
+    TwoByTwo(Impact impact) {
+        double mass = impact.inverseMassA + impact.inverseMassB;
+        double ax = impact.armAX[0];
+        double ay = impact.armAY[0];
+        double bx = impact.armBX[0];
+        double by = impact.armBY[0];
+        double iA = impact.inverseInertiaA;
+        double iB = impact.inverseInertiaB;
         a = mass + iA * ay * ay + iB * by * by;
         b = -iA * ax * ay - iB * bx * by;
         d = mass + iA * ax * ax + iB * bx * bx;
-        solve(blow);
+        solve(impact);
     }
 
-    private void solve(Impact blow) {
-        double nx = blow.normalX;
-        double ny = blow.normalY;
-        double vx = pointX(blow, 0) + blow.surfaceSpeed * ny;
-        double vy = pointY(blow, 0) - blow.surfaceSpeed * nx;
+    private void solve(Impact impact) {
+        double nx = impact.normalX;
+        double ny = impact.normalY;
+        double vx = pointX(impact, 0) + impact.surfaceSpeed * ny;
+        double vy = pointY(impact, 0) - impact.surfaceSpeed * nx;
         double closing = Math.max(0, -(vx * nx + vy * ny));
-        double wanted = (1 + blow.elasticity) * closing;
-        stick(-vx + blow.elasticity * closing * nx, -vy + blow.elasticity * closing * ny);
+        double wanted = (1 + impact.elasticity) * closing;
+        stick(-vx + impact.elasticity * closing * nx, -vy + impact.elasticity * closing * ny);
         double normal = x * nx + y * ny;
         double tangent = y * nx - x * ny;
-        sticks = Math.abs(tangent) <= blow.friction * normal;
+        sticks = Math.abs(tangent) <= impact.friction * normal;
         if (!sticks) {
-            slide(nx, ny, Math.copySign(blow.friction, tangent), wanted);
+            slide(nx, ny, Math.copySign(impact.friction, tangent), wanted);
         }
         keepEnergy(vx, vy);
     }
@@ -82,15 +82,15 @@ final class TwoByTwo {
     }
 
     /** Velocity of B's point seen from A's, m/s. */
-    static double pointX(Impact blow, int i) {
-        return blow.velocityBX
-                - blow.spinB * blow.armBY[i]
-                - (blow.velocityAX - blow.spinA * blow.armAY[i]);
+    static double pointX(Impact impact, int i) {
+        return impact.velocityBX
+                - impact.spinB * impact.armBY[i]
+                - (impact.velocityAX - impact.spinA * impact.armAY[i]);
     }
 
-    static double pointY(Impact blow, int i) {
-        return blow.velocityBY
-                + blow.spinB * blow.armBX[i]
-                - (blow.velocityAY + blow.spinA * blow.armAX[i]);
+    static double pointY(Impact impact, int i) {
+        return impact.velocityBY
+                + impact.spinB * impact.armBX[i]
+                - (impact.velocityAY + impact.spinA * impact.armAX[i]);
     }
 }

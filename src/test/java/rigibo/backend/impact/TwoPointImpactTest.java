@@ -18,33 +18,33 @@ class TwoPointImpactTest {
     /** Round-off of three rows whose condition is some hundred at most, m/s at 2 m/s. */
     private static final double ROUND_OFF = 1e-9;
 
-    /** One for all blows of a test: none leaves anything to the next. */
+    /** One for all impacts of a test: none leaves anything to the next. */
     private final ImpactLaw law = new ImpactLaw();
 
-    private Impact resolved(Impact blow) {
-        law.resolve(blow);
-        return blow;
+    private Impact resolved(Impact impact) {
+        law.resolve(impact);
+        return impact;
     }
 
     /** A box of 1 kg, 2 m high and {@code width} wide along its motion, flat against a wall. */
     private static Impact box(double width, double velocityX, double velocityY, double spin) {
-        Impact blow = Meet.wall(velocityX, velocityY, spin, (width * width + 4) / 12);
-        blow.addPoint(-width / 2, -1, 0, 0, 0, 0);
-        blow.addPoint(-width / 2, 1, 0, 0, 0, 0);
-        return blow;
+        Impact impact = Meet.wall(velocityX, velocityY, spin, (width * width + 4) / 12);
+        impact.addPoint(-width / 2, -1, 0, 0, 0, 0);
+        impact.addPoint(-width / 2, 1, 0, 0, 0, 0);
+        return impact;
     }
 
     @Test
     void flatBoxReboundsWithoutTurning() {
-        Impact blow = box(2, -4, 0, 0);
-        blow.elasticity = 0.25;
-        resolved(blow);
+        Impact impact = box(2, -4, 0, 0);
+        impact.elasticity = 0.25;
+        resolved(impact);
 
-        assertThat(blow.velocityBX).isCloseTo(1, within(1e-14));
-        assertThat(blow.spinB).isCloseTo(0, within(1e-14));
-        assertThat(blow.normalImpulse[0]).isCloseTo(2.5, within(1e-14));
-        assertThat(blow.normalImpulse[1]).isCloseTo(2.5, within(1e-14));
-        assertThat(blow.slowestParting()).isCloseTo(1, within(1e-14));
+        assertThat(impact.velocityBX).isCloseTo(1, within(1e-14));
+        assertThat(impact.spinB).isCloseTo(0, within(1e-14));
+        assertThat(impact.normalImpulse[0]).isCloseTo(2.5, within(1e-14));
+        assertThat(impact.normalImpulse[1]).isCloseTo(2.5, within(1e-14));
+        assertThat(impact.slowestParting()).isCloseTo(1, within(1e-14));
     }
 
     /**
@@ -54,15 +54,15 @@ class TwoPointImpactTest {
     @ParameterizedTest
     @CsvSource({"1, 9, -0.4", "1, -9, 0.4", "0.5, 9, -0.4", "0.5, 0.25, -0.25", "1, -0.25, 0.25"})
     void flatBoxIsRubbedWithoutTurning(double width, double sliding, double tangent) {
-        Impact blow = box(width, -4, sliding, 0);
-        blow.friction = 0.1;
-        resolved(blow);
+        Impact impact = box(width, -4, sliding, 0);
+        impact.friction = 0.1;
+        resolved(impact);
 
-        assertThat(blow.tangentImpulse).isCloseTo(tangent, within(1e-14));
-        assertThat(blow.spinB).isCloseTo(0, within(1e-14));
+        assertThat(impact.tangentImpulse).isCloseTo(tangent, within(1e-14));
+        assertThat(impact.spinB).isCloseTo(0, within(1e-14));
         double turned = tangent * -width / 2;
-        assertThat(blow.normalImpulse[0]).isCloseTo(2 - turned / 2, within(1e-14));
-        assertThat(blow.normalImpulse[1]).isCloseTo(2 + turned / 2, within(1e-14));
+        assertThat(impact.normalImpulse[0]).isCloseTo(2 - turned / 2, within(1e-14));
+        assertThat(impact.normalImpulse[1]).isCloseTo(2 + turned / 2, within(1e-14));
     }
 
     /**
@@ -71,17 +71,17 @@ class TwoPointImpactTest {
      */
     @Test
     void eachCornerKeepsItsOwnSpeed() {
-        Impact blow = box(2, -4, 0, -1);
-        blow.elasticity = 1;
-        double first = blow.parting(0);
-        double second = blow.parting(1);
-        resolved(blow);
+        Impact impact = box(2, -4, 0, -1);
+        impact.elasticity = 1;
+        double first = impact.parting(0);
+        double second = impact.parting(1);
+        resolved(impact);
 
         assertThat(first).isEqualTo(-5);
         assertThat(second).isEqualTo(-3);
-        assertThat(blow.parting(0)).isCloseTo(5, within(1e-13));
-        assertThat(blow.parting(1)).isCloseTo(3, within(1e-13));
-        assertThat(blow.slowestParting()).isCloseTo(3, within(1e-13));
+        assertThat(impact.parting(0)).isCloseTo(5, within(1e-13));
+        assertThat(impact.parting(1)).isCloseTo(3, within(1e-13));
+        assertThat(impact.slowestParting()).isCloseTo(3, within(1e-13));
     }
 
     /**
@@ -90,26 +90,26 @@ class TwoPointImpactTest {
     @ParameterizedTest
     @ValueSource(ints = {-1, 1})
     void cornerThatPartsDoesNotPush(int sign) {
-        Impact blow = box(2, -1, 0, 2 * sign);
+        Impact impact = box(2, -1, 0, 2 * sign);
         int coming = sign > 0 ? 1 : 0;
-        assertThat(blow.parting(coming)).isEqualTo(-3);
-        resolved(blow);
+        assertThat(impact.parting(coming)).isEqualTo(-3);
+        resolved(impact);
 
-        assertThat(blow.normalImpulse[coming]).isCloseTo(3 / 2.5, within(1e-14));
-        assertThat(blow.normalImpulse[1 - coming]).isZero();
-        assertThat(blow.parting(coming)).isCloseTo(0, within(1e-14));
+        assertThat(impact.normalImpulse[coming]).isCloseTo(3 / 2.5, within(1e-14));
+        assertThat(impact.normalImpulse[1 - coming]).isZero();
+        assertThat(impact.parting(coming)).isCloseTo(0, within(1e-14));
     }
 
     /** Where nothing turns both points are one to the arithmetic. */
     @Test
     void bodyThatCannotTurnIsStruckOnce() {
-        Impact blow = box(2, -4, 0, 0);
-        blow.inverseInertiaB = 0;
-        resolved(blow);
+        Impact impact = box(2, -4, 0, 0);
+        impact.inverseInertiaB = 0;
+        resolved(impact);
 
-        assertThat(blow.points).isEqualTo(1);
-        assertThat(blow.velocityBX).isCloseTo(0, within(1e-15));
-        assertThat(blow.totalNormalImpulse()).isEqualTo(4);
+        assertThat(impact.points).isEqualTo(1);
+        assertThat(impact.velocityBX).isCloseTo(0, within(1e-15));
+        assertThat(impact.totalNormalImpulse()).isEqualTo(4);
     }
 
     /**
@@ -119,20 +119,20 @@ class TwoPointImpactTest {
     @ParameterizedTest
     @CsvSource({"-1, 1", "1, 1", "-1, 1e3", "1, 1e3", "-1, 1e-3", "1, 1e-3"})
     void ofTwoPointsInOnePlaceTheFasterCounts(int sign, double inverseMass) {
-        Impact blow = box(2, -4, 0, sign);
-        blow.inverseMassA = inverseMass;
-        blow.inverseMassB = inverseMass;
-        blow.inverseInertiaB = 1.5 * inverseMass;
-        blow.points = 0;
-        blow.addPoint(-1, 0.5, -3, 0.25, 0, 0);
-        blow.addPoint(-1 + 1e-9, 0.5 + 1e-6, -3, 0.25, 0, 0);
+        Impact impact = box(2, -4, 0, sign);
+        impact.inverseMassA = inverseMass;
+        impact.inverseMassB = inverseMass;
+        impact.inverseInertiaB = 1.5 * inverseMass;
+        impact.points = 0;
+        impact.addPoint(-1, 0.5, -3, 0.25, 0, 0);
+        impact.addPoint(-1 + 1e-9, 0.5 + 1e-6, -3, 0.25, 0, 0);
         int i = sign < 0 ? 0 : 1;
-        double[] faster = {blow.armAX[i], blow.armAY[i], blow.armBX[i], blow.armBY[i]};
-        assertThat(blow.slowestParting()).isEqualTo(-4 - sign * faster[3]);
-        resolved(blow);
+        double[] faster = {impact.armAX[i], impact.armAY[i], impact.armBX[i], impact.armBY[i]};
+        assertThat(impact.slowestParting()).isEqualTo(-4 - sign * faster[3]);
+        resolved(impact);
 
-        assertThat(blow.points).isEqualTo(1);
-        assertThat(new double[] {blow.armAX[0], blow.armAY[0], blow.armBX[0], blow.armBY[0]})
+        assertThat(impact.points).isEqualTo(1);
+        assertThat(new double[] {impact.armAX[0], impact.armAY[0], impact.armBX[0], impact.armBY[0]})
                 .containsExactly(faster);
     }
 
@@ -143,11 +143,11 @@ class TwoPointImpactTest {
         Random random = new Random(9);
         int[] cases = new int[12];
         for (int i = 0; i < 30_000; i++) {
-            Impact blow = Meet.any(random, 2);
-            blow.friction *= roughness;
-            ThreeByThree truth = new ThreeByThree(blow);
+            Impact impact = Meet.any(random, 2);
+            impact.friction *= roughness;
+            ThreeByThree truth = new ThreeByThree(impact);
             if (truth.margin > ROUND_OFF) {
-                Impact after = resolved(Meet.copy(blow));
+                Impact after = resolved(Meet.copy(impact));
                 cases[truth.tried]++;
                 assertImpulses(i, after, truth.impulse);
             }
@@ -174,25 +174,25 @@ class TwoPointImpactTest {
     void oneCornerPushesWhereThatStopsBoth() {
         Random random = new Random(10);
         for (int i = 0; i < 2_000; i++) {
-            Impact blow = Meet.any(random, 2);
-            blow.elasticity = 0;
-            blow.friction = 0;
-            blow.surfaceSpeed = 0;
+            Impact impact = Meet.any(random, 2);
+            impact.elasticity = 0;
+            impact.friction = 0;
+            impact.surfaceSpeed = 0;
             int first = random.nextInt(2);
-            strikeAway(blow, first);
-            assertImpulses(i, resolved(blow), 2 - 2 * first, 2 * first, 0);
+            strikeAway(impact, first);
+            assertImpulses(i, resolved(impact), 2 - 2 * first, 2 * first, 0);
         }
     }
 
-    private static void strikeAway(Impact blow, int i) {
-        double nx = blow.normalX;
-        double ny = blow.normalY;
-        blow.velocityAX = 2 * nx * blow.inverseMassA;
-        blow.velocityAY = 2 * ny * blow.inverseMassA;
-        blow.spinA = 2 * (blow.armAX[i] * ny - blow.armAY[i] * nx) * blow.inverseInertiaA;
-        blow.velocityBX = -2 * nx * blow.inverseMassB;
-        blow.velocityBY = -2 * ny * blow.inverseMassB;
-        blow.spinB = -2 * (blow.armBX[i] * ny - blow.armBY[i] * nx) * blow.inverseInertiaB;
+    private static void strikeAway(Impact impact, int i) {
+        double nx = impact.normalX;
+        double ny = impact.normalY;
+        impact.velocityAX = 2 * nx * impact.inverseMassA;
+        impact.velocityAY = 2 * ny * impact.inverseMassA;
+        impact.spinA = 2 * (impact.armAX[i] * ny - impact.armAY[i] * nx) * impact.inverseInertiaA;
+        impact.velocityBX = -2 * nx * impact.inverseMassB;
+        impact.velocityBY = -2 * ny * impact.inverseMassB;
+        impact.spinB = -2 * (impact.armBX[i] * ny - impact.armBY[i] * nx) * impact.inverseInertiaB;
     }
 
     /**
@@ -203,18 +203,18 @@ class TwoPointImpactTest {
     @ValueSource(ints = {-1, 1})
     void aMastSlidesWithoutTurning(int sign) {
         double height = 1e5;
-        Impact blow = Meet.wall(-4, sign, 0, 1);
-        blow.friction = 1e-6;
-        blow.addPoint(-height, -0.5, 0, 0, 0, 0);
-        blow.addPoint(-height, 0.5, 0, 0, 0, 0);
-        resolved(blow);
+        Impact impact = Meet.wall(-4, sign, 0, 1);
+        impact.friction = 1e-6;
+        impact.addPoint(-height, -0.5, 0, 0, 0, 0);
+        impact.addPoint(-height, 0.5, 0, 0, 0, 0);
+        resolved(impact);
 
         double tangent = -4e-6 * sign;
-        assertThat(blow.tangentImpulse).isCloseTo(tangent, within(1e-14));
-        assertThat(blow.totalNormalImpulse()).isCloseTo(4, within(1e-9));
-        assertThat(blow.normalImpulse[1] - blow.normalImpulse[0])
+        assertThat(impact.tangentImpulse).isCloseTo(tangent, within(1e-14));
+        assertThat(impact.totalNormalImpulse()).isCloseTo(4, within(1e-9));
+        assertThat(impact.normalImpulse[1] - impact.normalImpulse[0])
                 .isCloseTo(-2 * height * tangent, within(1e-9));
-        assertThat(blow.spinB).isCloseTo(0, within(1e-9));
+        assertThat(impact.spinB).isCloseTo(0, within(1e-9));
     }
 
     /**
@@ -224,18 +224,18 @@ class TwoPointImpactTest {
     @ParameterizedTest
     @ValueSource(ints = {-1, 0, 1})
     void beyondArithmeticTheFasterCornerIsPushed(int sign) {
-        Impact blow = box(2, -4, 3, sign);
-        blow.elasticity = 0.5;
-        blow.inverseMassB = 1e200;
-        blow.inverseInertiaB = 1.5e200;
+        Impact impact = box(2, -4, 3, sign);
+        impact.elasticity = 0.5;
+        impact.inverseMassB = 1e200;
+        impact.inverseInertiaB = 1.5e200;
         int faster = sign > 0 ? 1 : 0;
         double speed = 4 + Math.abs(sign);
-        assertThat(blow.parting(faster)).isEqualTo(-speed);
-        resolved(blow);
+        assertThat(impact.parting(faster)).isEqualTo(-speed);
+        resolved(impact);
 
-        assertThat(blow.parting(faster)).isCloseTo(speed / 2, within(1e-14));
-        assertThat(blow.normalImpulse[faster]).isCloseTo(1.5 * speed / 2.5e200, within(1e-214));
-        assertThat(blow.normalImpulse[1 - faster]).isZero();
+        assertThat(impact.parting(faster)).isCloseTo(speed / 2, within(1e-14));
+        assertThat(impact.normalImpulse[faster]).isCloseTo(1.5 * speed / 2.5e200, within(1e-214));
+        assertThat(impact.normalImpulse[1 - faster]).isZero();
     }
 
     /**
@@ -248,10 +248,10 @@ class TwoPointImpactTest {
         Random random = new Random(4);
         int[] cases = new int[4];
         for (int i = 0; i < 20_000; i++) {
-            Impact blow = Meet.any(random, 2);
-            Impact after = resolved(Meet.copy(blow));
-            ImpactLawTest.assertPushed(i, blow, after);
-            cases[new Verdict(i, blow, after).kind()]++;
+            Impact impact = Meet.any(random, 2);
+            Impact after = resolved(Meet.copy(impact));
+            ImpactLawTest.assertPushed(i, impact, after);
+            cases[new Verdict(i, impact, after).kind()]++;
         }
         assertThat(IntStream.of(cases))
                 .as("parting, sticking, sliding, scaled back")
@@ -333,14 +333,14 @@ class TwoPointImpactTest {
         }
 
         /** Of the middle of the points against the belt, m/s along (−ny, nx). */
-        private double sliding(Impact blow) {
+        private double sliding(Impact impact) {
             double sum = 0;
             for (int i = 0; i < 2; i++) {
                 sum +=
-                        TwoByTwo.pointY(blow, i) * blow.normalX
-                                - TwoByTwo.pointX(blow, i) * blow.normalY;
+                        TwoByTwo.pointY(impact, i) * impact.normalX
+                                - TwoByTwo.pointX(impact, i) * impact.normalY;
             }
-            return sum / 2 - blow.surfaceSpeed;
+            return sum / 2 - impact.surfaceSpeed;
         }
     }
 }

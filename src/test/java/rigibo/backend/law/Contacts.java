@@ -29,7 +29,7 @@ final class Contacts {
     }
 
     /**
-     * Whether bodies stay in touch: a pile had to be solved. Where blows are not looked for in
+     * Whether bodies stay in touch: a pile had to be solved. Where impacts are not looked for in
      * flight, as at DRAFT, piles see to them too, and only what persists tells.
      */
     static boolean last(Pool pool) {

@@ -31,7 +31,7 @@ class EnergyLawTest {
     /** An impact alone is the impact law, which scales back what would add energy. */
     @ParameterizedTest
     @EnumSource(Preset.class)
-    void blowsInSpaceAddNone(Preset preset) {
+    void impactsInSpaceAddNone(Preset preset) {
         Laws.hold(
                 SEEDS,
                 seed -> Surroundings.meeting(seed, preset.accuracy),

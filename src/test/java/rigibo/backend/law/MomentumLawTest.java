@@ -30,8 +30,8 @@ class MomentumLawTest {
     }
 
     /**
-     * To round-off, until bodies stay in touch: a blow in flight acts on both at one point. DRAFT
-     * has no such blows: all are a pile's.
+     * To round-off, until bodies stay in touch: an impact in flight acts on both at one point. DRAFT
+     * has no such impacts: all are a pile's.
      */
     @ParameterizedTest
     @EnumSource(value = Preset.class, names = "DRAFT", mode = EnumSource.Mode.EXCLUDE)
@@ -40,7 +40,7 @@ class MomentumLawTest {
     }
 
     /**
-     * A blow in a pile acts where the points of both bodies were at the substep's begin, so it
+     * An impact in a pile acts where the points of both bodies were at the substep's begin, so it
      * turns them by as much too much as they move past each other until its end; a pile that takes
      * overlap back moves bodies, and their momenta with them.
      */
@@ -126,7 +126,7 @@ class MomentumLawTest {
                 roundOff.ofAngularMomentum(), off, "angular momentum is off by kg·m²/s");
     }
 
-    /** In every step, compared with the most that its blows and its overlap may have changed. */
+    /** In every step, compared with the most that its impacts and its overlap may have changed. */
     private static Optional<String> angularMomentumNear(RandomScene scene, Asked asked) {
         Pool pool = scene.pool();
         RoundOff roundOff = new RoundOff();
@@ -143,15 +143,15 @@ class MomentumLawTest {
                 // Two points, each no faster than the fastest.
                 double past = 2 * Math.max(fastest, Speeds.fastest(pool)) * substep;
                 double parted = Math.max(overlap, report.deepestOverlap()) * Speeds.momenta(pool);
-                double turned = blows(pool) * past + parted + roundOff.ofAngularMomentum();
+                double turned = impacts(pool) * past + parted + roundOff.ofAngularMomentum();
                 most = Math.max(most, Math.abs(pool.angularMomentum() - before) / turned);
             }
         }
-        return asked.atMost(1, most, "of what blows may turn, angular momentum is off by");
+        return asked.atMost(1, most, "of what impacts may turn, angular momentum is off by");
     }
 
     /** All impulses of the last step, friction included, N·s. */
-    private static double blows(Pool pool) {
+    private static double impacts(Pool pool) {
         double normal = pool.contactEvents().stream().mapToDouble(ContactEvent::impulse).sum();
         return normal * Math.hypot(1, MOST_FRICTION);
     }

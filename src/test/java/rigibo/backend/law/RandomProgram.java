@@ -21,7 +21,7 @@ public final class RandomProgram {
     private static final int TRAY = 3;
 
     /** A body is thrown at the others so often, in steps; what sleeps is woken within the step. */
-    private static final int STEPS_PER_BLOW = 37;
+    private static final int STEPS_PER_IMPACT = 37;
 
     private static final int STEPS_PER_EDIT = 23;
 
@@ -53,7 +53,7 @@ public final class RandomProgram {
     /** Does what is due at a step of a number, and makes it. */
     public static void step(Pool pool, long seed, int number) {
         long drawn = 1000 * seed + number;
-        if (number % STEPS_PER_BLOW == STEPS_PER_BLOW - 1) {
+        if (number % STEPS_PER_IMPACT == STEPS_PER_IMPACT - 1) {
             strike(pool, new Draw(drawn));
         }
         if (number % STEPS_PER_EDIT == STEPS_PER_EDIT - 1) {

@@ -22,7 +22,7 @@ class SymmetryLawTest {
     private static final Seeds SEEDS = Seeds.upTo(300);
     private static final int FEW = 4;
 
-    /** Two, for a corner's blows may follow each other closely. */
+    /** Two, for a corner's impacts may follow each other closely. */
     private static final int BOUNCES = 2;
 
     /** What it takes for a tie to come up, which goes by the order of pairs. */
@@ -32,7 +32,7 @@ class SymmetryLawTest {
     private static final int ALL = Integer.MAX_VALUE;
 
     /**
-     * To the bit, but at DRAFT: there a pile's solver sees to blows, whose sums round by the order
+     * To the bit, but at DRAFT: there a pile's solver sees to impacts, whose sums round by the order
      * of pairs.
      */
     @ParameterizedTest
@@ -114,7 +114,7 @@ class SymmetryLawTest {
 
     /**
      * The same for a floor, which MOVING makes kinematic, and gravity, which turns and scales. Far
-     * away the worst is seed 65, where a corner's second blow is a grazing one: 1.1e-4 m.
+     * away the worst is seed 65, where a corner's second impact is a grazing one: 1.1e-4 m.
      */
     @ParameterizedTest
     @CsvSource({

@@ -35,7 +35,7 @@ class WorkLawTest {
 
     private static final double DROP = 1.2;
 
-    /** Multiplications that one island is worth, blows and elimination, whatever it is. */
+    /** Multiplications that one island is worth, impacts and elimination, whatever it is. */
     private static final double SMALLEST = 1e6 + 1e5;
 
     private static final Effect[] CALLED_FOR = {
@@ -74,13 +74,13 @@ class WorkLawTest {
     }
 
     /**
-     * Elastic discs on discs: what a blow goes through is the whole heap. Blows and elimination may
-     * each take 18 passes over all points a kick, but for small islands, whose blows may take one
+     * Elastic discs on discs: what an impact goes through is the whole heap. FlightImpacts and elimination may
+     * each take 18 passes over all points a kick, but for small islands, whose impacts may take one
      * million multiplications a step; what is eliminated because it is calm may take sixteen times
      * that, once.
      */
     @Test
-    void blowsInAHeapOfDiscsAreWithinABudget() {
+    void impactsInAHeapOfDiscsAreWithinABudget() {
         Pool pool = new Pool(Effects.of(CALLED_FOR), Preset.GAME.accuracy);
         pool.add(BodyDefinition.fixed(Polygon.box(20, 2)).at(0, -1));
         for (int side = -1; side <= 1; side += 2) {
@@ -98,11 +98,11 @@ class WorkLawTest {
         for (int i = 0; i < STEPS; i++) {
             StepReport report = pool.step(RandomScene.DT);
             double contacts = report.rows() / 2.0;
-            double ofBlows = 18 * PASS * contacts;
-            double calm = 16 * ofBlows;
+            double ofImpacts = 18 * PASS * contacts;
+            double calm = 16 * ofImpacts;
             int solved =
                     report.islands(SolveMethod.ELIMINATION) + report.islands(SolveMethod.PASSES);
-            double most = kicks * (ofBlows + calm) + SMALLEST * solved;
+            double most = kicks * (ofImpacts + calm) + SMALLEST * solved;
             assertThat(report.multiplications()).isLessThanOrEqualTo(most);
             impacts += report.impacts();
         }

@@ -32,7 +32,7 @@ class BodyLedgerTest {
 
         final DataStorage data;
         final Bodies bodies;
-        final BodyLedger ledger;
+        final StepBodies ledger;
         final int fixed;
         final int driven;
         final int first;
@@ -42,7 +42,7 @@ class BodyLedgerTest {
         Five(Effect... effects) {
             data = new DataStorage(Effects.of(effects));
             bodies = data.bodies;
-            ledger = new BodyLedger(data);
+            ledger = new StepBodies(data);
             fixed = body(BodyType.STATIC, false);
             driven = body(BodyType.KINEMATIC, false);
             first = body(BodyType.DYNAMIC, true);

@@ -154,7 +154,7 @@ class StepPlanTest {
     @Test
     void rowsAreOfWhatIsDeclared() {
         assertThat(rows(new Contacts(), new Friction())).endsWith(": loads, friction");
-        assertThat(rows(new Contacts(), new Restitution())).endsWith(": loads, blows");
+        assertThat(rows(new Contacts(), new Restitution())).endsWith(": loads, impacts");
         assertThat(rows(new Contacts(), new Rotation(), new RollingResistance()))
                 .endsWith(": loads, rolling, faces that turn");
         assertThat(rows(new Contacts(), new Friction(), new SurfaceSpeed()))

@@ -30,7 +30,7 @@ class OwnClassesTest {
         assertThat(OwnClasses.undeclared(Effects.of(), ENGINE.names()))
                 .contains(
                         "rigibo/backend/force/GravityKernel.class",
-                        "rigibo/backend/contact/PileSolver.class");
+                        "rigibo/backend/contact/IslandSolver.class");
     }
 
     @Test
@@ -39,10 +39,10 @@ class OwnClassesTest {
                 .contains(
                         "rigibo/backend/force/WindKernel.class",
                         "rigibo/backend/flight/Course.class",
-                        "rigibo/backend/contact/PileForces.class")
+                        "rigibo/backend/contact/IslandForces.class")
                 .doesNotContain(
                         "rigibo/backend/force/ThrustKernel.class",
-                        "rigibo/backend/contact/PileSolver.class",
+                        "rigibo/backend/contact/IslandSolver.class",
                         "rigibo/backend/rest/Sleeping.class");
     }
 

@@ -12,7 +12,7 @@ final class BounceRows {
 
     /**
      * Share of what the effects add to a speed in one substep that a closing speed must pass to be
-     * a blow: less is what one pass over a pile leaves unsolved.
+     * an impact: less is what one pass over a pile leaves unsolved.
      */
     private static final double PULLED = 0.25;
 
@@ -56,7 +56,7 @@ final class BounceRows {
     /**
      * From which approach on, m/s, a contact bounces. What presses it is the effects' acceleration
      * or the load it carried, whichever is more: inside a heap a contact is pressed from far above.
-     * What a body gains by being pressed for a substep is load, not a blow.
+     * What a body gains by being pressed for a substep is load, not an impact.
      */
     private double bounceSpeed(int row, double h) {
         double[] d = contacts.data;

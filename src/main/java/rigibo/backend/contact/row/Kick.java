@@ -15,7 +15,7 @@ public final class Kick {
     private double[] gained = new double[16 * Motions.STRIDE];
 
     /** Forces that change along the way, or null where there are none. */
-    private final PileForces forces;
+    private final IslandForces forces;
 
     /** Linear drag, or null where none is declared. */
     private final DragKick drag;
@@ -23,7 +23,7 @@ public final class Kick {
     /** How bodies turn, or null where none does. */
     private final PackedTurns turns;
 
-    public Kick(Bodies bodies, Motions motions, PileForces forces, DragKick drag, PackedTurns turns) {
+    public Kick(Bodies bodies, Motions motions, IslandForces forces, DragKick drag, PackedTurns turns) {
         this.drag = drag;
         this.turns = turns;
         this.bodies = bodies;

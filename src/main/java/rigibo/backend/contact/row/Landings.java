@@ -15,8 +15,8 @@ public final class Landings {
     /** Speed of a landing that counts as none, as a share of what a substep's kick gives. */
     private static final double SOFT = 1e-2;
 
-    /** How much faster than it is pulled a body gets by a blow only. */
-    private static final double BLOW = 2;
+    /** How much faster than it is pulled a body gets by an impact only. */
+    private static final double IMPACT = 2;
 
     /** Gap at which what lands has landed, in widths: so near it is foreseen to come. */
     private static final double LANDED = 1e-5;
@@ -116,13 +116,13 @@ public final class Landings {
         return until;
     }
 
-    /** Lets all go on as they did, if no blow did it. */
+    /** Lets all go on as they did, if no impact did it. */
     private void foresee(double h, int length) {
         if (lastPart == 0) {
             return;
         }
         double ahead = (lastPart + h) / (2 * kicked);
-        double most = BLOW * kick.strongest() * kicked;
+        double most = IMPACT * kick.strongest() * kicked;
         for (int at = Motions.STRIDE; at < length; at += Motions.STRIDE) {
             double x = now[at + Motions.VX] - before[at + Motions.VX];
             double y = now[at + Motions.VY] - before[at + Motions.VY];
@@ -182,7 +182,7 @@ public final class Landings {
      * next part knows.
      */
     private double unknown(double h) {
-        return lastPart > 0 ? 0 : BLOW * kick.strongest() * h / 2;
+        return lastPart > 0 ? 0 : IMPACT * kick.strongest() * h / 2;
     }
 
     private double near(int i) {

@@ -8,7 +8,7 @@ import java.util.Arrays;
 /**
  * Bodies that join a pile within a step. One that joined at time t takes part from the substep that
  * holds t. It is set back along its straight line to where it would have been when the island
- * began, so that the blow comes at its time. Its contacts have carried nothing yet.
+ * began, so that the impact comes at its time. Its contacts have carried nothing yet.
  */
 public final class LateJoiners {
 

@@ -136,9 +136,9 @@ public final class PackedContacts {
     public int groundStart;
 
     /** Impacts that were resolved between them. */
-    public int blows;
+    public int impacts;
 
-    /** Adds a point to a blow: its arms follow from the levers along the normal and the tangent. */
+    /** Adds a point to an impact: its arms follow from the levers along the normal and the tangent. */
     public void addPoint(int row, int point, Impact impact) {
         int at = row * STRIDE;
         int i = impact.points++;
@@ -201,7 +201,7 @@ public final class PackedContacts {
     /** Empties the pack. */
     void clear() {
         count = 0;
-        blows = 0;
+        impacts = 0;
         isAnyRunning = false;
         lastJoining = ALWAYS;
     }

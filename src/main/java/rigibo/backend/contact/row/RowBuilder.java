@@ -17,7 +17,7 @@ public final class RowBuilder {
     /** Overlap with what is driven from which on a body is crushed, as a share of its width. */
     private static final double CRUSHED = 0.05;
 
-    /** The same in a crowd, which is pressed that deep by any hard blow and then gives way. */
+    /** The same in a crowd, which is pressed that deep by any hard impact and then gives way. */
     private static final double CRUSHED_IN_A_CROWD = 0.25;
 
     /** Share of the pressing speed by which what is crushed does not go along. */

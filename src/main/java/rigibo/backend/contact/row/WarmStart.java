@@ -30,7 +30,7 @@ public final class WarmStart {
     }
 
     /** Leaves out of every impulse what it has more than a multiple of the one before. */
-    public void leaveOutBlows(double growth) {
+    public void leaveOutImpacts(double growth) {
         double[] d = contacts.data;
         for (int at = 0; at < contacts.count * PackedContacts.STRIDE; at += PackedContacts.STRIDE) {
             double j0 =

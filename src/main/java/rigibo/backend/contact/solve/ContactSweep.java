@@ -23,7 +23,7 @@ import java.util.Arrays;
  * <p>Passes go forth and back, so that loads which reach the ground in one of them come back up in
  * the next. Each solves only contacts whose bodies changed their speed, since the contact was
  * solved last, by more than what counts: most of a heap is quiet at any time, so that the passes
- * which follow a blow through it cost little. What overlaps in a crowd is solved the more strictly
+ * which follow an impact through it cost little. What overlaps in a crowd is solved the more strictly
  * the deeper it does: a heap that sinks in by what does not count, little in each substep, always
  * in the same places, would do so for seconds.
  */

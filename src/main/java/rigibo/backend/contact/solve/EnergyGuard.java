@@ -22,10 +22,10 @@ public final class EnergyGuard {
     private final PackedContacts contacts;
     private final SingleRows single;
 
-    /** The energy of motion before the contacts, J, and the blows that had been struck by then. */
+    /** The energy of motion before the contacts, J, and the impacts that had been struck by then. */
     private double energyBefore;
 
-    private int blowsBefore;
+    private int impactsBefore;
 
     /** Velocities before the contacts, laid out as the motions. */
     private double[] before = new double[16 * Motions.STRIDE];
@@ -39,7 +39,7 @@ public final class EnergyGuard {
     /** Notes the energy that there is before the contacts answer. */
     public void begin() {
         energyBefore = motions.energy(motions.data);
-        blowsBefore = contacts.blows;
+        impactsBefore = contacts.impacts;
     }
 
     /**
@@ -48,7 +48,7 @@ public final class EnergyGuard {
      */
     private boolean isWithin(double most) {
         boolean isDriven = motions.isAnyDriven || contacts.isAnyRunning;
-        boolean isOfContacts = !isDriven && contacts.blows == blowsBefore;
+        boolean isOfContacts = !isDriven && contacts.impacts == impactsBefore;
         return isOfContacts && motions.energy(motions.data) <= energyBefore + most;
     }
 

@@ -7,7 +7,7 @@ import rigibo.backend.storage.Pairs;
 import rigibo.backend.storage.Quarantine;
 
 /** Carries what a packed island came to back into the storage. */
-public final class PileResults {
+public final class IslandResults {
 
     /** Over how many seconds a contact's load is averaged: longer than a pile rocks. */
     private static final double LOAD_MEMORY = 2;
@@ -22,7 +22,7 @@ public final class PileResults {
     /** How bodies turn, or null where none does. */
     private final PackedTurns turns;
 
-    public PileResults(DataStorage data, Motions motions, PackedContacts contacts, PackedTurns turns) {
+    public IslandResults(DataStorage data, Motions motions, PackedContacts contacts, PackedTurns turns) {
         this.turns = turns;
         quarantine = new Quarantine(data);
         bodies = data.bodies;

@@ -6,17 +6,17 @@ import rigibo.backend.contact.row.PackedContacts;
 
 import rigibo.backend.storage.DataStorage;
 
-/** Blows inside piles: answered by all that touches where a pile is solved whole. */
-public final class PileBlows {
+/** FlightImpacts inside piles: answered by all that touches where a pile is solved whole. */
+public final class IslandImpacts {
 
     private final BounceRows bounces;
-    private final JointBlows joint;
-    private final PileImpacts apart;
+    private final SimultaneousImpacts joint;
+    private final PairwiseImpacts apart;
 
-    public PileBlows(DataStorage data, Motions motions, PackedContacts contacts, Kick kick) {
+    public IslandImpacts(DataStorage data, Motions motions, PackedContacts contacts, Kick kick) {
         bounces = new BounceRows(data, contacts);
-        joint = new JointBlows(data, motions, contacts, kick, bounces);
-        apart = new PileImpacts(data, motions, contacts, bounces);
+        joint = new SimultaneousImpacts(data, motions, contacts, kick, bounces);
+        apart = new PairwiseImpacts(data, motions, contacts, bounces);
     }
 
     /**
@@ -29,7 +29,7 @@ public final class PileBlows {
     }
 
     /**
-     * Resolves all blows that fall into a substep of h seconds of a pile that is solved whole.
+     * Resolves all impacts that fall into a substep of h seconds of a pile that is solved whole.
      *
      * @return whether what was left of the step's work was enough for that
      */
@@ -42,7 +42,7 @@ public final class PileBlows {
         return joint.resolveAtOnce(h, substep);
     }
 
-    /** Resolves all blows that fall into a substep of h seconds, one after the other. */
+    /** Resolves all impacts that fall into a substep of h seconds, one after the other. */
     public void resolveApart(double h, int substep) {
         apart.resolve(h, substep);
     }

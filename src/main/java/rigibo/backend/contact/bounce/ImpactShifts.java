@@ -13,12 +13,12 @@ import rigibo.backend.storage.Bodies;
 import java.util.Arrays;
 
 /**
- * How far the blows of a substep have put bodies from where their new velocities begin: up to its
- * blow each went on with the old one. What it touches does not hold it back so long; whatever of
- * its shift would put it into that is taken back, as far as the energy that the blows took pays for
+ * How far the impacts of a substep have put bodies from where their new velocities begin: up to its
+ * impact each went on with the old one. What it touches does not hold it back so long; whatever of
+ * its shift would put it into that is taken back, as far as the energy that the impacts took pays for
  * what that lifts.
  */
-final class BlowShifts {
+final class ImpactShifts {
 
     /** x, y and turn of each entry of the motions. */
     private static final int STRIDE = 3;
@@ -38,7 +38,7 @@ final class BlowShifts {
     private final Motions motions;
     private final PackedContacts contacts;
 
-    /** What the blows took of the energy of motion, less what has been lifted for it, J. */
+    /** What the impacts took of the energy of motion, less what has been lifted for it, J. */
     private double taken;
 
     /** By entry of the motions, m and rad. */
@@ -47,13 +47,13 @@ final class BlowShifts {
     /** By entry of the motions the share of its shift that stays. */
     private double[] shares = new double[16];
 
-    BlowShifts(Bodies bodies, Motions motions, PackedContacts contacts) {
+    ImpactShifts(Bodies bodies, Motions motions, PackedContacts contacts) {
         this.bodies = bodies;
         this.motions = motions;
         this.contacts = contacts;
     }
 
-    /** Begins a substep in which there are blows. */
+    /** Begins a substep in which there are impacts. */
     void begin() {
         if (shares.length < motions.count) {
             shares = new double[motions.slots.length];
@@ -63,7 +63,7 @@ final class BlowShifts {
         taken = 0;
     }
 
-    /** Notes that a blow took some J of the energy of motion. */
+    /** Notes that an impact took some J of the energy of motion. */
     void take(double energy) {
         taken += Math.max(0, energy);
     }

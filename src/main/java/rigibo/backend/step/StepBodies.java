@@ -6,18 +6,18 @@ import rigibo.backend.storage.Quarantine;
 import rigibo.backend.storage.Roster;
 
 /** What a step does for every body that moves, whatever the effects. */
-final class BodyLedger {
+final class StepBodies {
 
     private final Bodies bodies;
     private final Roster roster;
     private final Quarantine quarantine;
 
     /** The same for what turns, or null where nothing does. */
-    private final TurningLedger turning;
+    private final StepTurns turning;
 
-    BodyLedger(DataStorage data) {
+    StepBodies(DataStorage data) {
         quarantine = new Quarantine(data);
-        turning = data.bodies.turns() ? new TurningLedger(data) : null;
+        turning = data.bodies.turns() ? new StepTurns(data) : null;
         bodies = data.bodies;
         roster = data.roster;
     }

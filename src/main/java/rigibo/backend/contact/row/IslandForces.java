@@ -11,7 +11,7 @@ import rigibo.backend.storage.Quarantine;
  * places and velocities that the bodies have by then. The leapfrog of kicks and drifts is of second
  * order for forces by place.
  */
-public final class PileForces {
+public final class IslandForces {
 
     private final DataStorage data;
     private final Bodies bodies;
@@ -20,7 +20,7 @@ public final class PileForces {
     private double change;
 
     /** These forces on the bodies of a storage. */
-    public PileForces(DataStorage data, ChangingForces forces) {
+    public IslandForces(DataStorage data, ChangingForces forces) {
         this.data = data;
         this.forces = forces;
         bodies = data.bodies;

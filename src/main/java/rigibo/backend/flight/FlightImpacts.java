@@ -16,7 +16,7 @@ import rigibo.backend.storage.Pairs;
 import rigibo.backend.storage.Quarantine;
 
 /** What happens when flyers meet: they part again, or their bounces have come to an end. */
-final class Blows {
+final class FlightImpacts {
 
     private final Bodies bodies;
     private final Pairs pairs;
@@ -43,7 +43,7 @@ final class Blows {
     /** For each pair of this instant when it rests, s after the step's start. */
     private double[] restsAt = new double[16];
 
-    Blows(
+    FlightImpacts(
             DataStorage data,
             Narrowphase narrowphase,
             Accuracy accuracy,
@@ -114,7 +114,7 @@ final class Blows {
         }
     }
 
-    /** When the bounces of the pair whose blow is loaded have ended, s; infinite if not yet. */
+    /** When the bounces of the pair whose impact is loaded have ended, s; infinite if not yet. */
     private double restsAt(int pair, double time, double dt) {
         double end = time + bouncesLeft(pair);
         return isExhausted(pair) && isInvisible(pair) ? Math.min(end, dt) : end;
@@ -177,7 +177,7 @@ final class Blows {
     }
 
     /**
-     * Both stand until the step ends, with the speeds they parted with. No number of blows without
+     * Both stand until the step ends, with the speeds they parted with. No number of impacts without
      * loss brings a pair to rest, as a solver of piles would; so such a pair loses time, but no
      * energy. What is driven does not wait: the pile has to give way to it.
      */
@@ -210,7 +210,7 @@ final class Blows {
         if (!touches(pair)) {
             return;
         }
-        expectedBlow(pair);
+        expectedImpact(pair);
         if (pairs.bodyA[pair] == lander) {
             impact.inverseMassB = 0;
             impact.inverseInertiaB = 0;
@@ -233,8 +233,8 @@ final class Blows {
         }
     }
 
-    /** The blow of a pair that has met, at the velocities that both are expected to have. */
-    Impact expectedBlow(int pair) {
+    /** The impact of a pair that has met, at the velocities that both are expected to have. */
+    Impact expectedImpact(int pair) {
         loadImpact(pair);
         impact.velocityAX = motionA.velocityX;
         impact.velocityAY = motionA.velocityY;

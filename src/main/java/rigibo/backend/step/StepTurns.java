@@ -6,12 +6,12 @@ import rigibo.backend.storage.Quarantine;
 import rigibo.backend.storage.Roster;
 
 /** What a step does besides for every body that moves, where bodies turn. */
-final class TurningLedger {
+final class StepTurns {
 
     private final Bodies bodies;
     private final Roster roster;
 
-    TurningLedger(DataStorage data) {
+    StepTurns(DataStorage data) {
         bodies = data.bodies;
         roster = data.roster;
     }

@@ -18,11 +18,11 @@ import rigibo.backend.storage.Pairs;
 import java.util.Arrays;
 
 /**
- * Blows inside piles, split within the substep: up to the time the gap closes bodies move with
+ * FlightImpacts inside piles, split within the substep: up to the time the gap closes bodies move with
  * their old velocities, from there with the new ones. The pairs that close fastest come first, and
- * a blow that makes a neighbour close fast is answered in the next sweep.
+ * an impact that makes a neighbour close fast is answered in the next sweep.
  */
-final class PileImpacts {
+final class PairwiseImpacts {
 
     /** Sweeps over the contacts in one substep; a longer chain goes on in the next substep. */
     private static final int MOST_SWEEPS = 8;
@@ -35,7 +35,7 @@ final class PileImpacts {
     private final ImpactLaw law = new ImpactLaw();
 
     private final BounceRows bounces;
-    private final BlowShifts shifts;
+    private final ImpactShifts shifts;
 
     /** Of the rows that can bounce the ones that close fast, with their speed. */
     private long[] closing = new long[16];
@@ -47,16 +47,16 @@ final class PileImpacts {
 
     private static final int NEVER = -1;
 
-    PileImpacts(DataStorage data, Motions motions, PackedContacts contacts, BounceRows bounces) {
+    PairwiseImpacts(DataStorage data, Motions motions, PackedContacts contacts, BounceRows bounces) {
         this.motions = motions;
         this.contacts = contacts;
         this.bounces = bounces;
-        shifts = new BlowShifts(data.bodies, motions, contacts);
+        shifts = new ImpactShifts(data.bodies, motions, contacts);
         pairs = data.pairs;
         counters = data.counters;
     }
 
-    /** Resolves all blows that fall into a substep of h seconds. */
+    /** Resolves all impacts that fall into a substep of h seconds. */
     void resolve(double h, int substep) {
         if (struckIn.length < motions.count) {
             struckIn = new int[motions.slots.length];
@@ -116,7 +116,7 @@ final class PileImpacts {
         return v < limit && v < -ROUND_OFF && motions.gap(contacts, row, point) + h * v < 0;
     }
 
-    /** Closing speeds under this (m/s) are what is left of solved rows, not blows. */
+    /** Closing speeds under this (m/s) are what is left of solved rows, not impacts. */
     private static final double ROUND_OFF = 1e-9;
 
     private double slowest(int row) {
@@ -129,7 +129,7 @@ final class PileImpacts {
                 row,
                 h,
                 -contacts.data[row * PackedContacts.STRIDE + PackedContacts.BOUNCE_SPEED])) {
-            return; // An earlier blow of this sweep turned it.
+            return; // An earlier impact of this sweep turned it.
         }
         double time = load(row, h);
         int a = contacts.bodyA[row];
@@ -145,11 +145,11 @@ final class PileImpacts {
         contacts.data[row * PackedContacts.STRIDE + PackedContacts.TOTAL] +=
                 impact.totalNormalImpulse();
         pairs.impacts[contacts.pair[row]]++;
-        contacts.blows++;
+        contacts.impacts++;
         counters.impacts++;
     }
 
-    /** Takes a new velocity, and the way gone with the old one before the blow. */
+    /** Takes a new velocity, and the way gone with the old one before the impact. */
     private void take(int at, double time, double x, double y, double spin) {
         double[] m = motions.data;
         shifts.shift(

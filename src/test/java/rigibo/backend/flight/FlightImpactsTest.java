@@ -13,12 +13,12 @@ import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.storage.Quarantine;
 
-/** Blows of one instant: who is struck together, and where the two of a pair touch. */
-class BlowsTest {
+/** FlightImpacts of one instant: who is struck together, and where the two of a pair touch. */
+class FlightImpactsTest {
 
     private final OneInstant instant = new OneInstant();
     private final Air air = instant.air;
-    private final Blows blows = instant.blows;
+    private final FlightImpacts impacts = instant.impacts;
 
     /** Both are brought to the time of the impact, and touch where they are then. */
     @Test
@@ -26,7 +26,7 @@ class BlowsTest {
         air.add(Air.disc(0, 2, 1));
         air.add(Air.disc(3, 0, 1));
         instant.begin(1);
-        blows.meet(0, 0.5);
+        impacts.meet(0, 0.5);
 
         assertThat(air.bodies.x[0]).isEqualTo(1);
         assertThat(air.pairs.points[0]).isEqualTo(1);
@@ -41,8 +41,8 @@ class BlowsTest {
         air.add(Air.disc(9, 2, 1));
         instant.begin(1);
         air.pile(1);
-        blows.bring(0, 0.5);
-        blows.bring(1, 0.5);
+        impacts.bring(0, 0.5);
+        impacts.bring(1, 0.5);
 
         assertThat(air.bodies.x).startsWith(1, 9);
     }
@@ -55,9 +55,9 @@ class BlowsTest {
         double y = Math.cos(angle) + Math.sin(angle);
         air.add(Air.body(Polygon.box(2, 2), 0).at(0, y).angle(angle).velocity(0, -1));
         instant.begin(0.01);
-        blows.meet(0, 0);
+        impacts.meet(0, 0);
 
-        assertThat(blows.expectedBlow(0).points).isEqualTo(points);
+        assertThat(impacts.expectedImpact(0).points).isEqualTo(points);
     }
 
     /** The other corner of a box of 2 m is 2·sin α higher; the tolerance is told per metre. */
@@ -69,9 +69,9 @@ class BlowsTest {
         double y = Math.cos(angle) + Math.sin(angle);
         air.add(Air.body(Polygon.box(2, 2), 0).at(0, y).angle(angle).velocity(0, -1));
         instant.begin(0.01);
-        blows.meet(0, 0);
+        impacts.meet(0, 0);
 
-        assertThat(blows.expectedBlow(0).points).isEqualTo(points);
+        assertThat(impacts.expectedImpact(0).points).isEqualTo(points);
     }
 
     /** Where the search for an impact gives up, the two go on in the pile, and have not met. */
@@ -92,10 +92,10 @@ class BlowsTest {
     }
 
     /**
-     * Three in a row at once: ⅔ of the elastic blow is passed on, by 2j₁ − j₂ = 2v and j₁ = 2j₂.
+     * Three in a row at once: ⅔ of the elastic impact is passed on, by 2j₁ − j₂ = 2v and j₁ = 2j₂.
      */
     @Test
-    void blowsThatShareABodyAreOne() {
+    void impactsThatShareABodyAreOne() {
         air.add(Air.disc(0, 3, 1));
         air.add(Air.disc(2, 0, 1));
         air.add(Air.disc(4, 0, 1));
@@ -122,7 +122,7 @@ class BlowsTest {
     /** The next instant is not tied to the last. */
     @Test
     void meetingsAreForgotten() {
-        blowsThatShareABodyAreOne();
+        impactsThatShareABodyAreOne();
         air.bodies.velocityX[0] = 3;
         air.bodies.velocityX[1] = 0;
         instant.strike(0, 1, air.pairOf(0, 1));

@@ -15,18 +15,18 @@ import rigibo.backend.storage.Pairs;
 import java.util.Arrays;
 
 /**
- * Blows inside a small pile, in the order of time, each answered by all contacts that touch then: a
+ * FlightImpacts inside a small pile, in the order of time, each answered by all contacts that touch then: a
  * ball that falls on a box that stands on the floor rebounds as from the floor.
  *
- * <p>A substep is split at the blow: up to then bodies move with their old velocities, from there
+ * <p>A substep is split at the impact: up to then bodies move with their old velocities, from there
  * with the new ones. Between two kicks a velocity is that of the middle of the substep; at a time τ
  * of it, it is v + a·(τ − h/2), and that is what the law of impact is asked with. So a ball that
  * loses nothing keeps its height at any length of the substep.
  */
-final class JointBlows {
+final class SimultaneousImpacts {
 
-    /** Blows in one substep; a longer chain goes on in the next one. */
-    private static final int MOST_BLOWS = 32;
+    /** FlightImpacts in one substep; a longer chain goes on in the next one. */
+    private static final int MOST_IMPACTS = 32;
 
     /** What a pass over a row takes, in multiplications of an elimination. */
     private static final double WORK_OF_ROW = 60;
@@ -34,7 +34,7 @@ final class JointBlows {
     /** Gap up to which a contact takes part, as a multiple of the overlap that is left alone. */
     private static final double TOUCHING = 10;
 
-    /** Closing speeds under this (m/s) are what is left of solved rows, not blows. */
+    /** Closing speeds under this (m/s) are what is left of solved rows, not impacts. */
     private static final double ROUND_OFF = 1e-9;
 
     private final Bodies bodies;
@@ -53,7 +53,7 @@ final class JointBlows {
     private double h;
     private double middle;
 
-    /** Multiplications that are left for the blows of the step. */
+    /** Multiplications that are left for the impacts of the step. */
     private double left;
 
     /** The rows that strike at the present instant. */
@@ -61,7 +61,7 @@ final class JointBlows {
 
     private int strikingCount;
 
-    JointBlows(
+    SimultaneousImpacts(
             DataStorage data,
             Motions motions,
             PackedContacts contacts,
@@ -77,20 +77,20 @@ final class JointBlows {
         together = new TiedImpacts(bodies, pairs);
     }
 
-    /** Begins the packed island, whose blows are worth so many multiplications in this step. */
+    /** Begins the packed island, whose impacts are worth so many multiplications in this step. */
     void begin(double worth) {
         left = worth;
     }
 
     /**
-     * Resolves all blows that fall into a substep of h seconds. Returns whether what was left of
-     * the step's work was enough; blows that it was not enough for are not struck.
+     * Resolves all impacts that fall into a substep of h seconds. Returns whether what was left of
+     * the step's work was enough; impacts that it was not enough for are not struck.
      */
     boolean resolve(double length, int number) {
         return resolve(length, length / 2, number);
     }
 
-    /** Resolves the blows of velocities as they are, within next to no time. */
+    /** Resolves the impacts of velocities as they are, within next to no time. */
     boolean resolveAtOnce(double length, int number) {
         return resolve(length, 0, number);
     }
@@ -100,8 +100,8 @@ final class JointBlows {
         middle = middleOfVelocities;
         substep = number;
         boolean isAnswered = true;
-        for (int blow = 0; blow < MOST_BLOWS && isAnswered && left > 0; blow++) {
-            double time = firstBlow();
+        for (int impact = 0; impact < MOST_IMPACTS && isAnswered && left > 0; impact++) {
+            double time = firstImpact();
             if (time > h) {
                 return true;
             }
@@ -111,7 +111,7 @@ final class JointBlows {
     }
 
     /** When the first row strikes, s into the substep; infinite where none does. */
-    private double firstBlow() {
+    private double firstImpact() {
         double first = Double.POSITIVE_INFINITY;
         for (int i = 0; i < bounces.count; i++) {
             int row = bounces.elastic[i];
@@ -190,7 +190,7 @@ final class JointBlows {
     }
 
     /**
-     * Whether the blows of one instant had an answer; without one, rows have to hold them. They are
+     * Whether the impacts of one instant had an answer; without one, rows have to hold them. They are
      * left out where they take more work than is left.
      */
     private boolean strike(double time) {
@@ -227,7 +227,7 @@ final class JointBlows {
         for (int i = 0; i < strikingCount; i++) {
             pairs.impacts[contacts.pair[striking[i]]]++;
         }
-        contacts.blows += strikingCount;
+        contacts.impacts += strikingCount;
         counters.impacts += strikingCount;
     }
 
@@ -285,7 +285,7 @@ final class JointBlows {
         impact.normalY = contacts.data[at + PackedContacts.NY];
     }
 
-    /** Takes what the blow changed, and the way gone with the old velocities before it. */
+    /** Takes what the impact changed, and the way gone with the old velocities before it. */
     private void takeVelocities(double time) {
         for (int entry = 1; entry < motions.count; entry++) {
             int slot = motions.slots[entry];

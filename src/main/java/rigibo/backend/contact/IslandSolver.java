@@ -13,8 +13,8 @@ import rigibo.backend.contact.row.Motions;
 import rigibo.backend.contact.solve.OverlapSolver;
 import rigibo.backend.contact.row.PackedContacts;
 import rigibo.backend.contact.row.PackedTurns;
-import rigibo.backend.contact.row.PileForces;
-import rigibo.backend.contact.row.PileResults;
+import rigibo.backend.contact.row.IslandForces;
+import rigibo.backend.contact.row.IslandResults;
 import rigibo.backend.contact.row.Recovery;
 import rigibo.backend.contact.hold.Repose;
 import rigibo.backend.contact.row.RowBuilder;
@@ -34,7 +34,7 @@ import rigibo.backend.storage.Islands;
 import rigibo.backend.storage.PairTolerances;
 
 /** Advances all piles by one step, island by island. */
-public final class PileSolver {
+public final class IslandSolver {
 
     /** Share of a substep that stands for no time at all, yet lets a gap of round-off rest. */
     private static final double NO_TIME = 1e-3;
@@ -59,7 +59,7 @@ public final class PileSolver {
 
     /**
      * How many times what it carried in the substep before a contact may be begun with, where
-     * passes solve: loads that they leave a little off may grow again, and a blow does not come
+     * passes solve: loads that they leave a little off may grow again, and an impact does not come
      * twice.
      */
     private static final double MOST_GROWTH = 2;
@@ -84,7 +84,7 @@ public final class PileSolver {
     private final Rounds rounds;
     private final Passes passes;
     private final DeclaredRows declared;
-    private final PileResults results;
+    private final IslandResults results;
     private final CarriedFrame frame;
 
     /** Whether the packed island is small enough to be solved to the end. */
@@ -114,12 +114,12 @@ public final class PileSolver {
      * A solver of what is declared, at an accuracy; {@code forces} change along the way, null where
      * there are none.
      */
-    public PileSolver(
+    public IslandSolver(
             DataStorage data,
             Narrowphase narrowphase,
             Effects effects,
             Accuracy accuracy,
-            PileForces forces) {
+            IslandForces forces) {
         motions = new Motions(data.bodies.turns());
         frame = new CarriedFrame(data, motions);
         islands = data.islands;
@@ -129,7 +129,7 @@ public final class PileSolver {
         builder = new RowBuilder(data, motions, contacts, turns);
         warmStart = new WarmStart(motions, contacts);
         guard = new EnergyGuard(motions, contacts);
-        results = new PileResults(data, motions, contacts, turns);
+        results = new IslandResults(data, motions, contacts, turns);
         boolean drags = effects.declares(Drag.class);
         DragKick drag = drags ? new DragKick(data.bodies, motions) : null;
         kick = new Kick(data.bodies, motions, forces, drag, turns);
@@ -173,7 +173,7 @@ public final class PileSolver {
 
     private void advance(int island, double start, double h, double dt) {
         builder.build(island, h / 2);
-        declared.begin(h, rounds.worthOfBlows(substeps + 1));
+        declared.begin(h, rounds.worthOfImpacts(substeps + 1));
         declared.foresee(dt - start);
         warmStart.prepare();
         overlap.prepare();
@@ -244,7 +244,7 @@ public final class PileSolver {
         fastest = motions.fastest();
         setLimit(substep);
         if (!isWhole) {
-            // What contacts carried may throw bodies about until it is answered: a blow between
+            // What contacts carried may throw bodies about until it is answered: an impact between
             // bodies that were only thrown would be for good.
             declared.strikeApart(part, substep);
             declared.measureStrays(left);
@@ -279,7 +279,7 @@ public final class PileSolver {
         return false;
     }
 
-    /** Strikes blows of bodies that what contacts carried has not thrown about. */
+    /** Strikes impacts of bodies that what contacts carried has not thrown about. */
     private void strikeUnloaded(double h, int substep) {
         warmStart.add(-1, substep);
         declared.strikeApart(h, substep);
@@ -303,7 +303,7 @@ public final class PileSolver {
             contacts.unload();
         }
         if (substep > 0) {
-            warmStart.leaveOutBlows(isWhole ? 1 : MOST_GROWTH);
+            warmStart.leaveOutImpacts(isWhole ? 1 : MOST_GROWTH);
         }
         warmStart.scaleBefore(scale, substep);
         warmStart.apply(scale, substep);
@@ -325,7 +325,7 @@ public final class PileSolver {
         }
     }
 
-    /** Passes never solve to the end: only what would blow up is held back there. */
+    /** Passes never solve to the end: only what would impact up is held back there. */
     private double leverage() {
         return isWhole ? MOST_LEVERAGE : MOST_LEVERAGE_OF_PASSES;
     }

@@ -14,8 +14,8 @@ import rigibo.backend.storage.Bodies;
 
 import java.util.SplittableRandom;
 
-/** What blows shift stays as long as it leads into nothing. */
-class BlowShiftsTest {
+/** What impacts shift stays as long as it leads into nothing. */
+class ImpactShiftsTest {
 
     private static final double ROUND_OFF = 1e-12;
 
@@ -25,7 +25,7 @@ class BlowShiftsTest {
     private final PackedIsland island = new PackedIsland();
     private final Motions motions = island.motions;
     private final Bodies bodies = new Bodies(Effects.of());
-    private final BlowShifts shifts = new BlowShifts(bodies, motions, island.contacts);
+    private final ImpactShifts shifts = new ImpactShifts(bodies, motions, island.contacts);
 
     @Test
     void shiftThatLeadsIntoNothingStays() {
@@ -56,9 +56,9 @@ class BlowShiftsTest {
         assertThat(way(1)).isEqualTo(0.05);
     }
 
-    /** 1 kg under 10 m/s² is lifted by as much as the blows took: 0.05 m for ½ J. */
+    /** 1 kg under 10 m/s² is lifted by as much as the impacts took: 0.05 m for ½ J. */
     @Test
-    void blowsPayForWhatIsLifted() {
+    void impactsPayForWhatIsLifted() {
         bodies.accelerationY[0] = -10;
         tower(1, 0.1);
         shifts.begin();
@@ -68,9 +68,9 @@ class BlowShiftsTest {
         assertThat(way(1)).isCloseTo(-0.3 + 0.05, within(ROUND_OFF));
     }
 
-    /** What a driven surface gave in one blow pays for nothing, nor does it cost anything. */
+    /** What a driven surface gave in one impact pays for nothing, nor does it cost anything. */
     @Test
-    void gainOfABlowDoesNotCount() {
+    void gainOfAImpactDoesNotCount() {
         bodies.accelerationY[0] = -10;
         tower(1, 0.1);
         shifts.begin();
