@@ -64,14 +64,14 @@ class UndeclaredCodeTest {
         "flight.Course",
         "flight.Deviation",
         "flight.TurningCourse",
-        "contact.IslandForces",
-        "contact.DragKick"
+        "contact.row.IslandForces",
+        "contact.row.DragKick"
     };
 
     /** Of rotation. */
     private static final String[] TURNING = {
-        "contact.PackedTurns",
-        "contact.TurningRows",
+        "contact.row.PackedTurns",
+        "contact.row.TurningRows",
         "flight.OpenTurning",
         "flight.TurningPaths",
         "step.StepTurns"
@@ -84,32 +84,32 @@ class UndeclaredCodeTest {
         assertThat(loaded(usual.toArray(new String[0])))
                 .contains(
                         "force.GravityKernel",
-                        "contact.FrictionSolver",
-                        "contact.PackedTurns",
-                        "contact.TurningRows",
-                        "contact.IslandImpacts",
+                        "contact.solve.FrictionSolver",
+                        "contact.row.PackedTurns",
+                        "contact.row.TurningRows",
+                        "contact.bounce.IslandImpacts",
                         "flight.Flight",
                         "flight.TurningPaths",
                         "step.StepTurns",
                         "rest.Sleeping")
                 .doesNotContain(FORCES)
-                .doesNotContain("contact.RollingSolver", "contact.RunningRows");
+                .doesNotContain("contact.solve.RollingSolver", "contact.row.RunningRows");
     }
 
     @Test
     void contactsAloneLoadNothingOfWhatBuildsOnThem() throws IOException, InterruptedException {
         assertThat(loaded("contacts"))
-                .contains("contact.IslandSolver", "contact.NoRubbing", "flight.FreeFlight")
+                .contains("contact.IslandSolver", "contact.solve.NoRubbing", "flight.FreeFlight")
                 .doesNotContain(FORCES)
                 .doesNotContain(TURNING)
                 .doesNotContain(
-                        "contact.FrictionSolver",
-                        "contact.RollingSolver",
-                        "contact.RunningRows",
-                        "contact.IslandImpacts",
-                        "contact.BounceRows",
-                        "contact.SimultaneousImpacts",
-                        "contact.PairwiseImpacts",
+                        "contact.solve.FrictionSolver",
+                        "contact.solve.RollingSolver",
+                        "contact.row.RunningRows",
+                        "contact.bounce.IslandImpacts",
+                        "contact.bounce.BounceRows",
+                        "contact.bounce.SimultaneousImpacts",
+                        "contact.bounce.PairwiseImpacts",
                         "flight.Flight",
                         "flight.FlightImpacts",
                         "flight.Bystanders",

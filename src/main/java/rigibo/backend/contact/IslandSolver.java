@@ -1,40 +1,42 @@
 package rigibo.backend.contact;
 
+import rigibo.backend.collision.Narrowphase;
+import rigibo.backend.contact.hold.Repose;
 import rigibo.backend.contact.row.CarriedFrame;
-import rigibo.backend.contact.solve.ContactSweep;
 import rigibo.backend.contact.row.DragKick;
-import rigibo.backend.contact.solve.EnergyBalance;
-import rigibo.backend.contact.solve.EnergyGuard;
 import rigibo.backend.contact.row.FreshRows;
+import rigibo.backend.contact.row.IslandForces;
+import rigibo.backend.contact.row.IslandResults;
 import rigibo.backend.contact.row.Kick;
 import rigibo.backend.contact.row.Landings;
 import rigibo.backend.contact.row.LateJoiners;
 import rigibo.backend.contact.row.Motions;
-import rigibo.backend.contact.solve.OverlapSolver;
 import rigibo.backend.contact.row.PackedContacts;
 import rigibo.backend.contact.row.PackedTurns;
-import rigibo.backend.contact.row.IslandForces;
-import rigibo.backend.contact.row.IslandResults;
 import rigibo.backend.contact.row.Recovery;
-import rigibo.backend.contact.hold.Repose;
 import rigibo.backend.contact.row.RowBuilder;
 import rigibo.backend.contact.row.Straightness;
 import rigibo.backend.contact.row.WarmStart;
-
-import rigibo.backend.collision.Narrowphase;
+import rigibo.backend.contact.solve.ContactSweep;
+import rigibo.backend.contact.solve.EnergyBalance;
+import rigibo.backend.contact.solve.EnergyGuard;
+import rigibo.backend.contact.solve.OverlapSolver;
 import rigibo.backend.effect.Drag;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.ContactSolver;
 import rigibo.backend.setup.Correction;
 import rigibo.backend.setup.SolveMethod;
-import rigibo.backend.storage.Counters;
 import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.IslandWork;
 import rigibo.backend.storage.Islands;
 import rigibo.backend.storage.PairTolerances;
 
-/** Advances all piles by one step, island by island. */
-public final class IslandSolver {
+/**
+ * Advances islands by one step, one after the other. Everything that solving takes is its own, and
+ * nothing outside of an island decides how that island is solved.
+ */
+final class IslandSolver {
 
     /** Share of a substep that stands for no time at all, yet lets a gap of round-off rest. */
     private static final double NO_TIME = 1e-3;
@@ -68,7 +70,6 @@ public final class IslandSolver {
     private static final double MOST_TURN = 0.5;
 
     private final Islands islands;
-    private final Counters counters;
     private final Accuracy accuracy;
     private final Motions motions;
     private final PackedContacts contacts = new PackedContacts();
@@ -114,7 +115,7 @@ public final class IslandSolver {
      * A solver of what is declared, at an accuracy; {@code forces} change along the way, null where
      * there are none.
      */
-    public IslandSolver(
+    IslandSolver(
             DataStorage data,
             Narrowphase narrowphase,
             Effects effects,
@@ -123,7 +124,6 @@ public final class IslandSolver {
         motions = new Motions(data.bodies.turns());
         frame = new CarriedFrame(data, motions);
         islands = data.islands;
-        counters = data.counters;
         this.accuracy = accuracy;
         PackedTurns turns = motions.turns ? new PackedTurns(data.bodies, motions) : null;
         builder = new RowBuilder(data, motions, contacts, turns);
@@ -144,31 +144,33 @@ public final class IslandSolver {
         FreshRows fresh = new FreshRows(data, narrowphase, motions, contacts, builder);
         declared = new DeclaredRows(data, effects, motions, contacts, kick, fresh, straight);
         boolean isBlock = accuracy.contactSolver() != ContactSolver.SEQUENTIAL;
-        ContactSweep sweep =
-                new ContactSweep(motions, contacts, counters, declared.rubbing(), isBlock);
-        rounds = new Rounds(motions, contacts, counters, declared, guard, sweep, overlap, accuracy);
+        ContactSweep sweep = new ContactSweep(motions, contacts, declared.rubbing(), isBlock);
+        rounds = new Rounds(motions, contacts, declared, guard, sweep, overlap, accuracy);
         passes = new Passes(motions, contacts, kick, guard, sweep, overlap, accuracy);
     }
 
-    /** Advances every island to the end of a step of {@code dt} seconds. */
-    public void solve(double dt) {
-        for (int island = 0; island < islands.count; island++) {
-            frame.enter(island);
-            boolean lasts = repose.lasts(island, dt);
-            double start = lateJoiners.startOf(islands, island);
-            boolean isAdvanced = !lasts && dt > start;
-            if (lasts) {
-                results.goOn(island, dt);
-                counters.solve(SolveMethod.AT_REST, 0);
-            } else if (isAdvanced) {
-                substeps = declared.substepsFor(island, dt - start, accuracy.substeps());
-                advance(island, start, (dt - start) / substeps, dt);
-            }
-            frame.leave(island, dt);
-            if (isAdvanced) {
-                results.quarantine();
-            }
+    /** Advances an island to the end of a step of {@code dt} seconds. */
+    void solve(int island, double dt) {
+        frame.enter(island);
+        boolean lasts = repose.lasts(island, dt);
+        double start = lateJoiners.startOf(islands, island);
+        boolean isAdvanced = !lasts && dt > start;
+        if (lasts) {
+            results.goOn(island, dt);
+            contacts.work.solve(SolveMethod.AT_REST, 0);
+        } else if (isAdvanced) {
+            substeps = declared.substepsFor(island, dt - start, accuracy.substeps());
+            advance(island, start, (dt - start) / substeps, dt);
         }
+        frame.leave(island, dt);
+        if (isAdvanced) {
+            results.quarantine();
+        }
+    }
+
+    /** What its islands took since that was asked for last. */
+    IslandWork work() {
+        return contacts.work;
     }
 
     private void advance(int island, double start, double h, double dt) {
@@ -198,7 +200,7 @@ public final class IslandSolver {
             }
         }
         SolveMethod method = isWhole ? SolveMethod.ELIMINATION : SolveMethod.PASSES;
-        counters.solve(method, declared.rowCount() + contacts.count);
+        contacts.work.solve(method, declared.rowCount() + contacts.count);
         results.store(2 * kicked, dt - start);
         declared.store(2 * kicked);
     }

@@ -1,17 +1,15 @@
 package rigibo.backend.contact;
 
+import rigibo.backend.contact.row.Motions;
+import rigibo.backend.contact.row.PackedContacts;
 import rigibo.backend.contact.solve.ContactSweep;
 import rigibo.backend.contact.solve.DirectSolver;
 import rigibo.backend.contact.solve.EnergyGuard;
 import rigibo.backend.contact.solve.Halfway;
-import rigibo.backend.contact.row.Motions;
 import rigibo.backend.contact.solve.OverlapSolver;
-import rigibo.backend.contact.row.PackedContacts;
-
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.ContactSolver;
 import rigibo.backend.setup.Correction;
-import rigibo.backend.storage.Counters;
 
 /**
  * Solves a small island to the end, substep by substep: rounds of one pass, which looks whether
@@ -51,7 +49,6 @@ public final class Rounds {
     private static final double WORK_OF_PASSES = 6 * 60;
 
     private final PackedContacts contacts;
-    private final Counters counters;
     private final DeclaredRows declared;
     private final EnergyGuard guard;
     private final ContactSweep sweep;
@@ -76,14 +73,12 @@ public final class Rounds {
     public Rounds(
             Motions motions,
             PackedContacts contacts,
-            Counters counters,
             DeclaredRows declared,
             EnergyGuard guard,
             ContactSweep sweep,
             OverlapSolver overlap,
             Accuracy accuracy) {
         this.contacts = contacts;
-        this.counters = counters;
         this.declared = declared;
         this.guard = guard;
         this.sweep = sweep;
@@ -139,7 +134,7 @@ public final class Rounds {
         before.begin();
         direct.begin();
         boolean isSettled = settleRows(h, substep, fastest);
-        counters.multiplications += direct.work();
+        contacts.work.multiplications += direct.work();
         if (direct.isSpent()) {
             before.takeBack();
             return false;

@@ -40,7 +40,7 @@ public final class ImpactLaw {
 
     /** Changes the velocities of the carrier by the impact, with another elasticity from 0 to 1. */
     public void resolve(Impact impact, double elasticity) {
-        impact = impact;
+        this.impact = impact;
         if (impact.points == 2 && isOnePoint()) {
             impact.keepOnly(impact.parting(0) <= impact.parting(1) ? 0 : 1);
         }

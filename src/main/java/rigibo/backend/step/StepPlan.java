@@ -2,8 +2,8 @@ package rigibo.backend.step;
 
 import rigibo.backend.broadphase.Broadphase;
 import rigibo.backend.collision.Narrowphase;
+import rigibo.backend.contact.ContactStage;
 import rigibo.backend.contact.row.IslandForces;
-import rigibo.backend.contact.IslandSolver;
 import rigibo.backend.effect.Contacts;
 import rigibo.backend.effect.ContinuousImpacts;
 import rigibo.backend.effect.Drag;
@@ -66,22 +66,22 @@ public final class StepPlan {
         effects = declared;
         accuracy = wanted;
         parts.clear();
-        StepBodies ledger = new StepBodies(data);
+        StepBodies bodies = new StepBodies(data);
         ChangingForces forces = new ChangingForces(declared);
         boolean areIntegrated = !forces.isEmpty() || wanted.integrator() != Integrator.BALLISTIC;
         data.bodies.integratePaths(areIntegrated);
         Course course = areIntegrated ? new Course(data, forces, wanted) : null;
-        add(StepStage.ACCEPT, "list the bodies that move", ledger::accept);
-        compileEffects(ledger, course);
+        add(StepStage.ACCEPT, "list the bodies that move", bodies::accept);
+        compileEffects(bodies, course);
         if (declared.declares(Contacts.class)) {
             broadphase = broadphase == null ? new Broadphase(data) : broadphase;
-            compileContacts(ledger, course, areIntegrated ? new IslandForces(data, forces) : null);
+            compileContacts(bodies, course, areIntegrated ? new IslandForces(data, forces) : null);
         } else {
             broadphase = null;
             OpenFlight flight = new OpenFlight(data, course);
             add(StepStage.FLIGHT, "move every body along its exact path", flight::fly);
         }
-        add(StepStage.REST, "move driven bodies", ledger::moveDriven);
+        add(StepStage.REST, "move driven bodies", bodies::moveDriven);
         // What a caller's function does to a sleeper nobody would notice.
         declared.find(Sleep.class)
                 .filter(sleep -> !declared.holdFunctions())
@@ -91,14 +91,14 @@ public final class StepPlan {
                                         StepStage.REST,
                                         "put islands to sleep that stayed in place",
                                         new Sleeping(data, sleep)::settle));
-        add(StepStage.REPORT, "put to rest what stopped being finite", ledger::quarantine);
+        add(StepStage.REPORT, "put to rest what stopped being finite", bodies::quarantine);
         if (broadphase != null) {
             add(StepStage.REPORT, "fixtures of what left its own", dt -> broadphase.coverPoses());
         }
     }
 
-    private void compileEffects(StepBodies ledger, Course course) {
-        add(StepStage.EFFECTS, "begin with no acceleration", ledger::clearAccelerations);
+    private void compileEffects(StepBodies bodies, Course course) {
+        add(StepStage.EFFECTS, "begin with no acceleration", bodies::clearAccelerations);
         effects.find(Gravity.class)
                 .ifPresent(
                         gravity ->
@@ -121,10 +121,10 @@ public final class StepPlan {
         if (course != null) {
             add(StepStage.EFFECTS, "integrate forces that change along the way", course::begin);
         }
-        add(StepStage.EFFECTS, "refuse forces beyond all bounds", ledger::quarantine);
+        add(StepStage.EFFECTS, "refuse forces beyond all bounds", bodies::quarantine);
     }
 
-    private void compileContacts(StepBodies ledger, Course course, IslandForces forces) {
+    private void compileContacts(StepBodies bodies, Course course, IslandForces forces) {
         ImpactMode mode =
                 effects.declares(ContinuousImpacts.class)
                         ? accuracy.impacts()
@@ -132,7 +132,7 @@ public final class StepPlan {
         Narrowphase narrowphase = new Narrowphase(data);
         PileClassifier classifier = new PileClassifier(data, accuracy, mode);
         add(StepStage.BROADPHASE, "size fixtures and candidate pairs", broadphase::update);
-        add(StepStage.CLASSIFY, "take all for flyers", ledger::scatter);
+        add(StepStage.CLASSIFY, "take all for flyers", bodies::scatter);
         if (mode == ImpactMode.DISCRETE) {
             add(StepStage.CLASSIFY, "manifolds of pairs that touch", dt -> narrowphase.collide(0));
         } else {
@@ -155,7 +155,7 @@ public final class StepPlan {
         add(
                 StepStage.CONTACT,
                 "solve piles in " + accuracy.substeps() + " substeps: " + rowsInWords(),
-                new IslandSolver(data, narrowphase, effects, accuracy, forces)::solve);
+                new ContactStage(data, narrowphase, effects, accuracy, forces)::solve);
     }
 
     private String rowsInWords() {

@@ -55,11 +55,18 @@ public final class Counters {
         Arrays.fill(nanos, 0);
     }
 
-    /** Notes an island of so many rows that was solved by a method. */
-    public void solve(SolveMethod method, int rowCount) {
-        rows += rowCount;
-        rowsBy[method.ordinal()] += rowCount;
-        islandsBy[method.ordinal()]++;
+    /** Adds what a solver of islands did, which begins anew. */
+    public void take(IslandWork work) {
+        impacts += work.impacts;
+        crushed += work.crushed;
+        contactSolves += work.contactSolves;
+        multiplications += work.multiplications;
+        for (int method = 0; method < rowsBy.length; method++) {
+            rows += work.rowsBy[method];
+            rowsBy[method] += work.rowsBy[method];
+            islandsBy[method] += work.islandsBy[method];
+        }
+        work.clear();
     }
 
     /** Notes a body that was put to rest, once. */

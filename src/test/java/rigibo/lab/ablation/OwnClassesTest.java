@@ -39,7 +39,7 @@ class OwnClassesTest {
                 .contains(
                         "rigibo/backend/force/WindKernel.class",
                         "rigibo/backend/flight/Course.class",
-                        "rigibo/backend/contact/IslandForces.class")
+                        "rigibo/backend/contact/row/IslandForces.class")
                 .doesNotContain(
                         "rigibo/backend/force/ThrustKernel.class",
                         "rigibo/backend/contact/IslandSolver.class",

@@ -1,26 +1,24 @@
 package rigibo.backend.contact.bounce;
 
-import rigibo.backend.contact.row.Motions;
-import rigibo.backend.contact.row.PackedContacts;
-
 import static rigibo.backend.contact.row.Motions.INVERSE_INERTIA;
 import static rigibo.backend.contact.row.Motions.INVERSE_MASS;
 import static rigibo.backend.contact.row.Motions.SPIN;
 import static rigibo.backend.contact.row.Motions.VX;
 import static rigibo.backend.contact.row.Motions.VY;
 
+import rigibo.backend.contact.row.Motions;
+import rigibo.backend.contact.row.PackedContacts;
 import rigibo.backend.impact.Impact;
 import rigibo.backend.impact.ImpactLaw;
-import rigibo.backend.storage.Counters;
 import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.Pairs;
 
 import java.util.Arrays;
 
 /**
- * FlightImpacts inside piles, split within the substep: up to the time the gap closes bodies move with
- * their old velocities, from there with the new ones. The pairs that close fastest come first, and
- * an impact that makes a neighbour close fast is answered in the next sweep.
+ * FlightImpacts inside piles, split within the substep: up to the time the gap closes bodies move
+ * with their old velocities, from there with the new ones. The pairs that close fastest come first,
+ * and an impact that makes a neighbour close fast is answered in the next sweep.
  */
 final class PairwiseImpacts {
 
@@ -30,7 +28,6 @@ final class PairwiseImpacts {
     private final Motions motions;
     private final PackedContacts contacts;
     private final Pairs pairs;
-    private final Counters counters;
     private final Impact impact = new Impact();
     private final ImpactLaw law = new ImpactLaw();
 
@@ -47,13 +44,13 @@ final class PairwiseImpacts {
 
     private static final int NEVER = -1;
 
-    PairwiseImpacts(DataStorage data, Motions motions, PackedContacts contacts, BounceRows bounces) {
+    PairwiseImpacts(
+            DataStorage data, Motions motions, PackedContacts contacts, BounceRows bounces) {
         this.motions = motions;
         this.contacts = contacts;
         this.bounces = bounces;
         shifts = new ImpactShifts(data.bodies, motions, contacts);
         pairs = data.pairs;
-        counters = data.counters;
     }
 
     /** Resolves all impacts that fall into a substep of h seconds. */
@@ -146,7 +143,7 @@ final class PairwiseImpacts {
                 impact.totalNormalImpulse();
         pairs.impacts[contacts.pair[row]]++;
         contacts.impacts++;
-        counters.impacts++;
+        contacts.work.impacts++;
     }
 
     /** Takes a new velocity, and the way gone with the old one before the impact. */

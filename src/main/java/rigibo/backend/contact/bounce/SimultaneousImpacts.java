@@ -4,19 +4,17 @@ import rigibo.backend.contact.row.Kick;
 import rigibo.backend.contact.row.Motions;
 import rigibo.backend.contact.row.PackedContacts;
 import rigibo.backend.contact.row.Recovery;
-
 import rigibo.backend.impact.Impact;
 import rigibo.backend.impact.TiedImpacts;
 import rigibo.backend.storage.Bodies;
-import rigibo.backend.storage.Counters;
 import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.Pairs;
 
 import java.util.Arrays;
 
 /**
- * FlightImpacts inside a small pile, in the order of time, each answered by all contacts that touch then: a
- * ball that falls on a box that stands on the floor rebounds as from the floor.
+ * FlightImpacts inside a small pile, in the order of time, each answered by all contacts that touch
+ * then: a ball that falls on a box that stands on the floor rebounds as from the floor.
  *
  * <p>A substep is split at the impact: up to then bodies move with their old velocities, from there
  * with the new ones. Between two kicks a velocity is that of the middle of the substep; at a time τ
@@ -39,7 +37,6 @@ final class SimultaneousImpacts {
 
     private final Bodies bodies;
     private final Pairs pairs;
-    private final Counters counters;
     private final Motions motions;
     private final PackedContacts contacts;
     private final Kick kick;
@@ -69,7 +66,6 @@ final class SimultaneousImpacts {
             BounceRows bounces) {
         bodies = data.bodies;
         pairs = data.pairs;
-        counters = data.counters;
         this.motions = motions;
         this.contacts = contacts;
         this.kick = kick;
@@ -190,8 +186,8 @@ final class SimultaneousImpacts {
     }
 
     /**
-     * Whether the impacts of one instant had an answer; without one, rows have to hold them. They are
-     * left out where they take more work than is left.
+     * Whether the impacts of one instant had an answer; without one, rows have to hold them. They
+     * are left out where they take more work than is left.
      */
     private boolean strike(double time) {
         moveVelocities(time - middle);
@@ -211,7 +207,7 @@ final class SimultaneousImpacts {
         boolean isAnswered = together.solve(most);
         double work = (1 + together.passes()) * workOfPass;
         left -= work;
-        counters.multiplications += work;
+        contacts.work.multiplications += work;
         if (isAnswered || left > 0) {
             together.keep(isAnswered);
             takeVelocities(time);
@@ -228,7 +224,7 @@ final class SimultaneousImpacts {
             pairs.impacts[contacts.pair[striking[i]]]++;
         }
         contacts.impacts += strikingCount;
-        counters.impacts += strikingCount;
+        contacts.work.impacts += strikingCount;
     }
 
     /** Hands all velocities to the columns, as they are some seconds later. */

@@ -1,6 +1,7 @@
 package rigibo.backend.contact.row;
 
 import rigibo.backend.impact.Impact;
+import rigibo.backend.storage.IslandWork;
 
 import java.util.Arrays;
 
@@ -138,7 +139,12 @@ public final class PackedContacts {
     /** Impacts that were resolved between them. */
     public int impacts;
 
-    /** Adds a point to an impact: its arms follow from the levers along the normal and the tangent. */
+    /** What solving them took, and those of other islands before them. */
+    public final IslandWork work = new IslandWork();
+
+    /**
+     * Adds a point to an impact: its arms follow from the levers along the normal and the tangent.
+     */
     public void addPoint(int row, int point, Impact impact) {
         int at = row * STRIDE;
         int i = impact.points++;

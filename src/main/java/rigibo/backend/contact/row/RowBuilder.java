@@ -1,7 +1,6 @@
 package rigibo.backend.contact.row;
 
 import rigibo.backend.storage.Bodies;
-import rigibo.backend.storage.Counters;
 import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.Islands;
 import rigibo.backend.storage.PairTolerances;
@@ -40,7 +39,6 @@ public final class RowBuilder {
     private final Bodies bodies;
     private final Pairs pairs;
     private final Islands islands;
-    private final Counters counters;
     private final Colours colours;
     private final Motions motions;
     private final PackedContacts contacts;
@@ -54,11 +52,11 @@ public final class RowBuilder {
     /** The share of its width from which on a body of the packed island is crushed. */
     private double crushed;
 
-    public RowBuilder(DataStorage data, Motions motions, PackedContacts contacts, PackedTurns turns) {
+    public RowBuilder(
+            DataStorage data, Motions motions, PackedContacts contacts, PackedTurns turns) {
         bodies = data.bodies;
         pairs = data.pairs;
         islands = data.islands;
-        counters = data.counters;
         this.motions = motions;
         this.contacts = contacts;
         this.turns = turns;
@@ -106,7 +104,7 @@ public final class RowBuilder {
         contacts.bodyA[row] = crushes && bodies.isDriven(a) ? GROUND : motions.offset(bodies, a);
         contacts.bodyB[row] = crushes && bodies.isDriven(b) ? GROUND : motions.offset(bodies, b);
         pairs.crushed[pair] = crushes;
-        counters.crushed += crushes ? 1 : 0;
+        contacts.work.crushed += crushes ? 1 : 0;
         int at = row * PackedContacts.STRIDE;
         writeManifold(row, at, pair);
         contacts.data[at + PackedContacts.RECOVERY] = Recovery.RATE;

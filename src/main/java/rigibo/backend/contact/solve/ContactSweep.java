@@ -1,16 +1,13 @@
 package rigibo.backend.contact.solve;
 
-import rigibo.backend.contact.row.Motions;
-import rigibo.backend.contact.row.PackedContacts;
-import rigibo.backend.contact.Passes;
-
 import static rigibo.backend.contact.row.Motions.INVERSE_INERTIA;
 import static rigibo.backend.contact.row.Motions.INVERSE_MASS;
 import static rigibo.backend.contact.row.Motions.SPIN;
 import static rigibo.backend.contact.row.Motions.VX;
 import static rigibo.backend.contact.row.Motions.VY;
 
-import rigibo.backend.storage.Counters;
+import rigibo.backend.contact.row.Motions;
+import rigibo.backend.contact.row.PackedContacts;
 
 import java.util.Arrays;
 
@@ -23,15 +20,14 @@ import java.util.Arrays;
  * <p>Passes go forth and back, so that loads which reach the ground in one of them come back up in
  * the next. Each solves only contacts whose bodies changed their speed, since the contact was
  * solved last, by more than what counts: most of a heap is quiet at any time, so that the passes
- * which follow an impact through it cost little. What overlaps in a crowd is solved the more strictly
- * the deeper it does: a heap that sinks in by what does not count, little in each substep, always
- * in the same places, would do so for seconds.
+ * which follow an impact through it cost little. What overlaps in a crowd is solved the more
+ * strictly the deeper it does: a heap that sinks in by what does not count, little in each substep,
+ * always in the same places, would do so for seconds.
  */
 public final class ContactSweep {
 
     private final Motions motions;
     private final PackedContacts contacts;
-    private final Counters counters;
     private final Rubbing rubbing;
     private final boolean isBlock;
 
@@ -57,14 +53,9 @@ public final class ContactSweep {
     private double softness;
 
     public ContactSweep(
-            Motions motions,
-            PackedContacts contacts,
-            Counters counters,
-            Rubbing rubbing,
-            boolean isBlock) {
+            Motions motions, PackedContacts contacts, Rubbing rubbing, boolean isBlock) {
         this.motions = motions;
         this.contacts = contacts;
-        this.counters = counters;
         this.rubbing = rubbing;
         this.isBlock = isBlock;
     }
@@ -117,7 +108,7 @@ public final class ContactSweep {
                 solved++;
             }
         }
-        counters.contactSolves += solved;
+        contacts.work.contactSolves += solved;
         return solved;
     }
 

@@ -1,15 +1,13 @@
 package rigibo.backend.contact.solve;
 
-import rigibo.backend.contact.row.Motions;
-import rigibo.backend.contact.row.PackedContacts;
-import rigibo.backend.contact.row.PackedIsland;
-
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
 
-import rigibo.backend.storage.Counters;
+import rigibo.backend.contact.row.Motions;
+import rigibo.backend.contact.row.PackedContacts;
+import rigibo.backend.contact.row.PackedIsland;
 
 import java.util.Arrays;
 import java.util.SplittableRandom;
@@ -25,9 +23,7 @@ class ContactSweepTest {
     private final PackedIsland island = new PackedIsland();
     private final Motions motions = island.motions;
     private final PackedContacts contacts = island.contacts;
-    private final Counters counters = new Counters();
-    private final ContactSweep sweep =
-            new ContactSweep(motions, contacts, counters, new NoRubbing(), true);
+    private final ContactSweep sweep = new ContactSweep(motions, contacts, new NoRubbing(), true);
 
     /** w ≥ 0, j ≥ 0, w·j = 0 for both points, in each of the four cases. */
     @Test
@@ -100,9 +96,9 @@ class ContactSweepTest {
     void whatIsQuietIsLeftAlone() {
         column(20);
         sweep.run(H, H, 0, 1, 1e-9, 10_000);
-        counters.contactSolves = 0;
+        contacts.work.contactSolves = 0;
         sweep.run(H, H, 0, 1, 1e-9, 10_000);
-        assertThat(counters.contactSolves).isEqualTo(20);
+        assertThat(contacts.work.contactSolves).isEqualTo(20);
     }
 
     /** The lowest of n equal bodies is held by n of their momenta, N·s. */
