@@ -18,11 +18,13 @@ import rigibo.backend.storage.PointSpeeds;
  */
 final class Bystanders {
 
-    /** How much faster than by a single impact a body may leave when it is struck against others. */
+    /**
+     * How much faster than by a single impact a body may leave when it is struck against others.
+     */
     private static final double WEDGED = 2;
 
-    /** Way off its path, as a share of its width, from which on a body surprises its neighbours. */
-    private final double surprise;
+    /** How far a body may leave its path, in widths, before its neighbours have to be looked at. */
+    private final double allowance;
 
     /** What was found of the last impact, m. */
     double reachOfA;
@@ -39,8 +41,9 @@ final class Bystanders {
     private final Pose poseB = new Pose();
 
     /**
-     * A watch over surprises half way, by orders of magnitude, between the tolerance of impacts (m)
-     * and the whole width of a body.
+     * Allows bodies to leave their paths by twice the square root of the tolerance of impacts,
+     * which lies half way, by orders of magnitude, between that tolerance (m) and the width of a
+     * body.
      */
     Bystanders(
             DataStorage data,
@@ -48,7 +51,7 @@ final class Bystanders {
             Broadphase broadphase,
             Trajectories paths,
             double impactTolerance) {
-        surprise = 2 * Math.sqrt(impactTolerance);
+        allowance = 2 * Math.sqrt(impactTolerance);
         bodies = data.bodies;
         pairs = data.pairs;
         this.narrowphase = narrowphase;
@@ -57,9 +60,9 @@ final class Bystanders {
     }
 
     /**
-     * Finds how far in m the bodies of an impact may get from where they are expected in what is left
-     * of the step, s, when a flyer strikes a pile: {@link #reachOfA} and {@link #reachOfB}, 0 where
-     * that surprises nobody. The impact is resolved.
+     * Finds how far in m the bodies of an impact may get from where they are expected in what is
+     * left of the step, s, when a flyer strikes a pile: {@link #reachOfA} and {@link #reachOfB}, 0
+     * where that is within the allowance. The impact is resolved.
      */
     void measureImpact(int a, int b, Impact impact, double left) {
         double oldAX = impact.velocityAX;
@@ -80,21 +83,21 @@ final class Bystanders {
         }
         double fastest = Math.max(length(vx, vy), length(oldX, oldY));
         double way = (fastest + (bodies.turns() ? turning(slot, 0) : 0)) * left;
-        return isSurprise(slot, way) ? WEDGED * way : 0;
+        return leavesPath(slot, way) ? WEDGED * way : 0;
     }
 
     private static double length(double x, double y) {
         return Math.sqrt(x * x + y * y);
     }
 
-    /** Whether a way in m off its path shows against a body's width. */
-    private boolean isSurprise(int slot, double way) {
-        return way > surprise * bodies.smallestWidth[slot];
+    /** Whether a way of so many m takes a body off its path by more than it is allowed. */
+    private boolean leavesPath(int slot, double way) {
+        return way > allowance * bodies.smallestWidth[slot];
     }
 
     /**
      * How far in m the bodies of a contact in a pile may get in a step of dt seconds in which they
-     * strike each other; 0 where that surprises nobody.
+     * strike each other; 0 where that is within the allowance.
      */
     double reachOfBouncers(int pair, double dt) {
         int a = pairs.bodyA[pair];
@@ -104,9 +107,9 @@ final class Bystanders {
         double width = PairTolerances.width(bodies, a, b);
         double turning = bodies.turns() ? turning(a, width) + turning(b, width) : 0;
         double closing = turning - (x * pairs.normalX[pair] + y * pairs.normalY[pair]);
-        double unseen = surprise * width;
-        boolean isSurprise = closing * dt > Math.max(unseen, pairs.gap(pair));
-        return isSurprise ? WEDGED * (length(x, y) + turning) * dt : 0;
+        double unseen = allowance * width;
+        boolean isSeen = closing * dt > Math.max(unseen, pairs.gap(pair));
+        return isSeen ? WEDGED * (length(x, y) + turning) * dt : 0;
     }
 
     /** A long wall that turns moves at a contact as it does there, not as its far end does. */
@@ -168,14 +171,15 @@ final class Bystanders {
     /**
      * How far in m a body may get that another strikes which may get as far as {@code reach}: its
      * share, by their masses, of what is left of that where it has closed the gap, but for what
-     * their own ways close in a step of dt seconds; 0 where that surprises nobody. A flyer goes its
-     * whole way: it may fall on what a floor has stopped, and then is stopped by the floor.
+     * their own ways close in a step of dt seconds; 0 where that is within the allowance. A flyer
+     * goes its whole way: it may fall on what a floor has stopped, and then is stopped by the
+     * floor.
      */
     double reachLeft(int pair, int struck, double reach, double dt) {
         double left = reach - Math.max(0, pairs.gap(pair) - narrowphase.reach(pair, dt));
         double share = shareOf(struck, pair);
         double handedOn = left * (paths.isFlyer(struck) ? Math.max(1, share) : share);
-        return isSurprise(struck, handedOn) ? handedOn : 0;
+        return leavesPath(struck, handedOn) ? handedOn : 0;
     }
 
     /** The speed that a body leaves with of that by which the other of a pair strikes it. */

@@ -56,7 +56,7 @@ public final class Course {
                 bodies.pullX[slot] = 0;
                 bodies.pullY[slot] = 0;
                 if (!isLaid(slot, 0, dt)) {
-                    // The ledger, which looks next, puts it to rest.
+                    // The report of the step, which looks next, puts it to rest.
                     bodies.accelerationX[slot] = Double.NaN;
                 }
             }

@@ -132,29 +132,32 @@ public final class StepPlan {
         Narrowphase narrowphase = new Narrowphase(data);
         PileClassifier classifier = new PileClassifier(data, accuracy, mode);
         add(StepStage.BROADPHASE, "size fixtures and candidate pairs", broadphase::update);
-        add(StepStage.CLASSIFY, "take all for flyers", bodies::scatter);
+        add(StepStage.CLASSIFY, "begin with all bodies in flight", bodies::scatter);
         if (mode == ImpactMode.DISCRETE) {
             add(StepStage.CLASSIFY, "manifolds of pairs that touch", dt -> narrowphase.collide(0));
         } else {
             add(StepStage.CLASSIFY, "manifolds of pairs that may touch", narrowphase::collide);
         }
-        add(StepStage.CLASSIFY, "tell flyers from piles", classifier::classify);
+        add(
+                StepStage.CLASSIFY,
+                "measure contacts, and find what rests on them",
+                classifier::classify);
         if (mode == ImpactMode.EVENTS) {
             add(
                     StepStage.FLIGHT,
-                    "move flyers from impact to impact, in the order of time",
+                    "move bodies in flight from impact to impact, in the order of time",
                     new Flight(data, narrowphase, broadphase, accuracy, course)::fly);
         } else {
             add(
                     StepStage.FLIGHT,
-                    "move flyers along their exact paths",
+                    "move bodies in flight along their exact paths",
                     new FreeFlight(data, course)::fly);
         }
         IslandBuilder islands = new IslandBuilder(data);
-        add(StepStage.CONTACT, "group piled bodies into islands", dt -> islands.build());
+        add(StepStage.CONTACT, "group bodies in contact into islands", dt -> islands.build());
         add(
                 StepStage.CONTACT,
-                "solve piles in " + accuracy.substeps() + " substeps: " + rowsInWords(),
+                "solve islands in " + accuracy.substeps() + " substeps: " + rowsInWords(),
                 new ContactStage(data, narrowphase, effects, accuracy, forces)::solve);
     }
 

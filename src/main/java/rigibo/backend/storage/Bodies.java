@@ -337,7 +337,7 @@ public final class Bodies {
     public String declaredColumns() {
         return "pose, motion, mass"
                 + (turns() ? ", turning" : "")
-                + (firstPair == null ? "" : ", fixture, pile")
+                + (firstPair == null ? "" : ", fixture, contact")
                 + (stillTime == null ? "" : ", stillness")
                 + (friction == null ? "" : ", friction")
                 + (elasticity == null ? "" : ", elasticity")

@@ -21,7 +21,7 @@ import rigibo.backend.storage.Pairs;
 
 /**
  * How far what is struck may get, against the impact law by hand. With impacts to 10⁻⁴ m a way of
- * 2·√10⁻⁴ = 0.02 of a width surprises: 0.04 m for discs of 1 m. What surprises may get as far as
+ * 2·√10⁻⁴ = 0.02 of a width is allowed: 0.04 m for discs of 1 m. What goes beyond may get as far as
  * twice its speed leads.
  */
 class BystandersTest {
@@ -77,7 +77,7 @@ class BystandersTest {
 
     /**
      * Equal discs, one of which comes at v: it may be stopped or thrown back by what else is there,
-     * at v. It surprises from 0.04 m on.
+     * at v. 0.04 m are allowed.
      */
     @ParameterizedTest(name = "at {0} m/s with e = {1}, in {2} s: {3} m")
     @CsvSource({
@@ -124,7 +124,8 @@ class BystandersTest {
         int b = disc(1.2, 1.6, 0, 0);
         Impact impact = impact(a, b, 1);
         impact.inverseMassB = 2 * impact.inverseMassA;
-        assertThat(reachOfImpact(a, b, impact, 0.5)).isEqualTo(2 * (4 / 3.0) * 0.5, within(ROUND_OFF));
+        assertThat(reachOfImpact(a, b, impact, 0.5))
+                .isEqualTo(2 * (4 / 3.0) * 0.5, within(ROUND_OFF));
     }
 
     /** At a wall that comes at 1 m/s it comes at 2; what cannot be moved gets where it is told. */

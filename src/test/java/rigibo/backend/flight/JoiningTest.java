@@ -226,7 +226,7 @@ class JoiningTest {
         requireJoined(joins, behind, 0.25);
     }
 
-    /** What is so slow that it surprises nobody joins all the same what it hits. */
+    /** What is so slow that it could reach nobody joins all the same what it hits. */
     @Test
     void theSlowJoinToo() {
         int slow = disc(0, 1e-5);

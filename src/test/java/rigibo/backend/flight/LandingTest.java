@@ -40,9 +40,9 @@ class LandingTest {
     }
 
     /**
-     * Too slow to surprise anybody it turns round after 0.1 s at 10⁻⁵ m, and 0.4 m behind it
-     * another comes at 2 m/s. They meet where 2·t − 0.4 = 10⁻⁵ − 10⁻⁴·(t − 0.1), and would 2·10⁻⁵ s
-     * later if it went on.
+     * Too slow to reach anybody it turns round after 0.1 s at 10⁻⁵ m, and 0.4 m behind it another
+     * comes at 2 m/s. They meet where 2·t − 0.4 = 10⁻⁵ − 10⁻⁴·(t − 0.1), and would 2·10⁻⁵ s later
+     * if it went on.
      */
     @Test
     void whoFollowsMeetsTheReboundThatIsExpected() {

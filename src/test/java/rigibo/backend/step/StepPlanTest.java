@@ -53,8 +53,8 @@ class StepPlanTest {
     private static final String CHANGING = "EFFECTS    integrate forces that change along the way";
     private static final String SLEEP = "REST       put islands to sleep that stayed in place";
     private static final String EVENTS =
-            "FLIGHT     move flyers from impact to impact, in the order of time";
-    private static final String FREE = "FLIGHT     move flyers along their exact paths";
+            "FLIGHT     move bodies in flight from impact to impact, in the order of time";
+    private static final String FREE = "FLIGHT     move bodies in flight along their exact paths";
 
     private static StepPlan plan(Accuracy accuracy, Effect... effects) {
         Effects declared = Effects.of(effects);
@@ -125,12 +125,12 @@ class StepPlanTest {
                         "EFFECTS    begin with no acceleration",
                         "EFFECTS    refuse forces beyond all bounds",
                         "BROADPHASE size fixtures and candidate pairs",
-                        "CLASSIFY   take all for flyers",
+                        "CLASSIFY   begin with all bodies in flight",
                         "CLASSIFY   manifolds of pairs that touch",
-                        "CLASSIFY   tell flyers from piles",
+                        "CLASSIFY   measure contacts, and find what rests on them",
                         FREE,
-                        "CONTACT    group piled bodies into islands",
-                        "CONTACT    solve piles in 4 substeps: loads",
+                        "CONTACT    group bodies in contact into islands",
+                        "CONTACT    solve islands in 4 substeps: loads",
                         "REST       move driven bodies",
                         "REPORT     put to rest what stopped being finite",
                         "REPORT     fixtures of what left its own");
@@ -159,12 +159,12 @@ class StepPlanTest {
                 .endsWith(": loads, rolling, faces that turn");
         assertThat(rows(new Contacts(), new Friction(), new SurfaceSpeed()))
                 .endsWith(": loads, friction, running surfaces");
-        assertThat(rows(new Contacts())).startsWith("CONTACT    solve piles in 7 substeps: ");
+        assertThat(rows(new Contacts())).startsWith("CONTACT    solve islands in 7 substeps: ");
     }
 
     private static String rows(Effect... effects) {
         return parts(plan(Accuracy.GAME.withSubsteps(7), effects)).stream()
-                .filter(part -> part.contains("solve piles"))
+                .filter(part -> part.contains("solve islands"))
                 .findFirst()
                 .orElseThrow();
     }
