@@ -38,35 +38,38 @@ import rigibo.backend.storage.PairTolerances;
  */
 final class IslandSolver {
 
-    /** Share of a substep that stands for no time at all, yet lets a gap of round-off rest. */
+    /** Share of a substep that counts as an instant, but lets a gap of round-off stay open. */
     private static final double NO_TIME = 1e-3;
 
-    /** Share of what a free body would gain in a step up to which an island is calm. */
+    /** Fastest speed of a calm island, as a share of what a free body gains in a step. */
     private static final double CALM = 0.25;
 
-    /** Least share of the fastest speed that is asked for of what passes solve. */
+    /** Smallest share of the fastest speed to which passes solve. */
     private static final double FINEST_OF_PASSES = 1e-5;
 
-    /** How many times faster than anything in the step before rows not solved may leave a body. */
+    /**
+     * Factor by which rows that were not solved to the end may exceed the fastest speed of the step
+     * before.
+     */
     private static final double MOST_LEVERAGE = 2;
 
     private static final double MOST_LEVERAGE_OF_PASSES = 8;
 
     /**
-     * How many times faster than anything moves an impulse by itself may make what it pushes. A box
-     * of 10,000 times the mass of the one it lies on asks for that; what is wedged between two
-     * others can be squeezed ever harder, in vain, and loses hold of its balance.
+     * Upper bound on the velocity change of one impulse, as a multiple of the island's fastest
+     * speed. A box of 10,000 times the mass of the one below needs that much; a body wedged between
+     * two others can be squeezed ever harder, in vain, until its impulses have lost their digits.
      */
     private static final double MOST_STRESS = 1e6;
 
     /**
-     * How many times what it carried in the substep before a contact may be begun with, where
-     * passes solve: loads that they leave a little off may grow again, and an impact does not come
-     * twice.
+     * Factor by which a contact's first guess may exceed what it carried in the substep before,
+     * where passes solve: loads that passes left too small may grow again, an impact does not
+     * repeat.
      */
     private static final double MOST_GROWTH = 2;
 
-    /** Turn in a step, rad, by which loads may miss what they carried in the substep before. */
+    /** Rotation in a step, rad, by which loads may change their direction before the next one. */
     private static final double MOST_TURN = 0.5;
 
     private final Islands islands;
@@ -289,8 +292,8 @@ final class IslandSolver {
     }
 
     /**
-     * Lets contacts carry in all other substeps what they carried in the first. Nobody moves: what
-     * is left of their speeds is what counts as none.
+     * Lets contacts carry in all other substeps what they carried in the first. No body moves: its
+     * remaining speed is below the threshold.
      */
     private void rest() {
         contacts.addUpImpulses(2 * substeps - 1);
@@ -327,7 +330,7 @@ final class IslandSolver {
         }
     }
 
-    /** Passes never solve to the end: only what would impact up is held back there. */
+    /** Passes never solve to the end: there the limit only keeps speeds from exploding. */
     private double leverage() {
         return isWhole ? MOST_LEVERAGE : MOST_LEVERAGE_OF_PASSES;
     }
@@ -338,8 +341,8 @@ final class IslandSolver {
     }
 
     /**
-     * The highest speed, m/s, that is left where contacts carry what they carried: in a heap that
-     * calms down it is that of its motion, and not what a kick gives.
+     * The fastest speed, m/s, after contacts carried what they carried in the substep before: in a
+     * heap that calms down it is that of its own motion, not that of a kick.
      */
     private double unanswered() {
         return Math.min(fastest, motions.fastest());
@@ -365,9 +368,9 @@ final class IslandSolver {
     }
 
     /**
-     * The second half of a kick: velocities are those at a time. Nothing moves in it, so in what is
-     * solved to the end a gap that would close in the next substep of h seconds is no reason to
-     * slow down in this one. Passes never solve so well: there that reason keeps it calm.
+     * The second half of a kick, after which velocities are those of a point in time. Nothing moves
+     * in it, so that an island that is solved whole need not stop for a gap that would close in the
+     * next substep of h seconds. Passes leave errors that would grow there, and do stop.
      */
     private void endKick(double time, double h, int substep) {
         declared.bend(0, isWhole ? 0 : h);
@@ -392,8 +395,8 @@ final class IslandSolver {
     }
 
     /**
-     * What carried a load in the last substep touches still, however little a corner has left its
-     * line since: it must not fall for half a kick.
+     * Closes gaps that round-off opened under contacts that carried a load in the last substep:
+     * such a contact must not fall for half a kick.
      */
     private void closeLoadedGaps() {
         double[] d = contacts.data;

@@ -1,12 +1,11 @@
 package rigibo.backend.contact;
 
-import rigibo.backend.contact.solve.ContactSweep;
-import rigibo.backend.contact.solve.EnergyGuard;
 import rigibo.backend.contact.row.Kick;
 import rigibo.backend.contact.row.Motions;
-import rigibo.backend.contact.solve.OverlapSolver;
 import rigibo.backend.contact.row.PackedContacts;
-
+import rigibo.backend.contact.solve.ContactSweep;
+import rigibo.backend.contact.solve.EnergyGuard;
+import rigibo.backend.contact.solve.OverlapSolver;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.Correction;
 
@@ -17,8 +16,8 @@ import rigibo.backend.setup.Correction;
 public final class Passes {
 
     /**
-     * Share of the island's fastest speed that does not count; less where a substep is longer than
-     * the game's, and so what a kick gains in it.
+     * Share of the island's fastest speed below which a change is neglected; less where substeps
+     * are longer than the game's, for a kick adds more in them.
      */
     private static final double QUIET = 0.03;
 
@@ -33,8 +32,8 @@ public final class Passes {
     private static final double CALM = 0.25;
 
     /**
-     * Substeps, cubed, for each pass that a substep may be given: twice the substeps halve what
-     * counts some five times over, and each halving takes as many passes again.
+     * Cubed number of substeps for each pass that a substep is given at most: twice the substeps
+     * halve the threshold about five times, and each halving takes as many passes again.
      */
     private static final int CUBES_PER_PASS = 2;
 
@@ -64,7 +63,11 @@ public final class Passes {
     private final ContactSweep sweep;
     private final OverlapSolver overlap;
 
-    /** What a contact may miss its bounds by in a substep, in widths. */
+    /**
+     * How far a contact may miss its bounds in a substep, in widths: the tolerance of impacts to
+     * the power of three quarters, a thousandth at the game's accuracy. Finer accuracies ask for
+     * less, but each pass only removes a share of the error, not a digit.
+     */
     private final double missed;
 
     /** How many substeps a step has for each of the game's, at most 1. */

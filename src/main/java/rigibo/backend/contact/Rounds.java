@@ -12,9 +12,9 @@ import rigibo.backend.setup.ContactSolver;
 import rigibo.backend.setup.Correction;
 
 /**
- * Solves a small island to the end, substep by substep: rounds of one pass, which looks whether
- * anything is left, and one elimination. What takes more work than it is worth is given up, and
- * left as it was for {@link Passes}.
+ * Solves a small island to the end, substep by substep, in rounds of one pass, which finds what is
+ * left, and one elimination. An island that takes more work than it is worth is restored as it was
+ * and left to {@link Passes}.
  */
 public final class Rounds {
 
@@ -27,7 +27,10 @@ public final class Rounds {
     /** Rounds that a substep is given beside one for each substep of the accuracy. */
     private static final int LEAST_ROUNDS = 4;
 
-    /** A round that changes more than this share of what the last one did goes half its way. */
+    /**
+     * A round whose changes are larger than this share of those of the round before is taken back
+     * by half.
+     */
     private static final double SHRINKS = 0.5;
 
     /** How many times the work of passes elimination is worth. */

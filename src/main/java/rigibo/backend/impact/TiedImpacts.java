@@ -6,14 +6,14 @@ import rigibo.backend.storage.Pairs;
 import java.util.Arrays;
 
 /**
- * FlightImpacts that fall on the same instant and share bodies, resolved at once: one after the other they
- * would give the first of two equals more than the second.
+ * Impacts that fall on the same instant and share bodies, resolved at once: one after the other
+ * they would give the first of two equals more than the second.
  *
  * <p>Every point asks for vₙ' ≥ −e·vₙ, j ≥ 0, and one of the two as an equation; every pair for
  * |jₜ| ≤ μ·Σjₙ. Passes over the rows go on until nothing changes (projected Gauss–Seidel, which
  * converges for such problems; R. W. Cottle et al., The Linear Complementarity Problem, 1992, ch.
- * 5). For e = 1 and μ = 0 the limit keeps the energy, as one impact does; where friction would add to
- * it, all impulses are scaled back.
+ * 5). For e = 1 and μ = 0 the limit keeps the energy, as one impact does; where friction would add
+ * to it, all impulses are scaled back.
  */
 public final class TiedImpacts {
 
@@ -51,7 +51,7 @@ public final class TiedImpacts {
     private double fastest;
     private int passes;
 
-    /** FlightImpacts between bodies of these columns. */
+    /** Impacts between bodies of these columns. */
     public TiedImpacts(Bodies bodies, Pairs pairs) {
         this.bodies = bodies;
         this.pairs = pairs;
@@ -87,9 +87,11 @@ public final class TiedImpacts {
             points = Arrays.copyOf(points, 2 * count);
         }
         double leverA =
-                ((impact.armAX[i] + impact.armAX[j]) * y - (impact.armAY[i] + impact.armAY[j]) * x) / 2;
+                ((impact.armAX[i] + impact.armAX[j]) * y - (impact.armAY[i] + impact.armAY[j]) * x)
+                        / 2;
         double leverB =
-                ((impact.armBX[i] + impact.armBX[j]) * y - (impact.armBY[i] + impact.armBY[j]) * x) / 2;
+                ((impact.armBX[i] + impact.armBX[j]) * y - (impact.armBY[i] + impact.armBY[j]) * x)
+                        / 2;
         int at = count * STRIDE;
         Arrays.fill(row, at, at + STRIDE, 0);
         row[at + DX] = x;

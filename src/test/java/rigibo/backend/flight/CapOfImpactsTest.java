@@ -70,7 +70,9 @@ class CapOfImpactsTest {
         instant.strike(0, 1, 0);
     }
 
-    /** Where nothing presses, an impact that finds them parting already is not the end of bounces. */
+    /**
+     * Where nothing presses, an impact that finds them parting already is not the end of bounces.
+     */
     @Test
     void whatPartsUnpressedDoesNotRest() {
         air.add(Air.disc(0, -1, 1));

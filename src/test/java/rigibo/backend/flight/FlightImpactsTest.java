@@ -13,7 +13,7 @@ import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.storage.Quarantine;
 
-/** FlightImpacts of one instant: who is struck together, and where the two of a pair touch. */
+/** Impacts of one instant: who is struck together, and where the two of a pair touch. */
 class FlightImpactsTest {
 
     private final OneInstant instant = new OneInstant();

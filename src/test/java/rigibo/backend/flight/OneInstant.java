@@ -5,12 +5,13 @@ import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.Material;
 
-/** FlightImpacts of one instant of a step, without the flight that leads to it. */
+/** Impacts of one instant of a step, without the flight that leads to it. */
 final class OneInstant {
 
     final Air air = new Air(Accuracy.GAME);
     final Trajectories paths = new Trajectories(air.bodies);
-    final FlightImpacts impacts = new FlightImpacts(air.storage.data, air.narrowphase, Accuracy.GAME, paths, null);
+    final FlightImpacts impacts =
+            new FlightImpacts(air.storage.data, air.narrowphase, Accuracy.GAME, paths, null);
 
     /** A floor with its top at y = 0 in slot 0. */
     void layFloor(double elasticity) {

@@ -22,7 +22,7 @@ import rigibo.backend.storage.Pairs;
 
 import java.util.Random;
 
-/** FlightImpacts at one instant that share bodies, against solutions by hand and the conditions asked. */
+/** Impacts at one instant that share bodies, against solutions by hand and the conditions asked. */
 class TiedImpactsTest {
 
     private static final Effect[] ALL = {

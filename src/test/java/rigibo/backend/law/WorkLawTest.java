@@ -74,10 +74,10 @@ class WorkLawTest {
     }
 
     /**
-     * Elastic discs on discs: what an impact goes through is the whole heap. FlightImpacts and elimination may
-     * each take 18 passes over all points a kick, but for small islands, whose impacts may take one
-     * million multiplications a step; what is eliminated because it is calm may take sixteen times
-     * that, once.
+     * Elastic discs on discs: what an impact goes through is the whole heap. Impacts and
+     * elimination may each take 18 passes over all points a kick, but for small islands, whose
+     * impacts may take one million multiplications a step; what is eliminated because it is calm
+     * may take sixteen times that, once.
      */
     @Test
     void impactsInAHeapOfDiscsAreWithinABudget() {

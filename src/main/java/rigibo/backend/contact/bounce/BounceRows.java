@@ -1,7 +1,6 @@
 package rigibo.backend.contact.bounce;
 
 import rigibo.backend.contact.row.PackedContacts;
-
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.PairTolerances;
@@ -11,8 +10,8 @@ import rigibo.backend.storage.Pairs;
 final class BounceRows {
 
     /**
-     * Share of what the effects add to a speed in one substep that a closing speed must pass to be
-     * an impact: less is what one pass over a pile leaves unsolved.
+     * Closing speed of an impact, as a share of what the effects add to a speed in one substep:
+     * passes leave smaller speeds behind.
      */
     private static final double PULLED = 0.25;
 
@@ -54,9 +53,9 @@ final class BounceRows {
     }
 
     /**
-     * From which approach on, m/s, a contact bounces. What presses it is the effects' acceleration
-     * or the load it carried, whichever is more: inside a heap a contact is pressed from far above.
-     * What a body gains by being pressed for a substep is load, not an impact.
+     * Approach in m/s from which a contact bounces. A contact is pressed by the effects'
+     * acceleration or by the load it carried, whichever is larger: inside a heap that load comes
+     * from far above. What a body gains by that pressure within a substep is load, not an impact.
      */
     private double bounceSpeed(int row, double h) {
         double[] d = contacts.data;

@@ -1,22 +1,19 @@
 package rigibo.backend.contact.bounce;
 
-import rigibo.backend.contact.row.Motions;
-import rigibo.backend.contact.row.PackedContacts;
-import rigibo.backend.contact.Rounds;
-
 import static rigibo.backend.contact.row.Motions.DX;
 import static rigibo.backend.contact.row.Motions.DY;
 import static rigibo.backend.contact.row.Motions.TURN;
 
+import rigibo.backend.contact.row.Motions;
+import rigibo.backend.contact.row.PackedContacts;
 import rigibo.backend.storage.Bodies;
 
 import java.util.Arrays;
 
 /**
- * How far the impacts of a substep have put bodies from where their new velocities begin: up to its
- * impact each went on with the old one. What it touches does not hold it back so long; whatever of
- * its shift would put it into that is taken back, as far as the energy that the impacts took pays for
- * what that lifts.
+ * Displacements that the impacts of a substep cause: up to its impact each body went on with its
+ * old velocity. Contacts do not hold it back before that; displacements that lead into another body
+ * are taken back, as far as the energy lost in the impacts pays for the lift.
  */
 final class ImpactShifts {
 

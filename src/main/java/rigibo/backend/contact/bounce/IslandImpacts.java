@@ -3,10 +3,12 @@ package rigibo.backend.contact.bounce;
 import rigibo.backend.contact.row.Kick;
 import rigibo.backend.contact.row.Motions;
 import rigibo.backend.contact.row.PackedContacts;
-
 import rigibo.backend.storage.DataStorage;
 
-/** FlightImpacts inside piles: answered by all that touches where a pile is solved whole. */
+/**
+ * Impacts within an island: resolved for all contacts at once where the island is solved whole,
+ * else in turn.
+ */
 public final class IslandImpacts {
 
     private final BounceRows bounces;

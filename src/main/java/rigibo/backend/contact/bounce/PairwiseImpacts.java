@@ -16,9 +16,9 @@ import rigibo.backend.storage.Pairs;
 import java.util.Arrays;
 
 /**
- * FlightImpacts inside piles, split within the substep: up to the time the gap closes bodies move
- * with their old velocities, from there with the new ones. The pairs that close fastest come first,
- * and an impact that makes a neighbour close fast is answered in the next sweep.
+ * Impacts inside piles, split within the substep: up to the time the gap closes bodies move with
+ * their old velocities, from there with the new ones. The pairs that close fastest come first, and
+ * an impact that makes a neighbour close fast is answered in the next sweep.
  */
 final class PairwiseImpacts {
 

@@ -13,8 +13,8 @@ import rigibo.backend.storage.Pairs;
 import java.util.Arrays;
 
 /**
- * FlightImpacts inside a small pile, in the order of time, each answered by all contacts that touch
- * then: a ball that falls on a box that stands on the floor rebounds as from the floor.
+ * Impacts inside a small pile, in the order of time, each answered by all contacts that touch then:
+ * a ball that falls on a box that stands on the floor rebounds as from the floor.
  *
  * <p>A substep is split at the impact: up to then bodies move with their old velocities, from there
  * with the new ones. Between two kicks a velocity is that of the middle of the substep; at a time τ
@@ -23,7 +23,7 @@ import java.util.Arrays;
  */
 final class SimultaneousImpacts {
 
-    /** FlightImpacts in one substep; a longer chain goes on in the next one. */
+    /** Impacts in one substep; a longer chain goes on in the next one. */
     private static final int MOST_IMPACTS = 32;
 
     /** What a pass over a row takes, in multiplications of an elimination. */

@@ -2,8 +2,6 @@ package rigibo.backend.contact.hold;
 
 import rigibo.backend.contact.row.Motions;
 import rigibo.backend.contact.row.PackedContacts;
-import rigibo.backend.contact.Rounds;
-
 import rigibo.backend.storage.Bodies;
 
 import java.util.Arrays;
@@ -16,8 +14,8 @@ import java.util.Arrays;
  * storey at a time. (The opposite of shock propagation, which goes from the ground up: E.
  * Guendelman, R. Bridson and R. Fedkiw, Nonconvex Rigid Bodies with Stacking, 2003.)
  *
- * <p>It is an answer only where it leaves nobody unsupported; what leans on its equals, as the
- * stones of an arch do, is not for it.
+ * <p>Where bodies lean on their equals, as the stones of an arch do, somebody is left unsupported,
+ * and the result is not used.
  */
 final class LoadsFromAbove {
 
@@ -143,8 +141,8 @@ final class LoadsFromAbove {
     }
 
     /**
-     * Holds one body on what it lies on, whose own speeds are not looked at: they will be none. By
-     * the normals first: friction that is not needed would push apart what stands below.
+     * Finds impulses that hold one body on its supports, as if those stood still. Normal impulses
+     * come first: friction that is not needed would push apart what stands below.
      */
     private boolean hold(int entry, double most) {
         double left = speed(entry);

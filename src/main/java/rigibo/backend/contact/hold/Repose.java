@@ -1,18 +1,17 @@
 package rigibo.backend.contact.hold;
 
-import rigibo.backend.contact.solve.Halfway;
 import rigibo.backend.contact.row.Kick;
 import rigibo.backend.contact.row.Motions;
-import rigibo.backend.contact.solve.OverlapSolver;
 import rigibo.backend.contact.row.PackedContacts;
 import rigibo.backend.contact.row.RowBuilder;
-
+import rigibo.backend.contact.solve.Halfway;
+import rigibo.backend.contact.solve.OverlapSolver;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.storage.DataStorage;
 
 /**
- * Finds piles that rest, by the cheapest way that tells: by what they carry already, by loads
- * handed down from above, or, once they were solved, by the answer.
+ * Finds islands at rest by the cheapest test that tells: by the forces that they carry already, by
+ * loads handed down from above, or, after they were solved, by the solution.
  */
 public final class Repose {
 
@@ -59,14 +58,14 @@ public final class Repose {
         return isPulledSteadily(h, h, substeps);
     }
 
-    /** Whether forces that change along the way do not, up to the end of the step. */
+    /** Whether forces that change along the way stay the same up to the end of the step. */
     private boolean isPulledSteadily(double first, double h, int kicks) {
         return kick.isSteady(first, h, kicks, Equilibrium.UNHELD * kick.strongest());
     }
 
     /**
-     * Whether nothing in the packed island moves before a step of {@code dt} seconds but by what
-     * counts as nothing: a multiple of a share of what the step's pull would give it.
+     * Whether no body of the packed island moves by more than a multiple of a share of what a step
+     * of {@code dt} seconds of the strongest acceleration would give it.
      */
     public boolean isStill(double dt, double share) {
         return stillness.isEveryBodyStill(dt, Stillness.QUIET * share * dt * kick.strongest());

@@ -2,15 +2,13 @@ package rigibo.backend.contact.hold;
 
 import rigibo.backend.contact.row.Kick;
 import rigibo.backend.contact.row.Motions;
-import rigibo.backend.contact.solve.OverlapSolver;
 import rigibo.backend.contact.row.PackedContacts;
-
+import rigibo.backend.contact.solve.OverlapSolver;
 import rigibo.backend.storage.Bodies;
 
 /**
- * Tells whether a pile rests: whether the first half of a kick showed that contacts annul it, and
- * nothing comes in the rest of the step that they will not annul as well. Then other substeps would
- * find out nothing.
+ * Tells whether an island rests: contacts cancelled the first half of a kick, and nothing changes
+ * in the rest of the step, so that other substeps would find the same.
  */
 final class Stillness {
 
@@ -57,7 +55,10 @@ final class Stillness {
                 && kick.isSteady(start + h, h, substeps - 1, quiet / length);
     }
 
-    /** Whether nobody would move in so many seconds, whatever goes no faster than is said, m/s. */
+    /**
+     * Whether no body would move within so many seconds at the highest speed that is neglected,
+     * m/s.
+     */
     boolean isEveryBodyStill(double length, double quiet) {
         double[] m = motions.data;
         for (int entry = 1; entry < motions.count; entry++) {

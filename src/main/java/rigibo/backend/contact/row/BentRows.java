@@ -25,7 +25,8 @@ public final class BentRows {
 
     private boolean[] curves = new boolean[16];
 
-    public BentRows(PackedContacts contacts, FreshRows fresh, TurningRows turning, CurvedRows curved) {
+    public BentRows(
+            PackedContacts contacts, FreshRows fresh, TurningRows turning, CurvedRows curved) {
         this.contacts = contacts;
         this.fresh = fresh;
         this.turning = turning;
@@ -78,7 +79,10 @@ public final class BentRows {
         }
     }
 
-    /** Foresees what gaps do in h seconds, and those of curves as long as gaps may close. */
+    /**
+     * Predicts how far gaps open by turning within h seconds; those of curves within the time in
+     * which gaps may close.
+     */
     public void bend(double h, double closing) {
         if (!isAnyNow && !wasAny) {
             return;

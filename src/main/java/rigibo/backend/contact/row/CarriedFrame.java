@@ -6,10 +6,10 @@ import rigibo.backend.storage.Islands;
 import rigibo.backend.storage.Pairs;
 
 /**
- * The frame of what carries an island. The laws are the same in every frame that moves straight on,
- * so an island whose carriers all move alike is solved where they stand still: it then rests, costs
- * and comes out as on a floor at rest. In a frame in which they move, what counts as solved would
- * be a share of a speed that nobody feels, and nothing would ever be found to rest.
+ * The frame of the bodies that carry an island. The laws are the same in every frame that moves
+ * straight on, so an island whose carriers all move alike is solved in the frame in which they
+ * stand still: it rests and costs as much as on a floor at rest. In any other frame thresholds
+ * would be shares of the common velocity, and nothing would be found to rest.
  */
 public final class CarriedFrame {
 
@@ -27,7 +27,8 @@ public final class CarriedFrame {
 
     /**
      * Puts an island's columns into the frame of its carriers, which coincides with the world's
-     * when the step begins; what stands still, turns, or moves unlike others leaves the world's.
+     * frame when the step begins. Where carriers stand still, turn, or move differently, the
+     * world's frame is used.
      */
     public void enter(int island) {
         find(island);

@@ -21,7 +21,7 @@ public final class CurvedRows {
     private final Motions motions;
     private final PackedContacts contacts;
 
-    /** Way off a straight line that may be passed over in a step, as a share of the width. */
+    /** Deviation from a straight line that may be neglected in a step, as a share of the width. */
     private final Straightness straight;
 
     /** Where the two ends of a face lie along the tangent of a contact, from its body, m. */
@@ -29,7 +29,8 @@ public final class CurvedRows {
 
     private final double[] endsB = new double[2];
 
-    public CurvedRows(DataStorage data, Motions motions, PackedContacts contacts, Straightness straight) {
+    public CurvedRows(
+            DataStorage data, Motions motions, PackedContacts contacts, Straightness straight) {
         bodies = data.bodies;
         pairs = data.pairs;
         this.motions = motions;
@@ -55,8 +56,8 @@ public final class CurvedRows {
     }
 
     /**
-     * Widens the gap by what the way of a substep of h seconds is going to open. Of two corners
-     * that would be all of the way, and where friction stops them they would be in each other.
+     * Widens the gap by what the motion of the next h seconds opens. Two corners would be given all
+     * of that motion, and would overlap where friction stops them, so they are left out.
      */
     void bend(int row, double h) {
         int pair = contacts.pair[row];

@@ -3,7 +3,8 @@ package rigibo.backend.contact.row;
 import rigibo.backend.storage.Bodies;
 
 /**
- * A kick where linear drag is declared: v′ = a − k·v, exactly, so v·e^(−kh) + a·(1 − e^(−kh))/k.
+ * A kick where linear drag is declared: the exact solution of v′ = a − k·v, v·e^(−kh) + a·(1 −
+ * e^(−kh))/k.
  */
 public final class DragKick {
 

@@ -13,7 +13,7 @@ import rigibo.backend.storage.Pairs;
  */
 public final class FreshRows {
 
-    /** Bodies beyond this, m, have no distance: its square is no number any more. */
+    /** Distance in m beyond which the square of a distance overflows. */
     private static final double FARTHEST = 1e150;
 
     /** Share of an overlap that contacts measured anew take back per second, 1/s. */
@@ -77,8 +77,9 @@ public final class FreshRows {
     }
 
     /**
-     * Measures a contact where its bodies are now, with {@code left} seconds to go. It stays as it
-     * is where one of them is nowhere any more: that one will be put to rest where the step began.
+     * Measures a contact where its bodies are now, with {@code left} seconds to go. It is left as
+     * it was where a body's place is not finite: that body will be put to rest where it began the
+     * step.
      */
     public void measure(int row, double left) {
         int pair = contacts.pair[row];

@@ -23,7 +23,8 @@ public final class Kick {
     /** How bodies turn, or null where none does. */
     private final PackedTurns turns;
 
-    public Kick(Bodies bodies, Motions motions, IslandForces forces, DragKick drag, PackedTurns turns) {
+    public Kick(
+            Bodies bodies, Motions motions, IslandForces forces, DragKick drag, PackedTurns turns) {
         this.drag = drag;
         this.turns = turns;
         this.bodies = bodies;
@@ -49,8 +50,8 @@ public final class Kick {
     }
 
     /**
-     * Whether kicks of h seconds around times h apart, from {@code first} on, pull all bodies as
-     * the last one did, but for so many m/s².
+     * Whether kicks of h seconds at times h apart, from {@code first} on, accelerate all bodies as
+     * the last one did, within a tolerance in m/s².
      */
     public boolean isSteady(double first, double h, int kicks, double most) {
         boolean isSteady = true;

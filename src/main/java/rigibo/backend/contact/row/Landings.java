@@ -1,24 +1,28 @@
 package rigibo.backend.contact.row;
 
 /**
- * When something lands within a substep: a corner of a block that rocks, a disc that comes to the
- * next plate of a bowl. What is solved at once for a whole substep is stopped before it has
- * arrived, and the ground that it comes to carries it before it is there; both takes energy in
- * proportion to the length of a substep. So in an island of few bodies a substep ends where one of
- * them lands.
+ * Times within a substep at which something lands: a corner of a rocking block, a disc that reaches
+ * the next plate of a bowl. A contact that is solved for a whole substep stops a body before it has
+ * arrived, and carries it before it is there; both cost energy in proportion to the length of a
+ * substep. So in an island of few bodies a substep ends where one of them lands.
  */
 public final class Landings {
 
     /** Parts that a substep is taken in at most. */
     private static final int MOST_PARTS = 8;
 
-    /** Speed of a landing that counts as none, as a share of what a substep's kick gives. */
+    /**
+     * Speed of a landing that is neglected, as a share of the speed that a substep's kick gives.
+     */
     private static final double SOFT = 1e-2;
 
-    /** How much faster than it is pulled a body gets by an impact only. */
+    /**
+     * Factor by which a body must be faster than its acceleration explains for it to have been
+     * struck.
+     */
     private static final double IMPACT = 2;
 
-    /** Gap at which what lands has landed, in widths: so near it is foreseen to come. */
+    /** Gap in widths at which a body has landed. */
     private static final double LANDED = 1e-5;
 
     private final Motions motions;
@@ -83,7 +87,10 @@ public final class Landings {
         return isAny;
     }
 
-    /** Closes the gaps of what has landed: that is answered whole, and now. A kick begins anew. */
+    /**
+     * Closes the gaps of the points that have landed, so that they are solved at once; a kick
+     * begins anew.
+     */
     public void close() {
         lastPart = 0;
         for (int i = 0; i < 2 * contacts.count; i++) {
@@ -145,7 +152,10 @@ public final class Landings {
         }
     }
 
-    /** What lands is let come as near as counts as landed, but not so near that it is stopped. */
+    /**
+     * The time of the first landing: when the gap is as small as counts as landed, but not so small
+     * that the contact would stop the body already.
+     */
     private double firstLanding(double h) {
         double soft = soft(h);
         double unknown = unknown(h);
@@ -178,8 +188,8 @@ public final class Landings {
 
     /**
      * What may still be added to that by the middle of a part of h seconds. In the first part of a
-     * step nobody knows yet what contacts carry, and to come too early is better than too late: the
-     * next part knows.
+     * step the loads of contacts are not known yet; a part that ends too early is better than one
+     * that ends too late, for the next part knows them.
      */
     private double unknown(double h) {
         return lastPart > 0 ? 0 : IMPACT * kick.strongest() * h / 2;

@@ -6,9 +6,10 @@ import rigibo.backend.storage.Islands;
 import java.util.Arrays;
 
 /**
- * Bodies that join a pile within a step. One that joined at time t takes part from the substep that
- * holds t. It is set back along its straight line to where it would have been when the island
- * began, so that the impact comes at its time. Its contacts have carried nothing yet.
+ * Bodies that join an island within a step. A body that joins at time t takes part from the substep
+ * that holds t on. It is set back along its straight path to where it would have been when the
+ * island's substeps began, so that its impact comes at its time. Its contacts have carried nothing
+ * yet.
  */
 public final class LateJoiners {
 

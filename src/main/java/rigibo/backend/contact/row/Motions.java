@@ -40,7 +40,7 @@ public final class Motions {
 
     public int count;
 
-    /** What all velocities and ways are relative to moves at this velocity, m/s. */
+    /** Velocity in m/s of the frame that all velocities and displacements refer to. */
     double frameX;
 
     double frameY;
@@ -112,7 +112,7 @@ public final class Motions {
         return at;
     }
 
-    /** Whether they are so few that what becomes of each shows; a heap swallows that. */
+    /** Whether bodies are so few that the motion of each one is seen. */
     public boolean areFew() {
         return count <= FEW + 1;
     }
@@ -254,7 +254,8 @@ public final class Motions {
      * What a unit impulse along one row between A and B, with its levers, gives another with the
      * same direction, 1/kg.
      */
-    public double response(int a, int b, double leverA, double leverB, double otherA, double otherB) {
+    public double response(
+            int a, int b, double leverA, double leverB, double otherA, double otherB) {
         return data[a + INVERSE_MASS]
                 + data[b + INVERSE_MASS]
                 + data[a + INVERSE_INERTIA] * leverA * otherA

@@ -98,9 +98,9 @@ public final class PackedContacts {
     public static final int STRIDE = 35;
 
     /**
-     * What every row gives way, as a share of what its impulse does to its bodies: nothing that is
-     * seen, yet of many ways to share a load among more contacts than are needed it makes one the
-     * answer. Without it the others leave impulses that grow and do nothing.
+     * Compliance of every row, as a share of its effective inverse mass. It is too small to be
+     * seen, but it makes the distribution of a load over redundant contacts unique; without it
+     * their impulses drift.
      */
     public static final double COMPLIANCE = 1e-10;
 
@@ -160,7 +160,7 @@ public final class PackedContacts {
         impact.armBY[i] = -acrossB * nx + alongB * ny;
     }
 
-    /** Whether so many contacts are too many to be solved but by passes. */
+    /** Whether so many contacts are too many for elimination. */
     public static boolean areCrowd(int contacts) {
         return contacts * SingleRows.ROWS_PER_CONTACT > SingleRows.MOST_ELIMINATED;
     }

@@ -10,16 +10,19 @@ import rigibo.backend.storage.PointSpeeds;
 /** Turns the pairs of an island into packed contacts. */
 public final class RowBuilder {
 
-    /** Two points whose rows are this dependent are solved as one; below it M loses its digits. */
+    /**
+     * Relative determinant below which two points count as one: their mass matrix would lose its
+     * digits.
+     */
     private static final double DEPENDENT = 1e-4;
 
     /** Overlap with what is driven from which on a body is crushed, as a share of its width. */
     private static final double CRUSHED = 0.05;
 
-    /** The same in a crowd, which is pressed that deep by any hard impact and then gives way. */
+    /** The same share in a crowd, where a hard impact presses bodies that deep for a moment. */
     private static final double CRUSHED_IN_A_CROWD = 0.25;
 
-    /** Share of the pressing speed by which what is crushed does not go along. */
+    /** Share of the pressing speed that a body must fail to follow for it to be crushed. */
     private static final double STAYS_BEHIND = 0.5;
 
     /** Where the motions keep what stands still. */
@@ -29,10 +32,10 @@ public final class RowBuilder {
     private static final double OUT_OF_REACH = 1e9;
 
     /**
-     * What moves as it is told presses with what force it takes, and against a wall no force is
-     * enough: there the equations would squeeze a body out at any speed. So its contacts give way,
-     * at this share of the speed that the same impulse would give the whole island: under a load of
-     * its weight that is 1 % of g·h.
+     * Compliance of contacts with driven bodies: a driven body presses with any force that it
+     * takes, and against a wall no force would be enough, so that the equations would squeeze a
+     * body out at any speed. A contact gives way at this share of the speed that its impulse would
+     * give the whole island: 1 % of g·h under the island's weight.
      */
     private static final double GIVE_OF_DRIVEN = 0.01;
 
@@ -154,7 +157,7 @@ public final class RowBuilder {
         }
     }
 
-    /** Where nothing turns there are no levers, and the nearer of two points says all. */
+    /** Where nothing turns levers are zero, and the nearer of two points is enough. */
     private void writeStraight(int row, int at, int pair) {
         double[] d = contacts.data;
         d[at + PackedContacts.NX] = pairs.normalX[pair];
@@ -189,8 +192,8 @@ public final class RowBuilder {
     }
 
     /**
-     * How far along the normal a contact rubs, m: where its nearest point is. What stands on one
-     * corner and has the other in the air turns about the one.
+     * Where along the normal friction acts, m: at the nearest point. A body that stands on one
+     * corner turns about that corner.
      */
     public static double rubsAt(Pairs pairs, int pair, double nx, double ny) {
         int point = 2 * pair;
@@ -270,9 +273,9 @@ public final class RowBuilder {
     }
 
     /**
-     * What is pressed in this deep and does not go along is not pressed on: the driven body counts
-     * as standing still. What goes along has been hit hard, and has somewhere to go; and so may
-     * what has not been pushed yet.
+     * Whether a driven body presses another one deep into itself that does not follow. The driven
+     * body then counts as standing still. A body that follows has been hit hard and has room to go;
+     * so may one that was not pushed before.
      */
     private boolean isCrushed(int pair) {
         int a = pairs.bodyA[pair];

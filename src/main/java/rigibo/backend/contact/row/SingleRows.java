@@ -67,7 +67,10 @@ public final class SingleRows {
         return id % ROWS_PER_CONTACT == TANGENT ? contacts.running[id / ROWS_PER_CONTACT] : 0;
     }
 
-    /** Speed in m/s along a row that is none: as surfaces run, or come together by turning. */
+    /**
+     * The speed in m/s that a row aims at: that of running surfaces, or that at which a turning
+     * outline comes closer.
+     */
     public double ownSpeed(int id) {
         int row = id / ROWS_PER_CONTACT;
         return id % ROWS_PER_CONTACT == TANGENT

@@ -3,7 +3,7 @@ package rigibo.backend.contact.row;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.ImpactMode;
 
-/** How far from a straight line a contact may get in a step for it to count as straight. */
+/** How far a contact may deviate from a straight line in a step and still count as straight. */
 public final class Straightness {
 
     /** Share of the tolerance that shows where bodies are few: what turns on keeps its energy. */

@@ -6,14 +6,14 @@ import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.Pairs;
 
 /**
- * Bodies that go farther in a step than was foreseen as it began, since something struck them or
- * what they lean on. Their contacts were measured for less: a second corner may land that was too
- * far away to be a point. Of few bodies every landing is followed ({@link Landings}), and what is
- * crushed between walls would be measured anew against one and then the other.
+ * Bodies that move farther in a step than was predicted when it began, because they or their
+ * supports were struck. Their contacts were measured for less: a second corner may land that was
+ * too far away to be a point. In islands of few bodies {@link Landings} follow every landing; and a
+ * body crushed between two walls would be measured against one and then the other.
  */
 public final class Strays {
 
-    /** Way beyond what was foreseen that does not show, as a share of the width. */
+    /** Excess over the predicted distance that is neglected, as a share of the width. */
     private static final double UNSEEN = 1e-3;
 
     private final Bodies bodies;

@@ -7,15 +7,17 @@ import rigibo.backend.storage.Islands;
 import rigibo.backend.storage.Pairs;
 
 /**
- * The contacts of bodies that turn fast. A row takes the outline of its bodies for straight, and
- * the way they go for straight too; while a body of reach R turns by φ, its outline leaves that
- * line by the sagitta Rφ²/2, and by sφ more where it slides on for s. Where a step's sagitta
- * counts, the contact is measured anew before every substep; where a substep's would, the island is
- * given more of them, and takes back at once what it missed.
+ * The contacts of bodies that turn fast. A row takes outlines and paths for straight lines. An
+ * outline of reach R that turns by φ leaves its line by the sagitta Rφ²/2, and by sφ more where it
+ * slides on for s. Where the sagitta of a step counts, the contact is measured anew before every
+ * substep; where that of a substep counts, the island is given more substeps and takes overlap back
+ * at once.
  */
 public final class TurningRows {
 
-    /** What all substeps may miss together, likewise; n of them miss an n-th of the whole way. */
+    /**
+     * The same for the sum over all substeps; with n substeps it is an n-th of that of the step.
+     */
     private static final double CALM = 0.02;
 
     /** Share of a face that a body may turn by in a substep, at the end of which a corner lands. */
@@ -117,11 +119,11 @@ public final class TurningRows {
     }
 
     /**
-     * A point that turns with its body leaves its line by ½ω²h² of its arm within a substep,
-     * towards the centre of mass. So much wider is the gap that may close, and so much the point
-     * must run ahead along the surface if it is to stay where it is: then what pivots on a corner
-     * keeps its energy but for terms in h². Where the gap gets narrower by itself, the contact has
-     * to part as fast.
+     * Widens the gap of a point by ½ω²h² of its arm, for within a substep a point that turns with
+     * its body leaves its tangent by that much, towards the centre of mass; and lets it run ahead
+     * along the surface by as much as keeps it in place. A body that pivots on a corner then keeps
+     * its energy up to terms in h². Where the gap closes by turning, the contact has to part as
+     * fast.
      */
     void bend(int row, double h) {
         int at = row * PackedContacts.STRIDE;

@@ -7,10 +7,9 @@ import static rigibo.backend.contact.row.Motions.VX;
 import static rigibo.backend.contact.row.Motions.VY;
 
 /**
- * Begins a kick with the impulses of the one before, scaled by the kicks' lengths. What a contact
- * carries it carries for two kicks at least; what stopped a fall it did once, and given again it
- * would throw the body back. So a kick begins with no more than a multiple of what a contact
- * carried in the one before the last.
+ * Starts a kick from the impulses of the one before, scaled by the lengths of the two. A load lasts
+ * for at least two kicks, an impact for one; starting from an impact would throw its body back. So
+ * a kick starts with no more than a multiple of what a contact carried in the kick before the last.
  */
 public final class WarmStart {
 

@@ -13,16 +13,15 @@ import java.util.Arrays;
 
 /**
  * Passes over the contacts of an island: the projected Gauss-Seidel method. Points do not close
- * faster than their gap allows within a substep, and push only (j ≥ 0 ⊥ v + gap/h ≥ 0). Two points
- * of one contact are one small complementarity problem, solved by trying its four cases, so that a
- * flat box answers both corners at once and does not rock.
+ * faster than their gap allows within a substep, and only push (j ≥ 0 ⊥ v + gap/h ≥ 0). The two
+ * points of a contact are one small complementarity problem, solved by trying its four cases, so
+ * that a flat box answers at both corners at once and does not rock.
  *
- * <p>Passes go forth and back, so that loads which reach the ground in one of them come back up in
- * the next. Each solves only contacts whose bodies changed their speed, since the contact was
- * solved last, by more than what counts: most of a heap is quiet at any time, so that the passes
- * which follow an impact through it cost little. What overlaps in a crowd is solved the more
- * strictly the deeper it does: a heap that sinks in by what does not count, little in each substep,
- * always in the same places, would do so for seconds.
+ * <p>Passes alternate their direction, so that loads which reach the ground in one come back up in
+ * the next. A pass solves only contacts whose bodies have changed their speed, since the contact
+ * was solved last, by more than a threshold: most of a heap is quiet at any time, and passes that
+ * follow an impact through it cost little. In a crowd that threshold falls with the overlap of a
+ * contact; otherwise the same places would sink in, by a little in each substep, for seconds.
  */
 public final class ContactSweep {
 
@@ -49,7 +48,7 @@ public final class ContactSweep {
     /** By point: the speed at which it may close, for it has a gap left, m/s. */
     private double[] spare = new double[32];
 
-    /** How many substeps like this one its kick would fill: 2 of half a kick, else 1. */
+    /** Length of the substep over that of its kick: 2 for half a kick, else 1. */
     private double softness;
 
     public ContactSweep(
@@ -273,7 +272,10 @@ public final class ContactSweep {
         d[at + PackedContacts.IMPULSE1] = both1;
     }
 
-    /** An impulse that only pushes; Math.max would take care of signed zeros, thrice as long. */
+    /**
+     * The impulse, if it pushes. Math.max takes three times as long, for it distinguishes signed
+     * zeros.
+     */
     private static double push(double wanted) {
         return wanted > 0 ? wanted : 0;
     }

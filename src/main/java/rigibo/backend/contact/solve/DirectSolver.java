@@ -1,12 +1,12 @@
 package rigibo.backend.contact.solve;
 
+import static rigibo.backend.contact.row.SingleRows.ROWS_PER_CONTACT;
+import static rigibo.backend.contact.row.SingleRows.TANGENT;
+
 import rigibo.backend.contact.row.Motions;
 import rigibo.backend.contact.row.PackedContacts;
 import rigibo.backend.contact.row.Recovery;
 import rigibo.backend.contact.row.SingleRows;
-
-import static rigibo.backend.contact.row.SingleRows.ROWS_PER_CONTACT;
-import static rigibo.backend.contact.row.SingleRows.TANGENT;
 
 /**
  * Solves all loaded rows of a small island at once. Passing over the contacts one by one carries a
@@ -22,8 +22,8 @@ import static rigibo.backend.contact.row.SingleRows.TANGENT;
 public final class DirectSolver {
 
     /**
-     * Share of what may be left that is: the pass that looks whether all is settled answers two
-     * points at once, and finds more than each has left.
+     * Share of the tolerance that elimination itself uses: the pass that checks the result solves
+     * two points at once and sees the sum of their errors.
      */
     private static final double TO_SPARE = 0.5;
 
@@ -63,7 +63,8 @@ public final class DirectSolver {
     private double[] places = new double[64];
 
     /** A solver that tries the harder the more substeps an accuracy asks for. */
-    public DirectSolver(Motions motions, PackedContacts contacts, OverlapSolver overlap, int substeps) {
+    public DirectSolver(
+            Motions motions, PackedContacts contacts, OverlapSolver overlap, int substeps) {
         this.motions = motions;
         this.contacts = contacts;
         this.overlap = overlap;
@@ -190,8 +191,8 @@ public final class DirectSolver {
     }
 
     /**
-     * Keeps all from being moved farther than a way in m. Overlaps that contradict each other, of a
-     * body between two that do not give way, are else resolved by sending it round them.
+     * Limits how far any body is moved, m. Contradicting overlaps, of a body between two that do
+     * not give way, would otherwise be resolved by moving it around them.
      */
     private void limitWay(double most) {
         double farthest = 0;
@@ -232,8 +233,8 @@ public final class DirectSolver {
     }
 
     /**
-     * A row is solved for if it is loaded after its own next change: one that is about to let go
-     * would only shorten the step of all.
+     * Adds a contact's rows that carry load after their own next change. A row that is about to let
+     * go would only shorten the step of all others.
      */
     private void chooseLoadedOf(int row, double h) {
         int before = size;

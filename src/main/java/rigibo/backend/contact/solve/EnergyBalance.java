@@ -2,18 +2,20 @@ package rigibo.backend.contact.solve;
 
 import rigibo.backend.contact.row.Motions;
 import rigibo.backend.contact.row.PackedContacts;
-
 import rigibo.backend.storage.Bodies;
 
 /**
- * The energy of an island of few bodies among what stands still: what stands does no work, so in a
- * step motion may gain no more than weight gives on the way. A substep's error is more than that or
- * less, of second order; and what is lifted out of an overlap is lifted by nobody. Both is taken
- * from the motion.
+ * The energy of an island of few bodies on bodies that stand still. Those do no work, so that in a
+ * step the energy of motion may grow by no more than the work of weight. The error of a substep
+ * adds or removes a little, of second order, and taking overlap back lifts bodies without work.
+ * Both are taken from the motion.
  */
 public final class EnergyBalance {
 
-    /** Share of the motion that is taken at most: what rests in an overlap has nothing to give. */
+    /**
+     * Largest share of the energy of motion that is taken in a step: a body that rests in an
+     * overlap has none to give.
+     */
     private static final double MOST = 1e-3;
 
     private final Bodies bodies;

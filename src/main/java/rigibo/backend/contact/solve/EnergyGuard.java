@@ -1,17 +1,16 @@
 package rigibo.backend.contact.solve;
 
+import static rigibo.backend.contact.row.SingleRows.ROWS_PER_CONTACT;
+
 import rigibo.backend.contact.row.Motions;
 import rigibo.backend.contact.row.PackedContacts;
 import rigibo.backend.contact.row.SingleRows;
 
-import static rigibo.backend.contact.row.SingleRows.ROWS_PER_CONTACT;
-
 /**
- * Keeps contacts from adding energy. What impulses j do to bodies beside the work of what is driven
- * is Σ j·(w₀ + w₁)/2, with w₀ and w₁ the speeds along the rows before and after; contacts only push
- * apart what does not close and brake what slides, so it is never positive. Where rows could not be
- * solved to the end it may be: then all impulses are scaled back until it is not, which keeps
- * momentum and angular momentum.
+ * Keeps contacts from adding energy. The work of impulses j, without that of driven bodies, is Σ
+ * j·(w₀ + w₁)/2, where w₀ and w₁ are the relative speeds along the rows before and after. Solved
+ * contacts never do positive work. Where rows could not be solved to the end, all impulses are
+ * scaled back until their work is within bounds, which keeps momentum and angular momentum.
  */
 public final class EnergyGuard {
 
@@ -22,7 +21,9 @@ public final class EnergyGuard {
     private final PackedContacts contacts;
     private final SingleRows single;
 
-    /** The energy of motion before the contacts, J, and the impacts that had been struck by then. */
+    /**
+     * The energy of motion before the contacts, J, and the impacts that had been struck by then.
+     */
     private double energyBefore;
 
     private int impactsBefore;
@@ -43,8 +44,8 @@ public final class EnergyGuard {
     }
 
     /**
-     * Whether the energy alone tells that impulses added no more than some J: it does where nothing
-     * else, which is driven or strikes, had a part in what it is now.
+     * Whether the energy of motion alone shows that impulses added no more than some J; it does
+     * where nothing is driven and no impact was resolved meanwhile.
      */
     private boolean isWithin(double most) {
         boolean isDriven = motions.isAnyDriven || contacts.isAnyRunning;
@@ -57,12 +58,15 @@ public final class EnergyGuard {
         limitWork(0);
     }
 
-    /** To what adds no more than a multiple of the energy of motion that there was. */
+    /**
+     * Scales all impulses back to what adds no more than a multiple of the energy of motion before
+     * them.
+     */
     public void limitGrowth(double multiple) {
         limitWork(multiple * energyBefore);
     }
 
-    /** To what adds no more than some J. */
+    /** Scales all impulses back to what adds no more than some J. */
     public void limitWork(double most) {
         if (isWithin(most)) {
             return;

@@ -4,9 +4,9 @@ import rigibo.backend.contact.row.Motions;
 import rigibo.backend.contact.row.PackedContacts;
 
 /**
- * Goes half of the way that a round of the solver went. Friction holds what is pressed, and presses
- * what it holds: rounds can chase each other in a circle, and the middle of a circle is nearer to
- * what they look for than any point of it. Bounds are kept, for they are convex.
+ * Takes back half of a round of the solver. Friction and normal loads depend on each other, so that
+ * rounds may cycle; the middle of a cycle is nearer to the solution than any of its points. Bounds
+ * stay kept, for they are convex.
  */
 public final class Halfway {
 

@@ -1,28 +1,27 @@
 package rigibo.backend.contact.solve;
 
-import rigibo.backend.contact.row.Motions;
-import rigibo.backend.contact.row.PackedContacts;
-import rigibo.backend.contact.Passes;
-import rigibo.backend.contact.row.Recovery;
-
 import static rigibo.backend.contact.row.Motions.DX;
 import static rigibo.backend.contact.row.Motions.DY;
 import static rigibo.backend.contact.row.Motions.INVERSE_INERTIA;
 import static rigibo.backend.contact.row.Motions.INVERSE_MASS;
 import static rigibo.backend.contact.row.Motions.TURN;
 
+import rigibo.backend.contact.row.Motions;
+import rigibo.backend.contact.row.PackedContacts;
+import rigibo.backend.contact.row.Recovery;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.storage.Bodies;
 
 /**
- * Takes overlap back by moving bodies, not by speeding them up: a velocity that pushes apart would
- * stay behind in the impulses that the next substep starts from, and a resting stack would never be
- * quite at rest.
+ * Removes overlap by moving bodies instead of accelerating them: a velocity that parts bodies would
+ * remain in the impulses from which the next substep starts, and a resting stack would never quite
+ * rest.
  */
 public final class OverlapSolver {
 
     /**
-     * Share by which what floats stays slower than {@link Recovery#MOST_PUSH}: what is moved is rounded.
+     * Share by which what floats stays slower than {@link Recovery#MOST_PUSH}: what is moved is
+     * rounded.
      */
     private static final double ROUND_OFF = 1e-9;
 
@@ -39,7 +38,8 @@ public final class OverlapSolver {
 
     private int deepCount;
 
-    public OverlapSolver(Bodies bodies, Motions motions, PackedContacts contacts, Accuracy accuracy) {
+    public OverlapSolver(
+            Bodies bodies, Motions motions, PackedContacts contacts, Accuracy accuracy) {
         this.motions = motions;
         this.contacts = contacts;
         limit = new PartingLimit(bodies, motions, contacts);

@@ -2,12 +2,11 @@ package rigibo.backend.contact.solve;
 
 import rigibo.backend.contact.row.Motions;
 import rigibo.backend.contact.row.PackedContacts;
-
 import rigibo.backend.storage.Bodies;
 
 /**
- * Holds back what is moved out of overlaps. Each contact parts two bodies no faster than it may,
- * but the outermost of many that lie in one another goes as fast as all those contacts together.
+ * Limits how far recovery moves a body. Each contact parts its two bodies within a speed limit, but
+ * the outermost of many overlapping bodies would move at the sum of all of them.
  */
 final class PartingLimit {
 

@@ -1,9 +1,9 @@
 package rigibo.backend.contact.solve;
 
+import static rigibo.backend.contact.row.SingleRows.ROWS_PER_CONTACT;
+
 import rigibo.backend.contact.row.PackedContacts;
 import rigibo.backend.contact.row.SingleRows;
-
-import static rigibo.backend.contact.row.SingleRows.ROWS_PER_CONTACT;
 
 import java.util.Arrays;
 
@@ -14,7 +14,8 @@ import java.util.Arrays;
 final class RowFactor {
 
     /** Room for any small island in motion: none grows once the first is solved. */
-    private static final int FULL = SingleRows.MOST_ELIMINATED * (SingleRows.MOST_ELIMINATED + 1) / 2;
+    private static final int FULL =
+            SingleRows.MOST_ELIMINATED * (SingleRows.MOST_ELIMINATED + 1) / 2;
 
     /** Multiplications that writing one entry of the matrix takes. */
     private static final int WORK_OF_ENTRY = 40;
@@ -124,7 +125,7 @@ final class RowFactor {
         }
     }
 
-    /** A row that repeats others leaves nothing on its diagonal; its compliance stays. */
+    /** The root of what is left on the diagonal; of a redundant row only its compliance is left. */
     private double root(double remainder, int id) {
         return Math.sqrt(Math.max(remainder, single.give(id)));
     }

@@ -1,6 +1,9 @@
 package rigibo.backend.contact.solve;
 
-/** What surfaces do to each other along the tangent, as declared: nothing, rub, or roll too. */
+/**
+ * What surfaces do to each other along the tangent: nothing, friction, or friction and rolling
+ * resistance, as declared.
+ */
 public interface Rubbing {
 
     /** Writes the rows of the packed island whose kicks begin with {@code firstKick} seconds. */
