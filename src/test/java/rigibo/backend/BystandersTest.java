@@ -51,8 +51,8 @@ class BystandersTest {
 
     /**
      * A column of discs falls on one that lies. In what is left of the step what bounces gets no
-     * farther than twice the way at the speed of the impact, and pushes no more discs than there are
-     * gaps in that: the others fly on, and are no rows.
+     * farther than twice the way at the speed of the impact, and pushes no more discs than there
+     * are gaps in that: the others fly on, and are no rows.
      */
     @ParameterizedTest
     @EnumSource(value = Presets.class, names = "DRAFT", mode = EnumSource.Mode.EXCLUDE)

@@ -1,21 +1,20 @@
 package rigibo.backend.contact;
 
+import rigibo.backend.contact.bounce.IslandImpacts;
 import rigibo.backend.contact.row.BentRows;
 import rigibo.backend.contact.row.CurvedRows;
 import rigibo.backend.contact.row.FreshRows;
-import rigibo.backend.contact.solve.FrictionSolver;
 import rigibo.backend.contact.row.Kick;
 import rigibo.backend.contact.row.Motions;
-import rigibo.backend.contact.solve.NoRubbing;
 import rigibo.backend.contact.row.PackedContacts;
-import rigibo.backend.contact.bounce.IslandImpacts;
-import rigibo.backend.contact.solve.RollingSolver;
-import rigibo.backend.contact.solve.Rubbing;
 import rigibo.backend.contact.row.RunningRows;
 import rigibo.backend.contact.row.Straightness;
 import rigibo.backend.contact.row.Strays;
 import rigibo.backend.contact.row.TurningRows;
-
+import rigibo.backend.contact.solve.FrictionSolver;
+import rigibo.backend.contact.solve.NoRubbing;
+import rigibo.backend.contact.solve.RollingSolver;
+import rigibo.backend.contact.solve.Rubbing;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Friction;
 import rigibo.backend.effect.Restitution;

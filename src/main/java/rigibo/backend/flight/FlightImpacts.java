@@ -177,9 +177,9 @@ final class FlightImpacts {
     }
 
     /**
-     * Both stand until the step ends, with the speeds they parted with. No number of impacts without
-     * loss brings a pair to rest, as a solver of piles would; so such a pair loses time, but no
-     * energy. What is driven does not wait: the pile has to give way to it.
+     * Both stand until the step ends, with the speeds they parted with. No number of impacts
+     * without loss brings a pair to rest, as a solver of piles would; so such a pair loses time,
+     * but no energy. What is driven does not wait: the pile has to give way to it.
      */
     private void stand(int pair, double time) {
         int a = pairs.bodyA[pair];

@@ -367,8 +367,8 @@ public final class Pairs {
     }
 
     /**
-     * Adds to the normal impulse that is told of a pair, N·s. A trace of pull is round-off; an impact
-     * beyond all bounds puts its bodies to rest, as if it had not been.
+     * Adds to the normal impulse that is told of a pair, N·s. A trace of pull is round-off; an
+     * impact beyond all bounds puts its bodies to rest, as if it had not been.
      */
     public void tellImpulse(int pair, double pushed) {
         if (pushed > 0 && pushed < Double.POSITIVE_INFINITY) {

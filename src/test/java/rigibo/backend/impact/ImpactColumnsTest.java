@@ -52,7 +52,8 @@ class ImpactColumnsTest {
         assertThat(new double[] {impact.normalX, impact.normalY}).containsExactly(0.6, 0.8);
         assertThat(new double[] {impact.friction, impact.elasticity}).containsExactly(0.5, 0.5);
         assertThat(impact.surfaceSpeed).isEqualTo(6);
-        assertThat(new double[] {impact.inverseMassA, impact.inverseInertiaA}).containsExactly(0.5, 1);
+        assertThat(new double[] {impact.inverseMassA, impact.inverseInertiaA})
+                .containsExactly(0.5, 1);
         assertThat(new double[] {impact.inverseMassB, impact.inverseInertiaB})
                 .containsExactly(0.25, 0.5);
         assertThat(new double[] {impact.velocityAX, impact.velocityAY, impact.spinA})

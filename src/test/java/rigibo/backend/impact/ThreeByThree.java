@@ -60,10 +60,12 @@ final class ThreeByThree {
             double share = row == 2 ? 0.5 : row == i ? 1 : 0;
             pushed.velocityAX -= share * x * impact.inverseMassA;
             pushed.velocityAY -= share * y * impact.inverseMassA;
-            pushed.spinA -= share * (impact.armAX[i] * y - impact.armAY[i] * x) * impact.inverseInertiaA;
+            pushed.spinA -=
+                    share * (impact.armAX[i] * y - impact.armAY[i] * x) * impact.inverseInertiaA;
             pushed.velocityBX += share * x * impact.inverseMassB;
             pushed.velocityBY += share * y * impact.inverseMassB;
-            pushed.spinB += share * (impact.armBX[i] * y - impact.armBY[i] * x) * impact.inverseInertiaB;
+            pushed.spinB +=
+                    share * (impact.armBX[i] * y - impact.armBY[i] * x) * impact.inverseInertiaB;
         }
         return rows(pushed);
     }

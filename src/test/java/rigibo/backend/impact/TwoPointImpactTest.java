@@ -132,7 +132,10 @@ class TwoPointImpactTest {
         resolved(impact);
 
         assertThat(impact.points).isEqualTo(1);
-        assertThat(new double[] {impact.armAX[0], impact.armAY[0], impact.armBX[0], impact.armBY[0]})
+        assertThat(
+                        new double[] {
+                            impact.armAX[0], impact.armAY[0], impact.armBX[0], impact.armBY[0]
+                        })
                 .containsExactly(faster);
     }
 

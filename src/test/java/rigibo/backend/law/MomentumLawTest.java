@@ -30,8 +30,8 @@ class MomentumLawTest {
     }
 
     /**
-     * To round-off, until bodies stay in touch: an impact in flight acts on both at one point. DRAFT
-     * has no such impacts: all are a pile's.
+     * To round-off, until bodies stay in touch: an impact in flight acts on both at one point.
+     * DRAFT has no such impacts: all are a pile's.
      */
     @ParameterizedTest
     @EnumSource(value = Preset.class, names = "DRAFT", mode = EnumSource.Mode.EXCLUDE)

@@ -32,8 +32,8 @@ class SymmetryLawTest {
     private static final int ALL = Integer.MAX_VALUE;
 
     /**
-     * To the bit, but at DRAFT: there a pile's solver sees to impacts, whose sums round by the order
-     * of pairs.
+     * To the bit, but at DRAFT: there a pile's solver sees to impacts, whose sums round by the
+     * order of pairs.
      */
     @ParameterizedTest
     @CsvSource({"DRAFT, 1e-9", "GAME, 0", "FINE, 0", "EXACT, 0"})

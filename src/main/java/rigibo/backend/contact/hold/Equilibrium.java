@@ -2,7 +2,6 @@ package rigibo.backend.contact.hold;
 
 import rigibo.backend.contact.row.Recovery;
 import rigibo.backend.contact.row.RowBuilder;
-
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.Correction;
 import rigibo.backend.storage.Bodies;

@@ -22,7 +22,8 @@ public final class IslandResults {
     /** How bodies turn, or null where none does. */
     private final PackedTurns turns;
 
-    public IslandResults(DataStorage data, Motions motions, PackedContacts contacts, PackedTurns turns) {
+    public IslandResults(
+            DataStorage data, Motions motions, PackedContacts contacts, PackedTurns turns) {
         this.turns = turns;
         quarantine = new Quarantine(data);
         bodies = data.bodies;

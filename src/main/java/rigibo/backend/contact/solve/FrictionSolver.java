@@ -1,14 +1,13 @@
 package rigibo.backend.contact.solve;
 
-import rigibo.backend.contact.row.Motions;
-import rigibo.backend.contact.row.PackedContacts;
-
 import static rigibo.backend.contact.row.Motions.INVERSE_INERTIA;
 import static rigibo.backend.contact.row.Motions.INVERSE_MASS;
 import static rigibo.backend.contact.row.Motions.SPIN;
 import static rigibo.backend.contact.row.Motions.VX;
 import static rigibo.backend.contact.row.Motions.VY;
 
+import rigibo.backend.contact.row.Motions;
+import rigibo.backend.contact.row.PackedContacts;
 import rigibo.backend.storage.Pairs;
 
 /** The friction rows |jₜ| ≤ μ·Σjₙ. A contact without friction is not on the list. */

@@ -1,11 +1,10 @@
 package rigibo.backend.contact.solve;
 
-import rigibo.backend.contact.row.Motions;
-import rigibo.backend.contact.row.PackedContacts;
-
 import static rigibo.backend.contact.row.Motions.INVERSE_INERTIA;
 import static rigibo.backend.contact.row.Motions.SPIN;
 
+import rigibo.backend.contact.row.Motions;
+import rigibo.backend.contact.row.PackedContacts;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.Pairs;

@@ -1,14 +1,13 @@
 package rigibo.backend.contact.bounce;
 
-import rigibo.backend.contact.row.Motions;
-import rigibo.backend.contact.row.PackedContacts;
-import rigibo.backend.contact.row.PackedIsland;
-
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
 
+import rigibo.backend.contact.row.Motions;
+import rigibo.backend.contact.row.PackedContacts;
+import rigibo.backend.contact.row.PackedIsland;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.storage.Bodies;
 

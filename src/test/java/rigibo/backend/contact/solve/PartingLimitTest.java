@@ -1,15 +1,13 @@
 package rigibo.backend.contact.solve;
 
-import rigibo.backend.contact.row.Motions;
-import rigibo.backend.contact.row.PackedIsland;
-import rigibo.backend.contact.row.Recovery;
-
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
+import rigibo.backend.contact.row.Motions;
+import rigibo.backend.contact.row.PackedIsland;
 import rigibo.backend.effect.Contacts;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.storage.Bodies;
