@@ -27,6 +27,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import java.util.stream.Stream;
 
 /** Times steps of large scenes, beside other engines. */
 @Command(
@@ -96,6 +97,15 @@ final class BenchCommand implements Callable<Integer> {
     private List<String> moving = List.of();
 
     @Option(
+            names = "--preset",
+            paramLabel = "PRESET",
+            split = ",",
+            description =
+                    "DRAFT, GAME, FINE, EXACT: ours in those scenes; all of them unless said"
+                            + " otherwise. EXACT takes hours where hundreds of bodies rain.")
+    private List<String> presets = List.of();
+
+    @Option(
             names = "--runs",
             paramLabel = "N",
             defaultValue = "7",
@@ -163,7 +173,7 @@ final class BenchCommand implements Callable<Integer> {
                         known.stream()
                                 .filter(scene -> isAll || moving.contains(scene.name()))
                                 .toList(),
-                        chosenEngines().stream().flatMap(Contestant::of).toList(),
+                        chosenEngines().stream().flatMap(this::contestants).toList(),
                         steps == null ? MovingScenes.STEPS : steps,
                         runs,
                         out);
@@ -173,6 +183,11 @@ final class BenchCommand implements Callable<Integer> {
             MeasuredPart.write(page, report.markdown(measured.provenance()));
         }
         return report.text();
+    }
+
+    private Stream<Contestant> contestants(Engine engine) {
+        Options.requireKnown(spec, "--preset", presets, Contestant.PRESETS);
+        return Contestant.of(engine, presets.isEmpty() ? Contestant.PRESETS : presets);
     }
 
     private List<BenchScene> chosenScenes() {
@@ -222,7 +237,13 @@ final class BenchCommand implements Callable<Integer> {
                 + (engines.isEmpty() ? "" : " --engines " + String.join(",", engines))
                 + (moving.isEmpty()
                         ? " --rounds " + rounds
-                        : " --moving " + String.join(",", moving) + " --runs " + runs)
+                        : " --moving "
+                                + String.join(",", moving)
+                                + (presets.isEmpty()
+                                        ? ""
+                                        : " --preset " + String.join(",", presets))
+                                + " --runs "
+                                + runs)
                 + (steps == null ? "" : " --steps " + steps);
     }
 

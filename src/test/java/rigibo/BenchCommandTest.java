@@ -59,6 +59,20 @@ class BenchCommandTest {
                 .doesNotContain("before");
     }
 
+    @Test
+    void movingScenesAreTimedAtThePresetsAskedFor() {
+        assertThat(move("GAME")).as(err.toString()).isZero();
+        assertThat(out.toString()).contains("rain-boxes-10", "GAME").doesNotContain("DRAFT");
+        assertThat(move("GAMES")).isEqualTo(2);
+        assertThat(err.toString()).contains("--preset", "GAMES", "DRAFT");
+    }
+
+    private int move(String preset) {
+        String scene = "bench --engines rigibo --moving rain-boxes-10 --steps 3 --runs 1";
+        String all = scene + " --out " + directory + " --preset " + preset;
+        return Main.run(new PrintWriter(out), new PrintWriter(err), all.split(" "));
+    }
+
     /**
      * Each storey stands with two legs and carries a beam on them, two contacts each, and the ball
      * lies on the upper beam: 9 that carry, which nothing else comes near.

@@ -20,7 +20,8 @@ import java.util.stream.Stream;
  */
 public record Contestant(String engine, String setting) {
 
-    private static final List<String> PRESETS = List.of("DRAFT", "GAME", "FINE", "EXACT");
+    /** Of ours, the fastest first. */
+    public static final List<String> PRESETS = List.of("DRAFT", "GAME", "FINE", "EXACT");
 
     /** Ours as the game runs it. */
     static final Contestant OURS = new Contestant(RigiBoEngine.NAME, "GAME");
@@ -32,12 +33,12 @@ public record Contestant(String engine, String setting) {
 
     private static final double NEARLY_STILL = 0.05;
 
-    /** Ours at each preset, the others as they come. */
-    public static Stream<Contestant> of(Engine engine) {
+    /** Ours at each of some presets, the others as they come. */
+    public static Stream<Contestant> of(Engine engine, List<String> presets) {
         Setting first = engine.settings().get(0);
         return first.line() == Line.PEERS
                 ? Stream.of(new Contestant(engine.name(), first.name()))
-                : PRESETS.stream().map(preset -> new Contestant(engine.name(), preset));
+                : presets.stream().map(preset -> new Contestant(engine.name(), preset));
     }
 
     Stage stage(Scene scene) {
