@@ -1,7 +1,6 @@
 package rigibo.peers;
 
-import rigibo.backend.geometry.Circle;
-import rigibo.backend.geometry.Polygon;
+import rigibo.backend.geometry.Outline;
 import rigibo.backend.geometry.Shape;
 
 /** How wide a shape is to the air that it goes through. */
@@ -11,23 +10,20 @@ final class Width {
 
     /** Extent in m across a direction (x, y) other than 0 of a shape at an angle. */
     static double across(Shape shape, double angle, double x, double y) {
-        if (shape instanceof Circle circle) {
-            return 2 * circle.radius();
-        }
-        Polygon polygon = (Polygon) shape;
+        Outline outline = shape.outline();
         double length = Math.sqrt(x * x + y * y);
         double cos = Math.cos(angle);
         double sin = Math.sin(angle);
-        // The direction, a quarter turned, in the polygon's own frame.
+        // The direction, a quarter turned, in the shape's own frame.
         double acrossX = (sin * x - cos * y) / length;
         double acrossY = (sin * y + cos * x) / length;
         double least = Double.POSITIVE_INFINITY;
         double most = Double.NEGATIVE_INFINITY;
-        for (int i = 0; i < polygon.corners(); i++) {
-            double along = acrossX * polygon.cornerX(i) + acrossY * polygon.cornerY(i);
+        for (int i = 0; i < outline.corners(); i++) {
+            double along = acrossX * outline.cornerX(i) + acrossY * outline.cornerY(i);
             least = Math.min(least, along);
             most = Math.max(most, along);
         }
-        return most - least;
+        return most - least + 2 * outline.radius();
     }
 }

@@ -5,8 +5,8 @@ import rigibo.backend.effect.Contacts;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Thrust;
 import rigibo.backend.geometry.MassProperties;
+import rigibo.backend.geometry.Outline;
 import rigibo.backend.geometry.Shape;
-import rigibo.backend.geometry.ShapeKind;
 import rigibo.backend.rest.SupportLoss;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.BodyType;
@@ -296,13 +296,14 @@ final class BodyEditor {
 
     private void writeShape(int slot, Shape shape) {
         bodies.shape[slot] = shape;
-        bodies.boundingRadius[slot] = shape.boundingRadius();
+        Outline outline = shape.outline();
+        bodies.outline[slot] = outline;
+        bodies.boundingRadius[slot] = outline.boundingRadius();
         if (bodies.smallestWidth != null) {
-            bodies.smallestWidth[slot] = shape.smallestWidth();
+            bodies.smallestWidth[slot] = outline.smallestWidth();
         }
         if (bodies.sweepRadius != null) {
-            boolean isDisc = shape.kind() == ShapeKind.CIRCLE;
-            bodies.sweepRadius[slot] = isDisc ? 0 : shape.boundingRadius();
+            bodies.sweepRadius[slot] = outline.sweepRadius();
         }
     }
 

@@ -6,8 +6,8 @@ import rigibo.backend.collision.Manifold;
 import rigibo.backend.collision.PointAndRay;
 import rigibo.backend.collision.Pose;
 import rigibo.backend.geometry.Aabb;
+import rigibo.backend.geometry.Outline;
 import rigibo.backend.geometry.Polygon;
-import rigibo.backend.geometry.Shape;
 import rigibo.backend.setup.Require;
 import rigibo.backend.step.StepPlan;
 import rigibo.backend.storage.Bodies;
@@ -61,7 +61,7 @@ final class PoolQueries {
         for (int i = 0; i < found.count; i++) {
             int slot = found.numbers[i];
             pose.set(bodies.x[slot], bodies.y[slot], bodies.cos[slot], bodies.sin[slot]);
-            if (pointAndRay.holds(bodies.shape[slot], pose, x, y)) {
+            if (pointAndRay.holds(bodies.outline[slot], pose, x, y)) {
                 last = later(last, pool.handle(slot));
             }
         }
@@ -101,13 +101,14 @@ final class PoolQueries {
         double width = area.maxX - area.minX;
         double height = area.maxY - area.minY;
         // A box without an area is no polygon; half a nanometre is nothing to any body.
-        Shape shape = Polygon.box(Math.max(width, LEAST_SIDE), Math.max(height, LEAST_SIDE));
+        Outline outline =
+                Polygon.box(Math.max(width, LEAST_SIDE), Math.max(height, LEAST_SIDE)).outline();
         areaPose.set((area.minX + area.maxX) / 2, (area.minY + area.maxY) / 2, 1, 0);
         Found found = near(area);
         for (int i = 0; i < found.count; i++) {
             int slot = found.numbers[i];
             pose.set(bodies.x[slot], bodies.y[slot], bodies.cos[slot], bodies.sin[slot]);
-            collider.collide(shape, areaPose, bodies.shape[slot], pose, 0, manifold);
+            collider.collide(outline, areaPose, bodies.outline[slot], pose, 0, manifold);
             if (manifold.count > 0) {
                 inside.add(pool.handle(slot));
             }
@@ -136,7 +137,7 @@ final class PoolQueries {
     }
 
     private void bounds(int slot, Aabb into) {
-        bodies.shape[slot].bounds(
+        bodies.outline[slot].bounds(
                 bodies.x[slot], bodies.y[slot], bodies.cos[slot], bodies.sin[slot], into);
     }
 

@@ -83,7 +83,7 @@ final class RayCast {
     private void ask(int slot) {
         shapes++;
         pose.set(bodies.x[slot], bodies.y[slot], bodies.cos[slot], bodies.sin[slot]);
-        double at = pointAndRay.enters(bodies.shape[slot], pose, fromX, fromY, toX, toY);
+        double at = pointAndRay.enters(bodies.outline[slot], pose, fromX, fromY, toX, toY);
         if (at < fraction || at == fraction && isFirstAdded(slot)) {
             met = slot;
             fraction = at;

@@ -4,6 +4,7 @@ import org.dyn4j.geometry.Convex;
 import org.dyn4j.geometry.Rectangle;
 import org.dyn4j.geometry.Vector2;
 
+import rigibo.backend.geometry.Capsule;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.geometry.Shape;
@@ -16,8 +17,14 @@ final class Outlines {
     static Convex of(Shape shape) {
         return switch (shape.kind()) {
             case CIRCLE -> new org.dyn4j.geometry.Circle(((Circle) shape).radius());
+            case CAPSULE -> capsule((Capsule) shape);
             case POLYGON -> polygon((Polygon) shape);
         };
+    }
+
+    private static Convex capsule(Capsule stated) {
+        double width = 2 * stated.radius();
+        return new org.dyn4j.geometry.Capsule(2 * stated.halfLength() + width, width);
     }
 
     private static Convex polygon(Polygon stated) {

@@ -16,6 +16,7 @@ final class Outlines {
     static com.badlogic.gdx.physics.box2d.Shape of(Shape shape) {
         return switch (shape.kind()) {
             case CIRCLE -> disc((Circle) shape);
+            case CAPSULE -> throw new IllegalArgumentException("Box2D knows no capsule");
             case POLYGON -> polygon((Polygon) shape);
         };
     }

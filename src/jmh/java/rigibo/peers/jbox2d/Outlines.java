@@ -17,6 +17,7 @@ final class Outlines {
     static org.jbox2d.collision.shapes.Shape of(Shape shape) {
         return switch (shape.kind()) {
             case CIRCLE -> disc((Circle) shape);
+            case CAPSULE -> throw new IllegalArgumentException("JBox2D knows no capsule");
             case POLYGON -> polygon((Polygon) shape);
         };
     }

@@ -272,7 +272,7 @@ public final class Broadphase {
     private void sweep(int slot, double dt, double turned) {
         double x = bodies.x[slot];
         double y = bodies.y[slot];
-        bodies.shape[slot].bounds(x, y, bodies.cos[slot], bodies.sin[slot], swept);
+        bodies.outline[slot].bounds(x, y, bodies.cos[slot], bodies.sin[slot], swept);
         double radius = bodies.boundingRadius[slot];
         swept.minX = Math.max(swept.minX - turned, x - radius);
         swept.minY = Math.max(swept.minY - turned, y - radius);

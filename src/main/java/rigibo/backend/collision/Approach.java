@@ -23,7 +23,7 @@ final class Approach {
         double dx = poseB.x - poseA.x;
         double dy = poseB.y - poseA.y;
         double apart = Math.sqrt(dx * dx + dy * dy);
-        double gap = apart - a.shape.boundingRadius() - b.shape.boundingRadius();
+        double gap = apart - a.outline.boundingRadius() - b.outline.boundingRadius();
         if (!(gap > within)) {
             return true;
         }
@@ -78,6 +78,6 @@ final class Approach {
     private static double speedOf(Motion body) {
         return Math.abs(body.velocityX)
                 + Math.abs(body.velocityY)
-                + Math.abs(body.spin) * body.shape.boundingRadius();
+                + Math.abs(body.spin) * body.outline.boundingRadius();
     }
 }

@@ -1,8 +1,7 @@
 package rigibo.backend.collision;
 
 import rigibo.backend.geometry.Angle;
-import rigibo.backend.geometry.Polygon;
-import rigibo.backend.geometry.ShapeKind;
+import rigibo.backend.geometry.Outline;
 
 /** How far one moving body reaches along a fixed axis: its centre's way plus its outline. */
 final class AxisReach {
@@ -18,8 +17,8 @@ final class AxisReach {
     private double velocity;
     private double acceleration;
 
-    /** The polygon where it turns, else null: the outline then stays as it is. */
-    private Polygon turning;
+    /** The outline where it turns and is no disc, else null: the outline then stays as it is. */
+    private Outline turning;
 
     private double outline;
 
@@ -35,13 +34,16 @@ final class AxisReach {
         velocity = x * of.velocityX + y * of.velocityY;
         acceleration = x * of.accelerationX + y * of.accelerationY;
         turning = null;
-        outline = of.shape.boundingRadius();
-        if (of.shape.kind() == ShapeKind.POLYGON) {
-            Polygon polygon = (Polygon) of.shape;
+        outline = of.outline.boundingRadius();
+        if (!of.outline.isDisc()) {
+            Outline polygon = of.outline;
             turning = of.isTurning() ? polygon : null;
             outline =
                     farthest.along(
-                            polygon, pose.cos * x + pose.sin * y, pose.cos * y - pose.sin * x);
+                                    polygon,
+                                    pose.cos * x + pose.sin * y,
+                                    pose.cos * y - pose.sin * x)
+                            + polygon.radius();
         }
     }
 
@@ -58,7 +60,8 @@ final class AxisReach {
         double angle = motion.angleAt(time);
         double cos = Angle.cos(angle);
         double sin = Angle.sin(angle);
-        return farthest.along(turning, cos * axisX + sin * axisY, cos * axisY - sin * axisX);
+        return farthest.along(turning, cos * axisX + sin * axisY, cos * axisY - sin * axisX)
+                + turning.radius();
     }
 
     /**

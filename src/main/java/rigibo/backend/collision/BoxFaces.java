@@ -1,6 +1,6 @@
 package rigibo.backend.collision;
 
-import rigibo.backend.geometry.Polygon;
+import rigibo.backend.geometry.Outline;
 
 /**
  * The separating faces of two boxes, which by symmetry need one comparison per axis instead of one
@@ -29,7 +29,7 @@ final class BoxFaces {
      * Finds the face of a box that separates it farthest from another, which sits at a place in the
      * box's frame; true, without a result, if one is farther than {@code reach} m.
      */
-    static boolean isApart(Polygon box, Polygon other, Pose place, double reach, FaceSearch out) {
+    static boolean isApart(Outline box, Outline other, Pose place, double reach, FaceSearch out) {
         double width = other.cornerX(UPPER_RIGHT);
         double height = other.cornerY(UPPER_RIGHT);
         double cos = place.cos;

@@ -1,13 +1,13 @@
 package rigibo.backend.collision;
 
-import rigibo.backend.geometry.Circle;
+import rigibo.backend.geometry.Outline;
 
 /** Manifold of two discs: one point on the line between the centres. */
 final class CircleCircle {
 
     private CircleCircle() {}
 
-    static int collide(Circle a, Pose poseA, Circle b, Pose poseB, double reach, Manifold out) {
+    static int collide(Outline a, Pose poseA, Outline b, Pose poseB, double reach, Manifold out) {
         double dx = poseB.x - poseA.x;
         double dy = poseB.y - poseA.y;
         double radii = a.radius() + b.radius();

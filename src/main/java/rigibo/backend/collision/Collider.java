@@ -1,11 +1,9 @@
 package rigibo.backend.collision;
 
-import rigibo.backend.geometry.Circle;
-import rigibo.backend.geometry.Polygon;
-import rigibo.backend.geometry.Shape;
+import rigibo.backend.geometry.Outline;
 
 /**
- * Finds where two shapes touch or nearly touch. Holds scratch, so each thread needs its own.
+ * Finds where two outlines touch or nearly touch. Holds scratch, so each thread needs its own.
  * Allocates nothing.
  */
 public final class Collider {
@@ -27,41 +25,38 @@ public final class Collider {
     }
 
     /**
-     * Writes the manifold of two shapes. Where they are apart, the separation of one point is the
+     * Writes the manifold of two outlines. Where they are apart, the separation of one point is the
      * true distance; two points are given where faces are near parallel. Overlap is measured along
      * the axis of least overlap. Everything is computed relative to A, and every tolerance scales
      * with the shapes: far from the origin or in another scale, the manifold is the same.
      *
-     * @param a first shape
+     * @param a first outline
      * @param poseA where it is
-     * @param b second shape
+     * @param b second outline
      * @param poseB where it is
      * @param reach largest gap in m, zero or more, at which a point is still reported
      * @param out receives the manifold; its count is 0 when the shapes are farther apart than reach
      */
-    public void collide(Shape a, Pose poseA, Shape b, Pose poseB, double reach, Manifold out) {
+    public void collide(Outline a, Pose poseA, Outline b, Pose poseB, double reach, Manifold out) {
         out.clear();
         int points =
-                switch (a.kind()) {
-                    case CIRCLE -> collideCircle((Circle) a, poseA, b, poseB, reach, out);
-                    case POLYGON -> collidePolygon((Polygon) a, poseA, b, poseB, reach, out);
-                };
+                a.isDisc()
+                        ? collideDisc(a, poseA, b, poseB, reach, out)
+                        : collidePolygon(a, poseA, b, poseB, reach, out);
         assert points == out.count;
     }
 
-    private static int collideCircle(
-            Circle a, Pose poseA, Shape b, Pose poseB, double reach, Manifold out) {
-        return switch (b.kind()) {
-            case CIRCLE -> CircleCircle.collide(a, poseA, (Circle) b, poseB, reach, out);
-            case POLYGON -> PolygonCircle.exchanged(a, poseA, (Polygon) b, poseB, reach, out);
-        };
+    private static int collideDisc(
+            Outline a, Pose poseA, Outline b, Pose poseB, double reach, Manifold out) {
+        return b.isDisc()
+                ? CircleCircle.collide(a, poseA, b, poseB, reach, out)
+                : PolygonCircle.exchanged(a, poseA, b, poseB, reach, out);
     }
 
     private int collidePolygon(
-            Polygon a, Pose poseA, Shape b, Pose poseB, double reach, Manifold out) {
-        return switch (b.kind()) {
-            case CIRCLE -> PolygonCircle.collide(a, poseA, (Circle) b, poseB, reach, out);
-            case POLYGON -> polygons.collide(a, poseA, (Polygon) b, poseB, reach, out);
-        };
+            Outline a, Pose poseA, Outline b, Pose poseB, double reach, Manifold out) {
+        return b.isDisc()
+                ? PolygonCircle.collide(a, poseA, b, poseB, reach, out)
+                : polygons.collide(a, poseA, b, poseB, reach, out);
     }
 }

@@ -1,6 +1,6 @@
 package rigibo.backend.collision;
 
-import rigibo.backend.geometry.Shape;
+import rigibo.backend.geometry.Outline;
 
 /**
  * The distance of two shapes, the axis along it, and the two points it is measured between. Found
@@ -31,7 +31,7 @@ public final class Distance {
     public double pointBY;
 
     /** Measures two shapes at their poses and returns the gap in m. */
-    public double measure(Shape a, Pose poseA, Shape b, Pose poseB) {
+    public double measure(Outline a, Pose poseA, Outline b, Pose poseB) {
         collider.collide(a, poseA, b, poseB, Double.POSITIVE_INFINITY, manifold);
         int nearest =
                 manifold.count == 2 && manifold.separation[1] < manifold.separation[0] ? 1 : 0;

@@ -1,6 +1,6 @@
 package rigibo.backend.collision;
 
-import rigibo.backend.geometry.Polygon;
+import rigibo.backend.geometry.Outline;
 
 /**
  * Clips the edge of one polygon to the extent of the other's reference face. All lengths are in the
@@ -22,6 +22,9 @@ final class FaceClip {
      * less than half of this times the tilt.
      */
     private static final double BESIDE = 1e-5;
+
+    /** Of places that the width of a face does not resolve, per such a width. */
+    private static final double ROUND_OFF = 1e-9;
 
     /** Tilt up to which an edge faces a face flat, rad. */
     private static final double FLAT = 1e-4;
@@ -59,6 +62,10 @@ final class FaceClip {
     private double separation;
     private boolean isLowNearest;
     private double samePlace;
+
+    /** The greater of the two cores' numbers of edges. */
+    private int edgesInAll;
+
     private double beside;
 
     /** Where the closest features are two corners: which of the face, and which of the edge. */
@@ -71,7 +78,7 @@ final class FaceClip {
      * Takes the face that a search found and the edge of the other polygon, which sits at a place
      * in the reference's frame, that faces it most.
      */
-    void reference(Polygon polygon, FaceSearch found, Polygon other, Pose place, double width) {
+    void reference(Outline polygon, FaceSearch found, Outline other, Pose place, double width) {
         face = found.face;
         faceEnd = face + 1 == polygon.corners() ? 0 : face + 1;
         normalX = polygon.normalX(face);
@@ -82,6 +89,7 @@ final class FaceClip {
         endY = polygon.cornerY(faceEnd);
         separation = found.separation;
         samePlace = SAME_PLACE * width;
+        edgesInAll = Math.max(polygon.corners(), other.corners());
         chooseEdge(other, found.corner, place);
         placeEdge(other, place);
         boolean isFlat =
@@ -91,7 +99,7 @@ final class FaceClip {
         isBetweenCorners = findCorners();
     }
 
-    private void chooseEdge(Polygon other, int corner, Pose place) {
+    private void chooseEdge(Outline other, int corner, Pose place) {
         double x = place.cos * normalX + place.sin * normalY;
         double y = place.cos * normalY - place.sin * normalX;
         int last = other.corners() - 1;
@@ -111,7 +119,7 @@ final class FaceClip {
         edgeEnd = isLowNearest ? corner : after;
     }
 
-    private void placeEdge(Polygon other, Pose place) {
+    private void placeEdge(Outline other, Pose place) {
         double x = other.cornerX(edge);
         double y = other.cornerY(edge);
         highX = place.x + (place.cos * x - place.sin * y);
@@ -139,7 +147,10 @@ final class FaceClip {
      * lies beside the face, and the face's own corner does not lie over the inside of the edge.
      */
     private boolean findCorners() {
-        if (!(separation > 0)) {
+        // A core of two corners has no face across its own line: two in one line are apart though
+        // no face parts them.
+        boolean mayBeInLine = edgesInAll == 2 && separation > -ROUND_OFF * samePlace;
+        if (!(separation > 0 || mayBeInLine)) {
             return false;
         }
         boolean isBeyondStart = (isLowNearest ? lowFromStart : highFromStart) < -beside;

@@ -1,6 +1,6 @@
 package rigibo.backend.collision;
 
-import rigibo.backend.geometry.Polygon;
+import rigibo.backend.geometry.Outline;
 
 /**
  * The face of a polygon that separates it farthest from another, or overlaps least (separating axis
@@ -21,7 +21,7 @@ final class FaceSearch {
      * radius, is passed over. The nearest corner walks around the other polygon as the face walks
      * around this one (rotating calipers).
      */
-    boolean isApart(Polygon polygon, Polygon other, Pose place, double reach) {
+    boolean isApart(Outline polygon, Outline other, Pose place, double reach) {
         int nearest = 0;
         face = 0;
         corner = 0;
@@ -53,7 +53,7 @@ final class FaceSearch {
     /**
      * Whether the corner found lies over the face found, and so far in m from either of its ends.
      */
-    boolean isOverFace(Polygon polygon, Polygon other, Pose place, double inside) {
+    boolean isOverFace(Outline polygon, Outline other, Pose place, double inside) {
         double x = place.x + place.cos * other.cornerX(corner) - place.sin * other.cornerY(corner);
         double y = place.y + place.sin * other.cornerX(corner) + place.cos * other.cornerY(corner);
         double nx = polygon.normalX(face);
@@ -68,7 +68,7 @@ final class FaceSearch {
      * way round and then ever smaller ones, as long as they lead nearer. On a convex outline the
      * corner that both its neighbours are farther than is the nearest of all.
      */
-    private static int nearestTo(Polygon polygon, double x, double y, int guess) {
+    private static int nearestTo(Outline polygon, double x, double y, int guess) {
         int corners = polygon.corners();
         int at = guess;
         double least = x * polygon.cornerX(at) + y * polygon.cornerY(at);

@@ -1,6 +1,6 @@
 package rigibo.backend.collision;
 
-import rigibo.backend.geometry.Polygon;
+import rigibo.backend.geometry.Outline;
 
 /** How far a polygon reaches along one direction after another that are close to each other. */
 final class FarthestCorner {
@@ -9,7 +9,7 @@ final class FarthestCorner {
     private int corner;
 
     /** Reach in m from the centre of mass along a direction in the polygon's own frame. */
-    double along(Polygon polygon, double x, double y) {
+    double along(Outline polygon, double x, double y) {
         int last = polygon.corners() - 1;
         int at = Math.min(corner, last);
         double top = x * polygon.cornerX(at) + y * polygon.cornerY(at);

@@ -59,6 +59,16 @@ public final class Manifold {
                 };
     }
 
+    /** Makes of the contact of two cores that of the outlines at these radii in m round them. */
+    void round(double radiusA, double radiusB) {
+        double towardsB = (radiusA - radiusB) / 2;
+        for (int i = 0; i < count; i++) {
+            pointX[i] += towardsB * normalX;
+            pointY[i] += towardsB * normalY;
+            separation[i] -= radiusA + radiusB;
+        }
+    }
+
     /** Appends a point: world place in m, gap in m and the name of its features. */
     void add(double x, double y, double gap, int name) {
         pointX[count] = x;

@@ -1,7 +1,7 @@
 package rigibo.backend.collision;
 
 import rigibo.backend.geometry.Angle;
-import rigibo.backend.geometry.Shape;
+import rigibo.backend.geometry.Outline;
 import rigibo.backend.storage.Bodies;
 
 /**
@@ -22,7 +22,7 @@ public final class Motion {
      */
     private static final double[] SERIES = inverseFactorials(9);
 
-    public Shape shape;
+    public Outline outline;
 
     /** When the state below holds, s. */
     public double startTime;
@@ -56,7 +56,7 @@ public final class Motion {
 
     /** Takes the state of a body in flight at the step's start, without drag; it does not turn. */
     public void take(Bodies bodies, int slot) {
-        shape = bodies.shape[slot];
+        outline = bodies.outline[slot];
         startTime = 0;
         x = bodies.x[slot];
         y = bodies.y[slot];
@@ -167,7 +167,7 @@ public final class Motion {
     /** A bound on the acceleration that turning gives any point of the outline, m/s². */
     double turningAcceleration(double from, double to) {
         double fastest = mostSpin(from, to);
-        return (fastest * fastest + Math.abs(angularAcceleration)) * shape.boundingRadius();
+        return (fastest * fastest + Math.abs(angularAcceleration)) * outline.boundingRadius();
     }
 
     /** Speed of this body's centre seen from another's at a time, m/s. */

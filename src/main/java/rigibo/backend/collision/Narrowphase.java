@@ -1,6 +1,6 @@
 package rigibo.backend.collision;
 
-import rigibo.backend.geometry.Shape;
+import rigibo.backend.geometry.Outline;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.Counters;
 import rigibo.backend.storage.DataStorage;
@@ -148,9 +148,9 @@ public final class Narrowphase {
      * Fills one pair's manifold at poses of its bodies, with the points no farther than reach, m.
      */
     public void measure(int pair, Pose atA, Pose atB, double reach) {
-        Shape shapeA = bodies.shape[pairs.bodyA[pair]];
-        Shape shapeB = bodies.shape[pairs.bodyB[pair]];
-        collider.collide(shapeA, atA, shapeB, atB, reach, manifold);
+        Outline outlineA = bodies.outline[pairs.bodyA[pair]];
+        Outline outlineB = bodies.outline[pairs.bodyB[pair]];
+        collider.collide(outlineA, atA, outlineB, atB, reach, manifold);
         keep(pair);
         pairs.reach[pair] = Double.NaN;
     }

@@ -1,8 +1,6 @@
 package rigibo.backend.collision;
 
-import rigibo.backend.geometry.Polygon;
-import rigibo.backend.geometry.Shape;
-import rigibo.backend.geometry.ShapeKind;
+import rigibo.backend.geometry.Outline;
 
 /** Whether a posed shape holds a point, and where a ray enters it. */
 public final class PointAndRay {
@@ -16,23 +14,14 @@ public final class PointAndRay {
     public double normalY;
 
     /** Whether a point in world m lies inside or on the outline. */
-    public boolean holds(Shape shape, Pose pose, double x, double y) {
+    public boolean holds(Outline shape, Pose pose, double x, double y) {
         double localX = pose.cos * (x - pose.x) + pose.sin * (y - pose.y);
         double localY = pose.cos * (y - pose.y) - pose.sin * (x - pose.x);
-        if (shape.kind() == ShapeKind.CIRCLE) {
-            double radius = shape.boundingRadius();
+        if (shape.isDisc()) {
+            double radius = shape.radius();
             return localX * localX + localY * localY <= radius * radius;
         }
-        return holds((Polygon) shape, localX, localY);
-    }
-
-    private static boolean holds(Polygon polygon, double x, double y) {
-        for (int i = 0; i < polygon.corners(); i++) {
-            if (front(polygon, i, x, y) > 0) {
-                return false;
-            }
-        }
-        return true;
+        return shape.depth(localX, localY) >= 0;
     }
 
     /**
@@ -40,19 +29,76 @@ public final class PointAndRay {
      * {@link #MISS}; a ray that starts inside does not enter.
      */
     public double enters(
-            Shape shape, Pose pose, double fromX, double fromY, double toX, double toY) {
+            Outline shape, Pose pose, double fromX, double fromY, double toX, double toY) {
         double x = pose.cos * (fromX - pose.x) + pose.sin * (fromY - pose.y);
         double y = pose.cos * (fromY - pose.y) - pose.sin * (fromX - pose.x);
         double dx = pose.cos * (toX - fromX) + pose.sin * (toY - fromY);
         double dy = pose.cos * (toY - fromY) - pose.sin * (toX - fromX);
-        double fraction =
-                shape.kind() == ShapeKind.CIRCLE
-                        ? entersDisc(shape.boundingRadius(), x, y, dx, dy)
-                        : entersPolygon((Polygon) shape, x, y, dx, dy);
+        double fraction = enters(shape, x, y, dx, dy);
         double nx = normalX;
         normalX = pose.cos * nx - pose.sin * normalY;
         normalY = pose.sin * nx + pose.cos * normalY;
         return fraction;
+    }
+
+    private double enters(Outline shape, double x, double y, double dx, double dy) {
+        if (shape.isDisc()) {
+            return entersDisc(shape.radius(), x, y, dx, dy);
+        }
+        return shape.radius() > 0
+                ? entersRounded(shape, x, y, dx, dy)
+                : entersPolygon(shape, x, y, dx, dy);
+    }
+
+    /** A rounded outline is entered where the first of its edges or of its round corners is. */
+    private double entersRounded(Outline outline, double x, double y, double dx, double dy) {
+        if (outline.depth(x, y) > 0) {
+            return MISS;
+        }
+        double first = MISS;
+        double firstX = 0;
+        double firstY = 0;
+        for (int i = 0; i < outline.corners(); i++) {
+            double at =
+                    entersDisc(
+                            outline.radius(),
+                            x - outline.cornerX(i),
+                            y - outline.cornerY(i),
+                            dx,
+                            dy);
+            if (at < first) {
+                first = at;
+                firstX = normalX;
+                firstY = normalY;
+            }
+            at = entersEdge(outline, i, x, y, dx, dy);
+            if (at < first) {
+                first = at;
+                firstX = outline.normalX(i);
+                firstY = outline.normalY(i);
+            }
+        }
+        normalX = firstX;
+        normalY = firstY;
+        return first;
+    }
+
+    private static double entersEdge(
+            Outline outline, int edge, double x, double y, double dx, double dy) {
+        double nx = outline.normalX(edge);
+        double ny = outline.normalY(edge);
+        double speed = nx * dx + ny * dy;
+        double at = -(front(outline, edge, x, y) - outline.radius()) / speed;
+        if (!(speed < 0 && at >= 0 && at <= 1)) {
+            return MISS;
+        }
+        int end = edge + 1 == outline.corners() ? 0 : edge + 1;
+        double px = x + at * dx;
+        double py = y + at * dy;
+        boolean isOver =
+                nx * (py - outline.cornerY(edge)) - ny * (px - outline.cornerX(edge)) >= 0
+                        && nx * (py - outline.cornerY(end)) - ny * (px - outline.cornerX(end)) <= 0;
+        return isOver ? at : MISS;
     }
 
     /**
@@ -87,7 +133,7 @@ public final class PointAndRay {
     }
 
     /** Clips the ray by every edge's line: it enters where the last of them lets it in. */
-    private double entersPolygon(Polygon polygon, double x, double y, double dx, double dy) {
+    private double entersPolygon(Outline polygon, double x, double y, double dx, double dy) {
         double in = -1;
         double out = 1;
         for (int i = 0; i < polygon.corners(); i++) {
@@ -108,7 +154,7 @@ public final class PointAndRay {
         return in >= 0 && in <= out ? in : MISS;
     }
 
-    private static double front(Polygon polygon, int edge, double x, double y) {
+    private static double front(Outline polygon, int edge, double x, double y) {
         return polygon.normalX(edge) * (x - polygon.cornerX(edge))
                 + polygon.normalY(edge) * (y - polygon.cornerY(edge));
     }

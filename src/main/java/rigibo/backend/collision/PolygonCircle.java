@@ -1,7 +1,6 @@
 package rigibo.backend.collision;
 
-import rigibo.backend.geometry.Circle;
-import rigibo.backend.geometry.Polygon;
+import rigibo.backend.geometry.Outline;
 
 /**
  * Manifold of a polygon and a disc: one point. The disc's centre is brought into the polygon's
@@ -14,20 +13,19 @@ final class PolygonCircle {
     private PolygonCircle() {}
 
     /** With the polygon as A. */
-    static int collide(Polygon a, Pose poseA, Circle b, Pose poseB, double reach, Manifold out) {
+    static int collide(Outline a, Pose poseA, Outline b, Pose poseB, double reach, Manifold out) {
         double dx = poseB.x - poseA.x;
         double dy = poseB.y - poseA.y;
         double cx = poseA.cos * dx + poseA.sin * dy;
         double cy = poseA.cos * dy - poseA.sin * dx;
-        int face = outermost(a, cx, cy, b.radius() + reach);
+        int face = outermost(a, cx, cy, a.radius() + b.radius() + reach);
         if (face == NONE) {
             return 0;
         }
-        double distance = measure(a, face, cx, cy, out);
-        if (distance - b.radius() > reach) {
+        double gap = measure(a, face, cx, cy, out) - a.radius() - b.radius();
+        if (gap > reach) {
             return 0;
         }
-        double gap = distance - b.radius();
         double inward = b.radius() + gap / 2;
         double x = cx - out.normalX * inward;
         double y = cy - out.normalY * inward;
@@ -41,7 +39,7 @@ final class PolygonCircle {
     }
 
     /** With the disc as A. */
-    static int exchanged(Circle a, Pose poseA, Polygon b, Pose poseB, double reach, Manifold out) {
+    static int exchanged(Outline a, Pose poseA, Outline b, Pose poseB, double reach, Manifold out) {
         collide(b, poseB, a, poseA, reach, out);
         out.exchange();
         return out.count;
@@ -50,7 +48,7 @@ final class PolygonCircle {
     /**
      * The face a point is farthest in front of, or none when one is farther than {@code most} m.
      */
-    private static int outermost(Polygon polygon, double x, double y, double most) {
+    private static int outermost(Outline polygon, double x, double y, double most) {
         int face = NONE;
         double farthest = Double.NEGATIVE_INFINITY;
         for (int i = 0; i < polygon.corners(); i++) {
@@ -73,7 +71,7 @@ final class PolygonCircle {
      * polygon's frame. Beside the face, the corner is closest. The place along the face is measured
      * from each end by itself, so that a mirrored scene gives the mirrored bits.
      */
-    private static double measure(Polygon polygon, int face, double x, double y, Manifold out) {
+    private static double measure(Outline polygon, int face, double x, double y, Manifold out) {
         double nx = polygon.normalX(face);
         double ny = polygon.normalY(face);
         int next = face + 1 == polygon.corners() ? 0 : face + 1;
@@ -83,10 +81,12 @@ final class PolygonCircle {
         double endY = y - polygon.cornerY(next);
         double front = nx * startX + ny * startY;
         out.normal(nx, ny, NormalSource.FACE_A);
-        if (front > 0 && ny * startX - nx * startY > 0) {
+        // What lies on the line of a core of two corners may be beside it all the same.
+        boolean isOutside = front > 0 || polygon.corners() == 2;
+        if (isOutside && ny * startX - nx * startY > 0) {
             return fromCorner(startX, startY, out);
         }
-        if (front > 0 && nx * endY - ny * endX > 0) {
+        if (isOutside && nx * endY - ny * endX > 0) {
             return fromCorner(endX, endY, out);
         }
         return front;

@@ -1,6 +1,6 @@
 package rigibo.backend.collision;
 
-import rigibo.backend.geometry.Polygon;
+import rigibo.backend.geometry.Outline;
 
 /**
  * Manifold of two polygons: the face that separates them farthest is the reference, and the edge of
@@ -49,7 +49,7 @@ final class PolygonPolygon {
         this.bias = bias;
     }
 
-    int collide(Polygon a, Pose poseA, Polygon b, Pose poseB, double reach, Manifold out) {
+    int collide(Outline a, Pose poseA, Outline b, Pose poseB, double reach, Manifold out) {
         double dx = poseB.x - poseA.x;
         double dy = poseB.y - poseA.y;
         double far = a.boundingRadius() + b.boundingRadius() + reach;
@@ -62,19 +62,26 @@ final class PolygonPolygon {
         // height exactly, whatever the angle of the small box on it.
         placeB.set(poseA.cos * dx + poseA.sin * dy, poseA.cos * dy - poseA.sin * dx, cos, sin);
         placeA.set(-(poseB.cos * dx + poseB.sin * dy), poseB.sin * dx - poseB.cos * dy, cos, -sin);
-        if (areApart(a, b, reach)) {
+        double radii = a.radius() + b.radius();
+        double coreReach = reach + radii;
+        if (areApart(a, b, coreReach)) {
             return 0;
         }
         double width = Math.min(a.smallestWidth(), b.smallestWidth());
         if (isReferenceA(a, b, width)) {
             clip.reference(a, facesA, b, placeB, width);
-            return clip.write(poseA, NormalSource.FACE_A, reach, out);
+            clip.write(poseA, NormalSource.FACE_A, coreReach, out);
+        } else {
+            clip.reference(b, facesB, a, placeA, width);
+            clip.write(poseB, NormalSource.FACE_B, coreReach, out);
         }
-        clip.reference(b, facesB, a, placeA, width);
-        return clip.write(poseB, NormalSource.FACE_B, reach, out);
+        if (radii > 0) {
+            out.round(a.radius(), b.radius());
+        }
+        return out.count;
     }
 
-    private boolean areApart(Polygon a, Polygon b, double reach) {
+    private boolean areApart(Outline a, Outline b, double reach) {
         if (a.isBox() && b.isBox()) {
             return BoxFaces.isApart(a, b, placeB, reach, facesA)
                     || BoxFaces.isApart(b, a, placeA, reach, facesB);
@@ -89,10 +96,10 @@ final class PolygonPolygon {
      * may be farther.
      */
     private static boolean isEitherApart(
-            Polygon one,
+            Outline one,
             FaceSearch faces,
             Pose place,
-            Polygon other,
+            Outline other,
             FaceSearch otherFaces,
             Pose otherPlace,
             double reach) {
@@ -108,7 +115,7 @@ final class PolygonPolygon {
         return otherFaces.isApart(other, one, otherPlace, reach);
     }
 
-    private boolean isReferenceA(Polygon a, Polygon b, double width) {
+    private boolean isReferenceA(Outline a, Outline b, double width) {
         if (facesB.separation <= facesA.separation) {
             return true;
         }

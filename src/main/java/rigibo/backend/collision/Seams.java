@@ -1,8 +1,6 @@
 package rigibo.backend.collision;
 
-import rigibo.backend.geometry.Polygon;
-import rigibo.backend.geometry.Shape;
-import rigibo.backend.geometry.ShapeKind;
+import rigibo.backend.geometry.Outline;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.PairTolerances;
@@ -105,7 +103,7 @@ final class Seams {
         fixed = isAMoving ? b : a;
         return pairs.points[pair] > 0
                 && isAMoving != bodies.isDynamic(b)
-                && bodies.shape[fixed].kind() == ShapeKind.POLYGON;
+                && !bodies.outline[fixed].isDisc();
     }
 
     private void leaveOut(int pair) {
@@ -147,7 +145,7 @@ final class Seams {
      * meets its face within the step, though all that is near is its covered corner yet.
      */
     private boolean turnsToFace(int pair, int point) {
-        Polygon polygon = (Polygon) bodies.shape[fixed];
+        Outline polygon = bodies.outline[fixed];
         double coveredX = outX;
         double coveredY = outY;
         double best = Double.NEGATIVE_INFINITY;
@@ -184,20 +182,28 @@ final class Seams {
      * into it; returns how far it is from there, m. What has not come to the face yet is above its
      * plane, for a corner that is covered is one that the face rises from; −∞ where it is not.
      */
-    private double placeOnFace(Polygon polygon, int face) {
+    private double placeOnFace(Outline polygon, int face) {
         int next = face + 1 == polygon.corners() ? 0 : face + 1;
         double startX = worldX(fixedPose, polygon, face);
         double startY = worldY(fixedPose, polygon, face);
         double endX = worldX(fixedPose, polygon, next);
         double endY = worldY(fixedPose, polygon, next);
         double below = placeLowest();
-        double above = outX * (x - startX) + outY * (y - startY);
+        double above = outX * (x - startX) + outY * (y - startY) - polygon.radius();
         footX = x - above * outX;
         footY = y - above * outY;
         double fromStart = outX * (footY - startY) - outY * (footX - startX);
         double toEnd = outX * (endY - footY) - outY * (endX - footX);
-        x = fromStart < 0 ? startX : toEnd < 0 ? endX : footX;
-        y = fromStart < 0 ? startY : toEnd < 0 ? endY : footY;
+        boolean isBefore = fromStart < 0;
+        boolean isBehind = toEnd < 0;
+        x =
+                isBefore
+                        ? startX + outX * polygon.radius()
+                        : isBehind ? endX + outX * polygon.radius() : footX;
+        y =
+                isBefore
+                        ? startY + outY * polygon.radius()
+                        : isBehind ? endY + outY * polygon.radius() : footY;
         boolean isOver = Math.min(fromStart, toEnd) > -CLOSED * width;
         double separation = above - below;
         return isOver || separation > -touching() ? separation : Double.NEGATIVE_INFINITY;
@@ -205,12 +211,12 @@ final class Seams {
 
     /** Moves the point to the mover's lowest above a face; returns how much lower it is yet, m. */
     private double placeLowest() {
-        if (bodies.shape[mover].kind() == ShapeKind.CIRCLE) {
+        if (bodies.outline[mover].isDisc()) {
             x = moverPose.x;
             y = moverPose.y;
             return bodies.boundingRadius[mover];
         }
-        Polygon shape = (Polygon) bodies.shape[mover];
+        Outline shape = bodies.outline[mover];
         double least = Double.POSITIVE_INFINITY;
         for (int i = 0; i < shape.corners(); i++) {
             double cx = worldX(moverPose, shape, i);
@@ -222,14 +228,14 @@ final class Seams {
                 y = cy;
             }
         }
-        return 0;
+        return shape.radius();
     }
 
-    private static double worldX(Pose pose, Polygon polygon, int corner) {
+    private static double worldX(Pose pose, Outline polygon, int corner) {
         return pose.x + pose.cos * polygon.cornerX(corner) - pose.sin * polygon.cornerY(corner);
     }
 
-    private static double worldY(Pose pose, Polygon polygon, int corner) {
+    private static double worldY(Pose pose, Outline polygon, int corner) {
         return pose.y + pose.sin * polygon.cornerX(corner) + pose.cos * polygon.cornerY(corner);
     }
 
@@ -260,14 +266,14 @@ final class Seams {
 
     /** Looks for the face that the normal belongs to, by the corners that lie as high. */
     private boolean findFace() {
-        Polygon polygon = (Polygon) bodies.shape[fixed];
+        Outline polygon = bodies.outline[fixed];
         double parallel = isFaceOfMover() ? PARALLEL : ROUND_OFF;
         ahead = 0;
         behind = 0;
         for (int i = 0; i < polygon.corners(); i++) {
             double dx = worldX(fixedPose, polygon, i) - x;
             double dy = worldY(fixedPose, polygon, i) - y;
-            double height = outX * dx + outY * dy;
+            double height = outX * dx + outY * dy + polygon.radius();
             double along = outX * dy - outY * dx;
             if (height >= -parallel * Math.abs(along)) {
                 ahead = Math.max(ahead, along);
@@ -279,10 +285,10 @@ final class Seams {
 
     /** Whether the normal is that of one of the mover's faces, which may lie flat on the other. */
     private boolean isFaceOfMover() {
-        if (bodies.shape[mover].kind() == ShapeKind.CIRCLE) {
+        if (bodies.outline[mover].isDisc()) {
             return false;
         }
-        Polygon polygon = (Polygon) bodies.shape[mover];
+        Outline polygon = bodies.outline[mover];
         double localX = moverPose.cos * outX + moverPose.sin * outY;
         double localY = moverPose.cos * outY - moverPose.sin * outX;
         for (int i = 0; i < polygon.corners(); i++) {
@@ -322,37 +328,28 @@ final class Seams {
     private double depth(int slot, double px, double py) {
         double dx = px - bodies.x[slot];
         double dy = py - bodies.y[slot];
-        Shape shape = bodies.shape[slot];
-        if (shape.kind() == ShapeKind.CIRCLE) {
-            return shape.boundingRadius() - Math.sqrt(dx * dx + dy * dy);
+        Outline outline = bodies.outline[slot];
+        if (outline.isDisc()) {
+            return outline.radius() - Math.sqrt(dx * dx + dy * dy);
         }
-        double localX = bodies.cos[slot] * dx + bodies.sin[slot] * dy;
-        double localY = bodies.cos[slot] * dy - bodies.sin[slot] * dx;
-        Polygon polygon = (Polygon) shape;
-        double least = Double.POSITIVE_INFINITY;
-        for (int i = 0; i < polygon.corners(); i++) {
-            double front =
-                    polygon.normalX(i) * (localX - polygon.cornerX(i))
-                            + polygon.normalY(i) * (localY - polygon.cornerY(i));
-            least = Math.min(least, -front);
-        }
-        return least;
+        return outline.depth(
+                bodies.cos[slot] * dx + bodies.sin[slot] * dy,
+                bodies.cos[slot] * dy - bodies.sin[slot] * dx);
     }
 
     /** How much farther than the point a body reaches along the normal, m. */
     private double reach(int slot) {
         double centre = outX * (bodies.x[slot] - x) + outY * (bodies.y[slot] - y);
-        Shape shape = bodies.shape[slot];
-        if (shape.kind() == ShapeKind.CIRCLE) {
-            return centre + shape.boundingRadius();
+        Outline outline = bodies.outline[slot];
+        if (outline.isDisc()) {
+            return centre + outline.radius();
         }
         double localX = bodies.cos[slot] * outX + bodies.sin[slot] * outY;
         double localY = bodies.cos[slot] * outY - bodies.sin[slot] * outX;
-        Polygon polygon = (Polygon) shape;
         double most = Double.NEGATIVE_INFINITY;
-        for (int i = 0; i < polygon.corners(); i++) {
-            most = Math.max(most, localX * polygon.cornerX(i) + localY * polygon.cornerY(i));
+        for (int i = 0; i < outline.corners(); i++) {
+            most = Math.max(most, localX * outline.cornerX(i) + localY * outline.cornerY(i));
         }
-        return centre + most;
+        return centre + (most + outline.radius());
     }
 }

@@ -1,6 +1,5 @@
 package rigibo.backend.collision;
 
-import rigibo.backend.geometry.ShapeKind;
 import rigibo.backend.setup.ImpactSearch;
 
 /**
@@ -111,14 +110,14 @@ public final class TimeOfImpact {
     }
 
     private void setTolerance(double metres) {
-        double width = Math.min(a.shape.smallestWidth(), b.shape.smallestWidth());
+        double width = Math.min(a.outline.smallestWidth(), b.outline.smallestWidth());
         rounding = ROUNDING_UNITS * Math.ulp(Math.max(farthest(a), farthest(b)));
         tolerance = Math.max(metres * width, rounding / LEAST_SHARE);
         advance.stopBetween(LEAST_SHARE * tolerance, LARGEST_SHARE * tolerance);
     }
 
     private static double farthest(Motion of) {
-        return Math.max(Math.abs(of.x), Math.abs(of.y)) + of.shape.boundingRadius();
+        return Math.max(Math.abs(of.x), Math.abs(of.y)) + of.outline.boundingRadius();
     }
 
     private double run(double from) {
@@ -196,14 +195,14 @@ public final class TimeOfImpact {
     }
 
     private static boolean isDisc(Motion of) {
-        return of.shape.kind() == ShapeKind.CIRCLE;
+        return of.outline.isDisc();
     }
 
     private double gapAt(double time) {
         evaluations++;
         a.poseAt(time, poseA);
         b.poseAt(time, poseB);
-        return distance.measure(a.shape, poseA, b.shape, poseB);
+        return distance.measure(a.outline, poseA, b.outline, poseB);
     }
 
     /** Lets a pair that is close, but parts, come back to half its gap, or to deeper overlap. */

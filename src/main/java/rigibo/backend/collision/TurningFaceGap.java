@@ -1,8 +1,7 @@
 package rigibo.backend.collision;
 
 import rigibo.backend.geometry.Angle;
-import rigibo.backend.geometry.Polygon;
-import rigibo.backend.geometry.ShapeKind;
+import rigibo.backend.geometry.Outline;
 
 /**
  * The gap in front of a face, along a normal that turns with the face's body. Where a long face
@@ -25,8 +24,8 @@ final class TurningFaceGap implements GapAlong {
     private double normalY;
     private double reach;
 
-    /** The other body's polygon, or null for a disc. */
-    private Polygon polygon;
+    /** The other body's outline, or null for a disc. */
+    private Outline polygon;
 
     /** Distance of the centres when the face was fixed, and the gap then, m. */
     private double apart;
@@ -43,8 +42,8 @@ final class TurningFaceGap implements GapAlong {
         gap = now;
         normalX = pose.cos * x + pose.sin * y;
         normalY = pose.cos * y - pose.sin * x;
-        reach = farthest.along((Polygon) of.shape, normalX, normalY);
-        polygon = against.shape.kind() == ShapeKind.POLYGON ? (Polygon) against.shape : null;
+        reach = farthest.along(of.outline, normalX, normalY) + of.outline.radius();
+        polygon = against.outline.isDisc() ? null : against.outline;
         double dx = otherPose.x - pose.x;
         double dy = otherPose.y - pose.y;
         apart = Math.sqrt(dx * dx + dy * dy);
@@ -67,13 +66,14 @@ final class TurningFaceGap implements GapAlong {
     /** How far the other body reaches back towards the face, m. */
     private double otherReach(double angle, double time) {
         if (polygon == null) {
-            return other.shape.boundingRadius();
+            return other.outline.boundingRadius();
         }
         double turned = angle - other.angleAt(time);
         double cos = Angle.cos(turned);
         double sin = Angle.sin(turned);
         return farthest.along(
-                polygon, -(cos * normalX - sin * normalY), -(sin * normalX + cos * normalY));
+                        polygon, -(cos * normalX - sin * normalY), -(sin * normalX + cos * normalY))
+                + polygon.radius();
     }
 
     @Override
@@ -84,7 +84,7 @@ final class TurningFaceGap implements GapAlong {
         double spin = carrier.mostSpin(from, to);
         double radius = 0;
         if (polygon != null) {
-            radius = other.shape.boundingRadius();
+            radius = other.outline.boundingRadius();
             acceleration += other.turningAcceleration(from, to);
             speed += other.mostSpin(from, to) * radius;
         }

@@ -3,7 +3,6 @@ package rigibo.backend.flight;
 import rigibo.backend.collision.Motion;
 import rigibo.backend.collision.Narrowphase;
 import rigibo.backend.collision.Pose;
-import rigibo.backend.geometry.ShapeKind;
 import rigibo.backend.impact.Impact;
 import rigibo.backend.impact.ImpactLaw;
 import rigibo.backend.impact.TiedImpacts;
@@ -333,7 +332,7 @@ final class FlightImpacts {
         if (!paths.isFlyer(slot)) {
             return;
         }
-        double when = bodies.shape[slot].kind() == ShapeKind.CIRCLE ? end : time;
+        double when = bodies.outline[slot].isDisc() ? end : time;
         double elapsed = when - time;
         bodies.x[slot] += elapsed * bodies.velocityX[slot];
         bodies.y[slot] += elapsed * bodies.velocityY[slot];

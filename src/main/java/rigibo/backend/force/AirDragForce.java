@@ -2,8 +2,7 @@ package rigibo.backend.force;
 
 import rigibo.backend.effect.AirDrag;
 import rigibo.backend.effect.Wind;
-import rigibo.backend.geometry.Polygon;
-import rigibo.backend.geometry.ShapeKind;
+import rigibo.backend.geometry.Outline;
 
 /** F = −½·ρ·c·A·|u|·u with u the velocity through the air and A the width across it. */
 final class AirDragForce implements ChangingForce {
@@ -30,25 +29,25 @@ final class AirDragForce implements ChangingForce {
 
     /** How wide the shape is across a velocity of that speed, m. */
     private static double widthAcross(Instant at, double ux, double uy, double speed) {
-        if (at.shape.kind() == ShapeKind.CIRCLE) {
+        if (at.outline.isDisc()) {
             return 2 * at.boundingRadius;
         }
         double x = ux / speed;
         double y = uy / speed;
         double acrossX = at.sin() * x - at.cos() * y;
         double acrossY = at.sin() * y + at.cos() * x;
-        return width((Polygon) at.shape, acrossX, acrossY);
+        return width(at.outline, acrossX, acrossY);
     }
 
-    /** The extent of a polygon along a unit direction of its own frame, m. */
-    private static double width(Polygon polygon, double x, double y) {
+    /** The extent of an outline along a unit direction of its own frame, m. */
+    private static double width(Outline outline, double x, double y) {
         double least = Double.POSITIVE_INFINITY;
         double most = Double.NEGATIVE_INFINITY;
-        for (int i = 0; i < polygon.corners(); i++) {
-            double along = x * polygon.cornerX(i) + y * polygon.cornerY(i);
+        for (int i = 0; i < outline.corners(); i++) {
+            double along = x * outline.cornerX(i) + y * outline.cornerY(i);
             least = Math.min(least, along);
             most = Math.max(most, along);
         }
-        return most - least;
+        return most - least + 2 * outline.radius();
     }
 }

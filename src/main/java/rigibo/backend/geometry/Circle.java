@@ -30,6 +30,11 @@ public record Circle(double radius) implements Shape {
     }
 
     @Override
+    public Outline outline() {
+        return Outline.ofDisc(radius);
+    }
+
+    @Override
     public double area() {
         return Math.PI * radius * radius;
     }

@@ -1,10 +1,9 @@
 package rigibo.backend.geometry;
 
-import java.util.Arrays;
-
 /**
- * A convex polygon of 3 to 256 corners, counter-clockwise. The corners are kept relative to the
- * centroid: wherever the points were given, the centre of mass is the shape's origin.
+ * A convex polygon of 3 to 256 corners, counter-clockwise, sharp or {@linkplain #rounded rounded}.
+ * The corners are kept relative to the centroid: wherever the points were given, the centre of mass
+ * is the shape's origin.
  */
 public final class Polygon implements Shape {
 
@@ -17,45 +16,36 @@ public final class Polygon implements Shape {
      */
     private static final double CENTROID_ROUNDING = 1e-15;
 
+    /** A corner radius of more would leave nothing of the corners in a double's digits. */
+    private static final double MOST_ROUNDING = 1e6;
+
     /** As they were given: centred corners give another centroid and area in the last bit. */
     private final double[] stated;
 
-    private final double[] cornerX;
-    private final double[] cornerY;
-    private final double[] normalX;
-    private final double[] normalY;
+    private final Outline outline;
     private final double shiftX;
     private final double shiftY;
     private final double area;
     private final double inertiaPerDensity;
-    private final double boundingRadius;
-    private final double innerRadius;
-    private final double smallestWidth;
-    private final boolean isBox;
 
-    private Polygon(double[] xy) {
+    private Polygon(double[] xy, double radius) {
         MassProperties plate = MassProperties.ofPolygon(1, xy);
+        if (radius > 0) {
+            plate = RoundedMass.around(plate, xy, radius);
+        }
         int count = xy.length / 2;
         stated = xy;
-        cornerX = new double[count];
-        cornerY = new double[count];
-        normalX = new double[count];
-        normalY = new double[count];
         shiftX = offset(xy, 0, plate.centroidX());
         shiftY = offset(xy, 1, plate.centroidY());
+        double[] cornerX = new double[count];
+        double[] cornerY = new double[count];
         for (int i = 0; i < count; i++) {
             cornerX[i] = xy[2 * i] - shiftX;
             cornerY[i] = xy[2 * i + 1] - shiftY;
         }
+        outline = Outline.of(cornerX, cornerY, radius);
         area = plate.mass();
         inertiaPerDensity = plate.inertia();
-        for (int i = 0; i < count; i++) {
-            writeNormal(i, (i + 1) % count);
-        }
-        boundingRadius = farthestCorner();
-        innerRadius = nearestEdge();
-        smallestWidth = narrowest();
-        isBox = findBox();
     }
 
     /**
@@ -113,20 +103,40 @@ public final class Polygon implements Shape {
     public static Polygon of(double... xy) {
         double[] stated = xy.clone();
         PolygonCheck.requireConvex(stated);
-        return new Polygon(stated);
+        return new Polygon(stated, 0);
     }
 
     /**
-     * Whether this is a rectangle about its centre, with sides along its own axes and the lower
-     * left corner first: then corner 2 holds half the width and half the height.
+     * The same corners with an outline that goes round them at a distance: all points within a
+     * radius of the polygon, which grows by that much on every side.
+     *
+     * <pre>{@code
+     * Polygon die = Polygon.box(0.8, 0.8).rounded(0.1); // a square of 1 m with round corners
+     * }</pre>
+     *
+     * @param radius m, from 0, a sharp polygon, to 10⁶ times the polygon's own bounding radius
+     * @throws IllegalArgumentException when the radius is out of range
+     */
+    public Polygon rounded(double radius) {
+        double most = MOST_ROUNDING * outline.sweepRadius();
+        if (!(radius >= 0 && radius <= most)) {
+            throw new IllegalArgumentException(
+                    "Polygon.rounded radius must be 0 to " + most + " (m), was " + radius);
+        }
+        return new Polygon(stated, radius);
+    }
+
+    /**
+     * Whether this is a sharp rectangle about its centre, with sides along its own axes and the
+     * lower left corner first: then corner 2 holds half the width and half the height.
      */
     public boolean isBox() {
-        return isBox;
+        return outline.isBox();
     }
 
     /**
-     * The corner coordinates x₀, y₀, x₁, y₁, … in m that this polygon was made of: {@link #of}
-     * makes the same of them to the last bit.
+     * The corner coordinates x₀, y₀, x₁, y₁, … in m that this polygon was made of: {@link #of} and
+     * {@link #rounded} make the same of them to the last bit.
      */
     public double[] stated() {
         return stated.clone();
@@ -144,27 +154,37 @@ public final class Polygon implements Shape {
 
     /** Number of corners, which is also the number of edges. */
     public int corners() {
-        return cornerX.length;
+        return outline.corners();
     }
 
     /** A corner's x relative to the centre of mass, m; corners are counter-clockwise. */
     public double cornerX(int i) {
-        return cornerX[i];
+        return outline.cornerX(i);
     }
 
     /** A corner's y relative to the centre of mass, m; corners are counter-clockwise. */
     public double cornerY(int i) {
-        return cornerY[i];
+        return outline.cornerY(i);
     }
 
     /** The x of the outward unit normal of the edge from corner i to the next. */
     public double normalX(int i) {
-        return normalX[i];
+        return outline.normalX(i);
     }
 
     /** The y of the outward unit normal of the edge from corner i to the next. */
     public double normalY(int i) {
-        return normalY[i];
+        return outline.normalY(i);
+    }
+
+    /** The radius in m at which the outline goes round the corners; 0 of a sharp polygon. */
+    public double radius() {
+        return outline.radius();
+    }
+
+    @Override
+    public Outline outline() {
+        return outline;
     }
 
     @Override
@@ -185,34 +205,22 @@ public final class Polygon implements Shape {
 
     @Override
     public double boundingRadius() {
-        return boundingRadius;
+        return outline.boundingRadius();
     }
 
     /** Distance in m from the centre of mass to the nearest edge. */
     public double innerRadius() {
-        return innerRadius;
+        return outline.innerRadius() + outline.radius();
     }
 
     @Override
     public double smallestWidth() {
-        return smallestWidth;
+        return outline.smallestWidth();
     }
 
     @Override
     public void bounds(double x, double y, double cos, double sin, Aabb out) {
-        double minX = Double.POSITIVE_INFINITY;
-        double minY = Double.POSITIVE_INFINITY;
-        double maxX = Double.NEGATIVE_INFINITY;
-        double maxY = Double.NEGATIVE_INFINITY;
-        for (int i = 0; i < cornerX.length; i++) {
-            double px = cos * cornerX[i] - sin * cornerY[i];
-            double py = sin * cornerX[i] + cos * cornerY[i];
-            minX = Math.min(minX, px);
-            maxX = Math.max(maxX, px);
-            minY = Math.min(minY, py);
-            maxY = Math.max(maxY, py);
-        }
-        out.set(x + minX, y + minY, x + maxX, y + maxY);
+        outline.bounds(x, y, cos, sin, out);
     }
 
     static void requireDensity(double density) {
@@ -240,68 +248,19 @@ public final class Polygon implements Shape {
         return Math.abs(centroid) > CENTROID_ROUNDING * size ? centroid : 0;
     }
 
-    private void writeNormal(int i, int next) {
-        double ex = cornerX[next] - cornerX[i];
-        double ey = cornerY[next] - cornerY[i];
-        double length = Math.sqrt(ex * ex + ey * ey);
-        normalX[i] = ey / length;
-        normalY[i] = -ex / length;
-    }
-
-    private double farthestCorner() {
-        double most = 0;
-        for (int i = 0; i < cornerX.length; i++) {
-            most = Math.max(most, cornerX[i] * cornerX[i] + cornerY[i] * cornerY[i]);
-        }
-        return Math.sqrt(most);
-    }
-
-    private double nearestEdge() {
-        double least = Double.POSITIVE_INFINITY;
-        for (int i = 0; i < cornerX.length; i++) {
-            least = Math.min(least, normalX[i] * cornerX[i] + normalY[i] * cornerY[i]);
-        }
-        return least;
-    }
-
-    private boolean findBox() {
-        double w = cornerX[2];
-        double h = cornerY[2];
-        return cornerX.length == 4
-                && Arrays.equals(cornerX, new double[] {-w, w, w, -w})
-                && Arrays.equals(cornerY, new double[] {-h, -h, h, h});
-    }
-
-    /** A convex polygon is narrowest across one of its edges (rotating calipers). */
-    private double narrowest() {
-        double least = Double.POSITIVE_INFINITY;
-        for (int i = 0; i < cornerX.length; i++) {
-            double deepest = 0;
-            for (int j = 0; j < cornerX.length; j++) {
-                double across =
-                        normalX[i] * (cornerX[i] - cornerX[j])
-                                + normalY[i] * (cornerY[i] - cornerY[j]);
-                deepest = Math.max(deepest, across);
-            }
-            least = Math.min(least, deepest);
-        }
-        return least;
-    }
-
     @Override
     public boolean equals(Object other) {
-        return other instanceof Polygon
-                && Arrays.equals(cornerX, ((Polygon) other).cornerX)
-                && Arrays.equals(cornerY, ((Polygon) other).cornerY);
+        return other instanceof Polygon polygon && outline.equals(polygon.outline);
     }
 
     @Override
     public int hashCode() {
-        return 31 * Arrays.hashCode(cornerX) + Arrays.hashCode(cornerY);
+        return outline.hashCode();
     }
 
     @Override
     public String toString() {
-        return "Polygon[" + cornerX.length + " corners, " + area + " m²]";
+        String rounding = radius() > 0 ? ", rounded by " + radius() + " m" : "";
+        return "Polygon[" + corners() + " corners" + rounding + ", " + area + " m²]";
     }
 }

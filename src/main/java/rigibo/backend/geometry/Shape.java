@@ -4,10 +4,13 @@ package rigibo.backend.geometry;
  * The outline of a body in the body's own frame, whose origin is the centre of mass. Immutable, so
  * one shape may serve any number of bodies.
  */
-public sealed interface Shape permits Circle, Polygon {
+public sealed interface Shape permits Circle, Capsule, Polygon {
 
     /** Which shape this is, for switches without a default. */
     ShapeKind kind();
+
+    /** The outline as collisions see it: a core of corners and a radius. */
+    Outline outline();
 
     /** Area in m², positive. */
     double area();

@@ -5,6 +5,9 @@ public enum ShapeKind {
     /** {@link Circle}. */
     CIRCLE,
 
-    /** {@link Polygon}. */
+    /** {@link Capsule}. */
+    CAPSULE,
+
+    /** {@link Polygon}, sharp or rounded. */
     POLYGON
 }

@@ -1,11 +1,13 @@
 package rigibo.backend.saved;
 
+import rigibo.backend.geometry.Capsule;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.geometry.Shape;
 import rigibo.backend.setup.BodyType;
 import rigibo.backend.setup.Material;
 
+import java.util.Arrays;
 import java.util.function.Function;
 
 /**
@@ -22,7 +24,10 @@ record Form<T>(String name, int count, Function<T, double[]> numbers, Function<d
     /** A count that depends on the value. */
     static final int ANY = -1;
 
-    /** A disc is stated by its radius, a polygon by its corners. */
+    /**
+     * A disc is stated by its radius, a capsule by two numbers, a polygon by its corners and, where
+     * it is rounded, one number more.
+     */
     static final Form<Shape> SHAPE = new Form<>("shape", ANY, Form::numbersOf, Form::shapeOf);
 
     static final Form<Material> MATERIAL =
@@ -58,11 +63,32 @@ record Form<T>(String name, int count, Function<T, double[]> numbers, Function<d
     private static double[] numbersOf(Shape shape) {
         return switch (shape.kind()) {
             case CIRCLE -> new double[] {((Circle) shape).radius()};
-            case POLYGON -> ((Polygon) shape).stated();
+            case CAPSULE ->
+                    new double[] {((Capsule) shape).halfLength(), ((Capsule) shape).radius()};
+            case POLYGON -> numbersOf((Polygon) shape);
         };
     }
 
+    private static double[] numbersOf(Polygon polygon) {
+        double[] corners = polygon.stated();
+        if (polygon.radius() == 0) {
+            return corners;
+        }
+        double[] numbers = Arrays.copyOf(corners, corners.length + 1);
+        numbers[corners.length] = polygon.radius();
+        return numbers;
+    }
+
     private static Shape shapeOf(double[] numbers) {
-        return numbers.length == 1 ? new Circle(numbers[0]) : Polygon.of(numbers);
+        int corners = numbers.length / 2;
+        return switch (numbers.length) {
+            case 1 -> new Circle(numbers[0]);
+            case 2 -> new Capsule(numbers[0], numbers[1]);
+            default ->
+                    numbers.length % 2 == 0
+                            ? Polygon.of(numbers)
+                            : Polygon.of(Arrays.copyOf(numbers, 2 * corners))
+                                    .rounded(numbers[2 * corners]);
+        };
     }
 }

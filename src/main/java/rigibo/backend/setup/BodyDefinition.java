@@ -31,8 +31,12 @@ public final class BodyDefinition {
     }
 
     private BodyDefinition(BodyDefinition pattern) {
+        this(pattern, pattern.shape);
+    }
+
+    private BodyDefinition(BodyDefinition pattern, Shape shape) {
         type = pattern.type;
-        shape = pattern.shape;
+        this.shape = shape;
         x = pattern.x;
         y = pattern.y;
         angle = pattern.angle;
@@ -123,6 +127,11 @@ public final class BodyDefinition {
                         "BodyDefinition.spin", radiansPerSecond, -MOST_SPIN, MOST_SPIN, "rad/s");
         next.requireStill("spin", radiansPerSecond != 0);
         return next;
+    }
+
+    /** The same body with another shape. */
+    public BodyDefinition shape(Shape other) {
+        return new BodyDefinition(this, Require.present("BodyDefinition.shape", other));
     }
 
     /** What the body is made of. */

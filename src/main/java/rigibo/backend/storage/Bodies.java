@@ -2,6 +2,7 @@ package rigibo.backend.storage;
 
 import rigibo.backend.effect.Effects;
 import rigibo.backend.geometry.Angle;
+import rigibo.backend.geometry.Outline;
 import rigibo.backend.geometry.Shape;
 import rigibo.backend.setup.BodyType;
 import rigibo.backend.setup.Material;
@@ -20,6 +21,10 @@ public final class Bodies {
     public BodyType[] type = new BodyType[FIRST_CAPACITY];
 
     public Shape[] shape = new Shape[FIRST_CAPACITY];
+
+    /** The shape as collisions see it. */
+    public Outline[] outline = new Outline[FIRST_CAPACITY];
+
     public Material[] material = new Material[FIRST_CAPACITY];
     public int[] group = new int[FIRST_CAPACITY];
     public double[] gravityScale = new double[FIRST_CAPACITY];
@@ -227,6 +232,7 @@ public final class Bodies {
     public void release(int slot) {
         type[slot] = null;
         shape[slot] = null;
+        outline[slot] = null;
         material[slot] = null;
         awake[slot] = false;
         slots.giveBack(slot);

@@ -97,6 +97,7 @@ final class BodyColumns {
     }
 
     private static void visitShape(Bodies b, ColumnVisitor v) {
+        b.outline = v.column("outline", DERIVED, b.outline);
         b.mass = v.column("mass", DERIVED, ALWAYS, b.mass);
         b.inverseMass = v.column("inverseMass", DERIVED, ALWAYS, b.inverseMass);
         b.inertia = v.column("inertia", DERIVED, ROTATION, b.inertia);

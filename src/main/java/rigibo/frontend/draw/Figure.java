@@ -5,8 +5,14 @@ import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.geometry.Shape;
 
+import java.util.Map;
+import java.util.WeakHashMap;
+
 /** A shape as it is drawn: a disc, a box or any other polygon, and how far it reaches, m. */
 final class Figure {
+
+    /** Rounded shapes as polygons of many corners, which are made once. */
+    private final Map<Shape, Polygon> polygons = new WeakHashMap<>();
 
     private final Aabb bounds = new Aabb();
     Shape shape;
@@ -18,7 +24,9 @@ final class Figure {
     boolean isDisc;
     boolean isBox;
 
-    void of(Shape drawn) {
+    void of(Shape of) {
+        boolean isRounded = of.outline().radius() > 0 && !of.outline().isDisc();
+        Shape drawn = isRounded ? polygons.computeIfAbsent(of, RoundCorners::of) : of;
         shape = drawn;
         drawn.bounds(0, 0, 1, 0, bounds);
         halfWidth = Math.max(bounds.maxX, -bounds.minX);

@@ -1,7 +1,9 @@
 package rigibo.frontend.puzzle;
 
 import rigibo.backend.geometry.Aabb;
+import rigibo.backend.geometry.Capsule;
 import rigibo.backend.geometry.Circle;
+import rigibo.backend.geometry.Outline;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.geometry.Shape;
 import rigibo.frontend.scene.Canvas;
@@ -50,15 +52,19 @@ record Remains(Shape shape, Pose pose, Skin skin) {
     }
 
     private Shape scaled(double across, double along) {
-        if (shape instanceof Circle circle) {
-            return new Circle(circle.radius() * Math.min(across, along));
+        Outline outline = shape.outline();
+        double radius = outline.radius() * Math.min(across, along);
+        if (outline.isDisc()) {
+            return new Circle(radius);
         }
-        Polygon polygon = (Polygon) shape;
-        double[] corners = new double[2 * polygon.corners()];
-        for (int i = 0; i < polygon.corners(); i++) {
-            corners[2 * i] = across * polygon.cornerX(i);
-            corners[2 * i + 1] = along * polygon.cornerY(i);
+        if (shape instanceof Capsule capsule) {
+            return new Capsule(across * capsule.halfLength(), radius);
         }
-        return Polygon.of(corners);
+        double[] corners = new double[2 * outline.corners()];
+        for (int i = 0; i < outline.corners(); i++) {
+            corners[2 * i] = across * outline.cornerX(i);
+            corners[2 * i + 1] = along * outline.cornerY(i);
+        }
+        return Polygon.of(corners).rounded(radius);
     }
 }

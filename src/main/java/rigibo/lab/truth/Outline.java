@@ -1,7 +1,5 @@
 package rigibo.lab.truth;
 
-import rigibo.backend.geometry.Circle;
-import rigibo.backend.geometry.Polygon;
 import rigibo.backend.geometry.Shape;
 
 /**
@@ -20,8 +18,8 @@ public final class Outline {
     /** Of a shape, at the origin until it is placed. */
     public Outline(Shape shape) {
         this.shape = shape;
-        round = shape instanceof Circle ? ((Circle) shape).radius() : 0;
-        int corners = shape instanceof Polygon ? ((Polygon) shape).corners() : 0;
+        round = shape.outline().radius();
+        int corners = shape.outline().corners();
         cornerX = new double[corners];
         cornerY = new double[corners];
         place(0, 0, 0);
@@ -45,8 +43,8 @@ public final class Outline {
         double cos = StrictMath.cos(angle);
         double sin = StrictMath.sin(angle);
         for (int i = 0; i < cornerX.length; i++) {
-            double px = ((Polygon) shape).cornerX(i);
-            double py = ((Polygon) shape).cornerY(i);
+            double px = shape.outline().cornerX(i);
+            double py = shape.outline().cornerY(i);
             cornerX[i] = x + cos * px - sin * py;
             cornerY[i] = y + sin * px + cos * py;
         }
@@ -79,16 +77,16 @@ public final class Outline {
             return Math.hypot(other.x - x, other.y - y) - round - other.round;
         }
         if (isRound()) {
-            return other.gapTo(x, y) - round;
+            return other.gapTo(x, y) - round - other.round;
         }
         if (other.isRound()) {
-            return gapTo(other.x, other.y) - other.round;
+            return gapTo(other.x, other.y) - round - other.round;
         }
-        return Math.max(gapAlongNormals(other), other.gapAlongNormals(this));
+        return Math.max(gapAlongNormals(other), other.gapAlongNormals(this)) - round - other.round;
     }
 
     private boolean isRound() {
-        return cornerX.length == 0;
+        return cornerX.length == 1;
     }
 
     /** Signed distance of a point from this polygon's outline, negative inside. */

@@ -26,7 +26,10 @@ class DistanceTest {
     void witnessPointsLieOnBothOutlines() {
         double gap =
                 distance.measure(
-                        Polygon.box(1, 1), pose(0, 0, 0), new Circle(0.25), pose(0.8, 0.9, 0));
+                        Polygon.box(1, 1).outline(),
+                        pose(0, 0, 0),
+                        new Circle(0.25).outline(),
+                        pose(0.8, 0.9, 0));
 
         assertThat(gap).isEqualTo(0.25, within(ROUND_OFF));
         assertThat(distance.pointAX).isEqualTo(0.5, within(ROUND_OFF));
@@ -45,12 +48,13 @@ class DistanceTest {
             Pose low = pose(0, 0, 0);
             double tilt = between(random, -2e-4, 2e-4);
             Pose high = pose(between(random, -1.5, 1.5), between(random, 1.0002, 1.001), tilt);
-            double truth = Outline.gap(new Outline(box, low), new Outline(box, high));
+            double truth =
+                    WorldOutline.gap(new WorldOutline(box, low), new WorldOutline(box, high));
 
-            assertThat(distance.measure(box, low, box, high))
+            assertThat(distance.measure(box.outline(), low, box.outline(), high))
                     .as("seed %s, pair %s", seed, i)
                     .isEqualTo(truth, within(ROUND_OFF));
-            assertThat(distance.measure(box, high, box, low))
+            assertThat(distance.measure(box.outline(), high, box.outline(), low))
                     .as("seed %s, pair %s", seed, i)
                     .isEqualTo(truth, within(ROUND_OFF));
         }
@@ -66,9 +70,9 @@ class DistanceTest {
             Polygon b = Polygon.regular(3 + random.nextInt(254), between(random, 0.1, 1));
             Pose poseA = pose(0, 0, between(random, 0, 7));
             Pose poseB = pose(between(random, -2, 2), between(random, -2, 2), i);
-            double truth = Outline.gap(new Outline(a, poseA), new Outline(b, poseB));
+            double truth = WorldOutline.gap(new WorldOutline(a, poseA), new WorldOutline(b, poseB));
 
-            assertThat(distance.measure(a, poseA, b, poseB))
+            assertThat(distance.measure(a.outline(), poseA, b.outline(), poseB))
                     .as("seed %s, pair %s", seed, i)
                     .isEqualTo(truth, within(ROUND_OFF));
         }
@@ -83,9 +87,11 @@ class DistanceTest {
         for (int i = 0; i < 5000; i++) {
             Pose poseA = pose(0, 0, between(random, 0, 7));
             Pose poseB = pose(between(random, -1, 1), between(random, -1, 1), i);
-            double truth = Outline.gap(new Outline(sliver, poseA), new Outline(sliver, poseB));
+            double truth =
+                    WorldOutline.gap(
+                            new WorldOutline(sliver, poseA), new WorldOutline(sliver, poseB));
 
-            assertThat(distance.measure(sliver, poseA, sliver, poseB))
+            assertThat(distance.measure(sliver.outline(), poseA, sliver.outline(), poseB))
                     .as("seed %s, pair %s", seed, i)
                     .isEqualTo(truth, within(ROUND_OFF));
         }
@@ -104,13 +110,13 @@ class DistanceTest {
             Polygon b = anyPolygon(random);
             Pose poseA = pose(0, 0, between(random, 0, 7));
             Pose poseB = pose(between(random, -3, 3), between(random, -3, 3), i);
-            double gap = distance.measure(a, poseA, b, poseB);
+            double gap = distance.measure(a.outline(), poseA, b.outline(), poseB);
             double rest = Math.pow(10, between(random, -6, -1)) * (random.nextBoolean() ? 1 : -1);
             poseB.x -= (gap - rest) * distance.axisX;
             poseB.y -= (gap - rest) * distance.axisY;
-            double truth = Outline.gap(new Outline(a, poseA), new Outline(b, poseB));
+            double truth = WorldOutline.gap(new WorldOutline(a, poseA), new WorldOutline(b, poseB));
 
-            assertThat(distance.measure(a, poseA, b, poseB))
+            assertThat(distance.measure(a.outline(), poseA, b.outline(), poseB))
                     .as("seed %s, pair %s", seed, i)
                     .isEqualTo(truth, within(ROUND_OFF));
         }

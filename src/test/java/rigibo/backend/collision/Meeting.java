@@ -27,7 +27,7 @@ final class Meeting {
 
     /** Fills and returns the manifold. */
     Manifold within(double reach) {
-        new Collider().collide(a, poseA, b, poseB, reach, manifold);
+        new Collider().collide(a.outline(), poseA, b.outline(), poseB, reach, manifold);
         return manifold;
     }
 

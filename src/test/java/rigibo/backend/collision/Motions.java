@@ -1,5 +1,6 @@
 package rigibo.backend.collision;
 
+import rigibo.backend.geometry.Capsule;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.geometry.Shape;
@@ -14,7 +15,7 @@ final class Motions {
     /** At rest at time 0. */
     static Motion resting(Shape shape, double x, double y, double angle) {
         Motion motion = new Motion();
-        motion.shape = shape;
+        motion.outline = shape.outline();
         motion.x = x;
         motion.y = y;
         motion.angle = angle;
@@ -46,10 +47,25 @@ final class Motions {
         return motion;
     }
 
-    /** Discs, boxes, rods, triangles and polygons of 0.1 to 2 m. */
+    /** Discs, and what has edges, of 0.1 to 2 m. */
     static Shape anyShape(Random random) {
-        return switch (random.nextInt(5)) {
-            case 0 -> new Circle(between(random, 0.05, 1));
+        return random.nextInt(6) == 0
+                ? new Circle(between(random, 0.05, 1))
+                : anyShapeWithEdges(random);
+    }
+
+    /** Capsules, boxes, rods, triangles and polygons of 0.1 to 2 m, sharp and rounded. */
+    static Shape anyShapeWithEdges(Random random) {
+        Polygon sharp = anyPolygon(random);
+        return switch (random.nextInt(4)) {
+            case 0 -> new Capsule(between(random, 0.05, 1), between(random, 0.02, 0.5));
+            case 1 -> sharp.rounded(between(random, 0.01, 0.5));
+            default -> sharp;
+        };
+    }
+
+    private static Polygon anyPolygon(Random random) {
+        return switch (random.nextInt(4)) {
             case 1 -> Polygon.box(between(random, 0.1, 2), between(random, 0.1, 1));
             case 2 -> Polygon.box(2, 0.05);
             case 3 -> Polygon.regular(3 + random.nextInt(20), between(random, 0.2, 1));
@@ -67,6 +83,6 @@ final class Motions {
         Pose poseB = new Pose();
         a.poseAt(time, poseA);
         b.poseAt(time, poseB);
-        return new Distance().measure(a.shape, poseA, b.shape, poseB);
+        return new Distance().measure(a.outline, poseA, b.outline, poseB);
     }
 }

@@ -105,8 +105,8 @@ class PolygonCircleTest {
             Meeting meeting = new Meeting(polygon, pose, new Circle(0.3), pose(x, y, 0));
             // A triangle of a picometre stands for the centre.
             double size = 1e-12;
-            Outline centre = new Outline(Polygon.regular(3, size), pose(x, y, 0));
-            double truth = Outline.gap(new Outline(polygon, pose), centre) - 0.3;
+            WorldOutline centre = new WorldOutline(Polygon.regular(3, size), pose(x, y, 0));
+            double truth = WorldOutline.gap(new WorldOutline(polygon, pose), centre) - 0.3;
 
             meeting.within(10);
 

@@ -129,17 +129,16 @@ class TimeOfImpactSearchTest {
 
     /** That of the narrower shape, which the tolerance scales with, m. */
     private static double width(Motion a, Motion b) {
-        return Math.min(a.shape.smallestWidth(), b.shape.smallestWidth());
+        return Math.min(a.outline.smallestWidth(), b.outline.smallestWidth());
     }
 
     /** Whether the two meet in one point only, wherever they do. */
     private static boolean isOfDisc(Motion a, Motion b) {
-        return a.shape instanceof Circle && !b.isTurning()
-                || b.shape instanceof Circle && !a.isTurning();
+        return a.outline.isDisc() && !b.isTurning() || b.outline.isDisc() && !a.isTurning();
     }
 
     private static double farthest(Motion of) {
-        return Math.max(Math.abs(of.x), Math.abs(of.y)) + of.shape.boundingRadius();
+        return Math.max(Math.abs(of.x), Math.abs(of.y)) + of.outline.boundingRadius();
     }
 
     /** Aimed at a wall that they cannot pass by, all bullets hit: closed form for a disc. */

@@ -7,6 +7,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
+import rigibo.backend.geometry.Capsule;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.geometry.Shape;
@@ -153,5 +154,46 @@ class SubmergedTest {
         measure(Polygon.box(2, 1), 0.2, 0.3);
         measure(Polygon.box(2, 1), 0, level);
         require(0, 0, 0, 0);
+    }
+
+    /** A capsule upright to its middle: half the rectangle, 2r·h, and half a disc below it. */
+    @Test
+    void halfACapsuleOnItsEnd() {
+        double h = 0.8;
+        double r = 0.3;
+        measure(new Capsule(h, r), Math.PI / 2, 0);
+        double rectangle = 2 * r * h;
+        double half = Math.PI * r * r / 2;
+        double down = 4 * r / (3 * Math.PI);
+        double y = (-rectangle * h / 2 - half * (h + down)) / (rectangle + half);
+        double second =
+                rectangle * (4 * r * r + h * h) / 12
+                        + rectangle * h * h / 4
+                        + half * r * r / 2
+                        - half * down * down
+                        + half * (h + down) * (h + down);
+        require(rectangle + half, 0, y, second);
+    }
+
+    /** What is under a level and what is over it, which is under it upside down, are the whole. */
+    @ParameterizedTest
+    @ValueSource(doubles = {-0.9, -0.4, -0.01, 0, 0.33, 0.7, 1.1})
+    void theRestOfWhatIsRoundIsAboveTheLevel(double level) {
+        for (Shape shape : new Shape[] {new Capsule(0.8, 0.3), PENTAGON.rounded(0.2)}) {
+            for (double angle = -3; angle < 3.2; angle += 0.37) {
+                measure(shape, angle, level);
+                double area = under.area;
+                double momentX = under.area * under.centroidX;
+                double momentY = under.area * under.centroidY;
+                double second = under.secondMoment;
+                measure(shape, angle + Math.PI, -level);
+                double most = 10 * ROUND_OFF;
+                assertThat(area + under.area).isEqualTo(shape.area(), within(most));
+                assertThat(momentX).isEqualTo(under.area * under.centroidX, within(most));
+                assertThat(momentY).isEqualTo(under.area * under.centroidY, within(most));
+                assertThat(second + under.secondMoment)
+                        .isEqualTo(shape.massProperties(1).inertia(), within(most));
+            }
+        }
     }
 }

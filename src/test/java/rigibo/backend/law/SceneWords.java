@@ -1,5 +1,6 @@
 package rigibo.backend.law;
 
+import rigibo.backend.geometry.Capsule;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.geometry.Shape;
@@ -41,7 +42,12 @@ final class SceneWords {
         if (shape instanceof Circle circle) {
             return "new Circle(" + circle.radius() + ")";
         }
-        return "Polygon.of(" + numbers(((Polygon) shape).stated()) + ")";
+        if (shape instanceof Capsule capsule) {
+            return "new Capsule(" + numbers(capsule.halfLength(), capsule.radius()) + ")";
+        }
+        Polygon polygon = (Polygon) shape;
+        String rounded = polygon.radius() > 0 ? ".rounded(" + polygon.radius() + ")" : "";
+        return "Polygon.of(" + numbers(polygon.stated()) + ")" + rounded;
     }
 
     private static String material(Material m) {

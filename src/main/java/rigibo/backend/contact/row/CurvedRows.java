@@ -1,8 +1,6 @@
 package rigibo.backend.contact.row;
 
-import rigibo.backend.geometry.Circle;
-import rigibo.backend.geometry.Polygon;
-import rigibo.backend.geometry.Shape;
+import rigibo.backend.geometry.Outline;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.Pairs;
@@ -75,12 +73,8 @@ public final class CurvedRows {
 
     /** The radius in m at which two outlines go round each other; a corner has none. */
     private double radius(int pair) {
-        return radiusOf(bodies.shape[pairs.bodyA[pair]])
-                + radiusOf(bodies.shape[pairs.bodyB[pair]]);
-    }
-
-    private static double radiusOf(Shape shape) {
-        return shape instanceof Circle disc ? disc.radius() : 0;
+        return bodies.outline[pairs.bodyA[pair]].radius()
+                + bodies.outline[pairs.bodyB[pair]].radius();
     }
 
     /** Whether a corner, or the foot of a disc, comes to the end of the face it is on. */
@@ -111,7 +105,8 @@ public final class CurvedRows {
     private void findEnds(int slot, double nx, double ny, int side, double[] ends) {
         ends[0] = 0;
         ends[1] = 0;
-        if (!(bodies.shape[slot] instanceof Polygon polygon)) {
+        Outline polygon = bodies.outline[slot];
+        if (polygon.isDisc()) {
             return;
         }
         double cos = bodies.cos[slot];
@@ -145,11 +140,16 @@ public final class CurvedRows {
         return motions.slide(contacts, row, arm(row, true), arm(row, false));
     }
 
-    /** A disc turns without a change: what counts is its centre. */
+    /** What is round turns without a change: what counts is the corner of the core. */
     private double arm(int row, boolean isOfA) {
         int pair = contacts.pair[row];
-        Shape shape = bodies.shape[isOfA ? pairs.bodyA[pair] : pairs.bodyB[pair]];
-        int lever = isOfA ? PackedContacts.LEVER_TA : PackedContacts.LEVER_TB;
-        return radiusOf(shape) > 0 ? 0 : contacts.data[row * PackedContacts.STRIDE + lever];
+        Outline outline = bodies.outline[isOfA ? pairs.bodyA[pair] : pairs.bodyB[pair]];
+        int at = row * PackedContacts.STRIDE;
+        if (outline.isDisc()) {
+            return 0;
+        }
+        return isOfA
+                ? contacts.data[at + PackedContacts.LEVER_TA] + outline.radius()
+                : contacts.data[at + PackedContacts.LEVER_TB] - outline.radius();
     }
 }

@@ -1,6 +1,5 @@
 package rigibo.backend.contact.row;
 
-import rigibo.backend.geometry.Polygon;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.Pairs;
@@ -82,7 +81,7 @@ public final class Strays {
         int pair = contacts.pair[row];
         return contacts.points[row] == 1
                 && (strays[a] || strays[b])
-                && bodies.shape[pairs.bodyA[pair]] instanceof Polygon
-                && bodies.shape[pairs.bodyB[pair]] instanceof Polygon;
+                && !bodies.outline[pairs.bodyA[pair]].isDisc()
+                && !bodies.outline[pairs.bodyB[pair]].isDisc();
     }
 }

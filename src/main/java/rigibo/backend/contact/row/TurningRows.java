@@ -1,6 +1,6 @@
 package rigibo.backend.contact.row;
 
-import rigibo.backend.geometry.Polygon;
+import rigibo.backend.geometry.Outline;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.Islands;
@@ -84,9 +84,8 @@ public final class TurningRows {
 
     /** By how many of its faces a body turns in h seconds: each puts it on another corner. */
     private double facesTurned(int slot, double h) {
-        return bodies.shape[slot] instanceof Polygon polygon
-                ? Math.abs(bodies.spin[slot]) * h * polygon.corners() / (2 * Math.PI)
-                : 0;
+        int corners = bodies.outline[slot].corners();
+        return corners > 1 ? Math.abs(bodies.spin[slot]) * h * corners / (2 * Math.PI) : 0;
     }
 
     /** How far in m the outline leaves its line in h seconds, by turning and by sliding off it. */
@@ -130,10 +129,7 @@ public final class TurningRows {
         double[] d = contacts.data;
         double bendA = bend(pairs.bodyA[contacts.pair[row]], contacts.bodyA[row], h);
         double bendB = bend(pairs.bodyB[contacts.pair[row]], contacts.bodyB[row], h);
-        double gap =
-                bendA * d[at + PackedContacts.LEVER_TA]
-                        - bendB * d[at + PackedContacts.LEVER_TB]
-                        + faceTurnsAway(row, h);
+        double gap = bendA * coreArmA(row) - bendB * coreArmB(row) + faceTurnsAway(row, h);
         double way0 =
                 bendA * d[at + PackedContacts.LEVER_A0] - bendB * d[at + PackedContacts.LEVER_B0];
         double way1 =
@@ -168,8 +164,8 @@ public final class TurningRows {
 
     /**
      * How much wider than that the gap gets, m, where it is measured from a face that turns while
-     * the other body slides along it by s: by φs. Of a disc the point that counts is its centre,
-     * which does not go along with the face.
+     * the other body slides along it by s: by φs. Of what is round the point that counts is the
+     * core's, which does not go along with the face.
      */
     private double faceTurnsAway(int row, double h) {
         int pair = contacts.pair[row];
@@ -186,12 +182,30 @@ public final class TurningRows {
         int at = row * PackedContacts.STRIDE;
         double armA = d[at + PackedContacts.LEVER_TA];
         double armB = d[at + PackedContacts.LEVER_TB];
-        if (bodies.sweepRadius[pairs.other(pair, face)] > 0) {
+        Outline other = bodies.outline[pairs.other(pair, face)];
+        if (other.radius() == 0) {
             return turn * h * motions.slide(contacts, row, armA, armB);
         }
         double toCentre = isOfA ? armB : -armA;
-        double slide = motions.slide(contacts, row, isOfA ? armA : 0, isOfA ? 0 : armB);
-        return turn * (h * slide + turn * toCentre / 2);
+        double toCore = other.isDisc() ? toCentre : other.radius();
+        double slide =
+                motions.slide(
+                        contacts, row, isOfA ? armA : coreArmA(row), isOfA ? coreArmB(row) : armB);
+        return turn * (h * slide + turn * toCore / 2);
+    }
+
+    /** How far A's core lies behind a contact, along the normal, seen from A's centre, m. */
+    private double coreArmA(int row) {
+        int a = pairs.bodyA[contacts.pair[row]];
+        double arm = contacts.data[row * PackedContacts.STRIDE + PackedContacts.LEVER_TA];
+        return bodies.outline[a].isDisc() ? 0 : arm + bodies.outline[a].radius();
+    }
+
+    /** The same of B. */
+    private double coreArmB(int row) {
+        int b = pairs.bodyB[contacts.pair[row]];
+        double arm = contacts.data[row * PackedContacts.STRIDE + PackedContacts.LEVER_TB];
+        return bodies.outline[b].isDisc() ? 0 : arm - bodies.outline[b].radius();
     }
 
     private boolean isTurningBody(int entry, double left) {

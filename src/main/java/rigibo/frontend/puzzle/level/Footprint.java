@@ -1,8 +1,6 @@
 package rigibo.frontend.puzzle.level;
 
-import rigibo.backend.geometry.Circle;
-import rigibo.backend.geometry.Polygon;
-import rigibo.backend.geometry.ShapeKind;
+import rigibo.backend.geometry.Outline;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.BodyType;
 
@@ -11,19 +9,16 @@ import rigibo.backend.setup.BodyType;
  *
  * @param body what is placed
  * @param corners in the world, x₀, y₀, x₁, …, m, counter-clockwise; of a disc its centre alone
- * @param radius of a disc, m; 0 of a polygon
+ * @param radius at which its outline goes round the corners, m; 0 of a sharp polygon
  */
 record Footprint(BodyDefinition body, double[] corners, double radius) {
 
     static Footprint of(BodyDefinition body) {
-        return body.shape().kind() == ShapeKind.CIRCLE
-                ? new Footprint(
-                        body, new double[] {body.x(), body.y()}, ((Circle) body.shape()).radius())
-                : new Footprint(body, corners(body), 0);
+        return new Footprint(body, corners(body), body.shape().outline().radius());
     }
 
     boolean isDisc() {
-        return radius > 0;
+        return corners.length == 2;
     }
 
     boolean isFixed() {
@@ -63,13 +58,13 @@ record Footprint(BodyDefinition body, double[] corners, double radius) {
     }
 
     private static double[] corners(BodyDefinition placed) {
-        Polygon polygon = (Polygon) placed.shape();
+        Outline outline = placed.shape().outline();
         double cos = StrictMath.cos(placed.angle());
         double sin = StrictMath.sin(placed.angle());
-        double[] xy = new double[2 * polygon.corners()];
-        for (int i = 0; i < polygon.corners(); i++) {
-            double x = polygon.cornerX(i);
-            double y = polygon.cornerY(i);
+        double[] xy = new double[2 * outline.corners()];
+        for (int i = 0; i < outline.corners(); i++) {
+            double x = outline.cornerX(i);
+            double y = outline.cornerY(i);
             xy[2 * i] = placed.x() + cos * x - sin * y;
             xy[2 * i + 1] = placed.y() + sin * x + cos * y;
         }

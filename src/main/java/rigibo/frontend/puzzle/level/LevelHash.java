@@ -3,6 +3,7 @@ package rigibo.frontend.puzzle.level;
 import rigibo.backend.effect.Buoyancy;
 import rigibo.backend.effect.Effect;
 import rigibo.backend.effect.Gravity;
+import rigibo.backend.geometry.Capsule;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.Material;
@@ -61,6 +62,7 @@ final class LevelHash {
         text(body.id());
         switch (body.shape().kind()) {
             case CIRCLE -> numbers(((Circle) body.shape()).radius());
+            case CAPSULE -> capsule((Capsule) body.shape());
             case POLYGON -> corners((Polygon) body.shape());
         }
         numbers(body.x(), body.y(), body.angle());
@@ -70,9 +72,16 @@ final class LevelHash {
         numbers(body.deletable() ? 1 : 0);
     }
 
+    private void capsule(Capsule capsule) {
+        numbers(capsule.halfLength(), capsule.radius());
+    }
+
     private void corners(Polygon polygon) {
         for (int i = 0; i < polygon.corners(); i++) {
             numbers(polygon.cornerX(i), polygon.cornerY(i));
+        }
+        if (polygon.radius() > 0) {
+            numbers(polygon.radius());
         }
     }
 

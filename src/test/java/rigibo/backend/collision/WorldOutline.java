@@ -1,14 +1,18 @@
 package rigibo.backend.collision;
 
-import rigibo.backend.geometry.Polygon;
+import rigibo.backend.geometry.Outline;
+import rigibo.backend.geometry.Shape;
 
-/** A polygon's corners in the world, and the slow, plain truth about two of them. */
-final class Outline {
+/** A core's corners in the world, its radius, and the slow, plain truth about two of them. */
+final class WorldOutline {
 
     private final double[] x;
     private final double[] y;
+    private final double radius;
 
-    Outline(Polygon polygon, Pose pose) {
+    WorldOutline(Shape shape, Pose pose) {
+        Outline polygon = shape.outline();
+        radius = polygon.radius();
         x = new double[polygon.corners()];
         y = new double[polygon.corners()];
         for (int i = 0; i < x.length; i++) {
@@ -18,13 +22,18 @@ final class Outline {
     }
 
     /** The distance, or in overlap minus the least way that parts them, m. */
-    static double gap(Outline a, Outline b) {
+    static double gap(WorldOutline a, WorldOutline b) {
         double apart = Math.max(farthestFace(a, b), farthestFace(b, a));
-        return apart <= 0 ? apart : Math.min(nearestCorner(a, b), nearestCorner(b, a));
+        double gap = apart <= 0 ? apart : Math.min(nearestCorner(a, b), nearestCorner(b, a));
+        return gap - a.radius - b.radius;
     }
 
-    /** How far the polygon reaches along a direction, m. */
+    /** How far it reaches along a unit direction, m. */
     double reach(double dx, double dy) {
+        return coreReach(dx, dy) + radius;
+    }
+
+    private double coreReach(double dx, double dy) {
         double most = Double.NEGATIVE_INFINITY;
         for (int i = 0; i < x.length; i++) {
             most = Math.max(most, x[i] * dx + y[i] * dy);
@@ -32,7 +41,7 @@ final class Outline {
         return most;
     }
 
-    private static double farthestFace(Outline a, Outline b) {
+    private static double farthestFace(WorldOutline a, WorldOutline b) {
         double farthest = Double.NEGATIVE_INFINITY;
         for (int i = 0; i < a.x.length; i++) {
             int next = (i + 1) % a.x.length;
@@ -40,13 +49,13 @@ final class Outline {
             double ny = a.x[i] - a.x[next];
             double length = Math.hypot(nx, ny);
             double front = nx * a.x[i] + ny * a.y[i];
-            farthest = Math.max(farthest, (-b.reach(-nx, -ny) - front) / length);
+            farthest = Math.max(farthest, (-b.coreReach(-nx, -ny) - front) / length);
         }
         return farthest;
     }
 
     /** From any corner of one to any edge of the other. */
-    private static double nearestCorner(Outline a, Outline b) {
+    private static double nearestCorner(WorldOutline a, WorldOutline b) {
         double least = Double.POSITIVE_INFINITY;
         for (int i = 0; i < a.x.length; i++) {
             for (int j = 0; j < b.x.length; j++) {

@@ -1,0 +1,247 @@
+package rigibo.backend.geometry;
+
+import java.util.Arrays;
+
+/**
+ * The outline of a convex shape as collisions see it: a core of corners, and a radius at which the
+ * outline goes round the core. The core of a disc is one point, that of a capsule two, that of a
+ * polygon its corners, with a radius of 0 where it is not rounded. All places are seen from the
+ * body's centre of mass. Immutable.
+ */
+public final class Outline {
+
+    private static final double[] NOTHING = {};
+    private static final double[] CENTRE = {0};
+
+    private final double[] cornerX;
+    private final double[] cornerY;
+    private final double[] normalX;
+    private final double[] normalY;
+    private final double radius;
+    private final double coreReach;
+    private final double innerRadius;
+    private final double smallestWidth;
+    private final boolean isBox;
+
+    /** A disc about the centre of mass. */
+    static Outline ofDisc(double radius) {
+        return new Outline(CENTRE, CENTRE, NOTHING, NOTHING, radius);
+    }
+
+    /** A core of two or more corners, counter-clockwise, and a radius of 0 or more. */
+    static Outline of(double[] cornerX, double[] cornerY, double radius) {
+        double[] normalX = new double[cornerX.length];
+        double[] normalY = new double[cornerX.length];
+        for (int i = 0; i < cornerX.length; i++) {
+            int next = (i + 1) % cornerX.length;
+            double ex = cornerX[next] - cornerX[i];
+            double ey = cornerY[next] - cornerY[i];
+            double length = Math.sqrt(ex * ex + ey * ey);
+            normalX[i] = ey / length;
+            normalY[i] = -ex / length;
+        }
+        return new Outline(cornerX, cornerY, normalX, normalY, radius);
+    }
+
+    private Outline(
+            double[] cornerX, double[] cornerY, double[] normalX, double[] normalY, double radius) {
+        this.cornerX = cornerX;
+        this.cornerY = cornerY;
+        this.normalX = normalX;
+        this.normalY = normalY;
+        this.radius = radius;
+        coreReach = farthestCorner();
+        innerRadius = nearestEdge();
+        smallestWidth = narrowest() + 2 * radius;
+        isBox = findBox();
+    }
+
+    /** Number of the core's corners, which from 2 on is also the number of its edges. */
+    public int corners() {
+        return cornerX.length;
+    }
+
+    /** A corner's x, m; corners are counter-clockwise. */
+    public double cornerX(int i) {
+        return cornerX[i];
+    }
+
+    /** A corner's y, m, up; corners are counter-clockwise. */
+    public double cornerY(int i) {
+        return cornerY[i];
+    }
+
+    /** The x of the outward unit normal of the edge from corner i to the next. */
+    public double normalX(int i) {
+        return normalX[i];
+    }
+
+    /** The y of the outward unit normal of the edge from corner i to the next. */
+    public double normalY(int i) {
+        return normalY[i];
+    }
+
+    /** The distance in m at which the outline goes round the core, 0 or more. */
+    public double radius() {
+        return radius;
+    }
+
+    /** Distance in m from the centre of mass to the farthest point of the outline. */
+    public double boundingRadius() {
+        return coreReach + radius;
+    }
+
+    /** How far turning moves the outline, m per rad: to the core's farthest corner, 0 of a disc. */
+    public double sweepRadius() {
+        return coreReach;
+    }
+
+    /** Distance in m from the centre of mass to the core's nearest edge. */
+    public double innerRadius() {
+        return innerRadius;
+    }
+
+    /** Smallest width in m between two parallel lines that hold the outline. */
+    public double smallestWidth() {
+        return smallestWidth;
+    }
+
+    /** Whether the core is one point. */
+    public boolean isDisc() {
+        return cornerX.length == 1;
+    }
+
+    /**
+     * Whether this is a sharp rectangle about its centre, with sides along its own axes and the
+     * lower left corner first: then corner 2 holds half the width and half the height.
+     */
+    public boolean isBox() {
+        return isBox;
+    }
+
+    /**
+     * Writes the axis-aligned bounds at a pose.
+     *
+     * @param x centre of mass, m
+     * @param y centre of mass, m
+     * @param cos cosine of the angle
+     * @param sin sine of the angle
+     * @param out receives the bounds, m
+     */
+    public void bounds(double x, double y, double cos, double sin, Aabb out) {
+        if (isDisc()) {
+            out.set(x - radius, y - radius, x + radius, y + radius);
+            return;
+        }
+        double minX = Double.POSITIVE_INFINITY;
+        double minY = Double.POSITIVE_INFINITY;
+        double maxX = Double.NEGATIVE_INFINITY;
+        double maxY = Double.NEGATIVE_INFINITY;
+        for (int i = 0; i < cornerX.length; i++) {
+            double px = cos * cornerX[i] - sin * cornerY[i];
+            double py = sin * cornerX[i] + cos * cornerY[i];
+            minX = Math.min(minX, px);
+            maxX = Math.max(maxX, px);
+            minY = Math.min(minY, py);
+            maxY = Math.max(maxY, py);
+        }
+        out.set(x + minX - radius, y + minY - radius, x + maxX + radius, y + maxY + radius);
+    }
+
+    /**
+     * How deep a point lies inside, m, negative outside. Beyond a corner of a sharp outline it is
+     * the least of the depths behind the edges' lines, which is more than its distance.
+     *
+     * @param x seen from the centre of mass, in the shape's own frame, m
+     * @param y likewise, m
+     */
+    public double depth(double x, double y) {
+        double least = Double.POSITIVE_INFINITY;
+        for (int i = 0; i < normalX.length; i++) {
+            double front = normalX[i] * (x - cornerX[i]) + normalY[i] * (y - cornerY[i]);
+            least = Math.min(least, -front);
+        }
+        boolean isOutsideOfCore = isDisc() || least < 0 || cornerX.length == 2;
+        return radius > 0 && isOutsideOfCore ? radius - distanceToCore(x, y) : least + radius;
+    }
+
+    /** Distance of a point outside of the core from it, m. */
+    private double distanceToCore(double x, double y) {
+        double least = Double.POSITIVE_INFINITY;
+        for (int i = 0; i < cornerX.length; i++) {
+            int next = i + 1 == cornerX.length ? 0 : i + 1;
+            double ex = cornerX[next] - cornerX[i];
+            double ey = cornerY[next] - cornerY[i];
+            double dx = x - cornerX[i];
+            double dy = y - cornerY[i];
+            double square = ex * ex + ey * ey;
+            double along = square > 0 ? (dx * ex + dy * ey) / square : 0;
+            double share = Math.max(0, Math.min(1, along));
+            double awayX = dx - share * ex;
+            double awayY = dy - share * ey;
+            least = Math.min(least, awayX * awayX + awayY * awayY);
+        }
+        return Math.sqrt(least);
+    }
+
+    private double farthestCorner() {
+        double most = 0;
+        for (int i = 0; i < cornerX.length; i++) {
+            most = Math.max(most, cornerX[i] * cornerX[i] + cornerY[i] * cornerY[i]);
+        }
+        return Math.sqrt(most);
+    }
+
+    private double nearestEdge() {
+        double least = normalX.length == 0 ? 0 : Double.POSITIVE_INFINITY;
+        for (int i = 0; i < normalX.length; i++) {
+            least = Math.min(least, normalX[i] * cornerX[i] + normalY[i] * cornerY[i]);
+        }
+        return least;
+    }
+
+    /** A convex polygon is narrowest across one of its edges (rotating calipers). */
+    private double narrowest() {
+        double least = normalX.length == 0 ? 0 : Double.POSITIVE_INFINITY;
+        for (int i = 0; i < normalX.length; i++) {
+            double deepest = 0;
+            for (int j = 0; j < cornerX.length; j++) {
+                double across =
+                        normalX[i] * (cornerX[i] - cornerX[j])
+                                + normalY[i] * (cornerY[i] - cornerY[j]);
+                deepest = Math.max(deepest, across);
+            }
+            least = Math.min(least, deepest);
+        }
+        return least;
+    }
+
+    private boolean findBox() {
+        if (cornerX.length != 4 || radius > 0) {
+            return false;
+        }
+        double w = cornerX[2];
+        double h = cornerY[2];
+        return Arrays.equals(cornerX, new double[] {-w, w, w, -w})
+                && Arrays.equals(cornerY, new double[] {-h, -h, h, h});
+    }
+
+    @Override
+    public boolean equals(Object other) {
+        return other instanceof Outline outline
+                && radius == outline.radius
+                && Arrays.equals(cornerX, outline.cornerX)
+                && Arrays.equals(cornerY, outline.cornerY);
+    }
+
+    @Override
+    public int hashCode() {
+        int corners = 31 * Arrays.hashCode(cornerX) + Arrays.hashCode(cornerY);
+        return radius > 0 ? 31 * corners + Double.hashCode(radius) : corners;
+    }
+
+    @Override
+    public String toString() {
+        return "Outline[" + cornerX.length + " corners, radius " + radius + " m]";
+    }
+}

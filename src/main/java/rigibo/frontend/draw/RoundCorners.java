@@ -1,0 +1,36 @@
+package rigibo.frontend.draw;
+
+import rigibo.backend.geometry.Outline;
+import rigibo.backend.geometry.Polygon;
+import rigibo.backend.geometry.Shape;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** What is round at its corners as a polygon of many. */
+final class RoundCorners {
+
+    /** Turn from one corner to the next, rad: 0.3 % of the radius is cut off. */
+    private static final double LONGEST_TURN = 0.16;
+
+    private RoundCorners() {}
+
+    static Polygon of(Shape shape) {
+        Outline outline = shape.outline();
+        int count = outline.corners();
+        List<Double> xy = new ArrayList<>();
+        for (int i = 0; i < count; i++) {
+            int before = (i + count - 1) % count;
+            double from = Math.atan2(outline.normalY(before), outline.normalX(before));
+            double to = Math.atan2(outline.normalY(i), outline.normalX(i));
+            double turn = to > from ? to - from : to - from + 2 * Math.PI;
+            int pieces = (int) Math.ceil(turn / LONGEST_TURN);
+            for (int piece = 0; piece <= pieces; piece++) {
+                double angle = from + turn * piece / pieces;
+                xy.add(outline.cornerX(i) + outline.radius() * Math.cos(angle));
+                xy.add(outline.cornerY(i) + outline.radius() * Math.sin(angle));
+            }
+        }
+        return Polygon.of(xy.stream().mapToDouble(Double::doubleValue).toArray());
+    }
+}
