@@ -13,6 +13,9 @@ final class RoundCorners {
     /** Turn from one corner to the next, rad: 0.3 % of the radius is cut off. */
     private static final double LONGEST_TURN = 0.16;
 
+    /** Corners from which on one each is round enough, and all that a polygon may have. */
+    private static final int MANY = 64;
+
     private RoundCorners() {}
 
     static Polygon of(Shape shape) {
@@ -24,8 +27,9 @@ final class RoundCorners {
             double from = Math.atan2(outline.normalY(before), outline.normalX(before));
             double to = Math.atan2(outline.normalY(i), outline.normalX(i));
             double turn = to > from ? to - from : to - from + 2 * Math.PI;
-            int pieces = (int) Math.ceil(turn / LONGEST_TURN);
-            for (int piece = 0; piece <= pieces; piece++) {
+            int pieces = count > MANY ? 1 : (int) Math.ceil(turn / LONGEST_TURN);
+            int first = count > MANY ? 1 : 0;
+            for (int piece = first; piece <= pieces; piece++) {
                 double angle = from + turn * piece / pieces;
                 xy.add(outline.cornerX(i) + outline.radius() * Math.cos(angle));
                 xy.add(outline.cornerY(i) + outline.radius() * Math.sin(angle));

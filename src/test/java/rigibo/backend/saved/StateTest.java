@@ -8,6 +8,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 
 import rigibo.backend.effect.Effect;
 import rigibo.backend.geometry.Circle;
+import rigibo.backend.geometry.Outline;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyType;
 import rigibo.backend.setup.Material;
@@ -99,7 +100,7 @@ class StateTest {
         if (value instanceof Material) {
             return Material.DEFAULT.friction(0.25);
         }
-        return new Circle(3);
+        return value instanceof Outline ? new Circle(3).outline() : new Circle(3);
     }
 
     private static byte[] written(DataStorage data) {
@@ -115,6 +116,7 @@ class StateTest {
             int slot = data.bodies.take();
             data.bodies.type[slot] = BodyType.DYNAMIC;
             data.bodies.shape[slot] = Polygon.box(1, 1);
+            data.bodies.outline[slot] = Polygon.box(1, 1).outline();
             data.bodies.material[slot] = Material.DEFAULT;
             data.bodies.firstPair[slot] = Pairs.NONE;
         }

@@ -12,7 +12,6 @@ import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Rotation;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
-import rigibo.backend.geometry.Shape;
 import rigibo.backend.storage.DataStorage;
 
 /**
@@ -34,7 +33,7 @@ class StraysTest {
     void lay() {
         data.bodies.smallestWidth[0] = 1;
         data.bodies.accelerationY[0] = -PULL;
-        data.bodies.shape[0] = Polygon.box(1, 1);
+        data.bodies.outline[0] = Polygon.box(1, 1).outline();
         island.begin(Motions.FEW + 1);
         island.body(1, 1, 1);
         row = island.onGround(1, 0.5, 0.5);
@@ -104,8 +103,7 @@ class StraysTest {
     /** A disc lands with one point wherever it goes. */
     @Test
     void discsLackNone() {
-        Shape disc = new Circle(0.5);
-        data.bodies.shape[0] = disc;
+        data.bodies.outline[0] = new Circle(0.5).outline();
         go(30, 0, 0);
         assertThat(strays.areAny(STEP)).isTrue();
         assertThat(strays.mayLackPoint(row)).isFalse();
