@@ -10,7 +10,7 @@ final class Width {
 
     /** Extent in m across a direction (x, y) other than 0 of a shape at an angle. */
     static double across(Shape shape, double angle, double x, double y) {
-        Outline outline = shape.outline();
+        Outline outline = shape.outline(0);
         double length = Math.sqrt(x * x + y * y);
         double cos = Math.cos(angle);
         double sin = Math.sin(angle);

@@ -5,16 +5,17 @@ import rigibo.backend.effect.Contacts;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Thrust;
 import rigibo.backend.geometry.MassProperties;
-import rigibo.backend.geometry.Outline;
 import rigibo.backend.geometry.Shape;
 import rigibo.backend.rest.SupportLoss;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.BodyType;
+import rigibo.backend.setup.Filter;
 import rigibo.backend.setup.Material;
 import rigibo.backend.setup.Require;
 import rigibo.backend.step.StepPlan;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.Need;
 import rigibo.backend.storage.Pairs;
 import rigibo.backend.storage.Waking;
 
@@ -29,6 +30,7 @@ final class BodyEditor {
     private final StepPlan plan;
     private final Waking waking;
     private final SupportLoss supportLoss;
+    private final BodyShapes shapes;
 
     BodyEditor(Pool pool, DataStorage data, StepPlan plan) {
         this.pool = pool;
@@ -37,13 +39,13 @@ final class BodyEditor {
         bodies = data.bodies;
         waking = new Waking(data);
         supportLoss = new SupportLoss(data, waking);
+        shapes = new BodyShapes(data);
     }
 
     int add(BodyDefinition definition) {
         MassProperties plate = definition.massProperties();
         int slot = bodies.take();
         bodies.type[slot] = definition.type();
-        bodies.group[slot] = definition.group();
         bodies.gravityScale[slot] = definition.gravityScale();
         bodies.statedMass[slot] = definition.statesMass() ? plate.mass() : 0;
         bodies.statedInertia[slot] = definition.statesInertia() ? plate.inertia() : 0;
@@ -56,9 +58,8 @@ final class BodyEditor {
             bodies.spin[slot] = definition.spin();
             bodies.clearAngularAcceleration(slot);
         }
-        writeShape(slot, definition.shape());
-        writeMaterial(slot, definition.material());
-        weigh(slot);
+        shapes.add(slot, definition);
+        lockRotation(slot, definition.rotationLocked());
         writePose(slot, definition.x(), definition.y(), definition.angle());
         join(slot);
         data.roster.isStale = true;
@@ -89,6 +90,7 @@ final class BodyEditor {
             pool.contacts().ended.cutAllOf(slot);
             plan.broadphase().remove(slot);
         }
+        shapes.release(slot);
         bodies.release(slot);
         data.roster.isStale = true;
     }
@@ -119,7 +121,7 @@ final class BodyEditor {
         double most = BodyDefinition.MOST_SPIN;
         Require.within("RigidBody.spin", radiansPerSecond, -most, most, "rad/s");
         requireMovable(slot, "spin", radiansPerSecond != 0);
-        if (bodies.turns()) {
+        if (bodies.turns() && !bodies.isRotationLocked(slot)) {
             bodies.spin[slot] = radiansPerSecond;
         }
         data.roster.isStale = true;
@@ -180,24 +182,30 @@ final class BodyEditor {
 
     void type(int slot, BodyType type) {
         waking.wakeNeighbours(slot);
-        bodies.type[slot] = type;
+        for (int s = slot; s != Pairs.NONE; s = bodies.nextShapeOf(s)) {
+            bodies.type[s] = type;
+        }
         if (type == BodyType.STATIC) {
             bodies.halt(slot);
         }
         weigh(slot);
-        if (plan.broadphase() != null) {
-            pool.contacts().ended.cutAllOf(slot);
-            plan.broadphase().forgetPairs(slot);
-            plan.broadphase().refit(slot);
-        }
         data.roster.isStale = true;
-        waking.wake(slot);
+        pairAnew(slot);
     }
 
     void material(int slot, Material material) {
         MassProperties plate = Weight.of(bodies, slot, bodies.shape[slot], material);
-        writeMaterial(slot, material);
+        shapes.material(slot, material);
         weigh(slot, plate);
+        mixAnew(slot);
+    }
+
+    void material(int slot, int part, Material surface) {
+        shapes.surface(partOf(slot, "material", part), surface);
+        mixAnew(slot);
+    }
+
+    private void mixAnew(int slot) {
         for (int p = bodies.firstPairOf(slot); p != Pairs.NONE; p = data.pairs.nextOf(p, slot)) {
             data.pairs.mix(bodies, p);
         }
@@ -205,13 +213,86 @@ final class BodyEditor {
         waking.wake(slot);
     }
 
+    /** The slot of a part of a body. */
+    private int partOf(int slot, String verb, int part) {
+        int last = bodies.shape[slot].parts() - 1;
+        return bodies.shapeOf(slot, Require.within("RigidBody." + verb + " part", part, 0, last));
+    }
+
+    Material material(int slot, int part) {
+        return bodies.material[partOf(slot, "material", part)];
+    }
+
+    Filter filter(int slot, int part) {
+        return shapes.filter(partOf(slot, "filter", part));
+    }
+
+    void filter(int slot, Filter filter) {
+        waking.wakeNeighbours(slot);
+        for (int s = slot; s != Pairs.NONE; s = bodies.nextShapeOf(s)) {
+            shapes.filter(s, filter);
+        }
+        pairAnew(slot);
+    }
+
+    void filter(int slot, int part, Filter filter) {
+        int shape = partOf(slot, "filter", part);
+        waking.wakeNeighbours(slot);
+        shapes.filter(shape, filter);
+        pairAnew(slot);
+    }
+
+    /** Forgets whom a body met, and looks for whom it meets. */
+    private void pairAnew(int slot) {
+        if (plan.broadphase() != null) {
+            pool.contacts().ended.cutAllOf(slot);
+            plan.broadphase().forgetPairs(slot);
+            plan.broadphase().refit(slot);
+        }
+        waking.wake(slot);
+    }
+
+    void rotationLocked(int slot, boolean isLocked) {
+        waking.wakeNeighbours(slot);
+        lockRotation(slot, isLocked);
+        data.roster.isStale = true;
+        waking.wake(slot);
+    }
+
+    /** The column of locks comes with the first body that has one. */
+    private void lockRotation(int slot, boolean isLocked) {
+        if (isLocked) {
+            bodies.hold(Need.LOCKS);
+            bodies.haltTurning(slot);
+        }
+        if (bodies.rotationLocked != null) {
+            bodies.rotationLocked[slot] = isLocked;
+        }
+        weigh(slot);
+    }
+
     void shape(int slot, Shape shape) {
         MassProperties plate = Weight.of(bodies, slot, shape, bodies.material[slot]);
         waking.wakeNeighbours(slot);
-        writeShape(slot, shape);
-        weigh(slot, plate);
-        refit(slot);
+        if (shape.parts() == 1 && bodies.shape[slot].parts() == 1) {
+            shapes.write(slot, shape);
+            weigh(slot, plate);
+            refit(slot);
+        } else {
+            exchange(slot, shape, plate);
+        }
         waking.wake(slot);
+    }
+
+    /** Another number of shapes takes other slots, and other fixtures. */
+    private void exchange(int slot, Shape shape, MassProperties plate) {
+        if (plan.broadphase() != null) {
+            pool.contacts().ended.cutAllOf(slot);
+            plan.broadphase().remove(slot);
+        }
+        shapes.exchange(slot, shape);
+        weigh(slot, plate);
+        join(slot);
     }
 
     void wake(int slot) {
@@ -235,9 +316,9 @@ final class BodyEditor {
         data.pairs.declare(effects);
         plan.compile(effects, plan.accuracy());
         for (int slot = 0; slot < bodies.slots.high; slot++) {
-            if (bodies.type[slot] != null) {
-                writeShape(slot, bodies.shape[slot]);
-                writeMaterial(slot, bodies.material[slot]);
+            if (bodies.isBody(slot)) {
+                shapes.write(slot, bodies.shape[slot]);
+                shapes.writeSurfaces(slot);
                 weigh(slot);
                 if (!hadContacts) {
                     join(slot);
@@ -250,7 +331,7 @@ final class BodyEditor {
             }
         }
         for (int slot = 0; slot < bodies.slots.high; slot++) {
-            if (bodies.type[slot] != null) {
+            if (bodies.isBody(slot)) {
                 waking.wake(slot);
             }
         }
@@ -261,7 +342,7 @@ final class BodyEditor {
     private void forgetAllPairs() {
         pool.contacts().ended.cutAll();
         for (int slot = 0; slot < bodies.slots.high; slot++) {
-            if (bodies.type[slot] != null) {
+            if (bodies.isBody(slot)) {
                 plan.broadphase().forgetPairs(slot);
             }
         }
@@ -270,10 +351,10 @@ final class BodyEditor {
     /** Writes what follows from what a snapshot holds. */
     void derive() {
         for (int slot = 0; slot < bodies.slots.high; slot++) {
-            if (bodies.type[slot] != null) {
+            if (bodies.isBody(slot)) {
                 bodies.aim(slot);
-                writeShape(slot, bodies.shape[slot]);
-                writeMaterial(slot, bodies.material[slot]);
+                shapes.write(slot, bodies.shape[slot]);
+                shapes.writeSurfaces(slot);
                 weigh(slot);
                 if (bodies.isThrust(slot)) {
                     data.thrusting.add(slot);
@@ -294,38 +375,6 @@ final class BodyEditor {
         bodies.restartStillness(slot);
     }
 
-    private void writeShape(int slot, Shape shape) {
-        bodies.shape[slot] = shape;
-        Outline outline = shape.outline();
-        bodies.outline[slot] = outline;
-        bodies.boundingRadius[slot] = outline.boundingRadius();
-        if (bodies.smallestWidth != null) {
-            bodies.smallestWidth[slot] = outline.smallestWidth();
-        }
-        if (bodies.sweepRadius != null) {
-            bodies.sweepRadius[slot] = outline.sweepRadius();
-        }
-    }
-
-    private void writeMaterial(int slot, Material material) {
-        bodies.material[slot] = material;
-        if (bodies.friction != null) {
-            bodies.friction[slot] = material.friction();
-        }
-        if (bodies.elasticity != null) {
-            bodies.elasticity[slot] = material.elasticity();
-        }
-        if (bodies.rollingResistance != null) {
-            bodies.rollingResistance[slot] = material.rollingResistance();
-        }
-        if (bodies.surfaceSpeed != null) {
-            bodies.surfaceSpeed[slot] = material.surfaceSpeed();
-        }
-        if (bodies.drag != null) {
-            bodies.drag[slot] = material.drag();
-        }
-    }
-
     private void weigh(int slot) {
         weigh(slot, Weight.of(bodies, slot));
     }
@@ -336,7 +385,8 @@ final class BodyEditor {
         bodies.inverseMass[slot] = moves ? 1 / plate.mass() : 0;
         if (bodies.turns()) {
             bodies.inertia[slot] = plate.inertia();
-            bodies.inverseInertia[slot] = moves ? 1 / plate.inertia() : 0;
+            boolean turns = moves && !bodies.isRotationLocked(slot);
+            bodies.inverseInertia[slot] = turns ? 1 / plate.inertia() : 0;
         }
     }
 

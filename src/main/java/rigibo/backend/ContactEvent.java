@@ -3,16 +3,19 @@ package rigibo.backend;
 /**
  * A contact as it was in the last step; plain data, read after the step.
  *
- * <p>Two bodies are told one {@code BEGIN}, a {@code PERSIST} for each further step in which they
- * touch, asleep or not, and one {@code END}. A contact may also end by an edit between two steps: a
- * body was removed, placed anew or given another shape or type, or {@code Contacts} are no longer
- * declared. Then {@code END} comes with the step after the edit, where the contact was, with an
- * impulse of 0; two bodies that touch in that step again {@code PERSIST}. A body that was removed
- * is named all the same: see {@link #bothAlive}. Only a restored pool, which has no handle on a
- * body that was removed before its snapshot, cannot tell what would name it.
+ * <p>Two bodies, or two parts of them where one is a {@code Compound}, are told one {@code BEGIN},
+ * a {@code PERSIST} for each further step in which they touch, asleep or not, and one {@code END}.
+ * A contact may also end by an edit between two steps: a body was removed, placed anew or given
+ * another shape or type, or {@code Contacts} are no longer declared. Then {@code END} comes with
+ * the step after the edit, where the contact was, with an impulse of 0; two bodies that touch in
+ * that step again {@code PERSIST}. A body that was removed is named all the same: see {@link
+ * #bothAlive}. Only a restored pool, which has no handle on a body that was removed before its
+ * snapshot, cannot tell what would name it.
  *
  * @param a the body the normal points away from
  * @param b the body the normal points to
+ * @param partA which part of a's shape touches, from 0; 0 of a shape in one piece
+ * @param partB which part of b's shape touches
  * @param phase whether the contact began, persisted or ended
  * @param x world x of the contact's middle, m
  * @param y world y of the contact's middle, m
@@ -24,6 +27,8 @@ package rigibo.backend;
 public record ContactEvent(
         RigidBody a,
         RigidBody b,
+        int partA,
+        int partB,
         Phase phase,
         double x,
         double y,

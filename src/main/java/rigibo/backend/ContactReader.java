@@ -1,6 +1,7 @@
 package rigibo.backend;
 
 import rigibo.backend.ContactEvent.Phase;
+import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.Pairs;
 
@@ -8,10 +9,12 @@ import rigibo.backend.storage.Pairs;
 final class ContactReader {
 
     private final Pool pool;
+    private final Bodies bodies;
     private final Pairs pairs;
 
     ContactReader(Pool pool, DataStorage data) {
         this.pool = pool;
+        bodies = data.bodies;
         pairs = data.pairs;
     }
 
@@ -25,6 +28,8 @@ final class ContactReader {
         int last = 2 * pair + Math.max(pairs.points[pair], 1) - 1;
         into.a = pool.handle(pairs.bodyA[pair]);
         into.b = pool.handle(pairs.bodyB[pair]);
+        into.partA = bodies.partOf(pairs.shapeA(pair));
+        into.partB = bodies.partOf(pairs.shapeB(pair));
         into.phase = !touched ? Phase.END : before ? Phase.PERSIST : Phase.BEGIN;
         into.x = (pairs.pointX[2 * pair] + pairs.pointX[last]) / 2;
         into.y = (pairs.pointY[2 * pair] + pairs.pointY[last]) / 2;

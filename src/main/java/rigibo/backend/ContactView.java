@@ -15,6 +15,12 @@ public final class ContactView {
     /** The body the normal points to. */
     public RigidBody b;
 
+    /** Which part of a's shape touches, from 0; 0 of a shape in one piece. */
+    public int partA;
+
+    /** Which part of b's shape touches. */
+    public int partB;
+
     /** Whether the contact began, persisted or ended. */
     public Phase phase;
 
@@ -45,12 +51,15 @@ public final class ContactView {
 
     /** A copy that lasts. */
     public ContactEvent event() {
-        return new ContactEvent(a, b, phase, x, y, normalX, normalY, impulse, isCrushing);
+        return new ContactEvent(
+                a, b, partA, partB, phase, x, y, normalX, normalY, impulse, isCrushing);
     }
 
     void show(ContactEvent event) {
         a = event.a();
         b = event.b();
+        partA = event.partA();
+        partB = event.partB();
         phase = event.phase();
         x = event.x();
         y = event.y();

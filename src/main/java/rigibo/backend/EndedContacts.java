@@ -92,8 +92,13 @@ final class EndedContacts {
         if (!event.bothAlive()) {
             return false;
         }
-        // Slots do not change, so that the lower one is still that of A.
-        int pair = pairs.index.find(event.a().slot(), event.b().slot());
+        int shapeA = bodies.shapeOf(event.a().slot(), event.partA());
+        int shapeB = bodies.shapeOf(event.b().slot(), event.partB());
+        if (shapeA == Pairs.NONE || shapeB == Pairs.NONE) {
+            return false;
+        }
+        // The slots of bodies do not change, so that the lower one is still that of A.
+        int pair = pairs.index.find(shapeA, shapeB);
         if (pair == PairIndex.ABSENT || !pairs.touched(pair)) {
             return false;
         }
@@ -130,6 +135,8 @@ final class EndedContacts {
         return new SavedContact(
                 event.a().slot(),
                 event.b().slot(),
+                event.partA(),
+                event.partB(),
                 isCut,
                 event.phase().ordinal(),
                 event.x(),
@@ -146,6 +153,8 @@ final class EndedContacts {
                 new ContactEvent(
                         pool.handle(contact.a()),
                         pool.handle(contact.b()),
+                        contact.partA(),
+                        contact.partB(),
                         PHASES[contact.phase()],
                         contact.x(),
                         contact.y(),

@@ -252,7 +252,7 @@ public final class Pool {
     }
 
     /**
-     * The contacts of the last step, at most one for any two bodies; a list of its own. It tells
+     * The contacts of the last step, at most one for any two shapes; a list of its own. It tells
      * the same until the next step, whatever is edited.
      */
     public List<ContactEvent> contactEvents() {
@@ -379,6 +379,11 @@ public final class Pool {
     BodyEditor editor(RigidBody body) {
         own(body);
         busy.requireChangeable("change a body");
+        return editor;
+    }
+
+    /** What reads a body; to change one, say which. */
+    BodyEditor editor() {
         return editor;
     }
 

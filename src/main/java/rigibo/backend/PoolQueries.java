@@ -14,10 +14,11 @@ import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.Found;
 import rigibo.backend.storage.PairIndex;
+import rigibo.backend.storage.Pairs;
 
-import java.util.ArrayList;
-import java.util.List;
+import java.util.LinkedHashSet;
 import java.util.Optional;
+import java.util.Set;
 
 /** Answers questions about a pool between steps. */
 final class PoolQueries {
@@ -48,8 +49,18 @@ final class PoolQueries {
     }
 
     boolean touching(int a, int b) {
-        int pair = data.pairs.index.find(Math.min(a, b), Math.max(a, b));
-        return pair != PairIndex.ABSENT && data.pairs.touching[pair];
+        Pairs pairs = data.pairs;
+        if (!bodies.holdsCompounds()) {
+            int pair = pairs.index.find(Math.min(a, b), Math.max(a, b));
+            return pair != PairIndex.ABSENT && pairs.touching[pair];
+        }
+        boolean isTouching = false;
+        int p = bodies.firstPairOf(a);
+        while (p != Pairs.NONE && !isTouching) {
+            isTouching = pairs.other(p, a) == b && pairs.touching[p];
+            p = pairs.nextOf(p, a);
+        }
+        return isTouching;
     }
 
     Optional<RigidBody> bodyAt(double x, double y) {
@@ -60,12 +71,19 @@ final class PoolQueries {
         RigidBody last = null;
         for (int i = 0; i < found.count; i++) {
             int slot = found.numbers[i];
-            pose.set(bodies.x[slot], bodies.y[slot], bodies.cos[slot], bodies.sin[slot]);
+            int body = place(slot);
             if (pointAndRay.holds(bodies.outline[slot], pose, x, y)) {
-                last = later(last, pool.handle(slot));
+                last = later(last, pool.handle(body));
             }
         }
         return Optional.ofNullable(last);
+    }
+
+    /** Puts the pose where the body of a shape is, and answers which body that is. */
+    private int place(int slot) {
+        int body = bodies.bodyOf(slot);
+        pose.set(bodies.x[body], bodies.y[body], bodies.cos[body], bodies.sin[body]);
+        return body;
     }
 
     /** The one of two bodies that was added later; slots are used again, so they do not tell. */
@@ -96,8 +114,8 @@ final class PoolQueries {
     }
 
     /** Bodies whose shape, not only whose fixture, reaches into the box. */
-    List<RigidBody> overlapping(Aabb area) {
-        List<RigidBody> inside = new ArrayList<>();
+    Set<RigidBody> overlapping(Aabb area) {
+        Set<RigidBody> inside = new LinkedHashSet<>();
         double width = area.maxX - area.minX;
         double height = area.maxY - area.minY;
         // A box without an area is no polygon; half a nanometre is nothing to any body.
@@ -107,17 +125,17 @@ final class PoolQueries {
         Found found = near(area);
         for (int i = 0; i < found.count; i++) {
             int slot = found.numbers[i];
-            pose.set(bodies.x[slot], bodies.y[slot], bodies.cos[slot], bodies.sin[slot]);
+            int body = place(slot);
             collider.collide(outline, areaPose, bodies.outline[slot], pose, 0, manifold);
             if (manifold.count > 0) {
-                inside.add(pool.handle(slot));
+                inside.add(pool.handle(body));
             }
         }
         return inside;
     }
 
     /**
-     * The slots of all bodies that may reach into a box; without contacts nobody keeps fixtures.
+     * The slots of all shapes that may reach into a box; without contacts nobody keeps fixtures.
      */
     private Found near(Aabb area) {
         Broadphase broadphase = plan.broadphase();
@@ -137,12 +155,24 @@ final class PoolQueries {
     }
 
     private void bounds(int slot, Aabb into) {
+        int body = bodies.bodyOf(slot);
         bodies.outline[slot].bounds(
-                bodies.x[slot], bodies.y[slot], bodies.cos[slot], bodies.sin[slot], into);
+                bodies.x[body], bodies.y[body], bodies.cos[body], bodies.sin[body], into);
     }
 
-    /** Writes the box kept for a body, or its bounds where none is kept. */
-    void sizeFixture(int slot, Aabb into) {
+    /**
+     * Writes the box kept for a body, or its bounds where none is kept; of its parts that of all.
+     */
+    void sizeFixture(int body, Aabb into) {
+        fixture(body, into);
+        for (int slot = bodies.nextShapeOf(body); slot != Pairs.NONE; ) {
+            fixture(slot, bounds);
+            into.enclose(bounds);
+            slot = bodies.nextShapeOf(slot);
+        }
+    }
+
+    private void fixture(int slot, Aabb into) {
         if (bodies.firstPair == null) {
             bounds(slot, into);
         } else {

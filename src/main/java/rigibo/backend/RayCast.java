@@ -6,6 +6,7 @@ import rigibo.backend.collision.PointAndRay;
 import rigibo.backend.collision.Pose;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.Found;
+import rigibo.backend.storage.Pairs;
 
 import java.util.Optional;
 
@@ -82,9 +83,11 @@ final class RayCast {
 
     private void ask(int slot) {
         shapes++;
-        pose.set(bodies.x[slot], bodies.y[slot], bodies.cos[slot], bodies.sin[slot]);
+        int body = bodies.bodyOf(slot);
+        pose.set(bodies.x[body], bodies.y[body], bodies.cos[body], bodies.sin[body]);
         double at = pointAndRay.enters(bodies.outline[slot], pose, fromX, fromY, toX, toY);
-        if (at < fraction || at == fraction && isFirstAdded(slot)) {
+        boolean isSooner = at < fraction || at == fraction && isFirstAdded(slot);
+        if (isSooner && !startsWithin(body)) {
             met = slot;
             fraction = at;
             normalX = pointAndRay.normalX;
@@ -92,9 +95,26 @@ final class RayCast {
         }
     }
 
+    /** Of a body in one piece the ray itself has told: it does not enter what it starts in. */
+    private boolean startsWithin(int body) {
+        boolean isWithin = false;
+        if (bodies.nextShapeOf(body) != Pairs.NONE) {
+            for (int s = body; s != Pairs.NONE && !isWithin; s = bodies.nextShapeOf(s)) {
+                isWithin = pointAndRay.holds(bodies.outline[s], pose, fromX, fromY);
+            }
+        }
+        return isWithin;
+    }
+
     /** Slots are used again, so that they do not tell. */
     private boolean isFirstAdded(int slot) {
-        return met == NOBODY || pool.handle(slot).place < pool.handle(met).place;
+        if (met == NOBODY) {
+            return true;
+        }
+        int place = pool.handle(bodies.bodyOf(slot)).place;
+        int placeOfMet = pool.handle(bodies.bodyOf(met)).place;
+        return place < placeOfMet
+                || place == placeOfMet && bodies.partOf(slot) < bodies.partOf(met);
     }
 
     private Optional<RayHit> hit() {
@@ -103,7 +123,8 @@ final class RayCast {
         }
         return Optional.of(
                 new RayHit(
-                        pool.handle(met),
+                        pool.handle(bodies.bodyOf(met)),
+                        bodies.partOf(met),
                         fromX + fraction * (toX - fromX),
                         fromY + fraction * (toY - fromY),
                         normalX,

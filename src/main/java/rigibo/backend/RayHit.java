@@ -4,6 +4,7 @@ package rigibo.backend;
  * Where a ray meets the first body on its way.
  *
  * @param body the body met
+ * @param part which part of its shape, from 0; 0 of a shape in one piece
  * @param x world x of the point, m
  * @param y world y of the point, m
  * @param normalX outward unit normal of the outline there
@@ -11,4 +12,10 @@ package rigibo.backend;
  * @param fraction of the way from the ray's start to its end, 0 to 1
  */
 public record RayHit(
-        RigidBody body, double x, double y, double normalX, double normalY, double fraction) {}
+        RigidBody body,
+        int part,
+        double x,
+        double y,
+        double normalX,
+        double normalY,
+        double fraction) {}

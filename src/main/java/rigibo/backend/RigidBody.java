@@ -3,6 +3,7 @@ package rigibo.backend;
 import rigibo.backend.geometry.Aabb;
 import rigibo.backend.geometry.Shape;
 import rigibo.backend.setup.BodyType;
+import rigibo.backend.setup.Filter;
 import rigibo.backend.setup.Material;
 import rigibo.backend.setup.Require;
 import rigibo.backend.storage.Bodies;
@@ -103,6 +104,38 @@ public final class RigidBody {
         return columns().material[slot];
     }
 
+    /**
+     * What the surface of one part of the shape is made of.
+     *
+     * @param part from 0
+     * @throws IllegalArgumentException when there is no such part
+     */
+    public Material material(int part) {
+        columns();
+        return pool.editor().material(slot, part);
+    }
+
+    /** Whom the body meets; of a compound its first part. */
+    public Filter filter() {
+        return filter(0);
+    }
+
+    /**
+     * Whom one part of the shape meets.
+     *
+     * @param part from 0
+     * @throws IllegalArgumentException when there is no such part
+     */
+    public Filter filter(int part) {
+        columns();
+        return pool.editor().filter(slot, part);
+    }
+
+    /** Whether the body is kept from turning. */
+    public boolean rotationLocked() {
+        return columns().isRotationLocked(slot);
+    }
+
     /** The name from the definition; also after removal. */
     public String name() {
         return name;
@@ -152,7 +185,8 @@ public final class RigidBody {
 
     /**
      * Sets the angular velocity; a static body's cannot be set. Where rotation is not declared the
-     * body does not turn, and does not begin to when it is declared later.
+     * body does not turn, and does not begin to when it is declared later; nor does one that is
+     * kept from turning.
      *
      * @param radiansPerSecond counter-clockwise
      * @throws IllegalArgumentException when it is not finite or the body is static
@@ -204,9 +238,42 @@ public final class RigidBody {
         pool.editor(this).type(slot, Require.present("RigidBody.type", type));
     }
 
-    /** Changes the material; the mass follows the density unless the definition stated it. */
+    /**
+     * Changes the material of all parts; the mass follows the density unless the definition stated
+     * it.
+     */
     public void material(Material material) {
         pool.editor(this).material(slot, Require.present("RigidBody.material", material));
+    }
+
+    /**
+     * Changes the surface of one part of the shape; density and drag stay the body's.
+     *
+     * @param part from 0
+     * @throws IllegalArgumentException when there is no such part
+     */
+    public void material(int part, Material surface) {
+        pool.editor(this).material(slot, part, Require.present("RigidBody.material", surface));
+    }
+
+    /** Changes whom the body meets, with all its parts. */
+    public void filter(Filter filter) {
+        pool.editor(this).filter(slot, Require.present("RigidBody.filter", filter));
+    }
+
+    /**
+     * Changes whom one part of the shape meets.
+     *
+     * @param part from 0
+     * @throws IllegalArgumentException when there is no such part
+     */
+    public void filter(int part, Filter filter) {
+        pool.editor(this).filter(slot, part, Require.present("RigidBody.filter", filter));
+    }
+
+    /** Keeps the body from turning from now on, or lets it turn again, from rest. */
+    public void rotationLocked(boolean isLocked) {
+        pool.editor(this).rotationLocked(slot, isLocked);
     }
 
     /** Changes the shape about the same centre of mass; the mass follows likewise. */

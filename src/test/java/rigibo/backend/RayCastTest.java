@@ -75,11 +75,11 @@ class RayCastTest {
         for (RigidBody body : pool.bodies()) {
             int slot = body.slot();
             pose.set(body.x(), body.y(), pool.columns().cos[slot], pool.columns().sin[slot]);
-            double at = asked.enters(body.shape().outline(), pose, ray[0], ray[1], ray[2], ray[3]);
+            double at = asked.enters(body.shape().outline(0), pose, ray[0], ray[1], ray[2], ray[3]);
             if (at <= 1 && (first == null || at < first.fraction())) {
                 double x = ray[0] + at * (ray[2] - ray[0]);
                 double y = ray[1] + at * (ray[3] - ray[1]);
-                first = new RayHit(body, x, y, asked.normalX, asked.normalY, at);
+                first = new RayHit(body, 0, x, y, asked.normalX, asked.normalY, at);
             }
         }
         return Optional.ofNullable(first);

@@ -71,7 +71,7 @@ class SnapshotRefusalTest {
         byte[] newer = SNAPSHOT.clone();
         newer[VERSION_AT]++;
         assertRefused(newer)
-                .withMessageContaining("format up to 5, was 6")
+                .withMessageContaining("format up to 6, was 7")
                 .withMessageContaining("a newer version wrote it");
     }
 

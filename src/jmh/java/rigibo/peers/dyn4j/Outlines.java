@@ -19,6 +19,8 @@ final class Outlines {
             case CIRCLE -> new org.dyn4j.geometry.Circle(((Circle) shape).radius());
             case CAPSULE -> capsule((Capsule) shape);
             case POLYGON -> polygon((Polygon) shape);
+            case COMPOUND ->
+                    throw new IllegalArgumentException("a peer is handed convex shapes only");
         };
     }
 

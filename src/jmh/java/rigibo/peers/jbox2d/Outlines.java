@@ -19,6 +19,8 @@ final class Outlines {
             case CIRCLE -> disc((Circle) shape);
             case CAPSULE -> throw new IllegalArgumentException("JBox2D knows no capsule");
             case POLYGON -> polygon((Polygon) shape);
+            case COMPOUND ->
+                    throw new IllegalArgumentException("a peer is handed convex shapes only");
         };
     }
 

@@ -62,12 +62,14 @@ public final class Broadphase {
         roster = data.roster;
     }
 
-    /** Lays the first fixture of a new body. */
-    public void add(int slot) {
-        sweep(slot, 0, 0);
-        writeFixture(slot, 0);
-        hang(slot);
-        noteRefit(slot);
+    /** Lays the first fixtures of a new body, one for each of its shapes. */
+    public void add(int body) {
+        for (int slot = body; slot != Pairs.NONE; slot = bodies.nextShapeOf(slot)) {
+            sweep(body, slot, 0, 0);
+            writeFixture(body, slot, 0);
+            hang(slot);
+            noteRefit(slot);
+        }
     }
 
     /**
@@ -96,15 +98,19 @@ public final class Broadphase {
     }
 
     /** Takes a body out, with its pairs. */
-    public void remove(int slot) {
-        forgetPairs(slot);
-        tree.remove(bodies.leaf[slot]);
+    public void remove(int body) {
+        forgetPairs(body);
+        for (int slot = body; slot != Pairs.NONE; slot = bodies.nextShapeOf(slot)) {
+            tree.remove(bodies.leaf[slot]);
+        }
     }
 
-    /** Lays the fixture of a body that was placed or shaped anew. */
-    public void refit(int slot) {
-        sweep(slot, 0, 0);
-        lay(slot, 0);
+    /** Lays the fixtures of a body that was placed anew. */
+    public void refit(int body) {
+        for (int slot = body; slot != Pairs.NONE; slot = bodies.nextShapeOf(slot)) {
+            sweep(body, slot, 0, 0);
+            lay(body, slot, 0);
+        }
     }
 
     /** Forgets what is known of a body's contacts: it is somewhere else now. */
@@ -152,12 +158,11 @@ public final class Broadphase {
      * Within a step: a body's path changed, so its fixture has to cover what is left of the step in
      * s. Pairs it comes upon become active.
      */
-    public void follow(int slot, double left) {
+    public void follow(int body, double left) {
         int before = moved.count;
-        cover(slot, left, bodies.turns() ? turned(slot, left) : 0, false);
-        if (moved.count > before) {
-            moved.count = before;
-            meetNeighbours(slot);
+        cover(body, left, bodies.turns() ? turned(body, left) : 0, false);
+        while (moved.count > before) {
+            meetNeighbours(body, moved.numbers[--moved.count]);
         }
     }
 
@@ -165,16 +170,18 @@ public final class Broadphase {
      * Within a step: nobody can tell which way a body at (x, y) in m goes on, so its fixture has to
      * cover all within a reach of it in m, beside what it covers.
      */
-    public void lookRound(int slot, double x, double y, double reach) {
-        double radius = bodies.boundingRadius[slot] + reach;
-        swept.minX = Math.min(bodies.fixtureMinX[slot], x - radius);
-        swept.minY = Math.min(bodies.fixtureMinY[slot], y - radius);
-        swept.maxX = Math.max(bodies.fixtureMaxX[slot], x + radius);
-        swept.maxY = Math.max(bodies.fixtureMaxY[slot], y + radius);
-        if (!isCovered(slot)) {
-            writeFixture(slot, 0);
-            hangAnew(slot);
-            meetNeighbours(slot);
+    public void lookRound(int body, double x, double y, double reach) {
+        double radius = bodies.boundingRadius[body] + reach;
+        for (int slot = body; slot != Pairs.NONE; slot = bodies.nextShapeOf(slot)) {
+            swept.minX = Math.min(bodies.fixtureMinX[slot], x - radius);
+            swept.minY = Math.min(bodies.fixtureMinY[slot], y - radius);
+            swept.maxX = Math.max(bodies.fixtureMaxX[slot], x + radius);
+            swept.maxY = Math.max(bodies.fixtureMaxY[slot], y + radius);
+            if (!isCovered(slot)) {
+                writeFixture(body, slot, 0);
+                hangAnew(slot);
+                meetNeighbours(body, slot);
+            }
         }
     }
 
@@ -184,12 +191,18 @@ public final class Broadphase {
      */
     public void coverPoses() {
         for (int i = 0; i < roster.awakeCount; i++) {
-            int slot = roster.awake[i];
-            if (isMoving(slot)) {
-                sweep(slot, 0, 0);
-                if (!isCovered(slot)) {
-                    lay(slot, 0);
-                }
+            int body = roster.awake[i];
+            if (isMoving(body)) {
+                coverPose(body);
+            }
+        }
+    }
+
+    private void coverPose(int body) {
+        for (int slot = body; slot != Pairs.NONE; slot = bodies.nextShapeOf(slot)) {
+            sweep(body, slot, 0, 0);
+            if (!isCovered(slot)) {
+                lay(body, slot, 0);
             }
         }
     }
@@ -200,15 +213,15 @@ public final class Broadphase {
                 || bodies.turns() && bodies.spin[slot] != 0;
     }
 
-    private void meetNeighbours(int slot) {
+    private void meetNeighbours(int body, int slot) {
         bodies.refitted[slot] = false;
         findPairs(slot);
-        for (int p = bodies.firstPair[slot]; p != Pairs.NONE; p = pairs.nextOf(p, slot)) {
+        for (int p = bodies.firstPair[body]; p != Pairs.NONE; p = pairs.nextOf(p, body)) {
             pairs.activateLate(p);
         }
     }
 
-    /** The slots of all bodies whose fixture reaches into a box in m, ascending. */
+    /** The slots of all shapes whose fixture reaches into a box in m, ascending. */
     public Found query(Aabb box) {
         found.clear();
         tree.query(box.minX, box.minY, box.maxX, box.maxY, found);
@@ -217,7 +230,7 @@ public final class Broadphase {
     }
 
     /**
-     * Sets out along a ray (m) past the fixtures it crosses, which carry the slots of their bodies;
+     * Sets out along a ray (m) past the fixtures it crosses, which carry the slots of their shapes;
      * one walk at a time.
      */
     public RayWalk walk(double fromX, double fromY, double toX, double toY) {
@@ -225,15 +238,17 @@ public final class Broadphase {
         return walk;
     }
 
-    private void cover(int slot, double dt, double turned, boolean isToFit) {
-        boolean isAlone = bodies.firstPair[slot] == Pairs.NONE;
-        if (isAlone) {
-            sweepAround(slot, dt);
-        } else {
-            sweep(slot, dt, turned);
-        }
-        if (!isCovered(slot) || isToFit && !isAlone && isLoose(slot, dt)) {
-            lay(slot, dt);
+    private void cover(int body, double dt, double turned, boolean isToFit) {
+        boolean isAlone = bodies.firstPair[body] == Pairs.NONE;
+        for (int slot = body; slot != Pairs.NONE; slot = bodies.nextShapeOf(slot)) {
+            if (isAlone) {
+                sweepAround(body, dt);
+            } else {
+                sweep(body, slot, dt, turned);
+            }
+            if (!isCovered(slot) || isToFit && !isAlone && isLoose(body, slot, dt)) {
+                lay(body, slot, dt);
+            }
         }
     }
 
@@ -247,10 +262,10 @@ public final class Broadphase {
     /**
      * A body that was fast, or might have been, keeps no neighbours that it cannot meet any more.
      */
-    private boolean isLoose(int slot, double dt) {
-        double radius = bodies.boundingRadius[slot];
-        double aheadX = Math.abs(ahead(bodies.velocityX[slot], STEPS_AHEAD * dt, radius));
-        double aheadY = Math.abs(ahead(bodies.velocityY[slot], STEPS_AHEAD * dt, radius));
+    private boolean isLoose(int body, int slot, double dt) {
+        double radius = bodies.boundingRadius[body];
+        double aheadX = Math.abs(ahead(bodies.velocityX[body], STEPS_AHEAD * dt, radius));
+        double aheadY = Math.abs(ahead(bodies.velocityY[body], STEPS_AHEAD * dt, radius));
         double needed =
                 (swept.maxX - swept.minX)
                         + (swept.maxY - swept.minY)
@@ -262,41 +277,41 @@ public final class Broadphase {
     }
 
     /** How far in m turning may move the outline in dt seconds. */
-    private double turned(int slot, double dt) {
-        return Math.abs(bodies.spin[slot]) * dt * bodies.sweepRadius[slot];
+    private double turned(int body, double dt) {
+        return Math.abs(bodies.spin[body]) * dt * bodies.sweepRadius[body];
     }
 
     /**
      * Bounds over the way of the next dt seconds; a body that turns may reach as far as its radius.
      */
-    private void sweep(int slot, double dt, double turned) {
-        double x = bodies.x[slot];
-        double y = bodies.y[slot];
-        bodies.outline[slot].bounds(x, y, bodies.cos[slot], bodies.sin[slot], swept);
-        double radius = bodies.boundingRadius[slot];
+    private void sweep(int body, int slot, double dt, double turned) {
+        double x = bodies.x[body];
+        double y = bodies.y[body];
+        bodies.outline[slot].bounds(x, y, bodies.cos[body], bodies.sin[body], swept);
+        double radius = bodies.boundingRadius[body];
         swept.minX = Math.max(swept.minX - turned, x - radius);
         swept.minY = Math.max(swept.minY - turned, y - radius);
         swept.maxX = Math.min(swept.maxX + turned, x + radius);
         swept.maxY = Math.min(swept.maxY + turned, y + radius);
-        stretch(slot, dt);
+        stretch(body, dt);
     }
 
     /** The same of a body that may turn as it likes: its bounding circle. */
-    private void sweepAround(int slot, double dt) {
-        double radius = bodies.boundingRadius[slot];
-        swept.minX = bodies.x[slot] - radius;
-        swept.minY = bodies.y[slot] - radius;
-        swept.maxX = bodies.x[slot] + radius;
-        swept.maxY = bodies.y[slot] + radius;
-        stretch(slot, dt);
+    private void sweepAround(int body, double dt) {
+        double radius = bodies.boundingRadius[body];
+        swept.minX = bodies.x[body] - radius;
+        swept.minY = bodies.y[body] - radius;
+        swept.maxX = bodies.x[body] + radius;
+        swept.maxY = bodies.y[body] + radius;
+        stretch(body, dt);
     }
 
     /** Adds a bound on the way in dt seconds: with the acceleration, and without. */
-    private void stretch(int slot, double dt) {
-        double plainX = dt * bodies.velocityX[slot];
-        double plainY = dt * bodies.velocityY[slot];
-        double pulledX = plainX + dt * dt * bodies.accelerationX[slot] / 2;
-        double pulledY = plainY + dt * dt * bodies.accelerationY[slot] / 2;
+    private void stretch(int body, double dt) {
+        double plainX = dt * bodies.velocityX[body];
+        double plainY = dt * bodies.velocityY[body];
+        double pulledX = plainX + dt * dt * bodies.accelerationX[body] / 2;
+        double pulledY = plainY + dt * dt * bodies.accelerationY[body] / 2;
         swept.minX += lesser(lesser(plainX, pulledX), 0);
         swept.minY += lesser(lesser(plainY, pulledY), 0);
         swept.maxX += greater(greater(plainX, pulledX), 0);
@@ -312,8 +327,8 @@ public final class Broadphase {
         return a > b ? a : b;
     }
 
-    private void lay(int slot, double dt) {
-        writeFixture(slot, dt);
+    private void lay(int body, int slot, double dt) {
+        writeFixture(body, slot, dt);
         hangAnew(slot);
         noteRefit(slot);
     }
@@ -335,13 +350,13 @@ public final class Broadphase {
     }
 
     /** A static body's fixture is its bounds; others have a margin, and more of it ahead. */
-    private void writeFixture(int slot, double dt) {
-        double radius = bodies.boundingRadius[slot];
-        double margin = bodies.type[slot] == BodyType.STATIC ? 0 : MARGIN * radius;
-        boolean isAlone = bodies.firstPair[slot] == Pairs.NONE;
-        double steps = isAlone ? stepsAheadAlone(slot) : STEPS_AHEAD;
-        double aheadX = ahead(bodies.velocityX[slot], steps * dt, radius);
-        double aheadY = ahead(bodies.velocityY[slot], steps * dt, radius);
+    private void writeFixture(int body, int slot, double dt) {
+        double radius = bodies.boundingRadius[body];
+        double margin = bodies.type[body] == BodyType.STATIC ? 0 : MARGIN * radius;
+        boolean isAlone = bodies.firstPair[body] == Pairs.NONE;
+        double steps = isAlone ? stepsAheadAlone(body) : STEPS_AHEAD;
+        double aheadX = ahead(bodies.velocityX[body], steps * dt, radius);
+        double aheadY = ahead(bodies.velocityY[body], steps * dt, radius);
         bodies.fixtureMinX[slot] = swept.minX - margin + Math.min(0, aheadX);
         bodies.fixtureMinY[slot] = swept.minY - margin + Math.min(0, aheadY);
         bodies.fixtureMaxX[slot] = swept.maxX + margin + Math.max(0, aheadX);
@@ -369,10 +384,11 @@ public final class Broadphase {
 
     /** A contact that just ended is kept for one more step, in which its end is told. */
     private void dropPairsApart(int slot) {
-        int p = bodies.firstPair[slot];
+        int body = bodies.bodyOf(slot);
+        int p = bodies.firstPair[body];
         while (p != Pairs.NONE) {
-            int after = pairs.nextOf(p, slot);
-            if (!pairs.touched(p) && !fixturesOverlap(slot, pairs.other(p, slot))) {
+            int after = pairs.nextOf(p, body);
+            if (!pairs.touched(p) && !fixturesOverlap(pairs.shapeA(p), pairs.shapeB(p))) {
                 pairs.remove(bodies, p);
             }
             p = after;
@@ -394,14 +410,17 @@ public final class Broadphase {
     }
 
     private void pair(int slot, int other) {
-        int a = Math.min(slot, other);
-        int b = Math.max(slot, other);
+        boolean isFirst = bodies.bodyOf(slot) < bodies.bodyOf(other);
+        int shapeA = isFirst ? slot : other;
+        int shapeB = isFirst ? other : slot;
+        int a = bodies.bodyOf(shapeA);
+        int b = bodies.bodyOf(shapeB);
         boolean collide =
                 a != b
                         && (bodies.isDynamic(a) || bodies.isDynamic(b))
-                        && (bodies.group[a] == 0 || bodies.group[a] != bodies.group[b]);
-        if (collide && pairs.index.find(a, b) == PairIndex.ABSENT) {
-            pairs.add(bodies, a, b);
+                        && bodies.meet(shapeA, shapeB);
+        if (collide && pairs.index.find(shapeA, shapeB) == PairIndex.ABSENT) {
+            pairs.add(bodies, shapeA, shapeB);
         }
     }
 

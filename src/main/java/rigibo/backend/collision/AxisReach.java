@@ -17,7 +17,9 @@ final class AxisReach {
     private double velocity;
     private double acceleration;
 
-    /** The outline where it turns and is no disc, else null: the outline then stays as it is. */
+    /**
+     * The outline where it turns, and turning moves it, else null: the outline then stays as it is.
+     */
     private Outline turning;
 
     private double outline;
@@ -35,7 +37,7 @@ final class AxisReach {
         acceleration = x * of.accelerationX + y * of.accelerationY;
         turning = null;
         outline = of.outline.boundingRadius();
-        if (!of.outline.isDisc()) {
+        if (!of.outline.isCentredDisc()) {
             Outline polygon = of.outline;
             turning = of.isTurning() ? polygon : null;
             outline =

@@ -8,8 +8,10 @@ final class CircleCircle {
     private CircleCircle() {}
 
     static int collide(Outline a, Pose poseA, Outline b, Pose poseB, double reach, Manifold out) {
-        double dx = poseB.x - poseA.x;
-        double dy = poseB.y - poseA.y;
+        double centreAX = poseA.worldX(a.cornerX(0), a.cornerY(0));
+        double centreAY = poseA.worldY(a.cornerX(0), a.cornerY(0));
+        double dx = poseB.worldX(b.cornerX(0), b.cornerY(0)) - centreAX;
+        double dy = poseB.worldY(b.cornerX(0), b.cornerY(0)) - centreAY;
         double radii = a.radius() + b.radius();
         double squared = dx * dx + dy * dy;
         double far = radii + reach;
@@ -25,7 +27,7 @@ final class CircleCircle {
         }
         double gap = distance - radii;
         double along = a.radius() + gap / 2;
-        out.add(poseA.x + out.normalX * along, poseA.y + out.normalY * along, gap, 0);
+        out.add(centreAX + out.normalX * along, centreAY + out.normalY * along, gap, 0);
         return out.count;
     }
 }

@@ -148,8 +148,8 @@ public final class Narrowphase {
      * Fills one pair's manifold at poses of its bodies, with the points no farther than reach, m.
      */
     public void measure(int pair, Pose atA, Pose atB, double reach) {
-        Outline outlineA = bodies.outline[pairs.bodyA[pair]];
-        Outline outlineB = bodies.outline[pairs.bodyB[pair]];
+        Outline outlineA = bodies.outline[pairs.shapeA(pair)];
+        Outline outlineB = bodies.outline[pairs.shapeB(pair)];
         collider.collide(outlineA, atA, outlineB, atB, reach, manifold);
         keep(pair);
         pairs.reach[pair] = Double.NaN;

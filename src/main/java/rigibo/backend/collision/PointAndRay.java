@@ -19,7 +19,9 @@ public final class PointAndRay {
         double localY = pose.cos * (y - pose.y) - pose.sin * (x - pose.x);
         if (shape.isDisc()) {
             double radius = shape.radius();
-            return localX * localX + localY * localY <= radius * radius;
+            double dx = localX - shape.cornerX(0);
+            double dy = localY - shape.cornerY(0);
+            return dx * dx + dy * dy <= radius * radius;
         }
         return shape.depth(localX, localY) >= 0;
     }
@@ -43,7 +45,7 @@ public final class PointAndRay {
 
     private double enters(Outline shape, double x, double y, double dx, double dy) {
         if (shape.isDisc()) {
-            return entersDisc(shape.radius(), x, y, dx, dy);
+            return entersDisc(shape.radius(), x - shape.cornerX(0), y - shape.cornerY(0), dx, dy);
         }
         return shape.radius() > 0
                 ? entersRounded(shape, x, y, dx, dy)

@@ -14,8 +14,8 @@ final class PolygonCircle {
 
     /** With the polygon as A. */
     static int collide(Outline a, Pose poseA, Outline b, Pose poseB, double reach, Manifold out) {
-        double dx = poseB.x - poseA.x;
-        double dy = poseB.y - poseA.y;
+        double dx = poseB.worldX(b.cornerX(0), b.cornerY(0)) - poseA.x;
+        double dy = poseB.worldY(b.cornerX(0), b.cornerY(0)) - poseA.y;
         double cx = poseA.cos * dx + poseA.sin * dy;
         double cy = poseA.cos * dy - poseA.sin * dx;
         int face = outermost(a, cx, cy, a.radius() + b.radius() + reach);

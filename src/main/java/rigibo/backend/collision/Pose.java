@@ -28,6 +28,16 @@ public final class Pose {
         this.sin = sin;
     }
 
+    /** World x in m of a point of the shape's frame. */
+    double worldX(double localX, double localY) {
+        return x + (cos * localX - sin * localY);
+    }
+
+    /** World y in m of a point of the shape's frame. */
+    double worldY(double localX, double localY) {
+        return y + (sin * localX + cos * localY);
+    }
+
     /** Copies another pose into this one. */
     public void set(Pose other) {
         set(other.x, other.y, other.cos, other.sin);

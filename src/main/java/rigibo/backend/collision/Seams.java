@@ -42,6 +42,11 @@ final class Seams {
     private int fixed;
     private double width;
 
+    /** The slots of the shapes of both that the pair is of. */
+    private int moverShape;
+
+    private int fixedShape;
+
     /** Where the two are: neighbours that do not move are where their columns say. */
     private final Pose moverPose = new Pose();
 
@@ -101,9 +106,11 @@ final class Seams {
         boolean isAMoving = bodies.isDynamic(a);
         mover = isAMoving ? a : b;
         fixed = isAMoving ? b : a;
+        moverShape = pairs.shapeOf(pair, mover);
+        fixedShape = pairs.shapeOf(pair, fixed);
         return pairs.points[pair] > 0
                 && isAMoving != bodies.isDynamic(b)
-                && !bodies.outline[fixed].isDisc();
+                && !bodies.outline[fixedShape].isDisc();
     }
 
     private void leaveOut(int pair) {
@@ -145,7 +152,7 @@ final class Seams {
      * meets its face within the step, though all that is near is its covered corner yet.
      */
     private boolean turnsToFace(int pair, int point) {
-        Outline polygon = bodies.outline[fixed];
+        Outline polygon = bodies.outline[fixedShape];
         double coveredX = outX;
         double coveredY = outY;
         double best = Double.NEGATIVE_INFINITY;
@@ -211,12 +218,7 @@ final class Seams {
 
     /** Moves the point to the mover's lowest above a face; returns how much lower it is yet, m. */
     private double placeLowest() {
-        if (bodies.outline[mover].isDisc()) {
-            x = moverPose.x;
-            y = moverPose.y;
-            return bodies.boundingRadius[mover];
-        }
-        Outline shape = bodies.outline[mover];
+        Outline shape = bodies.outline[moverShape];
         double least = Double.POSITIVE_INFINITY;
         for (int i = 0; i < shape.corners(); i++) {
             double cx = worldX(moverPose, shape, i);
@@ -247,7 +249,8 @@ final class Seams {
             if (p != pair && !bodies.isDynamic(slot) && touches(p)) {
                 isOnFace = isSought ? isOnFace : findFace();
                 isSought = true;
-                if (isOnFace ? coversFace(slot) : coversCorner(slot)) {
+                int shape = pairs.shapeOf(p, slot);
+                if (isOnFace ? coversFace(slot, shape) : coversCorner(slot, shape)) {
                     return true;
                 }
             }
@@ -266,7 +269,7 @@ final class Seams {
 
     /** Looks for the face that the normal belongs to, by the corners that lie as high. */
     private boolean findFace() {
-        Outline polygon = bodies.outline[fixed];
+        Outline polygon = bodies.outline[fixedShape];
         double parallel = isFaceOfMover() ? PARALLEL : ROUND_OFF;
         ahead = 0;
         behind = 0;
@@ -285,13 +288,10 @@ final class Seams {
 
     /** Whether the normal is that of one of the mover's faces, which may lie flat on the other. */
     private boolean isFaceOfMover() {
-        if (bodies.outline[mover].isDisc()) {
-            return false;
-        }
-        Outline polygon = bodies.outline[mover];
+        Outline polygon = bodies.outline[moverShape];
         double localX = moverPose.cos * outX + moverPose.sin * outY;
         double localY = moverPose.cos * outY - moverPose.sin * outX;
-        for (int i = 0; i < polygon.corners(); i++) {
+        for (int i = 0; i < polygon.edges(); i++) {
             double nx = polygon.normalX(i);
             double ny = polygon.normalY(i);
             if (nx * localX + ny * localY < 0 && Math.abs(nx * localY - ny * localX) <= ROUND_OFF) {
@@ -301,12 +301,12 @@ final class Seams {
         return false;
     }
 
-    private boolean coversFace(int slot) {
-        return coversFace(slot, ahead) && coversFace(slot, -behind);
+    private boolean coversFace(int slot, int shape) {
+        return coversFace(slot, shape, ahead) && coversFace(slot, shape, -behind);
     }
 
     /** Whether the space before the face is covered as far as the face goes on to one side. */
-    private boolean coversFace(int slot, double room) {
+    private boolean coversFace(int slot, int shape, double room) {
         double length = Math.abs(room);
         double other = ahead + behind - length;
         if (length < CLOSED * width && length < other) {
@@ -314,22 +314,27 @@ final class Seams {
         }
         double along = Math.copySign(Math.min(ABOUT * width, length / 2), room);
         double before = CLOSED * width;
-        return depth(slot, x + before * outX - along * outY, y + before * outY + along * outX) > 0;
+        return depth(
+                        slot,
+                        shape,
+                        x + before * outX - along * outY,
+                        y + before * outY + along * outX)
+                > 0;
     }
 
-    private boolean coversCorner(int slot) {
+    private boolean coversCorner(int slot, int shape) {
         double flush = -FLUSH * width;
         double before = CLOSED * width;
-        return depth(slot, x + before * outX, y + before * outY) >= flush
-                || depth(slot, x, y) >= flush && reach(slot) > ROUND_OFF * width;
+        return depth(slot, shape, x + before * outX, y + before * outY) >= flush
+                || depth(slot, shape, x, y) >= flush && reach(slot, shape) > ROUND_OFF * width;
     }
 
-    /** How deep a world point lies in a body, m; negative outside. */
-    private double depth(int slot, double px, double py) {
+    /** How deep a world point lies in a shape of a body, m; negative outside. */
+    private double depth(int slot, int shape, double px, double py) {
         double dx = px - bodies.x[slot];
         double dy = py - bodies.y[slot];
-        Outline outline = bodies.outline[slot];
-        if (outline.isDisc()) {
+        Outline outline = bodies.outline[shape];
+        if (outline.isCentredDisc()) {
             return outline.radius() - Math.sqrt(dx * dx + dy * dy);
         }
         return outline.depth(
@@ -337,13 +342,10 @@ final class Seams {
                 bodies.cos[slot] * dy - bodies.sin[slot] * dx);
     }
 
-    /** How much farther than the point a body reaches along the normal, m. */
-    private double reach(int slot) {
+    /** How much farther than the point a shape of a body reaches along the normal, m. */
+    private double reach(int slot, int shape) {
         double centre = outX * (bodies.x[slot] - x) + outY * (bodies.y[slot] - y);
-        Outline outline = bodies.outline[slot];
-        if (outline.isDisc()) {
-            return centre + outline.radius();
-        }
+        Outline outline = bodies.outline[shape];
         double localX = bodies.cos[slot] * outX + bodies.sin[slot] * outY;
         double localY = bodies.cos[slot] * outY - bodies.sin[slot] * outX;
         double most = Double.NEGATIVE_INFINITY;

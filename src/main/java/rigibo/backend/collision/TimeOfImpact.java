@@ -195,7 +195,7 @@ public final class TimeOfImpact {
     }
 
     private static boolean isDisc(Motion of) {
-        return of.outline.isDisc();
+        return of.outline.isDisc() && (of.outline.isCentredDisc() || !of.isTurning());
     }
 
     private double gapAt(double time) {

@@ -24,7 +24,7 @@ final class TurningFaceGap implements GapAlong {
     private double normalY;
     private double reach;
 
-    /** The other body's outline, or null for a disc. */
+    /** The other body's outline, or null for a disc about its centre. */
     private Outline polygon;
 
     /** Distance of the centres when the face was fixed, and the gap then, m. */
@@ -43,7 +43,7 @@ final class TurningFaceGap implements GapAlong {
         normalX = pose.cos * x + pose.sin * y;
         normalY = pose.cos * y - pose.sin * x;
         reach = farthest.along(of.outline, normalX, normalY) + of.outline.radius();
-        polygon = against.outline.isDisc() ? null : against.outline;
+        polygon = against.outline.isCentredDisc() ? null : against.outline;
         double dx = otherPose.x - pose.x;
         double dy = otherPose.y - pose.y;
         apart = Math.sqrt(dx * dx + dy * dy);

@@ -119,6 +119,8 @@ public final class Flight {
         }
         paths.load(a, motionA);
         paths.load(b, motionB);
+        motionA.outline = bodies.outline[pairs.shapeA(pair)];
+        motionB.outline = bodies.outline[pairs.shapeB(pair)];
         double time =
                 timeOfImpact.find(
                         motionA, motionB, from, dt, accuracy.impactTolerance(), accuracy.search());

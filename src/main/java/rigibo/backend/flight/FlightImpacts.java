@@ -332,7 +332,7 @@ final class FlightImpacts {
         if (!paths.isFlyer(slot)) {
             return;
         }
-        double when = bodies.outline[slot].isDisc() ? end : time;
+        double when = bodies.isCentredDisc(slot) ? end : time;
         double elapsed = when - time;
         bodies.x[slot] += elapsed * bodies.velocityX[slot];
         bodies.y[slot] += elapsed * bodies.velocityY[slot];

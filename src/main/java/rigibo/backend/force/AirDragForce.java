@@ -3,6 +3,8 @@ package rigibo.backend.force;
 import rigibo.backend.effect.AirDrag;
 import rigibo.backend.effect.Wind;
 import rigibo.backend.geometry.Outline;
+import rigibo.backend.geometry.Shape;
+import rigibo.backend.geometry.ShapeKind;
 
 /** F = −½·ρ·c·A·|u|·u with u the velocity through the air and A the width across it. */
 final class AirDragForce implements ChangingForce {
@@ -29,25 +31,28 @@ final class AirDragForce implements ChangingForce {
 
     /** How wide the shape is across a velocity of that speed, m. */
     private static double widthAcross(Instant at, double ux, double uy, double speed) {
-        if (at.outline.isDisc()) {
+        if (at.shape.kind() == ShapeKind.CIRCLE) {
             return 2 * at.boundingRadius;
         }
         double x = ux / speed;
         double y = uy / speed;
         double acrossX = at.sin() * x - at.cos() * y;
         double acrossY = at.sin() * y + at.cos() * x;
-        return width(at.outline, acrossX, acrossY);
+        return width(at.shape, acrossX, acrossY);
     }
 
-    /** The extent of an outline along a unit direction of its own frame, m. */
-    private static double width(Outline outline, double x, double y) {
+    /** The extent of a shape along a unit direction of its own frame, m, over all its parts. */
+    private static double width(Shape shape, double x, double y) {
         double least = Double.POSITIVE_INFINITY;
         double most = Double.NEGATIVE_INFINITY;
-        for (int i = 0; i < outline.corners(); i++) {
-            double along = x * outline.cornerX(i) + y * outline.cornerY(i);
-            least = Math.min(least, along);
-            most = Math.max(most, along);
+        for (int part = 0; part < shape.parts(); part++) {
+            Outline outline = shape.outline(part);
+            for (int i = 0; i < outline.corners(); i++) {
+                double along = x * outline.cornerX(i) + y * outline.cornerY(i);
+                least = Math.min(least, along - outline.radius());
+                most = Math.max(most, along + outline.radius());
+            }
         }
-        return most - least + 2 * outline.radius();
+        return most - least;
     }
 }

@@ -1,7 +1,7 @@
 package rigibo.backend.force;
 
 import rigibo.backend.geometry.Angle;
-import rigibo.backend.geometry.Outline;
+import rigibo.backend.geometry.Shape;
 import rigibo.backend.storage.Bodies;
 
 /**
@@ -10,7 +10,7 @@ import rigibo.backend.storage.Bodies;
  */
 public final class Instant {
 
-    public Outline outline;
+    public Shape shape;
 
     /** kg, 1/kg, 1/(kg·m²) (0 where it does not turn), m, and the linear drag in 1/s. */
     public double mass;
@@ -46,7 +46,7 @@ public final class Instant {
 
     /** Takes over what a body is. */
     public void take(Bodies bodies, int slot) {
-        outline = bodies.outline[slot];
+        shape = bodies.shape[slot];
         mass = bodies.mass[slot];
         inverseMass = bodies.inverseMass[slot];
         inverseInertia = bodies.inverseInertiaOf(slot);

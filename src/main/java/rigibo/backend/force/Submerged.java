@@ -1,6 +1,7 @@
 package rigibo.backend.force;
 
 import rigibo.backend.geometry.Outline;
+import rigibo.backend.geometry.ShapeKind;
 
 /**
  * What of a body is under a level: area, centroid and second moment, exactly. A plain carrier that
@@ -58,17 +59,25 @@ final class Submerged {
         if (!(level > -at.boundingRadius)) {
             return;
         }
-        if (at.outline.isDisc()) {
+        if (at.shape.kind() == ShapeKind.CIRCLE) {
             measureDisc(at.boundingRadius);
-        } else if (at.outline.radius() > 0) {
-            begin();
-            walkRound(at.outline, at.angle, at.cos(), at.sin());
-            close();
-        } else {
-            begin();
-            walk(at.outline, at.cos(), at.sin());
+            return;
+        }
+        twiceArea = 0;
+        momentX = 0;
+        momentY = 0;
+        momentSquared = 0;
+        for (int part = 0; part < at.shape.parts(); part++) {
+            isBegun = false;
+            Outline outline = at.shape.outline(part);
+            if (outline.radius() > 0) {
+                walkRound(outline, at.angle, at.cos(), at.sin());
+            } else {
+                walk(outline, at.cos(), at.sin());
+            }
             close();
         }
+        weigh();
     }
 
     /**
@@ -86,14 +95,6 @@ final class Submerged {
             centroidY = -2.0 / 3 * r * r * r * sin * sin * sin / area;
             secondMoment = r * r * r * r * (phi / 2 - sin2 / 6 - sin4 / 24);
         }
-    }
-
-    private void begin() {
-        isBegun = false;
-        twiceArea = 0;
-        momentX = 0;
-        momentY = 0;
-        momentSquared = 0;
     }
 
     /** Walks round the outline, leaving out what is over the level. */
@@ -123,6 +124,15 @@ final class Submerged {
     private void walkRound(Outline outline, double angle, double cos, double sin) {
         int count = outline.corners();
         double radius = outline.radius();
+        if (outline.isDisc()) {
+            walkArc(
+                    worldX(outline, 0, cos, sin),
+                    worldY(outline, 0, cos, sin),
+                    radius,
+                    0,
+                    2 * Math.PI);
+            return;
+        }
         int before = count - 1;
         for (int i = 0; i < count; i++) {
             double outX = radius * (cos * outline.normalX(before) - sin * outline.normalY(before));
@@ -230,6 +240,9 @@ final class Submerged {
         if (isBegun) {
             addTriangle(lastX, lastY, firstX, firstY);
         }
+    }
+
+    private void weigh() {
         if (twiceArea > 0) {
             area = twiceArea / 2;
             centroidX = momentX / (3 * twiceArea);

@@ -50,6 +50,15 @@ public final class Aabb {
         maxY = top;
     }
 
+    /** Widens this box until it holds the other, too. */
+    public void enclose(Aabb other) {
+        set(
+                Math.min(minX, other.minX),
+                Math.min(minY, other.minY),
+                Math.max(maxX, other.maxX),
+                Math.max(maxY, other.maxY));
+    }
+
     /** Whether the two boxes share a point; boxes that only touch do. */
     public boolean overlaps(Aabb other) {
         return minX <= other.maxX && other.minX <= maxX && minY <= other.maxY && other.minY <= maxY;

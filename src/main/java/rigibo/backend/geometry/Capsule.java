@@ -11,7 +11,7 @@ package rigibo.backend.geometry;
  * @param halfLength from the centre to either end of the line, m, zero (a disc) or more, finite
  * @param radius m, positive and finite
  */
-public record Capsule(double halfLength, double radius) implements Shape {
+public record Capsule(double halfLength, double radius) implements Convex {
 
     /**
      * Checks the sizes.

@@ -5,7 +5,7 @@ package rigibo.backend.geometry;
  *
  * @param radius m, positive and finite
  */
-public record Circle(double radius) implements Shape {
+public record Circle(double radius) implements Convex {
 
     /**
      * Checks the radius.

@@ -23,13 +23,21 @@ public final class Outline {
     private final double smallestWidth;
     private final boolean isBox;
 
+    /** Whether this is a disc about the centre of mass, whose outline stays when it turns. */
+    public boolean isCentredDisc() {
+        return coreReach == 0;
+    }
+
     /** A disc about the centre of mass. */
     static Outline ofDisc(double radius) {
         return new Outline(CENTRE, CENTRE, NOTHING, NOTHING, radius);
     }
 
-    /** A core of two or more corners, counter-clockwise, and a radius of 0 or more. */
+    /** A core of corners, counter-clockwise, and a radius of 0 or more. */
     static Outline of(double[] cornerX, double[] cornerY, double radius) {
+        if (cornerX.length == 1) {
+            return new Outline(cornerX, cornerY, NOTHING, NOTHING, radius);
+        }
         double[] normalX = new double[cornerX.length];
         double[] normalY = new double[cornerX.length];
         for (int i = 0; i < cornerX.length; i++) {
@@ -56,9 +64,14 @@ public final class Outline {
         isBox = findBox();
     }
 
-    /** Number of the core's corners, which from 2 on is also the number of its edges. */
+    /** Number of the core's corners. */
     public int corners() {
         return cornerX.length;
+    }
+
+    /** Number of edges: as many as corners, and none of a disc. */
+    public int edges() {
+        return normalX.length;
     }
 
     /** A corner's x, m; corners are counter-clockwise. */
@@ -96,7 +109,10 @@ public final class Outline {
         return coreReach;
     }
 
-    /** Distance in m from the centre of mass to the core's nearest edge. */
+    /**
+     * Distance in m from the centre of mass to the core's nearest edge, minus that to the core
+     * where it lies outside: the core reaches as far in every direction.
+     */
     public double innerRadius() {
         return innerRadius;
     }
@@ -106,7 +122,7 @@ public final class Outline {
         return smallestWidth;
     }
 
-    /** Whether the core is one point. */
+    /** Whether the core is one point, wherever that is. */
     public boolean isDisc() {
         return cornerX.length == 1;
     }
@@ -129,10 +145,6 @@ public final class Outline {
      * @param out receives the bounds, m
      */
     public void bounds(double x, double y, double cos, double sin, Aabb out) {
-        if (isDisc()) {
-            out.set(x - radius, y - radius, x + radius, y + radius);
-            return;
-        }
         double minX = Double.POSITIVE_INFINITY;
         double minY = Double.POSITIVE_INFINITY;
         double maxX = Double.NEGATIVE_INFINITY;
@@ -193,11 +205,11 @@ public final class Outline {
     }
 
     private double nearestEdge() {
-        double least = normalX.length == 0 ? 0 : Double.POSITIVE_INFINITY;
+        double least = normalX.length == 0 ? 0 - coreReach : Double.POSITIVE_INFINITY;
         for (int i = 0; i < normalX.length; i++) {
             least = Math.min(least, normalX[i] * cornerX[i] + normalY[i] * cornerY[i]);
         }
-        return least;
+        return least < 0 && normalX.length > 0 ? -distanceToCore(0, 0) : least;
     }
 
     /** A convex polygon is narrowest across one of its edges (rotating calipers). */

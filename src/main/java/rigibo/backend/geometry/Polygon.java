@@ -5,7 +5,7 @@ package rigibo.backend.geometry;
  * The corners are kept relative to the centroid: wherever the points were given, the centre of mass
  * is the shape's origin.
  */
-public final class Polygon implements Shape {
+public final class Polygon implements Convex {
 
     /** Most corners of a polygon: enough for a wheel that rolls within 2 % of a disc. */
     public static final int MAX_CORNERS = 256;
@@ -104,6 +104,18 @@ public final class Polygon implements Shape {
         double[] stated = xy.clone();
         PolygonCheck.requireConvex(stated);
         return new Polygon(stated, 0);
+    }
+
+    /**
+     * The smallest convex polygon that holds some points: a rubber band round them. Points inside
+     * it, or on an edge of it, are passed over.
+     *
+     * @param xy coordinates x₀, y₀, x₁, y₁, … of the points in m, in any order
+     * @throws IllegalArgumentException when one is not finite, all lie on one line, or more than
+     *     256 are corners
+     */
+    public static Polygon hull(double... xy) {
+        return of(Hull.of(xy));
     }
 
     /**

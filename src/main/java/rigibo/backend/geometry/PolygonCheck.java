@@ -7,13 +7,13 @@ final class PolygonCheck {
      * Least sine between neighbouring edges. Below it two edges are one edge to double precision,
      * and the corner between them only adds a contact point that jumps.
      */
-    private static final double LEAST_SINE = 1e-10;
+    static final double LEAST_SINE = 1e-10;
 
     private PolygonCheck() {}
 
     static void requireConvex(double[] xy) {
-        requireCount(xy);
-        requireFinite(xy);
+        requireCount("Polygon.of", xy);
+        requireFinite("Polygon.of", xy);
         int count = xy.length / 2;
         double turned = 0;
         for (int i = 0; i < count; i++) {
@@ -35,10 +35,11 @@ final class PolygonCheck {
         }
     }
 
-    private static void requireCount(double[] xy) {
+    static void requireCount(String maker, double[] xy) {
         if (xy.length % 2 != 0 || xy.length < 6 || xy.length > 2 * Polygon.MAX_CORNERS) {
             throw new IllegalArgumentException(
-                    "Polygon.of takes x, y pairs of 3 to "
+                    maker
+                            + " takes x, y pairs of 3 to "
                             + Polygon.MAX_CORNERS
                             + " corners, was "
                             + xy.length
@@ -46,11 +47,11 @@ final class PolygonCheck {
         }
     }
 
-    private static void requireFinite(double[] xy) {
+    static void requireFinite(String maker, double[] xy) {
         for (int i = 0; i < xy.length; i++) {
             if (!finite(xy[i])) {
                 throw new IllegalArgumentException(
-                        "Polygon.of corner " + i / 2 + " must be finite (m), was " + xy[i]);
+                        maker + " corner " + i / 2 + " must be finite (m), was " + xy[i]);
             }
         }
     }
@@ -80,7 +81,7 @@ final class PolygonCheck {
         return StrictMath.atan2(sine, (ux * wx + uy * wy) / lengths);
     }
 
-    private static String at(double[] xy, int i) {
+    static String at(double[] xy, int i) {
         return "(" + xy[2 * i] + ", " + xy[2 * i + 1] + ") m";
     }
 

@@ -4,13 +4,21 @@ package rigibo.backend.geometry;
  * The outline of a body in the body's own frame, whose origin is the centre of mass. Immutable, so
  * one shape may serve any number of bodies.
  */
-public sealed interface Shape permits Circle, Capsule, Polygon {
+public sealed interface Shape permits Convex, Compound {
 
     /** Which shape this is, for switches without a default. */
     ShapeKind kind();
 
-    /** The outline as collisions see it: a core of corners and a radius. */
-    Outline outline();
+    /** Of how many convex parts it is. */
+    int parts();
+
+    /**
+     * The outline of a part as collisions see it: a core of corners and a radius, seen from the
+     * centre of mass of the whole.
+     *
+     * @param part from 0
+     */
+    Outline outline(int part);
 
     /** Area in m², positive. */
     double area();

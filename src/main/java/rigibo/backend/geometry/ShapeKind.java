@@ -9,5 +9,8 @@ public enum ShapeKind {
     CAPSULE,
 
     /** {@link Polygon}, sharp or rounded. */
-    POLYGON
+    POLYGON,
+
+    /** {@link Compound}. */
+    COMPOUND
 }

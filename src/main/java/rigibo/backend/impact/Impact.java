@@ -59,8 +59,7 @@ public final class Impact {
         normalY = pairs.normalY[pair];
         friction = pairs.frictionOf(pair);
         elasticity = pairs.elasticityOf(pair);
-        surfaceSpeed =
-                bodies.surfaceSpeed == null ? 0 : bodies.surfaceSpeed[a] + bodies.surfaceSpeed[b];
+        surfaceSpeed = bodies.surfaceSpeed == null ? 0 : pairs.surfaceSpeed(bodies, pair);
         points = 0;
         inverseMassA = bodies.inverseMass[a];
         inverseInertiaA = bodies.inverseInertiaOf(a);

@@ -2,13 +2,19 @@ package rigibo.backend.saved;
 
 import rigibo.backend.geometry.Capsule;
 import rigibo.backend.geometry.Circle;
+import rigibo.backend.geometry.Compound;
+import rigibo.backend.geometry.Convex;
+import rigibo.backend.geometry.Part;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.geometry.Shape;
 import rigibo.backend.setup.BodyType;
 import rigibo.backend.setup.Material;
 
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import java.util.function.Function;
+import java.util.stream.DoubleStream;
 
 /**
  * How an immutable value is stated by numbers, and made of them again.
@@ -26,9 +32,17 @@ record Form<T>(String name, int count, Function<T, double[]> numbers, Function<d
 
     /**
      * A disc is stated by its radius, a capsule by two numbers, a polygon by its corners and, where
-     * it is rounded, one number more.
+     * it is rounded, one number more; a compound begins with {@link #COMPOUND}, which no other
+     * does.
      */
     static final Form<Shape> SHAPE = new Form<>("shape", ANY, Form::numbersOf, Form::shapeOf);
+
+    private static final double COMPOUND = Double.POSITIVE_INFINITY;
+
+    /** Of a compound before its first part, and of a part before the numbers of its shape. */
+    private static final int COMPOUND_HEAD = 5;
+
+    private static final int PART_HEAD = 5;
 
     static final Form<Material> MATERIAL =
             new Form<>(
@@ -66,6 +80,7 @@ record Form<T>(String name, int count, Function<T, double[]> numbers, Function<d
             case CAPSULE ->
                     new double[] {((Capsule) shape).halfLength(), ((Capsule) shape).radius()};
             case POLYGON -> numbersOf((Polygon) shape);
+            case COMPOUND -> numbersOf((Compound) shape);
         };
     }
 
@@ -79,7 +94,49 @@ record Form<T>(String name, int count, Function<T, double[]> numbers, Function<d
         return numbers;
     }
 
+    /** The parts, whether the centre was stated and where, then each part behind its length. */
+    private static double[] numbersOf(Compound compound) {
+        DoubleStream.Builder numbers = DoubleStream.builder();
+        numbers.add(COMPOUND).add(compound.parts()).add(compound.statesCentre() ? 1 : 0);
+        numbers.add(compound.centroidX()).add(compound.centroidY());
+        for (int i = 0; i < compound.parts(); i++) {
+            Part part = compound.part(i);
+            double[] shape = numbersOf(part.shape());
+            numbers.add(shape.length).add(part.x()).add(part.y());
+            numbers.add(part.angle()).add(part.relativeDensity());
+            Arrays.stream(shape).forEach(numbers);
+        }
+        return numbers.build().toArray();
+    }
+
+    private static Compound compoundOf(double[] numbers) {
+        List<Part> parts = new ArrayList<>();
+        int at = COMPOUND_HEAD;
+        while (at + PART_HEAD <= numbers.length) {
+            int from = at + PART_HEAD;
+            int to = (int) Math.min(numbers.length, from + Math.max(0, numbers[at]));
+            Shape shape = shapeOf(Arrays.copyOfRange(numbers, from, to));
+            if (!(shape instanceof Convex convex)) {
+                throw new IllegalArgumentException("a part of a compound must be convex");
+            }
+            parts.add(
+                    Part.of(convex)
+                            .at(numbers[at + 1], numbers[at + 2])
+                            .angle(numbers[at + 3])
+                            .relativeDensity(numbers[at + 4]));
+            at = to;
+        }
+        if (at != numbers.length || parts.size() != numbers[1]) {
+            throw new IllegalArgumentException("a compound's parts are cut short");
+        }
+        Compound compound = Compound.of(parts);
+        return numbers[2] == 0 ? compound : compound.centredAt(numbers[3], numbers[4]);
+    }
+
     private static Shape shapeOf(double[] numbers) {
+        if (numbers.length >= COMPOUND_HEAD && numbers[0] == COMPOUND) {
+            return compoundOf(numbers);
+        }
         int corners = numbers.length / 2;
         return switch (numbers.length) {
             case 1 -> new Circle(numbers[0]);

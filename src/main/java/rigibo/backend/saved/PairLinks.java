@@ -51,8 +51,14 @@ final class PairLinks {
         int b = pairs.bodyB[pair];
         SnapshotCheck.requireBodyAt("a pair", bodies, a);
         SnapshotCheck.requireBodyAt("a pair", bodies, b);
-        boolean canMeet = a < b && (bodies.isDynamic(a) || bodies.isDynamic(b));
-        if (!canMeet || known.find(a, b) != PairIndex.ABSENT) {
+        int shapeA = pairs.shapeA(pair);
+        int shapeB = pairs.shapeB(pair);
+        boolean canMeet =
+                a < b
+                        && (bodies.isDynamic(a) || bodies.isDynamic(b))
+                        && isShapeOf(a, shapeA)
+                        && isShapeOf(b, shapeB);
+        if (!canMeet || known.find(shapeA, shapeB) != PairIndex.ABSENT) {
             throw new IllegalArgumentException(
                     "a pair must be of two bodies, the lower slot first, one of them dynamic, and"
                             + " named once, was "
@@ -60,10 +66,17 @@ final class PairLinks {
                             + " and "
                             + b);
         }
-        known.put(a, b, pair);
+        known.put(shapeA, shapeB, pair);
         isPair[pair] = true;
         Require.within("points", pairs.points[pair], 0, MOST_POINTS);
         Require.within("impacts", pairs.impacts[pair], 0, Integer.MAX_VALUE);
+    }
+
+    private boolean isShapeOf(int body, int slot) {
+        return slot >= 0
+                && slot < bodies.slots.high
+                && bodies.type[slot] != null
+                && bodies.bodyOf(slot) == body;
     }
 
     /** A list whose links back hold at every step has no way back into itself. */

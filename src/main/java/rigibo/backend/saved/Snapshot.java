@@ -3,6 +3,7 @@ package rigibo.backend.saved;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.Need;
 
 import java.util.Arrays;
 import java.util.function.Function;
@@ -104,6 +105,11 @@ public final class Snapshot {
         time = codec.number(time);
         // Which forces change along the way no column tells, but whether those of such are there.
         data.bodies.integratePaths(codec.flag(data.bodies.integratesPaths()));
+        for (Need need : Need.OF_BODIES) {
+            if (codec.flag(data.bodies.holds(need))) {
+                data.hold(need);
+            }
+        }
         State.visit(data, codec);
         codec.label("bodies in the order they were added");
         reserve(codec.count(order.length, LEAST_BYTES));

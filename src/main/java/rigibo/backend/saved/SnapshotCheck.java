@@ -4,6 +4,9 @@ import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.BodyType;
 import rigibo.backend.setup.Require;
 import rigibo.backend.storage.Bodies;
+import rigibo.backend.storage.Pairs;
+
+import java.util.Arrays;
 
 /**
  * Refuses a snapshot that was written well but states what no pool can be in: numbers that are not
@@ -29,6 +32,9 @@ final class SnapshotCheck {
         Require.notNegative("time", snapshot.time, "s");
         for (int slot : check.bodies.slots.occupied()) {
             check.requireBody(slot);
+        }
+        if (check.bodies.holdsCompounds()) {
+            check.requireParts();
         }
         check.requireOrder();
         PairLinks.require(snapshot.data);
@@ -99,12 +105,57 @@ final class SnapshotCheck {
         }
     }
 
+    /** Every body has a slot for each part of its shape, in their order, and all slots are had. */
+    private void requireParts() {
+        int had = 0;
+        for (int body : bodies.slots.occupied()) {
+            if (bodies.isBody(body)) {
+                had += requireParts(body);
+            }
+        }
+        if (had != bodies.slots.inUse()) {
+            throw new IllegalArgumentException(
+                    "every slot must be of a body's part, "
+                            + (bodies.slots.inUse() - had)
+                            + " are not");
+        }
+    }
+
+    private int requireParts(int body) {
+        int count = bodies.shape[body].parts();
+        int slot = body;
+        for (int part = 0; part < count; part++) {
+            boolean isPart =
+                    slot >= 0
+                            && slot < bodies.slots.high
+                            && bodies.type[slot] == bodies.type[body]
+                            && bodies.owner[slot] == body
+                            && bodies.part[slot] == part;
+            if (!isPart) {
+                throw new IllegalArgumentException(
+                        "part "
+                                + part
+                                + " of the body in slot "
+                                + body
+                                + " cannot be slot "
+                                + slot);
+            }
+            slot = bodies.nextShape[slot];
+        }
+        if (slot != Pairs.NONE) {
+            throw new IllegalArgumentException(
+                    "the body in slot " + body + " has " + count + " parts, and one more: " + slot);
+        }
+        return count;
+    }
+
     /** Every body has its place in the order they were added, once. */
     private void requireOrder() {
-        if (snapshot.order.length != bodies.slots.inUse()) {
+        long count = Arrays.stream(bodies.slots.occupied()).filter(bodies::isBody).count();
+        if (snapshot.order.length != count) {
             throw new IllegalArgumentException(
                     "the order of the bodies must name "
-                            + bodies.slots.inUse()
+                            + count
                             + " bodies, was "
                             + snapshot.order.length);
         }
@@ -121,7 +172,7 @@ final class SnapshotCheck {
 
     /** Refuses a slot without a body. */
     static void requireBodyAt(String where, Bodies bodies, int slot) {
-        if (slot < 0 || slot >= bodies.slots.high || bodies.type[slot] == null) {
+        if (slot < 0 || slot >= bodies.slots.high || !bodies.isBody(slot)) {
             throw new IllegalArgumentException(where + " must name bodies, was slot " + slot);
         }
     }

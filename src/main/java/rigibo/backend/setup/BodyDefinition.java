@@ -22,8 +22,14 @@ public final class BodyDefinition {
     private double mass;
     private double inertia;
     private double gravityScale = 1;
-    private int group;
+    private Filter filter = Filter.ALL;
     private boolean awake = true;
+    private boolean rotationLocked;
+
+    /** Of the parts of a compound that have their own; null elsewhere, or where none has. */
+    private Material[] surfaces;
+
+    private Filter[] filters;
 
     private BodyDefinition(BodyType type, Shape shape) {
         this.type = type;
@@ -48,8 +54,13 @@ public final class BodyDefinition {
         mass = pattern.mass;
         inertia = pattern.inertia;
         gravityScale = pattern.gravityScale;
-        group = pattern.group;
+        filter = pattern.filter;
         awake = pattern.awake;
+        rotationLocked = pattern.rotationLocked;
+        if (shape.parts() == pattern.shape.parts()) {
+            surfaces = pattern.surfaces;
+            filters = pattern.filters;
+        }
     }
 
     /** A body that forces and contacts move. */
@@ -129,7 +140,7 @@ public final class BodyDefinition {
         return next;
     }
 
-    /** The same body with another shape. */
+    /** The same body with another shape; one of as many parts keeps what they have of their own. */
     public BodyDefinition shape(Shape other) {
         return new BodyDefinition(this, Require.present("BodyDefinition.shape", other));
     }
@@ -175,10 +186,58 @@ public final class BodyDefinition {
         return next;
     }
 
-    /** Bodies of the same group other than 0 never collide with each other. */
-    public BodyDefinition group(int number) {
+    /**
+     * What the surface of one part is made of: its friction, elasticity, rolling resistance and
+     * surface speed. Density and drag are those of the body; what a part weighs, its own relative
+     * density says.
+     *
+     * @param part from 0
+     * @throws IllegalArgumentException when the shape has no such part
+     */
+    public BodyDefinition material(int part, Material surface) {
+        requirePart("material", part);
+        Require.present("BodyDefinition.material", surface);
         BodyDefinition next = new BodyDefinition(this);
-        next.group = number;
+        next.surfaces = surfaces == null ? new Material[shape.parts()] : surfaces.clone();
+        next.surfaces[part] = surface;
+        return next;
+    }
+
+    /** Whom the body meets. */
+    public BodyDefinition filter(Filter whom) {
+        BodyDefinition next = new BodyDefinition(this);
+        next.filter = Require.present("BodyDefinition.filter", whom);
+        return next;
+    }
+
+    /**
+     * Whom one part meets.
+     *
+     * @param part from 0
+     * @throws IllegalArgumentException when the shape has no such part
+     */
+    public BodyDefinition filter(int part, Filter whom) {
+        requirePart("filter", part);
+        Require.present("BodyDefinition.filter", whom);
+        BodyDefinition next = new BodyDefinition(this);
+        next.filters = filters == null ? new Filter[shape.parts()] : filters.clone();
+        next.filters[part] = whom;
+        return next;
+    }
+
+    private void requirePart(String verb, int part) {
+        Require.within("BodyDefinition." + verb + " part", part, 0, shape.parts() - 1);
+    }
+
+    /** Bodies of the same group other than 0 never meet each other; their filter's group. */
+    public BodyDefinition group(int number) {
+        return filter(filter.group(number));
+    }
+
+    /** Keeps the body from turning, whatever pushes it: a player, a lift. */
+    public BodyDefinition lockRotation() {
+        BodyDefinition next = new BodyDefinition(this);
+        next.rotationLocked = true;
         return next;
     }
 
@@ -264,9 +323,31 @@ public final class BodyDefinition {
         return gravityScale;
     }
 
-    /** Group, 0 for none. */
+    /** What the surface of a part is made of: the body's material unless another was stated. */
+    public Material material(int part) {
+        requirePart("material", part);
+        return surfaces == null || surfaces[part] == null ? material : surfaces[part];
+    }
+
+    /** Whom the body meets: {@link Filter#ALL} unless another was stated. */
+    public Filter filter() {
+        return filter;
+    }
+
+    /** Whom a part meets: as the body unless another was stated. */
+    public Filter filter(int part) {
+        requirePart("filter", part);
+        return filters == null || filters[part] == null ? filter : filters[part];
+    }
+
+    /** Group of the body's filter, 0 for none. */
     public int group() {
-        return group;
+        return filter.group();
+    }
+
+    /** Whether the body is kept from turning. */
+    public boolean rotationLocked() {
+        return rotationLocked;
     }
 
     /** Whether the body begins awake. */

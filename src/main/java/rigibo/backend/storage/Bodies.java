@@ -7,6 +7,9 @@ import rigibo.backend.geometry.Shape;
 import rigibo.backend.setup.BodyType;
 import rigibo.backend.setup.Material;
 
+import java.util.EnumSet;
+import java.util.Set;
+
 /**
  * Columns of the bodies, one slot each. A slot whose {@link #type} is null is empty. Whatever is
  * done to every column, {@link BodyColumns} does.
@@ -101,6 +104,29 @@ public final class Bodies {
     /** Whether the fixture was laid anew since pairs were last sought. */
     public boolean[] refitted;
 
+    /**
+     * Of bodies of more than one shape: the body of each shape's slot, and the slot of its next
+     * shape or {@link Pairs#NONE}. A body's own slot is that of its first shape; the others hold a
+     * shape, a material and a fixture, and nothing that moves. Null where every body has one shape.
+     */
+    public int[] owner;
+
+    public int[] nextShape;
+
+    /** Which part of its body's shape a slot holds, from 0. */
+    public int[] part;
+
+    /**
+     * Of which categories a shape is, one bit each, and which it meets; null where every shape is
+     * of the first and meets all.
+     */
+    public int[] category;
+
+    public int[] mask;
+
+    /** Whether a body is kept from turning; null where none is. */
+    public boolean[] rotationLocked;
+
     /** Head of the list of the body's pairs; see {@link Pairs}. */
     public int[] firstPair;
 
@@ -146,7 +172,7 @@ public final class Bodies {
 
     private final Room room = new Room(FIRST_CAPACITY, this::visitColumns);
     private Effects effects;
-    private boolean pathsAreIntegrated;
+    private final Set<Need> asked = EnumSet.noneOf(Need.class);
 
     /** Creates the columns that a set of effects needs. */
     public Bodies(Effects effects) {
@@ -163,25 +189,120 @@ public final class Bodies {
      */
     public void declare(Effects declared) {
         effects = declared;
-        visitColumns(new Declaring(effects, pathsAreIntegrated, room.slots()));
+        visitColumns(new Declaring(effects, asked, room.slots()));
     }
 
     /** Makes or drops the columns that integrated paths need. */
     public void integratePaths(boolean isNeeded) {
-        pathsAreIntegrated = isNeeded;
+        ask(Need.PATHS, isNeeded);
+        ask(Need.TURNING_PATHS, isNeeded);
         declare(effects);
     }
 
     /** Whether the columns are there that integrated paths need. */
     public boolean integratesPaths() {
-        return pathsAreIntegrated;
+        return asked.contains(Need.PATHS);
     }
 
-    /** A free slot with room in every column. */
+    private void ask(Need need, boolean isNeeded) {
+        if (isNeeded) {
+            asked.add(need);
+        } else {
+            asked.remove(need);
+        }
+    }
+
+    /** Makes columns that a body needs, whatever is declared; for all others they say nothing. */
+    public void hold(Need need) {
+        if (!asked.contains(need)) {
+            ask(need, true);
+            declare(effects);
+            for (int slot = 0; slot < slots.high; slot++) {
+                begin(slot, need);
+            }
+        }
+    }
+
+    /** Whether the columns are there that a body needed, whatever is declared. */
+    public boolean holds(Need need) {
+        return asked.contains(need);
+    }
+
+    /** Whether a body may have more than one shape. */
+    public boolean holdsCompounds() {
+        return owner != null;
+    }
+
+    /** Writes into a slot of columns that a body needed what holds for all others. */
+    private void begin(int slot, Need need) {
+        switch (need) {
+            case COMPOUNDS -> {
+                owner[slot] = slot;
+                nextShape[slot] = Pairs.NONE;
+                part[slot] = 0;
+            }
+            case FILTERS -> {
+                category[slot] = 1;
+                mask[slot] = ~0;
+            }
+            case LOCKS -> rotationLocked[slot] = false;
+            default -> throw new AssertionError(need + " follows from effects");
+        }
+    }
+
+    /** A free slot with room in every column, of a body with its first shape. */
     public int take() {
         int slot = slots.take();
         room.hold(slot);
+        for (Need need : Need.OF_BODIES) {
+            if (asked.contains(need)) {
+                begin(slot, need);
+            }
+        }
         return slot;
+    }
+
+    /** A slot for one more shape of a body, behind the shape that was its last so far. */
+    public int takeShape(int body, int last) {
+        int slot = take();
+        owner[slot] = body;
+        nextShape[last] = slot;
+        part[slot] = part[last] + 1;
+        return slot;
+    }
+
+    /** The slot of the body that a shape's slot belongs to. */
+    public int bodyOf(int slot) {
+        return owner == null ? slot : owner[slot];
+    }
+
+    /** The slot of the next shape of the same body, or {@link Pairs#NONE}. */
+    public int nextShapeOf(int slot) {
+        return owner == null ? Pairs.NONE : nextShape[slot];
+    }
+
+    /** Which part of its body's shape a slot holds, from 0. */
+    public int partOf(int slot) {
+        return part == null ? 0 : part[slot];
+    }
+
+    /** The slot of a part of a body, or {@link Pairs#NONE} where it has no such part. */
+    public int shapeOf(int body, int number) {
+        int slot = body;
+        for (int i = 0; i < number && slot != Pairs.NONE; i++) {
+            slot = nextShapeOf(slot);
+        }
+        return slot;
+    }
+
+    /** Whether a body is a single disc about its centre of mass: turning changes nothing. */
+    public boolean isCentredDisc(int body) {
+        return outline[body].isCentredDisc() && nextShapeOf(body) == Pairs.NONE;
+    }
+
+    /** Whether a slot is that of a body, not only of one more shape of one. */
+    public boolean isBody(int slot) {
+        return type[slot] != null && bodyOf(slot) == slot;
     }
 
     /** Makes room for so many slots. */
@@ -226,6 +347,33 @@ public final class Bodies {
      */
     public double pileTimeOf(int slot) {
         return awake[slot] ? pileTime[slot] : 0;
+    }
+
+    /** Makes of a slot what holds one more shape of its body, and moves nothing itself. */
+    public void standBy(int slot) {
+        int body = owner[slot];
+        type[slot] = type[body];
+        gravityScale[slot] = 0;
+        statedMass[slot] = 0;
+        statedInertia[slot] = 0;
+        awake[slot] = false;
+        x[slot] = 0;
+        y[slot] = 0;
+        angle[slot] = 0;
+        mass[slot] = 0;
+        inverseMass[slot] = 0;
+        halt(slot);
+        clearForces(slot);
+        clearAccelerations(slot);
+        if (turns()) {
+            clearAngularAcceleration(slot);
+            inertia[slot] = 0;
+            inverseInertia[slot] = 0;
+        }
+        if (firstPair != null) {
+            firstPair[slot] = Pairs.NONE;
+        }
+        restartStillness(slot);
     }
 
     /** Empties a slot. */
@@ -273,13 +421,31 @@ public final class Bodies {
         }
     }
 
+    /** Whether a body is kept from turning. */
+    public boolean isRotationLocked(int slot) {
+        return rotationLocked != null && rotationLocked[slot];
+    }
+
+    /** Whether two shapes meet, as far as their groups, categories and masks say. */
+    public boolean meet(int a, int b) {
+        boolean areApart = group[a] != 0 && group[a] == group[b];
+        return !areApart
+                && (category == null
+                        || (category[a] & mask[b]) != 0 && (category[b] & mask[a]) != 0);
+    }
+
+    /** Takes all spin from a body. */
+    public void haltTurning(int slot) {
+        if (turns()) {
+            spin[slot] = 0;
+        }
+    }
+
     /** Takes all velocity from a body. */
     public void halt(int slot) {
         velocityX[slot] = 0;
         velocityY[slot] = 0;
-        if (turns()) {
-            spin[slot] = 0;
-        }
+        haltTurning(slot);
     }
 
     /** Turns a body by an angle in rad, counter-clockwise. */

@@ -1,9 +1,12 @@
 package rigibo.backend.storage;
 
 import static rigibo.backend.storage.Need.ALWAYS;
+import static rigibo.backend.storage.Need.COMPOUNDS;
 import static rigibo.backend.storage.Need.CONTACTS;
 import static rigibo.backend.storage.Need.DRAG;
+import static rigibo.backend.storage.Need.FILTERS;
 import static rigibo.backend.storage.Need.FRICTION;
+import static rigibo.backend.storage.Need.LOCKS;
 import static rigibo.backend.storage.Need.PATHS;
 import static rigibo.backend.storage.Need.RESTITUTION;
 import static rigibo.backend.storage.Need.ROLLING_RESISTANCE;
@@ -43,6 +46,12 @@ final class BodyColumns {
         b.type = v.column("type", SAVED, b.type);
         b.shape = v.column("shape", SAVED, b.shape);
         b.material = v.column("material", SAVED, b.material);
+        b.owner = v.column("owner", SAVED, COMPOUNDS, b.owner);
+        b.nextShape = v.column("nextShape", SAVED, COMPOUNDS, b.nextShape);
+        b.part = v.column("part", SAVED, COMPOUNDS, b.part);
+        b.category = v.column("category", SAVED, FILTERS, b.category);
+        b.mask = v.column("mask", SAVED, FILTERS, b.mask);
+        b.rotationLocked = v.column("rotationLocked", SAVED, LOCKS, b.rotationLocked);
         b.group = v.column("group", SAVED, ALWAYS, b.group);
         b.gravityScale = v.column("gravityScale", SAVED, ALWAYS, b.gravityScale);
         b.statedMass = v.column("statedMass", SAVED, ALWAYS, b.statedMass);

@@ -25,6 +25,14 @@ public final class DataStorage {
         stillContacts = new StillContacts(bodies, pairs);
     }
 
+    /** Makes columns that a body needs, whatever is declared. */
+    public void hold(Need need) {
+        bodies.hold(need);
+        if (need == Need.COMPOUNDS) {
+            pairs.holdCompounds();
+        }
+    }
+
     /** Makes room for so many bodies and pairs. */
     public void reserve(int bodyCount, int pairCount) {
         bodies.reserve(bodyCount);

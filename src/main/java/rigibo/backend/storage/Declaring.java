@@ -2,22 +2,24 @@ package rigibo.backend.storage;
 
 import rigibo.backend.effect.Effects;
 
+import java.util.Set;
+
 /** Makes the columns that are newly needed, and drops those that are needed no more. */
 final class Declaring implements ColumnVisitor {
 
     private final Effects effects;
-    private final boolean pathsAreIntegrated;
+    private final Set<Need> asked;
     private final int slots;
 
     /** Makes columns with room for so many slots. */
-    Declaring(Effects effects, boolean pathsAreIntegrated, int slots) {
+    Declaring(Effects effects, Set<Need> asked, int slots) {
         this.effects = effects;
-        this.pathsAreIntegrated = pathsAreIntegrated;
+        this.asked = asked;
         this.slots = slots;
     }
 
     private boolean isMet(Need need) {
-        return need.isMet(effects, pathsAreIntegrated);
+        return need.isMet(effects, asked);
     }
 
     @Override

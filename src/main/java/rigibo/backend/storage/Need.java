@@ -13,6 +13,7 @@ import rigibo.backend.effect.SurfaceSpeed;
 import rigibo.backend.effect.Thrust;
 
 import java.util.List;
+import java.util.Set;
 
 /** What has to be declared for a column to be there. */
 public enum Need {
@@ -31,7 +32,16 @@ public enum Need {
     TURNING_THRUST(Thrust.class, Rotation.class),
     /** Paths are integrated, which follows from forces and accuracy. */
     PATHS,
-    TURNING_PATHS(Rotation.class);
+    TURNING_PATHS(Rotation.class),
+    /** A body has more than one shape. */
+    COMPOUNDS,
+    /** A shape does not meet everybody. */
+    FILTERS,
+    /** A body is kept from turning. */
+    LOCKS;
+
+    /** What the first body that has it makes columns of, whatever is declared. */
+    public static final List<Need> OF_BODIES = List.of(COMPOUNDS, FILTERS, LOCKS);
 
     private final List<Class<? extends Effect>> effects;
 
@@ -40,8 +50,14 @@ public enum Need {
         this.effects = List.of(effects);
     }
 
-    boolean isMet(Effects declared, boolean pathsAreIntegrated) {
-        boolean isOfPaths = this == PATHS || this == TURNING_PATHS;
-        return (pathsAreIntegrated || !isOfPaths) && effects.stream().allMatch(declared::declares);
+    /** Whether effects alone do not tell. */
+    private boolean isAskedFor() {
+        return this == PATHS || this == TURNING_PATHS || OF_BODIES.contains(this);
+    }
+
+    /** Whether it is met by what is declared, and by what else was asked for. */
+    boolean isMet(Effects declared, Set<Need> asked) {
+        return (!isAskedFor() || asked.contains(this))
+                && effects.stream().allMatch(declared::declares);
     }
 }

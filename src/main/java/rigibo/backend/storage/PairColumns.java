@@ -1,6 +1,7 @@
 package rigibo.backend.storage;
 
 import static rigibo.backend.storage.Need.ALWAYS;
+import static rigibo.backend.storage.Need.COMPOUNDS;
 import static rigibo.backend.storage.Need.FRICTION;
 import static rigibo.backend.storage.Need.RESTITUTION;
 import static rigibo.backend.storage.Need.ROLLING_RESISTANCE;
@@ -20,6 +21,8 @@ final class PairColumns {
     static void visit(Pairs p, ColumnVisitor v) {
         p.bodyA = v.column("bodyA", SAVED, ALWAYS, p.bodyA);
         p.bodyB = v.column("bodyB", SAVED, ALWAYS, p.bodyB);
+        p.shapesA = v.column("shapesA", SAVED, COMPOUNDS, p.shapesA);
+        p.shapesB = v.column("shapesB", SAVED, COMPOUNDS, p.shapesB);
         p.next = v.twins("next", SAVED, ALWAYS, p.next);
         p.previous = v.twins("previous", SAVED, ALWAYS, p.previous);
         visitManifold(p, v);

@@ -3,6 +3,8 @@ package rigibo.backend.storage;
 import rigibo.backend.effect.Effects;
 
 import java.util.Arrays;
+import java.util.EnumSet;
+import java.util.Set;
 
 /**
  * Columns of the candidate pairs: two bodies whose size fixtures overlap, and what is known of the
@@ -24,6 +26,11 @@ public final class Pairs {
     public int[] bodyA = new int[FIRST_CAPACITY];
 
     public int[] bodyB = new int[FIRST_CAPACITY];
+
+    /** Slots of the two shapes, where a body has more than one; else null, and the bodies' own. */
+    int[] shapesA;
+
+    int[] shapesB;
 
     /** Links of the two lists the pair is in, at 2·pair for A's and 2·pair + 1 for B's. */
     public int[] next = new int[2 * FIRST_CAPACITY];
@@ -100,6 +107,10 @@ public final class Pairs {
 
     private int step;
 
+    private Effects effects;
+
+    private final Set<Need> asked = EnumSet.noneOf(Need.class);
+
     private final Room room = new Room(FIRST_CAPACITY, this::visitColumns);
 
     /** Creates the columns that a set of effects needs. */
@@ -115,8 +126,34 @@ public final class Pairs {
     /**
      * Makes the columns of newly declared effects and drops those of effects no longer declared.
      */
-    public void declare(Effects effects) {
-        visitColumns(new Declaring(effects, false, room.slots()));
+    public void declare(Effects declared) {
+        effects = declared;
+        visitColumns(new Declaring(effects, asked, room.slots()));
+    }
+
+    /** Makes the columns that bodies of more than one shape need. */
+    public void holdCompounds() {
+        if (shapesA == null) {
+            asked.add(Need.COMPOUNDS);
+            declare(effects);
+            System.arraycopy(bodyA, 0, shapesA, 0, slots.high);
+            System.arraycopy(bodyB, 0, shapesB, 0, slots.high);
+        }
+    }
+
+    /** The slot of the shape of A that the pair is of. */
+    public int shapeA(int pair) {
+        return shapesA == null ? bodyA[pair] : shapesA[pair];
+    }
+
+    /** The slot of the shape of B that the pair is of. */
+    public int shapeB(int pair) {
+        return shapesB == null ? bodyB[pair] : shapesB[pair];
+    }
+
+    /** The slot of the shape of one of its bodies that the pair is of. */
+    public int shapeOf(int pair, int body) {
+        return bodyA[pair] == body ? shapeA(pair) : shapeB(pair);
     }
 
     /** How many pairs every column has room for. */
@@ -129,15 +166,22 @@ public final class Pairs {
         return room.slotsAhead();
     }
 
-    /** A new pair of bodies {@code a < b}, linked into both their lists, without contact. */
-    public int add(Bodies bodies, int a, int b) {
+    /**
+     * A new pair of two shapes, that of the body with the lower slot first, linked into the lists
+     * of both bodies, without contact.
+     */
+    public int add(Bodies bodies, int shapeA, int shapeB) {
         int pair = slots.take();
         room.hold(pair);
-        bodyA[pair] = a;
-        bodyB[pair] = b;
-        link(bodies, pair, 0, a);
-        link(bodies, pair, 1, b);
-        index.put(a, b, pair);
+        bodyA[pair] = bodies.bodyOf(shapeA);
+        bodyB[pair] = bodies.bodyOf(shapeB);
+        if (shapesA != null) {
+            shapesA[pair] = shapeA;
+            shapesB[pair] = shapeB;
+        }
+        link(bodies, pair, 0, bodyA[pair]);
+        link(bodies, pair, 1, bodyB[pair]);
+        index.put(shapeA, shapeB, pair);
         clear(pair);
         mix(bodies, pair);
         return pair;
@@ -157,7 +201,7 @@ public final class Pairs {
             reach[pair] = Double.NaN;
             // Any of them may have been active in the last step.
             list(pair);
-            index.put(bodyA[pair], bodyB[pair], pair);
+            index.put(shapeA(pair), shapeB(pair), pair);
             mix(bodies, pair);
         }
     }
@@ -206,7 +250,7 @@ public final class Pairs {
     public void remove(Bodies bodies, int pair) {
         unlink(bodies, pair, 0, bodyA[pair]);
         unlink(bodies, pair, 1, bodyB[pair]);
-        index.remove(bodyA[pair], bodyB[pair]);
+        index.remove(shapeA(pair), shapeB(pair));
         bodyA[pair] = NONE;
         slots.giveBack(pair);
     }
@@ -258,8 +302,8 @@ public final class Pairs {
 
     /** Mixes friction √(μaμb) and elasticity max(ea, eb) anew from the bodies' columns. */
     public void mix(Bodies bodies, int pair) {
-        int a = bodyA[pair];
-        int b = bodyB[pair];
+        int a = shapeA(pair);
+        int b = shapeB(pair);
         if (friction != null) {
             friction[pair] = Math.sqrt(bodies.friction[a] * bodies.friction[b]);
             frictionForce[pair] = friction[pair] > 0 ? frictionForce[pair] : 0;
@@ -269,10 +313,20 @@ public final class Pairs {
         }
     }
 
+    /** How fast the surfaces of both run, m/s; surface speeds are declared. */
+    public double surfaceSpeed(Bodies bodies, int pair) {
+        return bodies.surfaceSpeed[shapeA(pair)] + bodies.surfaceSpeed[shapeB(pair)];
+    }
+
+    /** Whether the surface of either runs; surface speeds are declared. */
+    public boolean runs(Bodies bodies, int pair) {
+        return bodies.surfaceSpeed[shapeA(pair)] != 0 || bodies.surfaceSpeed[shapeB(pair)] != 0;
+    }
+
     /** The longer of the rolling levers of the two bodies, m; rolling resistance is declared. */
     public double rollingLever(Bodies bodies, int pair) {
         return Math.max(
-                bodies.rollingResistance[bodyA[pair]], bodies.rollingResistance[bodyB[pair]]);
+                bodies.rollingResistance[shapeA(pair)], bodies.rollingResistance[shapeB(pair)]);
     }
 
     /** The mixed friction, 0 where none is declared. */

@@ -10,7 +10,7 @@ public final class StillContacts {
     private final Bodies bodies;
     private final Pairs pairs;
 
-    /** The bodies, two by two, of still pairs whose end is told of this step. */
+    /** The shapes, two by two, of still pairs whose end is told of this step. */
     private final Found parted = new Found();
 
     StillContacts(Bodies bodies, Pairs pairs) {
@@ -43,8 +43,8 @@ public final class StillContacts {
         pairs.touchedBefore[pair] = pairs.touched(pair);
         pairs.impacts[pair] = 0;
         if (pairs.touchedBefore[pair] && !pairs.touching[pair]) {
-            parted.add(pairs.bodyA[pair]);
-            parted.add(pairs.bodyB[pair]);
+            parted.add(pairs.shapeA(pair));
+            parted.add(pairs.shapeB(pair));
         }
     }
 

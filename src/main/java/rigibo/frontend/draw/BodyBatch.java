@@ -1,5 +1,8 @@
 package rigibo.frontend.draw;
 
+import rigibo.backend.geometry.Compound;
+import rigibo.backend.geometry.Convex;
+import rigibo.backend.geometry.Part;
 import rigibo.backend.geometry.Shape;
 import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Canvas.Mood;
@@ -62,6 +65,31 @@ final class BodyBatch {
     }
 
     void body(Shape shape, double x, double y, double angle, Skin skin, Mood mood) {
+        if (shape instanceof Compound compound) {
+            parts(compound, x, y, angle, skin, mood);
+        } else {
+            piece((Convex) shape, x, y, angle, skin, mood);
+        }
+    }
+
+    private void parts(Compound compound, double x, double y, double angle, Skin skin, Mood mood) {
+        double cos = Math.cos(angle);
+        double sin = Math.sin(angle);
+        for (int i = 0; i < compound.parts(); i++) {
+            Part part = compound.part(i);
+            double dx = part.x() - compound.centroidX();
+            double dy = part.y() - compound.centroidY();
+            piece(
+                    part.shape(),
+                    x + cos * dx - sin * dy,
+                    y + sin * dx + cos * dy,
+                    angle + part.angle(),
+                    skin,
+                    mood);
+        }
+    }
+
+    private void piece(Convex shape, double x, double y, double angle, Skin skin, Mood mood) {
         figure.of(shape);
         boolean isLifted = mood == Mood.HOVERED;
         at.place(camera, x, y, angle, isLifted ? LIFTED : 1);

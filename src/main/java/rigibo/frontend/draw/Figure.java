@@ -2,6 +2,7 @@ package rigibo.frontend.draw;
 
 import rigibo.backend.geometry.Aabb;
 import rigibo.backend.geometry.Circle;
+import rigibo.backend.geometry.Convex;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.geometry.Shape;
 
@@ -12,7 +13,7 @@ import java.util.WeakHashMap;
 final class Figure {
 
     /** Rounded shapes as polygons of many corners, which are made once. */
-    private final Map<Shape, Polygon> polygons = new WeakHashMap<>();
+    private final Map<Convex, Polygon> polygons = new WeakHashMap<>();
 
     private final Aabb bounds = new Aabb();
     Shape shape;
@@ -24,9 +25,9 @@ final class Figure {
     boolean isDisc;
     boolean isBox;
 
-    void of(Shape of) {
+    void of(Convex of) {
         boolean isRounded = of.outline().radius() > 0 && !of.outline().isDisc();
-        Shape drawn = isRounded ? polygons.computeIfAbsent(of, RoundCorners::of) : of;
+        Convex drawn = isRounded ? polygons.computeIfAbsent(of, RoundCorners::of) : of;
         shape = drawn;
         drawn.bounds(0, 0, 1, 0, bounds);
         halfWidth = Math.max(bounds.maxX, -bounds.minX);

@@ -1,8 +1,8 @@
 package rigibo.frontend.draw;
 
+import rigibo.backend.geometry.Convex;
 import rigibo.backend.geometry.Outline;
 import rigibo.backend.geometry.Polygon;
-import rigibo.backend.geometry.Shape;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -18,7 +18,7 @@ final class RoundCorners {
 
     private RoundCorners() {}
 
-    static Polygon of(Shape shape) {
+    static Polygon of(Convex shape) {
         Outline outline = shape.outline();
         int count = outline.corners();
         List<Double> xy = new ArrayList<>();

@@ -3,11 +3,17 @@ package rigibo.frontend.puzzle;
 import rigibo.backend.geometry.Aabb;
 import rigibo.backend.geometry.Capsule;
 import rigibo.backend.geometry.Circle;
+import rigibo.backend.geometry.Compound;
+import rigibo.backend.geometry.Convex;
 import rigibo.backend.geometry.Outline;
+import rigibo.backend.geometry.Part;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.geometry.Shape;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Skin;
+
+import java.util.ArrayList;
+import java.util.List;
 
 /**
  * What is left of a deleted body: how it looked where it was last seen.
@@ -47,11 +53,34 @@ record Remains(Shape shape, Pose pose, Skin skin) {
         double across = isUpright ? wide : flat;
         double along = isUpright ? flat : wide;
         double sunk = (isUpright ? height() : width()) / 2 * (1 - flat);
-        Shape flattened = scaled(across, along);
+        Shape flattened = scaled(shape, across, along);
         canvas.body(flattened, pose.x(), pose.y() - sunk, pose.angle(), skin, Canvas.Mood.HOVERED);
     }
 
-    private Shape scaled(double across, double along) {
+    private static Shape scaled(Shape shape, double across, double along) {
+        return shape instanceof Compound compound
+                ? scaled(compound, across, along)
+                : scaled((Convex) shape, across, along);
+    }
+
+    /**
+     * Parts that lie askew are squashed along their own axes: nobody sees it in a tenth of a
+     * second.
+     */
+    private static Shape scaled(Compound compound, double across, double along) {
+        List<Part> parts = new ArrayList<>();
+        for (int i = 0; i < compound.parts(); i++) {
+            Part part = compound.part(i);
+            parts.add(
+                    Part.of(scaled(part.shape(), across, along))
+                            .at(across * part.x(), along * part.y())
+                            .angle(part.angle()));
+        }
+        return Compound.of(parts)
+                .centredAt(across * compound.centroidX(), along * compound.centroidY());
+    }
+
+    private static Convex scaled(Convex shape, double across, double along) {
         Outline outline = shape.outline();
         double radius = outline.radius() * Math.min(across, along);
         if (outline.isDisc()) {

@@ -9,19 +9,17 @@ import rigibo.backend.geometry.Shape;
 public final class Outline {
 
     private final Shape shape;
-    private final double round;
-    private final double[] cornerX;
-    private final double[] cornerY;
+    private final Piece[] pieces;
     private double x;
     private double y;
 
     /** Of a shape, at the origin until it is placed. */
     public Outline(Shape shape) {
         this.shape = shape;
-        round = shape.outline().radius();
-        int corners = shape.outline().corners();
-        cornerX = new double[corners];
-        cornerY = new double[corners];
+        pieces = new Piece[shape.parts()];
+        for (int part = 0; part < pieces.length; part++) {
+            pieces[part] = new Piece(shape.outline(part));
+        }
         place(0, 0, 0);
     }
 
@@ -42,11 +40,8 @@ public final class Outline {
         y = metresY;
         double cos = StrictMath.cos(angle);
         double sin = StrictMath.sin(angle);
-        for (int i = 0; i < cornerX.length; i++) {
-            double px = shape.outline().cornerX(i);
-            double py = shape.outline().cornerY(i);
-            cornerX[i] = x + cos * px - sin * py;
-            cornerY[i] = y + sin * px + cos * py;
+        for (Piece piece : pieces) {
+            piece.place(x, y, cos, sin);
         }
     }
 
@@ -70,60 +65,15 @@ public final class Outline {
 
     /**
      * Largest gap to another along any edge normal, m: below 0 the least depth of their overlap; a
-     * bound of it above 0.
+     * bound of it above 0. Of compounds that of the two parts which are deepest in each other.
      */
     public double separation(Outline other) {
-        if (isRound() && other.isRound()) {
-            return Math.hypot(other.x - x, other.y - y) - round - other.round;
-        }
-        if (isRound()) {
-            return other.gapTo(x, y) - round - other.round;
-        }
-        if (other.isRound()) {
-            return gapTo(other.x, other.y) - round - other.round;
-        }
-        return Math.max(gapAlongNormals(other), other.gapAlongNormals(this)) - round - other.round;
-    }
-
-    private boolean isRound() {
-        return cornerX.length == 1;
-    }
-
-    /** Signed distance of a point from this polygon's outline, negative inside. */
-    private double gapTo(double px, double py) {
-        double inside = Double.NEGATIVE_INFINITY;
-        double outside = Double.POSITIVE_INFINITY;
-        for (int i = 0; i < cornerX.length; i++) {
-            int next = (i + 1) % cornerX.length;
-            double ex = cornerX[next] - cornerX[i];
-            double ey = cornerY[next] - cornerY[i];
-            double square = ex * ex + ey * ey;
-            double dx = px - cornerX[i];
-            double dy = py - cornerY[i];
-            inside = Math.max(inside, (dx * ey - dy * ex) / Math.sqrt(square));
-            double along = Math.max(0, Math.min(1, (dx * ex + dy * ey) / square));
-            outside = Math.min(outside, Math.hypot(dx - along * ex, dy - along * ey));
-        }
-        return inside < 0 ? inside : outside;
-    }
-
-    private double gapAlongNormals(Outline other) {
-        double widest = Double.NEGATIVE_INFINITY;
-        for (int i = 0; i < cornerX.length; i++) {
-            int next = (i + 1) % cornerX.length;
-            double ex = cornerX[next] - cornerX[i];
-            double ey = cornerY[next] - cornerY[i];
-            double nearest = Double.POSITIVE_INFINITY;
-            for (int j = 0; j < other.cornerX.length; j++) {
-                double dx = other.cornerX[j] - cornerX[i];
-                double dy = other.cornerY[j] - cornerY[i];
-                nearest = Math.min(nearest, dx * ey - dy * ex);
-            }
-            widest = Math.max(widest, nearest / Math.sqrt(ex * ex + ey * ey));
-            if (widest > 0) {
-                return widest;
+        double least = Double.POSITIVE_INFINITY;
+        for (Piece piece : pieces) {
+            for (Piece against : other.pieces) {
+                least = Math.min(least, piece.separation(against));
             }
         }
-        return widest;
+        return least;
     }
 }

@@ -246,7 +246,7 @@ class ManifoldLawsTest {
         Outline[][] outlines = new Outline[meetings.length][];
         for (int i = 0; i < meetings.length; i++) {
             meetings[i] = any(random);
-            outlines[i] = new Outline[] {meetings[i].a.outline(), meetings[i].b.outline()};
+            outlines[i] = new Outline[] {meetings[i].a.outline(0), meetings[i].b.outline(0)};
         }
         Collider collider = new Collider();
         Manifold manifold = new Manifold();

@@ -27,7 +27,7 @@ final class Meeting {
 
     /** Fills and returns the manifold. */
     Manifold within(double reach) {
-        new Collider().collide(a.outline(), poseA, b.outline(), poseB, reach, manifold);
+        new Collider().collide(a.outline(0), poseA, b.outline(0), poseB, reach, manifold);
         return manifold;
     }
 

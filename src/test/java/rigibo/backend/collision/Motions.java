@@ -15,7 +15,7 @@ final class Motions {
     /** At rest at time 0. */
     static Motion resting(Shape shape, double x, double y, double angle) {
         Motion motion = new Motion();
-        motion.outline = shape.outline();
+        motion.outline = shape.outline(0);
         motion.x = x;
         motion.y = y;
         motion.angle = angle;

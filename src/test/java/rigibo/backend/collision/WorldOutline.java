@@ -11,7 +11,7 @@ final class WorldOutline {
     private final double radius;
 
     WorldOutline(Shape shape, Pose pose) {
-        Outline polygon = shape.outline();
+        Outline polygon = shape.outline(0);
         radius = polygon.radius();
         x = new double[polygon.corners()];
         y = new double[polygon.corners()];

@@ -17,7 +17,7 @@ class InstantTest {
     private static Instant taken(Bodies bodies) {
         bodies.take();
         int slot = bodies.take();
-        bodies.outline[slot] = new Circle(3).outline();
+        bodies.shape[slot] = new Circle(3);
         bodies.mass[slot] = 4;
         bodies.inverseMass[slot] = 0.25;
         bodies.boundingRadius[slot] = 3;
@@ -37,7 +37,7 @@ class InstantTest {
     @Test
     void takesOverWhatTheBodyIs() {
         Instant at = taken(new Bodies(Effects.of(new Rotation(), new Drag())));
-        assertThat(at.outline).isEqualTo(new Circle(3).outline());
+        assertThat(at.shape).isEqualTo(new Circle(3));
         assertThat(at.mass).isEqualTo(4);
         assertThat(at.inverseMass).isEqualTo(0.25);
         assertThat(at.inverseInertia).isEqualTo(0.5);

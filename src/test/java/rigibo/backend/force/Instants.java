@@ -10,7 +10,7 @@ final class Instants {
     /** A body of that mass (kg) and inertia (kg·m²) at rest at the origin, turned by an angle. */
     static Instant of(Shape shape, double mass, double inertia, double angle) {
         Instant at = new Instant();
-        at.outline = shape.outline();
+        at.shape = shape;
         at.mass = mass;
         at.inverseMass = 1 / mass;
         at.inverseInertia = 1 / inertia;

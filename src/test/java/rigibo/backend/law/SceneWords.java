@@ -2,6 +2,8 @@ package rigibo.backend.law;
 
 import rigibo.backend.geometry.Capsule;
 import rigibo.backend.geometry.Circle;
+import rigibo.backend.geometry.Compound;
+import rigibo.backend.geometry.Part;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.geometry.Shape;
 import rigibo.backend.setup.BodyDefinition;
@@ -9,6 +11,7 @@ import rigibo.backend.setup.Material;
 
 import java.util.Arrays;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 
 /** Bodies as the code that adds them. */
 final class SceneWords {
@@ -45,9 +48,25 @@ final class SceneWords {
         if (shape instanceof Capsule capsule) {
             return "new Capsule(" + numbers(capsule.halfLength(), capsule.radius()) + ")";
         }
+        if (shape instanceof Compound compound) {
+            return IntStream.range(0, compound.parts())
+                    .mapToObj(i -> part(compound.part(i)))
+                    .collect(Collectors.joining(", ", "Compound.of(", ")"));
+        }
         Polygon polygon = (Polygon) shape;
         String rounded = polygon.radius() > 0 ? ".rounded(" + polygon.radius() + ")" : "";
         return "Polygon.of(" + numbers(polygon.stated()) + ")" + rounded;
+    }
+
+    private static String part(Part part) {
+        return "Part.of("
+                + shape(part.shape())
+                + ")"
+                + call("at", part.x(), part.y())
+                + call("angle", part.angle())
+                + (part.relativeDensity() == 1
+                        ? ""
+                        : ".relativeDensity(" + part.relativeDensity() + ")");
     }
 
     private static String material(Material m) {

@@ -14,6 +14,7 @@ import rigibo.backend.setup.BodyType;
 import rigibo.backend.setup.Material;
 import rigibo.backend.storage.ColumnTableTest;
 import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.Need;
 import rigibo.backend.storage.Pairs;
 import rigibo.backend.storage.Role;
 import rigibo.backend.storage.ShownColumns;
@@ -112,6 +113,7 @@ class StateTest {
     private static DataStorage twoPairsOfThree() {
         DataStorage data = new DataStorage(ColumnTableTest.ALL);
         data.bodies.integratePaths(true);
+        Need.OF_BODIES.forEach(data::hold);
         for (int i = 0; i < 3; i++) {
             int slot = data.bodies.take();
             data.bodies.type[slot] = BodyType.DYNAMIC;

@@ -52,7 +52,9 @@ public class ColumnTableTest {
                     Map.entry("Bodies.slots", "saved beside the table; State.visitSlots"),
                     Map.entry("Bodies.room", "how long the columns are, not what they hold"),
                     Map.entry("Bodies.effects", "saved; Snapshot.effects"),
-                    Map.entry("Bodies.pathsAreIntegrated", "saved; Snapshot.visit"),
+                    Map.entry("Bodies.asked", "saved; Snapshot.visit"),
+                    Map.entry("Pairs.asked", "as of the bodies; DataStorage.hold"),
+                    Map.entry("Pairs.effects", "as of the bodies"),
                     Map.entry("Pairs.slots", "saved beside the table; State.visitSlots"),
                     Map.entry("Pairs.room", "how long the columns are, not what they hold"),
                     Map.entry("Pairs.index", "follows from the pairs; Pairs.derive"),
@@ -73,6 +75,8 @@ public class ColumnTableTest {
 
     ColumnTableTest() {
         bodies.integratePaths(true);
+        Need.OF_BODIES.forEach(bodies::hold);
+        pairs.holdCompounds();
     }
 
     private static Stream<Field> fields(Class<?> type) {
@@ -149,7 +153,9 @@ public class ColumnTableTest {
                         line ->
                                 assertThat(line.array() != null)
                                         .as("%s", line)
-                                        .isEqualTo(line.need() == Need.ALWAYS));
+                                        .isEqualTo(
+                                                line.need() == Need.ALWAYS
+                                                        || Need.OF_BODIES.contains(line.need())));
     }
 
     /** Slots are handed out one by one, as pairs are met. */

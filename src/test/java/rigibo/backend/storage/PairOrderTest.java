@@ -45,6 +45,7 @@ class PairOrderTest {
 
     @Test
     void everyColumnGoesWithItsPair() {
+        data.hold(Need.COMPOUNDS);
         pairUpAtRandom();
         listActive();
         mark();

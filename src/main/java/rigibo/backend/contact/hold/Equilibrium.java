@@ -116,8 +116,7 @@ final class Equilibrium {
         if (isCorrecting && pairs.gap(pair) < -most || bodies.isDriven(a) || bodies.isDriven(b)) {
             return false;
         }
-        boolean runs = bodies.surfaceSpeed != null;
-        if (runs && (bodies.surfaceSpeed[a] != 0 || bodies.surfaceSpeed[b] != 0)) {
+        if (bodies.surfaceSpeed != null && pairs.runs(bodies, pair)) {
             return false;
         }
         double touching = PairTolerances.TOUCHING_GAP * width;

@@ -73,16 +73,16 @@ public final class CurvedRows {
 
     /** The radius in m at which two outlines go round each other; a corner has none. */
     private double radius(int pair) {
-        return bodies.outline[pairs.bodyA[pair]].radius()
-                + bodies.outline[pairs.bodyB[pair]].radius();
+        return bodies.outline[pairs.shapeA(pair)].radius()
+                + bodies.outline[pairs.shapeB(pair)].radius();
     }
 
     /** Whether a corner, or the foot of a disc, comes to the end of the face it is on. */
     private boolean leavesFace(int row, int pair, double way) {
         double nx = pairs.normalX[pair];
         double ny = pairs.normalY[pair];
-        findEnds(pairs.bodyA[pair], nx, ny, -1, endsA);
-        findEnds(pairs.bodyB[pair], -nx, -ny, 1, endsB);
+        findEnds(pair, pairs.bodyA[pair], nx, ny, -1, endsA);
+        findEnds(pair, pairs.bodyB[pair], -nx, -ny, 1, endsB);
         double apart = along(pair, nx, ny);
         for (int i = 0; i < 2; i++) {
             for (int j = 0; j < 2; j++) {
@@ -102,11 +102,11 @@ public final class CurvedRows {
     }
 
     /** Finds the ends of the face that looks along (nx, ny); a disc has but its centre. */
-    private void findEnds(int slot, double nx, double ny, int side, double[] ends) {
+    private void findEnds(int pair, int slot, double nx, double ny, int side, double[] ends) {
         ends[0] = 0;
         ends[1] = 0;
-        Outline polygon = bodies.outline[slot];
-        if (polygon.isDisc()) {
+        Outline polygon = bodies.outline[pairs.shapeOf(pair, slot)];
+        if (polygon.isCentredDisc()) {
             return;
         }
         double cos = bodies.cos[slot];
@@ -115,7 +115,7 @@ public final class CurvedRows {
         double y = cos * ny - sin * nx;
         int face = 0;
         double most = Double.NEGATIVE_INFINITY;
-        for (int i = 0; i < polygon.corners(); i++) {
+        for (int i = 0; i < polygon.edges(); i++) {
             double faces = polygon.normalX(i) * x + polygon.normalY(i) * y;
             if (faces > most) {
                 most = faces;
@@ -143,9 +143,9 @@ public final class CurvedRows {
     /** What is round turns without a change: what counts is the corner of the core. */
     private double arm(int row, boolean isOfA) {
         int pair = contacts.pair[row];
-        Outline outline = bodies.outline[isOfA ? pairs.bodyA[pair] : pairs.bodyB[pair]];
+        Outline outline = bodies.outline[isOfA ? pairs.shapeA(pair) : pairs.shapeB(pair)];
         int at = row * PackedContacts.STRIDE;
-        if (outline.isDisc()) {
+        if (outline.isCentredDisc()) {
             return 0;
         }
         return isOfA

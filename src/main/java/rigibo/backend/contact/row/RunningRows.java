@@ -24,8 +24,7 @@ public final class RunningRows {
     public void begin() {
         for (int row = 0; row < contacts.count; row++) {
             int pair = contacts.pair[row];
-            contacts.running[row] =
-                    bodies.surfaceSpeed[pairs.bodyA[pair]] + bodies.surfaceSpeed[pairs.bodyB[pair]];
+            contacts.running[row] = pairs.surfaceSpeed(bodies, pair);
             contacts.surface[row] = contacts.running[row];
             contacts.isAnyRunning |= contacts.running[row] != 0;
         }

@@ -81,7 +81,7 @@ public final class Strays {
         int pair = contacts.pair[row];
         return contacts.points[row] == 1
                 && (strays[a] || strays[b])
-                && !bodies.outline[pairs.bodyA[pair]].isDisc()
-                && !bodies.outline[pairs.bodyB[pair]].isDisc();
+                && !bodies.outline[pairs.shapeA(pair)].isDisc()
+                && !bodies.outline[pairs.shapeB(pair)].isDisc();
     }
 }

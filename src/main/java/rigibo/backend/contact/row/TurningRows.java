@@ -182,12 +182,12 @@ public final class TurningRows {
         int at = row * PackedContacts.STRIDE;
         double armA = d[at + PackedContacts.LEVER_TA];
         double armB = d[at + PackedContacts.LEVER_TB];
-        Outline other = bodies.outline[pairs.other(pair, face)];
+        Outline other = bodies.outline[pairs.shapeOf(pair, pairs.other(pair, face))];
         if (other.radius() == 0) {
             return turn * h * motions.slide(contacts, row, armA, armB);
         }
         double toCentre = isOfA ? armB : -armA;
-        double toCore = other.isDisc() ? toCentre : other.radius();
+        double toCore = other.isCentredDisc() ? toCentre : other.radius();
         double slide =
                 motions.slide(
                         contacts, row, isOfA ? armA : coreArmA(row), isOfA ? coreArmB(row) : armB);
@@ -196,16 +196,16 @@ public final class TurningRows {
 
     /** How far A's core lies behind a contact, along the normal, seen from A's centre, m. */
     private double coreArmA(int row) {
-        int a = pairs.bodyA[contacts.pair[row]];
+        int a = pairs.shapeA(contacts.pair[row]);
         double arm = contacts.data[row * PackedContacts.STRIDE + PackedContacts.LEVER_TA];
-        return bodies.outline[a].isDisc() ? 0 : arm + bodies.outline[a].radius();
+        return bodies.outline[a].isCentredDisc() ? 0 : arm + bodies.outline[a].radius();
     }
 
     /** The same of B. */
     private double coreArmB(int row) {
-        int b = pairs.bodyB[contacts.pair[row]];
+        int b = pairs.shapeB(contacts.pair[row]);
         double arm = contacts.data[row * PackedContacts.STRIDE + PackedContacts.LEVER_TB];
-        return bodies.outline[b].isDisc() ? 0 : arm - bodies.outline[b].radius();
+        return bodies.outline[b].isCentredDisc() ? 0 : arm - bodies.outline[b].radius();
     }
 
     private boolean isTurningBody(int entry, double left) {

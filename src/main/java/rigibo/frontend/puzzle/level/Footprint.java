@@ -14,7 +14,7 @@ import rigibo.backend.setup.BodyType;
 record Footprint(BodyDefinition body, double[] corners, double radius) {
 
     static Footprint of(BodyDefinition body) {
-        return new Footprint(body, corners(body), body.shape().outline().radius());
+        return new Footprint(body, corners(body), body.shape().outline(0).radius());
     }
 
     boolean isDisc() {
@@ -58,7 +58,7 @@ record Footprint(BodyDefinition body, double[] corners, double radius) {
     }
 
     private static double[] corners(BodyDefinition placed) {
-        Outline outline = placed.shape().outline();
+        Outline outline = placed.shape().outline(0);
         double cos = StrictMath.cos(placed.angle());
         double sin = StrictMath.sin(placed.angle());
         double[] xy = new double[2 * outline.corners()];

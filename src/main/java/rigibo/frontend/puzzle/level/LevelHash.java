@@ -5,7 +5,10 @@ import rigibo.backend.effect.Effect;
 import rigibo.backend.effect.Gravity;
 import rigibo.backend.geometry.Capsule;
 import rigibo.backend.geometry.Circle;
+import rigibo.backend.geometry.Compound;
+import rigibo.backend.geometry.Part;
 import rigibo.backend.geometry.Polygon;
+import rigibo.backend.geometry.Shape;
 import rigibo.backend.setup.Material;
 
 /**
@@ -60,16 +63,30 @@ final class LevelHash {
 
     private void body(LevelBody body) {
         text(body.id());
-        switch (body.shape().kind()) {
-            case CIRCLE -> numbers(((Circle) body.shape()).radius());
-            case CAPSULE -> capsule((Capsule) body.shape());
-            case POLYGON -> corners((Polygon) body.shape());
-        }
+        shape(body.shape());
         numbers(body.x(), body.y(), body.angle());
         material(body.material());
         motion(body.motion());
         text(body.mobility().name());
         numbers(body.deletable() ? 1 : 0);
+    }
+
+    private void shape(Shape shape) {
+        switch (shape.kind()) {
+            case CIRCLE -> numbers(((Circle) shape).radius());
+            case CAPSULE -> capsule((Capsule) shape);
+            case POLYGON -> corners((Polygon) shape);
+            case COMPOUND -> parts((Compound) shape);
+        }
+    }
+
+    private void parts(Compound compound) {
+        numbers(compound.parts(), compound.centroidX(), compound.centroidY());
+        for (int i = 0; i < compound.parts(); i++) {
+            Part part = compound.part(i);
+            numbers(part.x(), part.y(), part.angle(), part.relativeDensity());
+            shape(part.shape());
+        }
     }
 
     private void capsule(Capsule capsule) {

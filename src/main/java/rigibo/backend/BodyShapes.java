@@ -1,0 +1,158 @@
+package rigibo.backend;
+
+import rigibo.backend.geometry.Compound;
+import rigibo.backend.geometry.Outline;
+import rigibo.backend.geometry.Shape;
+import rigibo.backend.setup.BodyDefinition;
+import rigibo.backend.setup.Filter;
+import rigibo.backend.setup.Material;
+import rigibo.backend.storage.Bodies;
+import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.Need;
+import rigibo.backend.storage.Pairs;
+
+/** Writes what the slots of a body hold of its shapes: outline, surface and filter of each part. */
+final class BodyShapes {
+
+    private final DataStorage data;
+    private final Bodies bodies;
+
+    BodyShapes(DataStorage data) {
+        this.data = data;
+        bodies = data.bodies;
+    }
+
+    /** Takes a slot for each part of a new body but the first, and writes them. */
+    void add(int body, BodyDefinition definition) {
+        take(body, definition.shape());
+        write(body, definition.shape());
+        int slot = body;
+        for (int part = 0; part < definition.shape().parts(); part++) {
+            writeSurface(slot, surface(definition.material(part), definition.material()));
+            filter(slot, definition.filter(part));
+            slot = bodies.nextShapeOf(slot);
+        }
+    }
+
+    /** Gives a body another number of parts, with the material and the filter of its first one. */
+    void exchange(int body, Shape shape) {
+        Filter filter = filter(body);
+        release(body);
+        if (bodies.holdsCompounds()) {
+            bodies.nextShape[body] = Pairs.NONE;
+        }
+        take(body, shape);
+        write(body, shape);
+        for (int slot = body; slot != Pairs.NONE; slot = bodies.nextShapeOf(slot)) {
+            writeSurface(slot, bodies.material[body]);
+            filter(slot, filter);
+        }
+    }
+
+    /** Gives back the slots of all parts but the first. */
+    void release(int body) {
+        int slot = bodies.nextShapeOf(body);
+        while (slot != Pairs.NONE) {
+            int next = bodies.nextShapeOf(slot);
+            bodies.release(slot);
+            slot = next;
+        }
+    }
+
+    /** The columns of compounds come with the first of them. */
+    private void take(int body, Shape shape) {
+        if (shape.parts() > 1) {
+            data.hold(Need.COMPOUNDS);
+        }
+        int last = body;
+        for (int part = 1; part < shape.parts(); part++) {
+            last = bodies.takeShape(body, last);
+            bodies.standBy(last);
+        }
+    }
+
+    /**
+     * The outline of each part is that of one slot; shape, reach and width of the body's own slot
+     * are those of the whole.
+     */
+    void write(int body, Shape shape) {
+        double sweep = 0;
+        int slot = body;
+        for (int part = 0; part < shape.parts(); part++) {
+            Outline outline = shape.outline(part);
+            bodies.outline[slot] = outline;
+            bodies.shape[slot] = part == 0 ? shape : ((Compound) shape).part(part).shape();
+            sweep = Math.max(sweep, outline.sweepRadius());
+            slot = bodies.nextShapeOf(slot);
+        }
+        bodies.boundingRadius[body] = shape.boundingRadius();
+        if (bodies.smallestWidth != null) {
+            bodies.smallestWidth[body] = shape.smallestWidth();
+        }
+        if (bodies.sweepRadius != null) {
+            bodies.sweepRadius[body] = sweep;
+        }
+    }
+
+    /** Makes every part of the same stuff. */
+    void material(int body, Material material) {
+        for (int slot = body; slot != Pairs.NONE; slot = bodies.nextShapeOf(slot)) {
+            writeSurface(slot, material);
+        }
+    }
+
+    /** Gives the part of a slot a surface of its own. */
+    void surface(int slot, Material material) {
+        writeSurface(slot, surface(material, bodies.material[bodies.bodyOf(slot)]));
+    }
+
+    /** Density and drag are those of the body. */
+    private static Material surface(Material stated, Material body) {
+        return stated.density(body.density()).drag(body.drag());
+    }
+
+    /** Writes the columns that follow from the materials anew. */
+    void writeSurfaces(int body) {
+        for (int slot = body; slot != Pairs.NONE; slot = bodies.nextShapeOf(slot)) {
+            writeSurface(slot, bodies.material[slot]);
+        }
+    }
+
+    private void writeSurface(int slot, Material material) {
+        bodies.material[slot] = material;
+        if (bodies.friction != null) {
+            bodies.friction[slot] = material.friction();
+        }
+        if (bodies.elasticity != null) {
+            bodies.elasticity[slot] = material.elasticity();
+        }
+        if (bodies.rollingResistance != null) {
+            bodies.rollingResistance[slot] = material.rollingResistance();
+        }
+        if (bodies.surfaceSpeed != null) {
+            bodies.surfaceSpeed[slot] = material.surfaceSpeed();
+        }
+        if (bodies.drag != null) {
+            bodies.drag[slot] = material.drag();
+        }
+    }
+
+    /** The columns of filters come with the first body that does not meet everybody. */
+    void filter(int slot, Filter filter) {
+        if (!filter.isPlain()) {
+            bodies.hold(Need.FILTERS);
+        }
+        bodies.group[slot] = filter.group();
+        if (bodies.category != null) {
+            bodies.category[slot] = filter.category();
+            bodies.mask[slot] = filter.mask();
+        }
+    }
+
+    Filter filter(int slot) {
+        Filter plain = Filter.ALL.group(bodies.group[slot]);
+        return bodies.category == null
+                ? plain
+                : plain.category(bodies.category[slot]).mask(bodies.mask[slot]);
+    }
+}

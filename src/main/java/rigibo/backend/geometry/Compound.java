@@ -1,0 +1,231 @@
+package rigibo.backend.geometry;
+
+import java.util.List;
+
+/**
+ * 1 to 256 convex shapes in one rigid body: a hammer, a cup, an L. Its parts never meet each other.
+ * The parts are stated in a frame of the caller's choice; the body's place is that of the centre of
+ * mass, which lies at {@link #centroidX}, {@link #centroidY} of that frame. Where parts overlap
+ * their masses add up.
+ *
+ * <pre>{@code
+ * Compound hammer =
+ *         Compound.of(
+ *                 Part.of(Polygon.box(0.08, 1)),
+ *                 Part.of(Polygon.box(0.5, 0.2)).at(0, 0.5).relativeDensity(8));
+ * pool.add(BodyDefinition.dynamic(hammer).at(0, 3));
+ * }</pre>
+ */
+public final class Compound implements Shape {
+
+    /** Most parts of a compound. */
+    public static final int MAX_PARTS = 256;
+
+    private final List<Part> parts;
+    private final Outline[] outlines;
+    private final MassProperties plate;
+    private final double area;
+    private final boolean statesCentre;
+    private final double boundingRadius;
+    private final double smallestWidth;
+
+    private Compound(List<Part> parts, MassProperties plate, boolean statesCentre) {
+        this.parts = parts;
+        this.plate = plate;
+        this.statesCentre = statesCentre;
+        outlines =
+                parts.stream()
+                        .map(part -> part.outlineFrom(plate.centroidX(), plate.centroidY()))
+                        .toArray(Outline[]::new);
+        double reach = 0;
+        double narrowest = Double.POSITIVE_INFINITY;
+        double covered = 0;
+        for (int i = 0; i < outlines.length; i++) {
+            reach = Math.max(reach, outlines[i].boundingRadius());
+            narrowest = Math.min(narrowest, outlines[i].smallestWidth());
+            covered += parts.get(i).shape().area();
+        }
+        boundingRadius = reach;
+        smallestWidth = narrowest;
+        area = covered;
+    }
+
+    /**
+     * A compound of these parts.
+     *
+     * @throws IllegalArgumentException when there are none or more than 256, or they weigh nothing
+     */
+    public static Compound of(Part... parts) {
+        return of(List.of(parts));
+    }
+
+    /**
+     * A compound of these parts.
+     *
+     * @throws IllegalArgumentException when there are none or more than 256, or they weigh nothing
+     */
+    public static Compound of(List<Part> parts) {
+        if (parts.isEmpty() || parts.size() > MAX_PARTS) {
+            throw new IllegalArgumentException(
+                    "Compound.of takes 1 to " + MAX_PARTS + " parts, was " + parts.size());
+        }
+        return new Compound(List.copyOf(parts), massOf(parts), false);
+    }
+
+    /**
+     * Whatever a line goes round that crosses itself nowhere, cut into convex pieces.
+     *
+     * <pre>{@code
+     * Compound star = Compound.ofOutline(0, 1, -0.3, 0.3, -1, 0.2, 0, -1, 1, 0.2, 0.3, 0.3);
+     * }</pre>
+     *
+     * @param xy corner coordinates x₀, y₀, x₁, y₁, … in m, counter-clockwise, 3 to 256 corners
+     * @throws IllegalArgumentException naming the corner that is repeated or not finite, or the
+     *     edges that cross
+     */
+    public static Compound ofOutline(double... xy) {
+        return of(
+                Decomposition.of(xy).stream()
+                        .map(piece -> Part.of(piece).at(piece.centroidX(), piece.centroidY()))
+                        .toList());
+    }
+
+    /**
+     * The same with a centre of mass of its own: a tumbler that rights itself has it below its
+     * middle. The inertia about it is that of the parts, by Steiner's theorem.
+     *
+     * @param x in the frame the parts were stated in, m, finite
+     * @param y in the frame the parts were stated in, m, finite
+     * @throws IllegalArgumentException when a coordinate is not finite
+     */
+    public Compound centredAt(double x, double y) {
+        if (!(Math.abs(x) + Math.abs(y) < Double.POSITIVE_INFINITY)) {
+            throw new IllegalArgumentException(
+                    "Compound.centredAt must be finite (m), was (" + x + ", " + y + ")");
+        }
+        MassProperties natural = massOf(parts);
+        double dx = x - natural.centroidX();
+        double dy = y - natural.centroidY();
+        double inertia = natural.inertia() + natural.mass() * (dx * dx + dy * dy);
+        return new Compound(parts, new MassProperties(natural.mass(), inertia, x, y), true);
+    }
+
+    /** By Steiner's theorem, seen from the first part, which may be far from the frame's origin. */
+    private static MassProperties massOf(List<Part> parts) {
+        double fromX = parts.get(0).x();
+        double fromY = parts.get(0).y();
+        double mass = 0;
+        double momentX = 0;
+        double momentY = 0;
+        double polar = 0;
+        for (Part part : parts) {
+            if (part.relativeDensity() > 0) {
+                MassProperties plate = part.shape().massProperties(part.relativeDensity());
+                double x = part.x() - fromX;
+                double y = part.y() - fromY;
+                mass += plate.mass();
+                momentX += plate.mass() * x;
+                momentY += plate.mass() * y;
+                polar += plate.inertia() + plate.mass() * (x * x + y * y);
+            }
+        }
+        double x = momentX / mass;
+        double y = momentY / mass;
+        double inertia = polar - mass * (x * x + y * y);
+        if (!(mass > 0 && inertia > 0 && inertia < Double.POSITIVE_INFINITY)) {
+            throw new IllegalArgumentException(
+                    "Compound.of must have a positive, finite mass and inertia for a density of"
+                            + " 1 kg/m², had "
+                            + mass
+                            + " kg and "
+                            + inertia
+                            + " kg·m²");
+        }
+        return new MassProperties(mass, inertia, fromX + x, fromY + y);
+    }
+
+    /** A part as it was stated. */
+    public Part part(int i) {
+        return parts.get(i);
+    }
+
+    /** The centre of mass in the frame the parts were stated in, m. */
+    public double centroidX() {
+        return plate.centroidX();
+    }
+
+    /** The centre of mass in the frame the parts were stated in, m. */
+    public double centroidY() {
+        return plate.centroidY();
+    }
+
+    /** Whether the centre of mass was stated. */
+    public boolean statesCentre() {
+        return statesCentre;
+    }
+
+    @Override
+    public int parts() {
+        return outlines.length;
+    }
+
+    @Override
+    public Outline outline(int part) {
+        return outlines[part];
+    }
+
+    @Override
+    public ShapeKind kind() {
+        return ShapeKind.COMPOUND;
+    }
+
+    /** Area in m² of all parts; what two of them cover counts twice. */
+    @Override
+    public double area() {
+        return area;
+    }
+
+    @Override
+    public MassProperties massProperties(double density) {
+        Polygon.requireDensity(density);
+        return new MassProperties(density * plate.mass(), density * plate.inertia(), 0, 0);
+    }
+
+    @Override
+    public double boundingRadius() {
+        return boundingRadius;
+    }
+
+    /** The smallest width in m of any part. */
+    @Override
+    public double smallestWidth() {
+        return smallestWidth;
+    }
+
+    @Override
+    public void bounds(double x, double y, double cos, double sin, Aabb out) {
+        Aabb one = new Aabb();
+        outlines[0].bounds(x, y, cos, sin, out);
+        for (int i = 1; i < outlines.length; i++) {
+            outlines[i].bounds(x, y, cos, sin, one);
+            out.enclose(one);
+        }
+    }
+
+    @Override
+    public boolean equals(Object other) {
+        return other instanceof Compound compound
+                && parts.equals(compound.parts)
+                && plate.equals(compound.plate);
+    }
+
+    @Override
+    public int hashCode() {
+        return parts.hashCode();
+    }
+
+    @Override
+    public String toString() {
+        return "Compound" + parts;
+    }
+}
