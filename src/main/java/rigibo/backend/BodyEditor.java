@@ -1,6 +1,5 @@
 package rigibo.backend;
 
-import rigibo.backend.broadphase.Broadphase;
 import rigibo.backend.effect.Contacts;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Thrust;
@@ -32,6 +31,9 @@ final class BodyEditor {
     private final SupportLoss supportLoss;
     private final BodyShapes shapes;
 
+    /** Changes how bodies move. */
+    final MotionEditor motion;
+
     BodyEditor(Pool pool, DataStorage data, StepPlan plan) {
         this.pool = pool;
         this.data = data;
@@ -40,6 +42,7 @@ final class BodyEditor {
         waking = new Waking(data);
         supportLoss = new SupportLoss(data, waking);
         shapes = new BodyShapes(data);
+        motion = new MotionEditor(data, waking);
     }
 
     int add(BodyDefinition definition) {
@@ -66,33 +69,70 @@ final class BodyEditor {
         return slot;
     }
 
-    /** Lays the first fixture of a body that is new to contacts. */
+    /** Lays the first fixtures of a body that is new to contacts. */
     private void join(int slot) {
         if (plan.broadphase() != null) {
-            bodies.firstPair[slot] = Pairs.NONE;
+            for (int s = slot; s != Pairs.NONE; s = bodies.nextShapeOf(s)) {
+                bodies.firstPair[s] = Pairs.NONE;
+            }
+        }
+        if (isInBroadphase(slot)) {
             plan.broadphase().add(slot);
         }
     }
 
+    /** Whether a body has a fixture: there are contacts, and it takes part. */
+    private boolean isInBroadphase(int slot) {
+        return plan.broadphase() != null && !bodies.isDisabled(slot);
+    }
+
     /** Lays the fixture of a body that was placed or shaped anew, and forgets its contacts. */
     private void refit(int slot) {
-        Broadphase broadphase = plan.broadphase();
-        if (broadphase != null) {
+        if (isInBroadphase(slot)) {
             pool.contacts().ended.cutAllOf(slot);
-            broadphase.forgetContacts(slot);
-            broadphase.refit(slot);
+            plan.broadphase().forgetContacts(slot);
+            plan.broadphase().refit(slot);
         }
     }
 
     void remove(int slot) {
-        supportLoss.wakeNeighbours(slot);
-        if (plan.broadphase() != null) {
-            pool.contacts().ended.cutAllOf(slot);
-            plan.broadphase().remove(slot);
-        }
+        leave(slot);
         shapes.release(slot);
         bodies.release(slot);
         data.roster.isStale = true;
+    }
+
+    /** Takes the fixture of a body that goes, and wakes what rested on it. */
+    private void leave(int slot) {
+        supportLoss.wakeNeighbours(slot);
+        if (isInBroadphase(slot)) {
+            pool.contacts().ended.cutAllOf(slot);
+            plan.broadphase().remove(slot);
+        }
+    }
+
+    void disable(int slot) {
+        bodies.hold(Need.ABSENCES);
+        if (!bodies.disabled[slot]) {
+            leave(slot);
+            bodies.disabled[slot] = true;
+            bodies.awake[slot] = false;
+            if (bodies.firstPair != null) {
+                bodies.firstPair[slot] = Pairs.NONE;
+            }
+            data.roster.isStale = true;
+        }
+    }
+
+    void enable(int slot) {
+        if (bodies.isDisabled(slot)) {
+            bodies.disabled[slot] = false;
+            bodies.awake[slot] = bodies.type[slot] != BodyType.DYNAMIC;
+            join(slot);
+            data.roster.isStale = true;
+            motion.steerOn(slot);
+            waking.wake(slot);
+        }
     }
 
     void moveTo(int slot, double x, double y, double angle) {
@@ -101,87 +141,15 @@ final class BodyEditor {
         double most = BodyDefinition.MOST_ANGLE;
         Require.within("RigidBody.moveTo angle", angle, -most, most, "rad");
         waking.wakeNeighbours(slot);
+        motion.endDrive(slot);
         writePose(slot, x, y, angle);
         refit(slot);
         waking.wake(slot);
     }
 
-    void velocity(int slot, double vx, double vy) {
-        double most = BodyDefinition.MOST_SPEED;
-        Require.within("RigidBody.velocity x", vx, -most, most, "m/s");
-        Require.within("RigidBody.velocity y", vy, -most, most, "m/s");
-        requireMovable(slot, "velocity", vx != 0 || vy != 0);
-        bodies.velocityX[slot] = vx;
-        bodies.velocityY[slot] = vy;
-        data.roster.isStale = true;
-        waking.wake(slot);
-    }
-
-    void spin(int slot, double radiansPerSecond) {
-        double most = BodyDefinition.MOST_SPIN;
-        Require.within("RigidBody.spin", radiansPerSecond, -most, most, "rad/s");
-        requireMovable(slot, "spin", radiansPerSecond != 0);
-        if (bodies.turns() && !bodies.isRotationLocked(slot)) {
-            bodies.spin[slot] = radiansPerSecond;
-        }
-        data.roster.isStale = true;
-        waking.wake(slot);
-    }
-
-    void applyForce(int slot, double fx, double fy, double px, double py) {
-        requireThrust("applyForce");
-        Require.finite("RigidBody.applyForce fx", fx, "N");
-        Require.finite("RigidBody.applyForce fy", fy, "N");
-        Require.finite("RigidBody.applyForce px", px, "m");
-        Require.finite("RigidBody.applyForce py", py, "m");
-        double moment = (px - bodies.x[slot]) * fy - (py - bodies.y[slot]) * fx;
-        Require.finite("RigidBody.applyForce resulting force x", bodies.forceX[slot] + fx, "N");
-        Require.finite("RigidBody.applyForce resulting force y", bodies.forceY[slot] + fy, "N");
-        Require.finite("RigidBody.applyForce resulting torque", torqueOf(slot, moment), "N·m");
-        thrust(slot);
-        bodies.forceX[slot] += fx;
-        bodies.forceY[slot] += fy;
-        if (bodies.turns()) {
-            bodies.torque[slot] += moment;
-        }
-        waking.wake(slot);
-    }
-
-    void applyTorque(int slot, double torque) {
-        requireThrust("applyTorque");
-        Require.finite("RigidBody.applyTorque", torque, "N·m");
-        Require.finite("RigidBody.applyTorque resulting torque", torqueOf(slot, torque), "N·m");
-        if (bodies.turns()) {
-            thrust(slot);
-            bodies.torque[slot] += torque;
-        }
-        waking.wake(slot);
-    }
-
-    void applyImpulse(int slot, double jx, double jy, double px, double py) {
-        Require.finite("RigidBody.applyImpulse jx", jx, "N·s");
-        Require.finite("RigidBody.applyImpulse jy", jy, "N·s");
-        Require.finite("RigidBody.applyImpulse px", px, "m");
-        Require.finite("RigidBody.applyImpulse py", py, "m");
-        double moment = (px - bodies.x[slot]) * jy - (py - bodies.y[slot]) * jx;
-        double vx = bodies.velocityX[slot] + bodies.inverseMass[slot] * jx;
-        double vy = bodies.velocityY[slot] + bodies.inverseMass[slot] * jy;
-        double w = bodies.spinOf(slot) + bodies.inverseInertiaOf(slot) * moment;
-        double most = BodyDefinition.MOST_SPEED;
-        Require.within("RigidBody.applyImpulse resulting velocity x", vx, -most, most, "m/s");
-        Require.within("RigidBody.applyImpulse resulting velocity y", vy, -most, most, "m/s");
-        double fastest = BodyDefinition.MOST_SPIN;
-        Require.within("RigidBody.applyImpulse resulting spin", w, -fastest, fastest, "rad/s");
-        bodies.velocityX[slot] = vx;
-        bodies.velocityY[slot] = vy;
-        if (bodies.turns()) {
-            bodies.spin[slot] = w;
-        }
-        waking.wake(slot);
-    }
-
     void type(int slot, BodyType type) {
         waking.wakeNeighbours(slot);
+        motion.endDrive(slot);
         for (int s = slot; s != Pairs.NONE; s = bodies.nextShapeOf(s)) {
             bodies.type[s] = type;
         }
@@ -244,7 +212,7 @@ final class BodyEditor {
 
     /** Forgets whom a body met, and looks for whom it meets. */
     private void pairAnew(int slot) {
-        if (plan.broadphase() != null) {
+        if (isInBroadphase(slot)) {
             pool.contacts().ended.cutAllOf(slot);
             plan.broadphase().forgetPairs(slot);
             plan.broadphase().refit(slot);
@@ -286,17 +254,13 @@ final class BodyEditor {
 
     /** Another number of shapes takes other slots, and other fixtures. */
     private void exchange(int slot, Shape shape, MassProperties plate) {
-        if (plan.broadphase() != null) {
+        if (isInBroadphase(slot)) {
             pool.contacts().ended.cutAllOf(slot);
             plan.broadphase().remove(slot);
         }
         shapes.exchange(slot, shape);
         weigh(slot, plate);
         join(slot);
-    }
-
-    void wake(int slot) {
-        waking.wake(slot);
     }
 
     /**
@@ -342,7 +306,7 @@ final class BodyEditor {
     private void forgetAllPairs() {
         pool.contacts().ended.cutAll();
         for (int slot = 0; slot < bodies.slots.high; slot++) {
-            if (bodies.isBody(slot)) {
+            if (bodies.isBody(slot) && !bodies.isDisabled(slot)) {
                 plan.broadphase().forgetPairs(slot);
             }
         }
@@ -356,6 +320,11 @@ final class BodyEditor {
                 shapes.write(slot, bodies.shape[slot]);
                 shapes.writeSurfaces(slot);
                 weigh(slot);
+                motion.steerOn(slot);
+                bodies.keepStart(slot);
+                if (bodies.turns()) {
+                    bodies.keepStartAngle(slot);
+                }
                 if (bodies.isThrust(slot)) {
                     data.thrusting.add(slot);
                 }
@@ -372,6 +341,10 @@ final class BodyEditor {
         bodies.y[slot] = y;
         bodies.angle[slot] = angle;
         bodies.aim(slot);
+        bodies.keepStart(slot);
+        if (bodies.turns()) {
+            bodies.keepStartAngle(slot);
+        }
         bodies.restartStillness(slot);
     }
 
@@ -387,32 +360,6 @@ final class BodyEditor {
             bodies.inertia[slot] = plate.inertia();
             boolean turns = moves && !bodies.isRotationLocked(slot);
             bodies.inverseInertia[slot] = turns ? 1 / plate.inertia() : 0;
-        }
-    }
-
-    /** What a torque in N·m makes together with those asked for before; 0 where nothing turns. */
-    private double torqueOf(int slot, double more) {
-        return bodies.turns() ? bodies.torque[slot] + more : 0;
-    }
-
-    /** Lists a body that a force is asked for the first time since the last step. */
-    private void thrust(int slot) {
-        if (!bodies.isThrust(slot)) {
-            data.thrusting.add(slot);
-        }
-    }
-
-    private void requireThrust(String verb) {
-        if (bodies.forceX == null) {
-            throw new IllegalStateException(
-                    "RigidBody." + verb + " needs the effect Thrust, which is not declared");
-        }
-    }
-
-    private void requireMovable(int slot, String field, boolean moves) {
-        if (moves && bodies.type[slot] == BodyType.STATIC) {
-            throw new IllegalArgumentException(
-                    "RigidBody." + field + " must be 0 for a static body");
         }
     }
 }

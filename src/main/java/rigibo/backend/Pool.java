@@ -2,10 +2,13 @@ package rigibo.backend;
 
 import rigibo.backend.effect.Effects;
 import rigibo.backend.geometry.Aabb;
+import rigibo.backend.geometry.Placement;
+import rigibo.backend.geometry.Shape;
 import rigibo.backend.saved.SavedContact;
 import rigibo.backend.saved.Snapshot;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.BodyDefinition;
+import rigibo.backend.setup.Filter;
 import rigibo.backend.setup.Require;
 import rigibo.backend.step.StepPlan;
 import rigibo.backend.storage.Bodies;
@@ -44,6 +47,8 @@ public final class Pool {
 
     /** Made when it is first asked: who never asks loads none of its classes. */
     private PoolQueries queries;
+
+    private PoolCasts casts;
 
     /** Made when somebody asks, or edits a body that might touch others. */
     private PoolContacts contacts;
@@ -295,7 +300,77 @@ public final class Pool {
      * @throws IllegalArgumentException when one is not finite
      */
     public Optional<RayHit> rayCast(double fromX, double fromY, double toX, double toY) {
-        return queries().rayCast(fromX, fromY, toX, toY);
+        return queries().rayCast(fromX, fromY, toX, toY, null);
+    }
+
+    /**
+     * The first body that a ray meets of those that a filter meets; otherwise as {@link
+     * #rayCast(double, double, double, double)}.
+     */
+    public Optional<RayHit> rayCast(
+            double fromX, double fromY, double toX, double toY, Filter filter) {
+        Require.present("Pool.rayCast filter", filter);
+        return queries().rayCast(fromX, fromY, toX, toY, filter);
+    }
+
+    /**
+     * All bodies that a ray enters and a filter meets, each once, in their order on its way: those
+     * entered in one point as they were added. It costs by the fixtures along its way.
+     *
+     * @param fromX start, m
+     * @param fromY start, m
+     * @param toX end, m
+     * @param toY end, m
+     * @throws IllegalArgumentException when one is not finite
+     */
+    public List<RayHit> rayCastAll(
+            double fromX, double fromY, double toX, double toY, Filter filter) {
+        return casts().rayCastAll(fromX, fromY, toX, toY, filter);
+    }
+
+    /**
+     * The first body that a shape meets on a straight way, without turning: the one added first of
+     * several met at once. The hit tells the point and the outward normal of the body met. A shape
+     * that starts in one and goes deeper meets it at once; one that leaves it does not.
+     *
+     * @param shape may be a compound
+     * @param from where it starts
+     * @param dx way to the right, m
+     * @param dy way up, m
+     * @param filter whom it may meet
+     * @throws IllegalArgumentException when the way is not finite
+     */
+    public Optional<RayHit> cast(Shape shape, Placement from, double dx, double dy, Filter filter) {
+        return casts().cast(shape, from, dx, dy, filter);
+    }
+
+    /** Hands every body that a shape reaches into or touches to a visitor, in order of slots. */
+    public void overlapping(Shape shape, Placement at, Filter filter, Consumer<RigidBody> visitor) {
+        Require.present("Pool.overlapping visitor", visitor);
+        casts().overlapping(shape, at, filter).forEach(visitor);
+    }
+
+    /**
+     * The nearest point of any body that a filter meets: that of the body added first of several.
+     *
+     * @param x world x, m
+     * @param y world y, m, up
+     * @param within how far away it may be, m, 0 or more
+     * @throws IllegalArgumentException when a number is not finite
+     */
+    public Optional<NearestPoint> nearest(double x, double y, double within, Filter filter) {
+        return casts().nearest(x, y, within, filter);
+    }
+
+    /**
+     * Strikes all dynamic bodies that a blast reaches, and wakes them.
+     *
+     * @throws IllegalArgumentException when a body would become faster than light
+     */
+    public void explode(Explosion explosion) {
+        Require.present("Pool.explode explosion", explosion);
+        busy.requireChangeable("explode");
+        new Blast(data.bodies, queries(), editor).of(explosion);
     }
 
     /**
@@ -356,6 +431,13 @@ public final class Pool {
             queries = new PoolQueries(this, data, plan);
         }
         return queries;
+    }
+
+    private PoolCasts casts() {
+        if (casts == null) {
+            casts = new PoolCasts(this, plan, queries());
+        }
+        return casts;
     }
 
     PoolContacts contacts() {

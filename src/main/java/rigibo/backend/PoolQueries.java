@@ -8,6 +8,7 @@ import rigibo.backend.collision.Pose;
 import rigibo.backend.geometry.Aabb;
 import rigibo.backend.geometry.Outline;
 import rigibo.backend.geometry.Polygon;
+import rigibo.backend.setup.Filter;
 import rigibo.backend.setup.Require;
 import rigibo.backend.step.StepPlan;
 import rigibo.backend.storage.Bodies;
@@ -44,7 +45,7 @@ final class PoolQueries {
         this.pool = pool;
         this.data = data;
         this.plan = plan;
-        ray = new RayCast(pool);
+        ray = new RayCast(pool, this);
         bodies = data.bodies;
     }
 
@@ -79,6 +80,25 @@ final class PoolQueries {
         return Optional.ofNullable(last);
     }
 
+    /** Whether a shape is one that a filter meets. */
+    boolean meets(int slot, Filter filter) {
+        Filter own = Filter.ALL.group(bodies.group[slot]);
+        return filter.meets(
+                bodies.category == null
+                        ? own
+                        : own.category(bodies.category[slot]).mask(bodies.mask[slot]));
+    }
+
+    /** Whether a body holds a point with any of its parts. */
+    boolean holds(int body, double x, double y) {
+        pose.set(bodies.x[body], bodies.y[body], bodies.cos[body], bodies.sin[body]);
+        boolean holds = false;
+        for (int slot = body; slot != Pairs.NONE && !holds; slot = bodies.nextShapeOf(slot)) {
+            holds = pointAndRay.holds(bodies.outline[slot], pose, x, y);
+        }
+        return holds;
+    }
+
     /** Puts the pose where the body of a shape is, and answers which body that is. */
     private int place(int slot) {
         int body = bodies.bodyOf(slot);
@@ -91,21 +111,18 @@ final class PoolQueries {
         return one == null || one.place < other.place ? other : one;
     }
 
-    Optional<RayHit> rayCast(double fromX, double fromY, double toX, double toY) {
-        Require.finite("Pool.rayCast fromX", fromX, "m");
-        Require.finite("Pool.rayCast fromY", fromY, "m");
-        Require.finite("Pool.rayCast toX", toX, "m");
-        Require.finite("Pool.rayCast toY", toY, "m");
+    Optional<RayHit> rayCast(double fromX, double fromY, double toX, double toY, Filter filter) {
+        PoolCasts.requireWay("rayCast", fromX, fromY, toX, toY);
         Broadphase broadphase = plan.broadphase();
         if (broadphase != null) {
-            return ray.first(broadphase, fromX, fromY, toX, toY);
+            return ray.first(broadphase, fromX, fromY, toX, toY, filter);
         }
         box.set(
                 Math.min(fromX, toX),
                 Math.min(fromY, toY),
                 Math.max(fromX, toX),
                 Math.max(fromY, toY));
-        return ray.first(near(box), fromX, fromY, toX, toY);
+        return ray.first(near(box), fromX, fromY, toX, toY, filter);
     }
 
     /** The last ray, which counts its work. */
@@ -137,14 +154,14 @@ final class PoolQueries {
     /**
      * The slots of all shapes that may reach into a box; without contacts nobody keeps fixtures.
      */
-    private Found near(Aabb area) {
+    Found near(Aabb area) {
         Broadphase broadphase = plan.broadphase();
         if (broadphase != null) {
             return broadphase.query(area);
         }
         near.clear();
         for (int slot = 0; slot < bodies.slots.high; slot++) {
-            if (bodies.type[slot] != null) {
+            if (bodies.type[slot] != null && !bodies.isDisabled(bodies.bodyOf(slot))) {
                 bounds(slot, bounds);
                 if (bounds.overlaps(area)) {
                     near.add(slot);
@@ -173,7 +190,7 @@ final class PoolQueries {
     }
 
     private void fixture(int slot, Aabb into) {
-        if (bodies.firstPair == null) {
+        if (bodies.firstPair == null || bodies.isDisabled(bodies.bodyOf(slot))) {
             bounds(slot, into);
         } else {
             into.set(

@@ -4,6 +4,7 @@ import rigibo.backend.broadphase.Broadphase;
 import rigibo.backend.broadphase.RayWalk;
 import rigibo.backend.collision.PointAndRay;
 import rigibo.backend.collision.Pose;
+import rigibo.backend.setup.Filter;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.Found;
 import rigibo.backend.storage.Pairs;
@@ -16,9 +17,14 @@ final class RayCast {
     private static final int NOBODY = -1;
 
     private final Pool pool;
+    private final PoolQueries queries;
     private final Bodies bodies;
     private final Pose pose = new Pose();
     private final PointAndRay pointAndRay = new PointAndRay();
+
+    /** Whom the ray may meet; null for everybody. */
+    private Filter filter;
+
     private double fromX;
     private double fromY;
     private double toX;
@@ -34,14 +40,21 @@ final class RayCast {
     private int nodes;
     private int shapes;
 
-    RayCast(Pool pool) {
+    RayCast(Pool pool, PoolQueries queries) {
         this.pool = pool;
+        this.queries = queries;
         bodies = pool.columns();
     }
 
     /** Along the broadphase's tree. */
     Optional<RayHit> first(
-            Broadphase broadphase, double fromX, double fromY, double toX, double toY) {
+            Broadphase broadphase,
+            double fromX,
+            double fromY,
+            double toX,
+            double toY,
+            Filter whom) {
+        filter = whom;
         begin(fromX, fromY, toX, toY);
         RayWalk walk = broadphase.walk(fromX, fromY, toX, toY);
         for (int slot = walk.next(1); slot != RayWalk.END; slot = walk.next(fraction)) {
@@ -52,7 +65,9 @@ final class RayCast {
     }
 
     /** Among these bodies. */
-    Optional<RayHit> first(Found slots, double fromX, double fromY, double toX, double toY) {
+    Optional<RayHit> first(
+            Found slots, double fromX, double fromY, double toX, double toY, Filter whom) {
+        filter = whom;
         begin(fromX, fromY, toX, toY);
         for (int i = 0; i < slots.count; i++) {
             ask(slots.numbers[i]);
@@ -87,7 +102,7 @@ final class RayCast {
         pose.set(bodies.x[body], bodies.y[body], bodies.cos[body], bodies.sin[body]);
         double at = pointAndRay.enters(bodies.outline[slot], pose, fromX, fromY, toX, toY);
         boolean isSooner = at < fraction || at == fraction && isFirstAdded(slot);
-        if (isSooner && !startsWithin(body)) {
+        if (isSooner && !startsWithin(body) && (filter == null || queries.meets(slot, filter))) {
             met = slot;
             fraction = at;
             normalX = pointAndRay.normalX;
@@ -97,13 +112,7 @@ final class RayCast {
 
     /** Of a body in one piece the ray itself has told: it does not enter what it starts in. */
     private boolean startsWithin(int body) {
-        boolean isWithin = false;
-        if (bodies.nextShapeOf(body) != Pairs.NONE) {
-            for (int s = body; s != Pairs.NONE && !isWithin; s = bodies.nextShapeOf(s)) {
-                isWithin = pointAndRay.holds(bodies.outline[s], pose, fromX, fromY);
-            }
-        }
-        return isWithin;
+        return bodies.nextShapeOf(body) != Pairs.NONE && queries.holds(body, fromX, fromY);
     }
 
     /** Slots are used again, so that they do not tell. */

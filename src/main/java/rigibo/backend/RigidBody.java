@@ -20,6 +20,7 @@ public final class RigidBody {
     private final Pool pool;
     private final String name;
     private int slot;
+    private Object tag;
 
     /** Place in the pool's list of bodies, which tells who was added before whom. */
     int place;
@@ -155,6 +156,84 @@ public final class RigidBody {
         pool.sizeFixture(slot, into);
     }
 
+    /** World x in m of a point of the body's own frame, whose origin is the centre of mass, m. */
+    public double worldX(double localX, double localY) {
+        Bodies bodies = columns();
+        return bodies.x[slot] + (bodies.cos[slot] * localX - bodies.sin[slot] * localY);
+    }
+
+    /** World y in m of a point of the body's own frame, m. */
+    public double worldY(double localX, double localY) {
+        Bodies bodies = columns();
+        return bodies.y[slot] + (bodies.sin[slot] * localX + bodies.cos[slot] * localY);
+    }
+
+    /** Where a world point in m is in the body's own frame, m along its first axis. */
+    public double localX(double worldX, double worldY) {
+        Bodies bodies = columns();
+        double dx = worldX - bodies.x[slot];
+        double dy = worldY - bodies.y[slot];
+        return bodies.cos[slot] * dx + bodies.sin[slot] * dy;
+    }
+
+    /** Where a world point in m is in the body's own frame, m along its second axis. */
+    public double localY(double worldX, double worldY) {
+        Bodies bodies = columns();
+        double dx = worldX - bodies.x[slot];
+        double dy = worldY - bodies.y[slot];
+        return bodies.cos[slot] * dy - bodies.sin[slot] * dx;
+    }
+
+    /** Velocity to the right in m/s of the body's point that is at a world point in m. */
+    public double velocityXAt(double worldX, double worldY) {
+        return velocityX() - angularVelocity() * (worldY - y());
+    }
+
+    /** Velocity upwards in m/s of the body's point that is at a world point in m. */
+    public double velocityYAt(double worldX, double worldY) {
+        return velocityY() + angularVelocity() * (worldX - x());
+    }
+
+    /**
+     * World x in m of the centre of mass at a share of the last step, for pictures between two
+     * steps: 0 where it began, 1 where it ended.
+     */
+    public double xAt(double share) {
+        Bodies bodies = columns();
+        double now = bodies.x[slot];
+        return bodies.isMoved(slot) ? now - (1 - share) * (now - bodies.startX[slot]) : now;
+    }
+
+    /** World y in m of the centre of mass at a share of the last step. */
+    public double yAt(double share) {
+        Bodies bodies = columns();
+        double now = bodies.y[slot];
+        return bodies.isMoved(slot) ? now - (1 - share) * (now - bodies.startY[slot]) : now;
+    }
+
+    /** Angle in rad at a share of the last step. */
+    public double angleAt(double share) {
+        Bodies bodies = columns();
+        double now = bodies.angle[slot];
+        boolean hasTurned = bodies.turns() && bodies.isMoved(slot);
+        return hasTurned ? now - (1 - share) * (now - bodies.startAngle[slot]) : now;
+    }
+
+    /** What {@link #tag(Object)} was given last, or null; no snapshot keeps it. */
+    public Object tag() {
+        return tag;
+    }
+
+    /** Keeps anything of the caller's with the body: a sprite, a player, a score. */
+    public void tag(Object anything) {
+        tag = anything;
+    }
+
+    /** Whether the body takes part; see {@link #disable}. */
+    public boolean isEnabled() {
+        return !columns().isDisabled(slot);
+    }
+
     /** Whether the body is in its pool. */
     public boolean isAlive() {
         return slot != REMOVED;
@@ -180,7 +259,7 @@ public final class RigidBody {
      * @throws IllegalArgumentException when one is not finite or the body is static
      */
     public void velocity(double vx, double vy) {
-        pool.editor(this).velocity(slot, vx, vy);
+        pool.editor(this).motion.velocity(slot, vx, vy);
     }
 
     /**
@@ -192,7 +271,7 @@ public final class RigidBody {
      * @throws IllegalArgumentException when it is not finite or the body is static
      */
     public void spin(double radiansPerSecond) {
-        pool.editor(this).spin(slot, radiansPerSecond);
+        pool.editor(this).motion.spin(slot, radiansPerSecond);
     }
 
     /**
@@ -206,7 +285,7 @@ public final class RigidBody {
      * @throws IllegalArgumentException when a number is not finite
      */
     public void applyForce(double fx, double fy, double px, double py) {
-        pool.editor(this).applyForce(slot, fx, fy, px, py);
+        pool.editor(this).motion.applyForce(slot, fx, fy, px, py);
     }
 
     /**
@@ -217,7 +296,7 @@ public final class RigidBody {
      * @throws IllegalArgumentException when it is not finite
      */
     public void applyTorque(double torque) {
-        pool.editor(this).applyTorque(slot, torque);
+        pool.editor(this).motion.applyTorque(slot, torque);
     }
 
     /**
@@ -230,7 +309,7 @@ public final class RigidBody {
      * @throws IllegalArgumentException when a number is not finite
      */
     public void applyImpulse(double jx, double jy, double px, double py) {
-        pool.editor(this).applyImpulse(slot, jx, jy, px, py);
+        pool.editor(this).motion.applyImpulse(slot, jx, jy, px, py);
     }
 
     /** Changes how the body answers forces; one that becomes static loses its velocity. */
@@ -281,9 +360,53 @@ public final class RigidBody {
         pool.editor(this).shape(slot, Require.present("RigidBody.shape", shape));
     }
 
+    /**
+     * Drives a kinematic body to a pose, in so many seconds of simulated time, where it then stops.
+     * On the way it turns evenly, and its centre of mass goes along the arc that belongs to the
+     * turn, so that a door turns about its hinge; straight where it does not turn, or by more than
+     * half a turn. What stands on it is taken along. Any other velocity, pose or type ends it.
+     *
+     * <pre>{@code
+     * RigidBody lift = pool.add(BodyDefinition.kinematic(Polygon.box(2, 0.2)));
+     * lift.driveTo(0, 3, 0, 1.5); // 3 m up, in 1.5 s
+     * }</pre>
+     *
+     * @param x world x of the centre of mass, m
+     * @param y world y of the centre of mass, m, up
+     * @param angle rad, counter-clockwise, within a million turns; passed over where rotation is
+     *     not declared
+     * @param seconds from now on, positive
+     * @throws IllegalArgumentException when a number is out of its range, the body is not
+     *     kinematic, or it would be faster than light
+     */
+    public void driveTo(double x, double y, double angle, double seconds) {
+        pool.editor(this).motion.driveTo(slot, x, y, angle, seconds);
+    }
+
+    /**
+     * Puts a dynamic body to sleep where it is, without velocity: it hangs there until something
+     * touches it or it is woken. Others are not concerned.
+     */
+    public void sleep() {
+        pool.editor(this).motion.sleep(slot);
+    }
+
+    /**
+     * Takes the body out of the simulation until {@link #enable}: nothing moves it, nobody meets or
+     * finds it, and it keeps what it has, its velocity too. Wakes what it touched.
+     */
+    public void disable() {
+        pool.editor(this).disable(slot);
+    }
+
+    /** Lets a disabled body take part again, awake. */
+    public void enable() {
+        pool.editor(this).enable(slot);
+    }
+
     /** Wakes the body and the island it rests in. */
     public void wake() {
-        pool.editor(this).wake(slot);
+        pool.editor(this).motion.wake(slot);
     }
 
     @Override

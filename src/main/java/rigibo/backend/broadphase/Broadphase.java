@@ -78,7 +78,7 @@ public final class Broadphase {
      */
     public void rebuild() {
         for (int slot = 0; slot < bodies.slots.high; slot++) {
-            if (bodies.type[slot] != null) {
+            if (bodies.type[slot] != null && !bodies.isDisabled(bodies.bodyOf(slot))) {
                 hang(slot);
                 if (bodies.refitted[slot]) {
                     moved.add(slot);
@@ -134,7 +134,7 @@ public final class Broadphase {
         for (int i = 0; i < moved.count; i++) {
             int slot = moved.numbers[i];
             bodies.refitted[slot] = false;
-            if (bodies.type[slot] != null) {
+            if (bodies.type[slot] != null && !bodies.isDisabled(bodies.bodyOf(slot))) {
                 dropPairsApart(slot);
                 findPairs(slot);
             }
@@ -235,6 +235,12 @@ public final class Broadphase {
      */
     public RayWalk walk(double fromX, double fromY, double toX, double toY) {
         walk.begin(fromX, fromY, toX, toY);
+        return walk;
+    }
+
+    /** The same past the fixtures that a box in m crosses, seen from the point of the ray. */
+    public RayWalk walk(Aabb box, double fromX, double fromY, double toX, double toY) {
+        walk.begin(box, fromX, fromY, toX, toY);
         return walk;
     }
 

@@ -1,11 +1,13 @@
 package rigibo.backend.broadphase;
 
+import rigibo.backend.geometry.Aabb;
+
 import java.util.Arrays;
 
 /**
- * Goes along a ray from leaf to leaf of a tree: of two branches the one that is entered earlier
- * comes first, and one that is entered too late is passed over. So the cost goes with the way up to
- * the first body met, and not with the box that the ray spans.
+ * Goes along a ray, or along the way of a box, from leaf to leaf of a tree: of two branches the one
+ * that is entered earlier comes first, and one that is entered too late is passed over. So the cost
+ * goes with the way up to the first body met, and not with the box that the ray spans.
  */
 public final class RayWalk {
 
@@ -38,6 +40,15 @@ public final class RayWalk {
     private double maxY;
 
     /**
+     * The box that goes along the ray, seen from the ray's own point, m; nothing for a plain ray.
+     */
+    private double left;
+
+    private double bottom;
+    private double right;
+    private double top;
+
+    /**
      * Nodes yet to be looked at, the next one last, and the fractions at which they are entered.
      */
     private int[] stack = new int[64];
@@ -52,6 +63,24 @@ public final class RayWalk {
 
     /** Sets out from one point in m to another. */
     void begin(double fromX, double fromY, double toX, double toY) {
+        carry(0, 0, 0, 0);
+        setOut(fromX, fromY, toX, toY);
+    }
+
+    /** The same with a box, m, that is seen from the point which goes from here to there. */
+    void begin(Aabb box, double fromX, double fromY, double toX, double toY) {
+        carry(box.minX, box.minY, box.maxX, box.maxY);
+        setOut(fromX, fromY, toX, toY);
+    }
+
+    private void carry(double left, double bottom, double right, double top) {
+        this.left = left;
+        this.bottom = bottom;
+        this.right = right;
+        this.top = top;
+    }
+
+    private void setOut(double fromX, double fromY, double toX, double toY) {
         this.fromX = fromX;
         this.fromY = fromY;
         dx = toX - fromX;
@@ -115,14 +144,18 @@ public final class RayWalk {
         nodes++;
         double[] box = tree.boxes();
         int at = 4 * node;
-        if (box[at] > maxX || box[at + 2] < minX || box[at + 1] > maxY || box[at + 3] < minY) {
+        double boxMinX = box[at] - right;
+        double boxMinY = box[at + 1] - top;
+        double boxMaxX = box[at + 2] - left;
+        double boxMaxY = box[at + 3] - bottom;
+        if (boxMinX > maxX || boxMaxX < minX || boxMinY > maxY || boxMaxY < minY) {
             return MISS;
         }
-        if (isBeside(box, at)) {
+        if (isBeside(boxMinX, boxMinY, boxMaxX, boxMaxY)) {
             return MISS;
         }
-        double entryX = entry(fromX, dx, box[at], box[at + 2]);
-        double entryY = entry(fromY, dy, box[at + 1], box[at + 3]);
+        double entryX = entry(fromX, dx, boxMinX, boxMaxX);
+        double entryY = entry(fromY, dy, boxMinY, boxMaxY);
         return Math.max(0, Math.max(entryX, entryY));
     }
 
@@ -131,13 +164,13 @@ public final class RayWalk {
     }
 
     /** Whether there is a gap between the box and the ray, seen along the ray's normal. */
-    private boolean isBeside(double[] box, int at) {
-        double middleX = (box[at] + box[at + 2]) / 2 - fromX;
-        double middleY = (box[at + 1] + box[at + 3]) / 2 - fromY;
+    private boolean isBeside(double boxMinX, double boxMinY, double boxMaxX, double boxMaxY) {
+        double middleX = (boxMinX + boxMaxX) / 2 - fromX;
+        double middleY = (boxMinY + boxMaxY) / 2 - fromY;
         double one = dx * middleY;
         double two = dy * middleX;
-        double across = Math.abs(dx) * (box[at + 3] - box[at + 1]);
-        across += Math.abs(dy) * (box[at + 2] - box[at]);
+        double across = Math.abs(dx) * (boxMaxY - boxMinY);
+        across += Math.abs(dy) * (boxMaxX - boxMinX);
         double rounding = ROUNDING * (Math.abs(one) + Math.abs(two));
         return Math.abs(one - two) > across / 2 * ROUNDING_MARGIN + rounding;
     }

@@ -13,6 +13,16 @@ public final class PointAndRay {
 
     public double normalY;
 
+    /** The point of a shape that the last call of {@link #nearest} found, in the world, m. */
+    public double pointX;
+
+    public double pointY;
+
+    /** The point of its core, in its own frame, m. */
+    private double coreX;
+
+    private double coreY;
+
     /** Whether a point in world m lies inside or on the outline. */
     public boolean holds(Outline shape, Pose pose, double x, double y) {
         double localX = pose.cos * (x - pose.x) + pose.sin * (y - pose.y);
@@ -41,6 +51,50 @@ public final class PointAndRay {
         normalX = pose.cos * nx - pose.sin * normalY;
         normalY = pose.sin * nx + pose.cos * normalY;
         return fraction;
+    }
+
+    /**
+     * Distance in m of a world point from a shape, 0 inside; {@link #pointX} and {@link #pointY}
+     * then hold the nearest point of the shape.
+     */
+    public double nearest(Outline shape, Pose pose, double x, double y) {
+        double localX = pose.cos * (x - pose.x) + pose.sin * (y - pose.y);
+        double localY = pose.cos * (y - pose.y) - pose.sin * (x - pose.x);
+        pointX = x;
+        pointY = y;
+        if (shape.depth(localX, localY) >= 0) {
+            return 0;
+        }
+        double distance = nearestOfCore(shape, localX, localY);
+        double share = shape.radius() / distance;
+        double nearX = coreX + share * (localX - coreX);
+        double nearY = coreY + share * (localY - coreY);
+        pointX = pose.worldX(nearX, nearY);
+        pointY = pose.worldY(nearX, nearY);
+        return distance - shape.radius();
+    }
+
+    private double nearestOfCore(Outline shape, double x, double y) {
+        double least = Double.POSITIVE_INFINITY;
+        for (int i = 0; i < shape.corners(); i++) {
+            int next = i + 1 == shape.corners() ? 0 : i + 1;
+            double ex = shape.cornerX(next) - shape.cornerX(i);
+            double ey = shape.cornerY(next) - shape.cornerY(i);
+            double dx = x - shape.cornerX(i);
+            double dy = y - shape.cornerY(i);
+            double square = ex * ex + ey * ey;
+            double along = square > 0 ? (dx * ex + dy * ey) / square : 0;
+            double share = Math.max(0, Math.min(1, along));
+            double awayX = dx - share * ex;
+            double awayY = dy - share * ey;
+            double away = awayX * awayX + awayY * awayY;
+            if (away < least) {
+                least = away;
+                coreX = shape.cornerX(i) + share * ex;
+                coreY = shape.cornerY(i) + share * ey;
+            }
+        }
+        return Math.sqrt(least);
     }
 
     private double enters(Outline shape, double x, double y, double dx, double dy) {

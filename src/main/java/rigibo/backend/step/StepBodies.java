@@ -2,6 +2,7 @@ package rigibo.backend.step;
 
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.Found;
 import rigibo.backend.storage.Quarantine;
 import rigibo.backend.storage.Roster;
 
@@ -12,18 +13,26 @@ final class StepBodies {
     private final Roster roster;
     private final Quarantine quarantine;
 
+    private final Found steered;
+    private final Steering steering;
+
     /** The same for what turns, or null where nothing does. */
     private final StepTurns turning;
 
     StepBodies(DataStorage data) {
         quarantine = new Quarantine(data);
         turning = data.bodies.turns() ? new StepTurns(data) : null;
+        steered = data.steered;
+        steering = new Steering(data);
         bodies = data.bodies;
         roster = data.roster;
     }
 
     /** Lists the bodies that move and remembers where each begins. */
     void accept(double dt) {
+        if (steered.count > 0) {
+            steering.steer(dt);
+        }
         roster.refresh(bodies);
         for (int i = 0; i < roster.awakeCount; i++) {
             bodies.keepStart(roster.awake[i]);

@@ -127,6 +127,16 @@ public final class Bodies {
     /** Whether a body is kept from turning; null where none is. */
     public boolean[] rotationLocked;
 
+    /** Where a body is driven to, m and rad, and in how many s; 0 s where it is not. */
+    public double[] driveX;
+
+    public double[] driveY;
+    public double[] driveAngle;
+    public double[] driveTime;
+
+    /** Whether a body is neither moved nor met by anybody; null where none is. */
+    public boolean[] disabled;
+
     /** Head of the list of the body's pairs; see {@link Pairs}. */
     public int[] firstPair;
 
@@ -246,6 +256,8 @@ public final class Bodies {
                 mask[slot] = ~0;
             }
             case LOCKS -> rotationLocked[slot] = false;
+            case DRIVES -> driveTime[slot] = 0;
+            case ABSENCES -> disabled[slot] = false;
             default -> throw new AssertionError(need + " follows from effects");
         }
     }
@@ -333,7 +345,8 @@ public final class Bodies {
     /** Whether a body is kinematic and its velocity is not 0. */
     public boolean isDriven(int slot) {
         return type[slot] == BodyType.KINEMATIC
-                && (velocityX[slot] != 0 || velocityY[slot] != 0 || spinOf(slot) != 0);
+                && (velocityX[slot] != 0 || velocityY[slot] != 0 || spinOf(slot) != 0)
+                && !isDisabled(slot);
     }
 
     /** Whether a step moves the body: awake and dynamic, or driven. */
@@ -424,6 +437,16 @@ public final class Bodies {
     /** Whether a body is kept from turning. */
     public boolean isRotationLocked(int slot) {
         return rotationLocked != null && rotationLocked[slot];
+    }
+
+    /** Whether a body is neither moved nor met by anybody. */
+    public boolean isDisabled(int slot) {
+        return disabled != null && disabled[slot];
+    }
+
+    /** Whether a body is on its way to a place. */
+    public boolean isSteered(int slot) {
+        return driveTime != null && driveTime[slot] > 0;
     }
 
     /** Whether two shapes meet, as far as their groups, categories and masks say. */

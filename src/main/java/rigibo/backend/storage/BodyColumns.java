@@ -1,9 +1,11 @@
 package rigibo.backend.storage;
 
+import static rigibo.backend.storage.Need.ABSENCES;
 import static rigibo.backend.storage.Need.ALWAYS;
 import static rigibo.backend.storage.Need.COMPOUNDS;
 import static rigibo.backend.storage.Need.CONTACTS;
 import static rigibo.backend.storage.Need.DRAG;
+import static rigibo.backend.storage.Need.DRIVES;
 import static rigibo.backend.storage.Need.FILTERS;
 import static rigibo.backend.storage.Need.FRICTION;
 import static rigibo.backend.storage.Need.LOCKS;
@@ -52,6 +54,11 @@ final class BodyColumns {
         b.category = v.column("category", SAVED, FILTERS, b.category);
         b.mask = v.column("mask", SAVED, FILTERS, b.mask);
         b.rotationLocked = v.column("rotationLocked", SAVED, LOCKS, b.rotationLocked);
+        b.driveX = v.column("driveX", SAVED, DRIVES, b.driveX);
+        b.driveY = v.column("driveY", SAVED, DRIVES, b.driveY);
+        b.driveAngle = v.column("driveAngle", SAVED, DRIVES, b.driveAngle);
+        b.driveTime = v.column("driveTime", SAVED, DRIVES, b.driveTime);
+        b.disabled = v.column("disabled", SAVED, ABSENCES, b.disabled);
         b.group = v.column("group", SAVED, ALWAYS, b.group);
         b.gravityScale = v.column("gravityScale", SAVED, ALWAYS, b.gravityScale);
         b.statedMass = v.column("statedMass", SAVED, ALWAYS, b.statedMass);

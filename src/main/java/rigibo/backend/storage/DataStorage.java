@@ -15,6 +15,9 @@ public final class DataStorage {
     /** Slots of the bodies that forces were asked for since the last step, some twice. */
     public final Found thrusting = new Found();
 
+    /** Slots of the bodies on their way to a place, some twice, and some that no longer are. */
+    public final Found steered = new Found();
+
     /** When the step in progress began, s since the pool was made. */
     public double time;
 

@@ -38,10 +38,14 @@ public enum Need {
     /** A shape does not meet everybody. */
     FILTERS,
     /** A body is kept from turning. */
-    LOCKS;
+    LOCKS,
+    /** A body is driven to a place. */
+    DRIVES,
+    /** A body is taken out of the simulation for a while. */
+    ABSENCES;
 
     /** What the first body that has it makes columns of, whatever is declared. */
-    public static final List<Need> OF_BODIES = List.of(COMPOUNDS, FILTERS, LOCKS);
+    public static final List<Need> OF_BODIES = List.of(COMPOUNDS, FILTERS, LOCKS, DRIVES, ABSENCES);
 
     private final List<Class<? extends Effect>> effects;
 

@@ -25,7 +25,7 @@ public final class Waking {
     /** Wakes a body, whether it slept or not, and every sleeper in touch with it. */
     public void wake(int slot) {
         bodies.restartStillness(slot);
-        if (bodies.type[slot] == BodyType.STATIC) {
+        if (bodies.type[slot] == BodyType.STATIC || bodies.isDisabled(slot)) {
             return;
         }
         if (bodies.isDynamic(slot) && !bodies.awake[slot]) {

@@ -65,6 +65,7 @@ public class ColumnTableTest {
                     Map.entry("DataStorage.pairs", "a table"),
                     Map.entry("DataStorage.thrusting", "follows from forces; BodyEditor.derive"),
                     Map.entry("DataStorage.time", OF_A_STEP),
+                    Map.entry("DataStorage.steered", "follows from the drives; BodyEditor.derive"),
                     Map.entry("DataStorage.roster", "follows from the bodies when it is stale"),
                     Map.entry("DataStorage.islands", OF_A_STEP),
                     Map.entry("DataStorage.stillContacts", "follows from all having been active"),

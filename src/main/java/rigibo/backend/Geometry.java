@@ -1,0 +1,196 @@
+package rigibo.backend;
+
+import rigibo.backend.collision.Collider;
+import rigibo.backend.collision.Distance;
+import rigibo.backend.collision.Manifold;
+import rigibo.backend.collision.Motion;
+import rigibo.backend.collision.PointAndRay;
+import rigibo.backend.collision.Pose;
+import rigibo.backend.collision.TimeOfImpact;
+import rigibo.backend.geometry.Angle;
+import rigibo.backend.geometry.Outline;
+import rigibo.backend.geometry.Placement;
+import rigibo.backend.geometry.Shape;
+import rigibo.backend.setup.ImpactSearch;
+import rigibo.backend.setup.Require;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.OptionalDouble;
+
+/**
+ * What the engine knows of two shapes, without a pool. Every function may be called from any
+ * thread.
+ *
+ * <pre>{@code
+ * Shape box = Polygon.box(1, 1);
+ * Shape disc = new Circle(0.5);
+ * double gap = Geometry.gap(box, Placement.ORIGIN, disc, Placement.at(3, 0)).gap(); // 2 m
+ * }</pre>
+ */
+public final class Geometry {
+
+    /** Gap left at an impact, as a share of the narrower shape. */
+    private static final double IMPACT_TOLERANCE = 1e-9;
+
+    private Geometry() {}
+
+    /** The least gap of two shapes; of compounds that of the two parts which are nearest. */
+    public static ShapeGap gap(Shape one, Placement at, Shape other, Placement otherAt) {
+        requireShapes("gap", one, at, other, otherAt);
+        Distance distance = new Distance();
+        Pose pose = pose(at);
+        Pose otherPose = pose(otherAt);
+        ShapeGap least = null;
+        for (int part = 0; part < one.parts(); part++) {
+            for (int otherPart = 0; otherPart < other.parts(); otherPart++) {
+                Outline outline = one.outline(part);
+                distance.measure(outline, pose, other.outline(otherPart), otherPose);
+                if (least == null || distance.gap < least.gap()) {
+                    least = told(distance, part, otherPart);
+                }
+            }
+        }
+        return least;
+    }
+
+    private static ShapeGap told(Distance distance, int part, int otherPart) {
+        return new ShapeGap(
+                distance.gap,
+                distance.axisX,
+                distance.axisY,
+                distance.pointAX,
+                distance.pointAY,
+                distance.pointBX,
+                distance.pointBY,
+                part,
+                otherPart);
+    }
+
+    /**
+     * Where two shapes touch, or are no farther apart than a reach; of compounds for every two
+     * parts that do.
+     *
+     * @param reach largest gap that is still told, m, 0 or more
+     */
+    public static List<ShapeContact> contacts(
+            Shape one, Placement at, Shape other, Placement otherAt, double reach) {
+        requireShapes("contacts", one, at, other, otherAt);
+        Require.notNegative("Geometry.contacts reach", reach, "m");
+        Collider collider = new Collider();
+        Manifold manifold = new Manifold();
+        Pose pose = pose(at);
+        Pose otherPose = pose(otherAt);
+        List<ShapeContact> contacts = new ArrayList<>();
+        for (int part = 0; part < one.parts(); part++) {
+            for (int otherPart = 0; otherPart < other.parts(); otherPart++) {
+                collider.collide(
+                        one.outline(part),
+                        pose,
+                        other.outline(otherPart),
+                        otherPose,
+                        reach,
+                        manifold);
+                if (manifold.count > 0) {
+                    contacts.add(told(manifold, part, otherPart));
+                }
+            }
+        }
+        return contacts;
+    }
+
+    private static ShapeContact told(Manifold manifold, int part, int otherPart) {
+        List<ShapeContact.Point> points = new ArrayList<>();
+        for (int i = 0; i < manifold.count; i++) {
+            points.add(
+                    new ShapeContact.Point(
+                            manifold.pointX[i], manifold.pointY[i], manifold.separation[i]));
+        }
+        return new ShapeContact(
+                part, otherPart, manifold.normalX, manifold.normalY, List.copyOf(points));
+    }
+
+    /**
+     * When two moving shapes first touch while they close, s, or empty where they do not. What
+     * starts in overlap and closes touches at once. The gap left is a billionth of the narrower
+     * shape.
+     *
+     * @param seconds how far to look ahead, s, 0 or more
+     */
+    public static OptionalDouble timeOfImpact(
+            Shape one, Movement how, Shape other, Movement otherHow, double seconds) {
+        requireShapes("timeOfImpact", one, how, other, otherHow);
+        Require.notNegative("Geometry.timeOfImpact seconds", seconds, "s");
+        TimeOfImpact search = new TimeOfImpact();
+        Motion motion = motion(how);
+        Motion otherMotion = motion(otherHow);
+        double first = TimeOfImpact.NEVER;
+        for (int part = 0; part < one.parts(); part++) {
+            for (int otherPart = 0; otherPart < other.parts(); otherPart++) {
+                motion.outline = one.outline(part);
+                otherMotion.outline = other.outline(otherPart);
+                double time =
+                        search.find(
+                                motion,
+                                otherMotion,
+                                0,
+                                seconds,
+                                IMPACT_TOLERANCE,
+                                ImpactSearch.ITP);
+                first = Math.min(first, time);
+            }
+        }
+        return first <= seconds ? OptionalDouble.of(first) : OptionalDouble.empty();
+    }
+
+    /**
+     * The fraction of a straight way, 0 to 1, at which a shape that does not turn meets another
+     * that stands still, or empty where it does not.
+     *
+     * @param dx way to the right, m
+     * @param dy way up, m
+     */
+    public static OptionalDouble cast(
+            Shape moving, Placement from, double dx, double dy, Shape onto, Placement ontoAt) {
+        requireShapes("cast", moving, from, onto, ontoAt);
+        Movement how = new Movement(from, dx, dy, 0);
+        return timeOfImpact(moving, how, onto, new Movement(ontoAt, 0, 0, 0), 1);
+    }
+
+    /** Whether a world point lies in a shape or on its outline. */
+    public static boolean holds(Shape shape, Placement at, double x, double y) {
+        Require.present("Geometry.holds shape", shape);
+        PointAndRay query = new PointAndRay();
+        Pose pose = pose(Require.present("Geometry.holds placement", at));
+        boolean isInside = false;
+        for (int part = 0; part < shape.parts() && !isInside; part++) {
+            isInside = query.holds(shape.outline(part), pose, x, y);
+        }
+        return isInside;
+    }
+
+    private static void requireShapes(
+            String verb, Object one, Object at, Object other, Object otherAt) {
+        Require.present("Geometry." + verb + " shape", one);
+        Require.present("Geometry." + verb + " where it is", at);
+        Require.present("Geometry." + verb + " other shape", other);
+        Require.present("Geometry." + verb + " where the other is", otherAt);
+    }
+
+    static Pose pose(Placement at) {
+        Pose pose = new Pose();
+        pose.set(at.x(), at.y(), Angle.cos(at.angle()), Angle.sin(at.angle()));
+        return pose;
+    }
+
+    private static Motion motion(Movement how) {
+        Motion motion = new Motion();
+        motion.x = how.from().x();
+        motion.y = how.from().y();
+        motion.angle = how.from().angle();
+        motion.velocityX = how.velocityX();
+        motion.velocityY = how.velocityY();
+        motion.spin = how.angularVelocity();
+        return motion;
+    }
+}

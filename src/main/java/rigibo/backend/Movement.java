@@ -1,0 +1,27 @@
+package rigibo.backend;
+
+import rigibo.backend.geometry.Placement;
+import rigibo.backend.setup.Require;
+
+/**
+ * How a shape moves: evenly, from where it is.
+ *
+ * @param from where it is at first
+ * @param velocityX m/s, to the right
+ * @param velocityY m/s, up
+ * @param angularVelocity rad/s, counter-clockwise
+ */
+public record Movement(Placement from, double velocityX, double velocityY, double angularVelocity) {
+
+    /**
+     * Checks every number.
+     *
+     * @throws IllegalArgumentException naming the one that is not finite
+     */
+    public Movement {
+        Require.present("Movement.from", from);
+        Require.finite("Movement.velocityX", velocityX, "m/s");
+        Require.finite("Movement.velocityY", velocityY, "m/s");
+        Require.finite("Movement.angularVelocity", angularVelocity, "rad/s");
+    }
+}

@@ -1,0 +1,258 @@
+package rigibo.backend;
+
+import rigibo.backend.broadphase.Broadphase;
+import rigibo.backend.broadphase.RayWalk;
+import rigibo.backend.collision.Collider;
+import rigibo.backend.collision.Distance;
+import rigibo.backend.collision.Manifold;
+import rigibo.backend.collision.Motion;
+import rigibo.backend.collision.PointAndRay;
+import rigibo.backend.collision.Pose;
+import rigibo.backend.collision.TimeOfImpact;
+import rigibo.backend.geometry.Aabb;
+import rigibo.backend.geometry.Angle;
+import rigibo.backend.geometry.Placement;
+import rigibo.backend.geometry.Shape;
+import rigibo.backend.setup.Filter;
+import rigibo.backend.setup.ImpactSearch;
+import rigibo.backend.setup.Require;
+import rigibo.backend.step.StepPlan;
+import rigibo.backend.storage.Bodies;
+import rigibo.backend.storage.Found;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+
+/** Questions that a shape asks of a pool between steps, or a ray of all that it meets. */
+final class PoolCasts {
+
+    /** Gap left where a cast shape meets another, as a share of the narrower one. */
+    private static final double TOLERANCE = 1e-9;
+
+    private final Pool pool;
+    private final Bodies bodies;
+    private final StepPlan plan;
+    private final PoolQueries queries;
+    private final Pose pose = new Pose();
+    private final Pose otherPose = new Pose();
+    private final PointAndRay pointAndRay = new PointAndRay();
+    private final Collider collider = new Collider();
+    private final Manifold manifold = new Manifold();
+    private final Distance distance = new Distance();
+    private final TimeOfImpact timeOfImpact = new TimeOfImpact();
+    private final Motion moving = new Motion();
+    private final Motion standing = new Motion();
+    private final Aabb box = new Aabb();
+
+    PoolCasts(Pool pool, StepPlan plan, PoolQueries queries) {
+        this.pool = pool;
+        this.plan = plan;
+        this.queries = queries;
+        bodies = pool.columns();
+    }
+
+    /** All bodies that a ray enters, each once, by their order on its way. */
+    List<RayHit> rayCastAll(double fromX, double fromY, double toX, double toY, Filter filter) {
+        requireWay("rayCastAll", fromX, fromY, toX, toY);
+        Require.present("Pool.rayCastAll filter", filter);
+        box.set(0, 0, 0, 0);
+        List<RayHit> hits = new ArrayList<>();
+        Found found = onTheWay(box, fromX, fromY, toX, toY);
+        for (int i = 0; i < found.count; i++) {
+            int slot = found.numbers[i];
+            int body = place(slot);
+            double at = pointAndRay.enters(bodies.outline[slot], pose, fromX, fromY, toX, toY);
+            if (at <= 1 && queries.meets(slot, filter) && !queries.holds(body, fromX, fromY)) {
+                hits.add(hit(slot, fromX, fromY, toX - fromX, toY - fromY, at));
+            }
+        }
+        return firstOfEach(hits);
+    }
+
+    private RayHit hit(int slot, double x, double y, double dx, double dy, double at) {
+        return new RayHit(
+                pool.handle(bodies.bodyOf(slot)),
+                bodies.partOf(slot),
+                x + at * dx,
+                y + at * dy,
+                pointAndRay.normalX,
+                pointAndRay.normalY,
+                at);
+    }
+
+    private static List<RayHit> firstOfEach(List<RayHit> hits) {
+        hits.sort(
+                Comparator.comparingDouble(RayHit::fraction)
+                        .thenComparingInt(hit -> hit.body().place)
+                        .thenComparingInt(RayHit::part));
+        Set<RigidBody> met = new LinkedHashSet<>();
+        hits.removeIf(hit -> !met.add(hit.body()));
+        return hits;
+    }
+
+    /** The first body that a shape meets on a straight way. */
+    Optional<RayHit> cast(Shape shape, Placement from, double dx, double dy, Filter filter) {
+        Require.present("Pool.cast shape", shape);
+        Require.present("Pool.cast from", from);
+        Require.present("Pool.cast filter", filter);
+        Require.finite("Pool.cast dx", dx, "m");
+        Require.finite("Pool.cast dy", dy, "m");
+        shape.bounds(0, 0, Angle.cos(from.angle()), Angle.sin(from.angle()), box);
+        Found found = onTheWay(box, from.x(), from.y(), from.x() + dx, from.y() + dy);
+        moving.x = from.x();
+        moving.y = from.y();
+        moving.angle = from.angle();
+        moving.velocityX = dx;
+        moving.velocityY = dy;
+        int met = -1;
+        int metBy = 0;
+        double first = 1;
+        for (int i = 0; i < found.count; i++) {
+            int slot = found.numbers[i];
+            if (!queries.meets(slot, filter)) {
+                continue;
+            }
+            standing.take(bodies, bodies.bodyOf(slot));
+            halt(standing);
+            standing.outline = bodies.outline[slot];
+            for (int part = 0; part < shape.parts(); part++) {
+                moving.outline = shape.outline(part);
+                double time =
+                        timeOfImpact.find(moving, standing, 0, 1, TOLERANCE, ImpactSearch.ITP);
+                if (time < first || time == first && isBefore(slot, met)) {
+                    first = time;
+                    met = slot;
+                    metBy = part;
+                }
+            }
+        }
+        return met < 0 ? Optional.empty() : Optional.of(touch(shape, metBy, met, first));
+    }
+
+    private static void halt(Motion motion) {
+        motion.velocityX = 0;
+        motion.velocityY = 0;
+        motion.accelerationX = 0;
+        motion.accelerationY = 0;
+    }
+
+    /** Whether a body was added before another, or before anybody. */
+    private boolean isBefore(int slot, int other) {
+        return other < 0 || order(slot) < order(other);
+    }
+
+    private int order(int slot) {
+        return pool.handle(bodies.bodyOf(slot)).place;
+    }
+
+    private RayHit touch(Shape shape, int part, int slot, double fraction) {
+        moving.poseAt(fraction, otherPose);
+        int body = place(slot);
+        distance.measure(shape.outline(part), otherPose, bodies.outline[slot], pose);
+        return new RayHit(
+                pool.handle(body),
+                bodies.partOf(slot),
+                distance.pointBX,
+                distance.pointBY,
+                -distance.axisX,
+                -distance.axisY,
+                fraction);
+    }
+
+    /** The shapes whose fixtures a box may meet that goes from one point to another. */
+    private Found onTheWay(Aabb carried, double fromX, double fromY, double toX, double toY) {
+        Broadphase broadphase = plan.broadphase();
+        if (broadphase == null) {
+            return queries.near(
+                    new Aabb(
+                            Math.min(fromX, toX) + carried.minX,
+                            Math.min(fromY, toY) + carried.minY,
+                            Math.max(fromX, toX) + carried.maxX,
+                            Math.max(fromY, toY) + carried.maxY));
+        }
+        Found found = new Found();
+        RayWalk walk = broadphase.walk(carried, fromX, fromY, toX, toY);
+        for (int slot = walk.next(1); slot != RayWalk.END; slot = walk.next(1)) {
+            found.add(slot);
+        }
+        found.sort();
+        return found;
+    }
+
+    /** The bodies that a shape reaches into or touches. */
+    Set<RigidBody> overlapping(Shape shape, Placement at, Filter filter) {
+        Require.present("Pool.overlapping shape", shape);
+        Require.present("Pool.overlapping placement", at);
+        Require.present("Pool.overlapping filter", filter);
+        double cos = Angle.cos(at.angle());
+        double sin = Angle.sin(at.angle());
+        otherPose.set(at.x(), at.y(), cos, sin);
+        shape.bounds(at.x(), at.y(), cos, sin, box);
+        Set<RigidBody> inside = new LinkedHashSet<>();
+        Found found = queries.near(box);
+        for (int i = 0; i < found.count; i++) {
+            int slot = found.numbers[i];
+            int body = place(slot);
+            if (queries.meets(slot, filter) && touches(shape, slot)) {
+                inside.add(pool.handle(body));
+            }
+        }
+        return inside;
+    }
+
+    private boolean touches(Shape shape, int slot) {
+        boolean touches = false;
+        for (int part = 0; part < shape.parts() && !touches; part++) {
+            collider.collide(
+                    shape.outline(part), otherPose, bodies.outline[slot], pose, 0, manifold);
+            touches = manifold.count > 0;
+        }
+        return touches;
+    }
+
+    /** The point of any body that is nearest to a point, and no farther than some way in m. */
+    Optional<NearestPoint> nearest(double x, double y, double within, Filter filter) {
+        Require.finite("Pool.nearest x", x, "m");
+        Require.finite("Pool.nearest y", y, "m");
+        Require.notNegative("Pool.nearest within", within, "m");
+        Require.present("Pool.nearest filter", filter);
+        box.set(x - within, y - within, x + within, y + within);
+        NearestPoint nearest = null;
+        Found found = queries.near(box);
+        for (int i = 0; i < found.count; i++) {
+            int slot = found.numbers[i];
+            RigidBody body = pool.handle(place(slot));
+            double away = pointAndRay.nearest(bodies.outline[slot], pose, x, y);
+            boolean isNearer =
+                    nearest == null
+                            ? away <= within
+                            : away < nearest.distance()
+                                    || away == nearest.distance()
+                                            && body.place < nearest.body().place;
+            if (isNearer && queries.meets(slot, filter)) {
+                double px = pointAndRay.pointX;
+                double py = pointAndRay.pointY;
+                nearest = new NearestPoint(body, bodies.partOf(slot), px, py, away);
+            }
+        }
+        return Optional.ofNullable(nearest);
+    }
+
+    /** Puts the pose where the body of a shape is, and answers which body that is. */
+    private int place(int slot) {
+        int body = bodies.bodyOf(slot);
+        pose.set(bodies.x[body], bodies.y[body], bodies.cos[body], bodies.sin[body]);
+        return body;
+    }
+
+    static void requireWay(String verb, double fromX, double fromY, double toX, double toY) {
+        Require.finite("Pool." + verb + " fromX", fromX, "m");
+        Require.finite("Pool." + verb + " fromY", fromY, "m");
+        Require.finite("Pool." + verb + " toX", toX, "m");
+        Require.finite("Pool." + verb + " toY", toY, "m");
+    }
+}

@@ -1,0 +1,42 @@
+package rigibo.backend.geometry;
+
+/**
+ * Where a shape is: its centre of mass, and how far it is turned.
+ *
+ * @param x world x, m
+ * @param y world y, m, up
+ * @param angle rad, counter-clockwise
+ */
+public record Placement(double x, double y, double angle) {
+
+    /** At the world's origin, not turned. */
+    public static final Placement ORIGIN = new Placement(0, 0, 0);
+
+    /**
+     * Checks every number.
+     *
+     * @throws IllegalArgumentException naming the one that is not finite
+     */
+    public Placement {
+        requireFinite("x", x, "m");
+        requireFinite("y", y, "m");
+        requireFinite("angle", angle, "rad");
+    }
+
+    /** Not turned. */
+    public static Placement at(double x, double y) {
+        return new Placement(x, y, 0);
+    }
+
+    /** The same turned to an angle in rad, counter-clockwise. */
+    public Placement angle(double radians) {
+        return new Placement(x, y, radians);
+    }
+
+    private static void requireFinite(String field, double value, String unit) {
+        if (!(Math.abs(value) < Double.POSITIVE_INFINITY)) {
+            throw new IllegalArgumentException(
+                    "Placement." + field + " must be finite (" + unit + "), was " + value);
+        }
+    }
+}
