@@ -5,6 +5,7 @@ import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Thrust;
 import rigibo.backend.geometry.MassProperties;
 import rigibo.backend.geometry.Shape;
+import rigibo.backend.geometry.ShapeKind;
 import rigibo.backend.rest.SupportLoss;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.BodyType;
@@ -148,6 +149,7 @@ final class BodyEditor {
     }
 
     void type(int slot, BodyType type) {
+        requireMass("type", type, bodies.shape[slot]);
         waking.wakeNeighbours(slot);
         motion.endDrive(slot);
         for (int s = slot; s != Pairs.NONE; s = bodies.nextShapeOf(s)) {
@@ -240,9 +242,10 @@ final class BodyEditor {
     }
 
     void shape(int slot, Shape shape) {
+        requireMass("shape", bodies.type[slot], shape);
         MassProperties plate = Weight.of(bodies, slot, shape, bodies.material[slot]);
         waking.wakeNeighbours(slot);
-        if (shape.parts() == 1 && bodies.shape[slot].parts() == 1) {
+        if (shape.parts() == 1 && bodies.shape[slot].parts() == 1 && !isChain(shape)) {
             shapes.write(slot, shape);
             weigh(slot, plate);
             refit(slot);
@@ -250,6 +253,18 @@ final class BodyEditor {
             exchange(slot, shape, plate);
         }
         waking.wake(slot);
+    }
+
+    private static boolean isChain(Shape shape) {
+        return shape.kind() == ShapeKind.CHAIN;
+    }
+
+    /** Nothing that has no mass may be dynamic. */
+    private static void requireMass(String verb, BodyType type, Shape shape) {
+        if (type == BodyType.DYNAMIC && isChain(shape)) {
+            throw new IllegalArgumentException(
+                    "RigidBody." + verb + " must not make a Chain dynamic: it has no mass");
+        }
     }
 
     /** Another number of shapes takes other slots, and other fixtures. */

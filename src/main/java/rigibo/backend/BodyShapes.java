@@ -1,8 +1,10 @@
 package rigibo.backend;
 
+import rigibo.backend.geometry.Chain;
 import rigibo.backend.geometry.Compound;
 import rigibo.backend.geometry.Outline;
 import rigibo.backend.geometry.Shape;
+import rigibo.backend.geometry.ShapeKind;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.Filter;
 import rigibo.backend.setup.Material;
@@ -59,10 +61,13 @@ final class BodyShapes {
         }
     }
 
-    /** The columns of compounds come with the first of them. */
+    /** The columns of compounds, and of what is one-sided, come with the first of them. */
     private void take(int body, Shape shape) {
         if (shape.parts() > 1) {
             data.hold(Need.COMPOUNDS);
+        }
+        if (shape.kind() == ShapeKind.CHAIN) {
+            data.hold(Need.ONE_SIDED);
         }
         int last = body;
         for (int part = 1; part < shape.parts(); part++) {
@@ -81,7 +86,7 @@ final class BodyShapes {
         for (int part = 0; part < shape.parts(); part++) {
             Outline outline = shape.outline(part);
             bodies.outline[slot] = outline;
-            bodies.shape[slot] = part == 0 ? shape : ((Compound) shape).part(part).shape();
+            bodies.shape[slot] = part == 0 ? shape : alone(shape, part);
             sweep = Math.max(sweep, outline.sweepRadius());
             slot = bodies.nextShapeOf(slot);
         }
@@ -92,6 +97,12 @@ final class BodyShapes {
         if (bodies.sweepRadius != null) {
             bodies.sweepRadius[body] = sweep;
         }
+    }
+
+    private static Shape alone(Shape shape, int part) {
+        return shape instanceof Chain chain
+                ? chain.edge(part)
+                : ((Compound) shape).part(part).shape();
     }
 
     /** Makes every part of the same stuff. */

@@ -18,7 +18,7 @@ final class Weight {
 
     /** The same with another shape or material. */
     static MassProperties of(Bodies bodies, int slot, Shape shape, Material material) {
-        BodyDefinition definition = BodyDefinition.dynamic(shape).material(material);
+        BodyDefinition definition = BodyDefinition.fixed(shape).material(material);
         if (bodies.statedMass[slot] > 0) {
             definition = definition.mass(bodies.statedMass[slot]);
         }

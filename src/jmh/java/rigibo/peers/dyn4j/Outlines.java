@@ -19,7 +19,7 @@ final class Outlines {
             case CIRCLE -> new org.dyn4j.geometry.Circle(((Circle) shape).radius());
             case CAPSULE -> capsule((Capsule) shape);
             case POLYGON -> polygon((Polygon) shape);
-            case COMPOUND ->
+            case COMPOUND, CHAIN ->
                     throw new IllegalArgumentException("a peer is handed convex shapes only");
         };
     }

@@ -18,7 +18,7 @@ final class Outlines {
             case CIRCLE -> disc((Circle) shape);
             case CAPSULE -> throw new IllegalArgumentException("Box2D knows no capsule");
             case POLYGON -> polygon((Polygon) shape);
-            case COMPOUND ->
+            case COMPOUND, CHAIN ->
                     throw new IllegalArgumentException("a peer is handed convex shapes only");
         };
     }

@@ -1,6 +1,7 @@
 package rigibo.backend.broadphase;
 
 import rigibo.backend.geometry.Aabb;
+import rigibo.backend.geometry.Outline;
 import rigibo.backend.setup.BodyType;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
@@ -131,11 +132,16 @@ public final class Broadphase {
     public void update(double dt) {
         coverAwake(dt);
         moved.sort();
+        int last = Pairs.NONE;
         for (int i = 0; i < moved.count; i++) {
             int slot = moved.numbers[i];
             bodies.refitted[slot] = false;
             if (bodies.type[slot] != null && !bodies.isDisabled(bodies.bodyOf(slot))) {
-                dropPairsApart(slot);
+                int body = bodies.bodyOf(slot);
+                if (body != last) {
+                    dropPairsApart(body);
+                    last = body;
+                }
                 findPairs(slot);
             }
         }
@@ -247,7 +253,7 @@ public final class Broadphase {
     private void cover(int body, double dt, double turned, boolean isToFit) {
         boolean isAlone = bodies.firstPair[body] == Pairs.NONE;
         for (int slot = body; slot != Pairs.NONE; slot = bodies.nextShapeOf(slot)) {
-            if (isAlone) {
+            if (isAlone && !bodies.outline[slot].isEdge()) {
                 sweepAround(body, dt);
             } else {
                 sweep(body, slot, dt, turned);
@@ -269,7 +275,7 @@ public final class Broadphase {
      * A body that was fast, or might have been, keeps no neighbours that it cannot meet any more.
      */
     private boolean isLoose(int body, int slot, double dt) {
-        double radius = bodies.boundingRadius[body];
+        double radius = size(body, slot);
         double aheadX = Math.abs(ahead(bodies.velocityX[body], STEPS_AHEAD * dt, radius));
         double aheadY = Math.abs(ahead(bodies.velocityY[body], STEPS_AHEAD * dt, radius));
         double needed =
@@ -357,7 +363,7 @@ public final class Broadphase {
 
     /** A static body's fixture is its bounds; others have a margin, and more of it ahead. */
     private void writeFixture(int body, int slot, double dt) {
-        double radius = bodies.boundingRadius[body];
+        double radius = size(body, slot);
         double margin = bodies.type[body] == BodyType.STATIC ? 0 : MARGIN * radius;
         boolean isAlone = bodies.firstPair[body] == Pairs.NONE;
         double steps = isAlone ? stepsAheadAlone(body) : STEPS_AHEAD;
@@ -367,6 +373,12 @@ public final class Broadphase {
         bodies.fixtureMinY[slot] = swept.minY - margin + Math.min(0, aheadY);
         bodies.fixtureMaxX[slot] = swept.maxX + margin + Math.max(0, aheadX);
         bodies.fixtureMaxY[slot] = swept.maxY + margin + Math.max(0, aheadY);
+    }
+
+    /** What the margin is a share of, m: an edge of a chain has one of its own. */
+    private double size(int body, int slot) {
+        Outline outline = bodies.outline[slot];
+        return outline.isEdge() ? outline.halfLength() : bodies.boundingRadius[body];
     }
 
     /**
@@ -389,8 +401,7 @@ public final class Broadphase {
     }
 
     /** A contact that just ended is kept for one more step, in which its end is told. */
-    private void dropPairsApart(int slot) {
-        int body = bodies.bodyOf(slot);
+    private void dropPairsApart(int body) {
         int p = bodies.firstPair[body];
         while (p != Pairs.NONE) {
             int after = pairs.nextOf(p, body);

@@ -9,6 +9,14 @@ import rigibo.backend.geometry.Outline;
 public final class Collider {
 
     private final PolygonPolygon polygons;
+    private final EdgeContact edges = new EdgeContact();
+    private final boolean isForDistance;
+
+    /**
+     * Of a distance: how near in m something comes to the end of a chain's edge, in a direction in
+     * which that does not push, before the edge's own normal counts.
+     */
+    double near;
 
     /** Manifolds for contacts, which keep their reference face while bodies rest on each other. */
     public Collider() {
@@ -17,6 +25,7 @@ public final class Collider {
 
     private Collider(double bias) {
         polygons = new PolygonPolygon(bias);
+        isForDistance = bias == 0;
     }
 
     /** Manifolds whose least separation is the distance also where two faces are near parallel. */
@@ -39,11 +48,29 @@ public final class Collider {
      */
     public void collide(Outline a, Pose poseA, Outline b, Pose poseB, double reach, Manifold out) {
         out.clear();
+        if (a.isEdge()) {
+            collideEdge(a, poseA, b, poseB, reach, out);
+            return;
+        }
+        if (b.isEdge()) {
+            collideEdge(b, poseB, a, poseA, reach, out);
+            out.exchange();
+            return;
+        }
         int points =
                 a.isDisc()
                         ? collideDisc(a, poseA, b, poseB, reach, out)
                         : collidePolygon(a, poseA, b, poseB, reach, out);
         assert points == out.count;
+    }
+
+    private void collideEdge(
+            Outline edge, Pose poseE, Outline other, Pose poseO, double reach, Manifold out) {
+        if (isForDistance) {
+            edges.distance(edge, poseE, other, poseO, near, out);
+        } else {
+            edges.collide(edge, poseE, other, poseO, reach, out);
+        }
     }
 
     private static int collideDisc(

@@ -30,6 +30,14 @@ public final class Distance {
 
     public double pointBY;
 
+    /**
+     * How near in m something may come to the end of a chain's edge, in a direction in which that
+     * does not push, before only the edge's own normal counts.
+     */
+    void near(double metres) {
+        collider.near = metres;
+    }
+
     /** Measures two shapes at their poses and returns the gap in m. */
     public double measure(Outline a, Pose poseA, Outline b, Pose poseB) {
         collider.collide(a, poseA, b, poseB, Double.POSITIVE_INFINITY, manifold);

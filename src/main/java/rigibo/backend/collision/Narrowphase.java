@@ -31,6 +31,7 @@ public final class Narrowphase {
     private final StillContacts still;
     private final Collider collider = new Collider();
     private final Seams seams;
+    private final Passages passages;
     private final Manifold manifold = new Manifold();
     private final Whereabouts whereabouts = new Whereabouts();
     private final Pose poseA = new Pose();
@@ -45,6 +46,7 @@ public final class Narrowphase {
         counters = data.counters;
         still = data.stillContacts;
         seams = new Seams(data);
+        passages = new Passages(data);
     }
 
     /** Lists the active pairs and fills their manifolds for a step of {@code dt} seconds. */
@@ -62,6 +64,9 @@ public final class Narrowphase {
         order.restore();
         for (int i = 0; i < pairs.activeCount; i++) {
             begin(pairs.active[i]);
+        }
+        if (pairs.passage != null) {
+            passages.decideActive();
         }
         whereabouts.begin(bodies);
         measureActive(dt);
@@ -133,12 +138,13 @@ public final class Narrowphase {
         int b = pairs.bodyB[pair];
         poseA.set(bodies.x[a], bodies.y[a], bodies.cos[a], bodies.sin[a]);
         poseB.set(bodies.x[b], bodies.y[b], bodies.cos[b], bodies.sin[b]);
-        measure(pair, poseA, poseB, reach);
+        boolean isPassing = passages.isPassing(pair);
+        fill(pair, isPassing, poseA, poseB, reach);
         pairs.reach[pair] = reach;
         if (pairs.points[pair] == 0) {
             double more = wayIfHeld(pair, dt);
             if (more > 0) {
-                measure(pair, poseA, poseB, reach + more);
+                fill(pair, isPassing, poseA, poseB, reach + more);
                 pairs.reach[pair] = pairs.points[pair] == 0 ? reach + more : Double.NaN;
             }
         }
@@ -148,11 +154,42 @@ public final class Narrowphase {
      * Fills one pair's manifold at poses of its bodies, with the points no farther than reach, m.
      */
     public void measure(int pair, Pose atA, Pose atB, double reach) {
-        Outline outlineA = bodies.outline[pairs.shapeA(pair)];
-        Outline outlineB = bodies.outline[pairs.shapeB(pair)];
-        collider.collide(outlineA, atA, outlineB, atB, reach, manifold);
+        fill(pair, isPassing(pair, atA, atB), atA, atB, reach);
+    }
+
+    private void fill(int pair, boolean isPassing, Pose atA, Pose atB, double reach) {
+        if (isPassing) {
+            manifold.clear();
+        } else {
+            Outline outlineA = bodies.outline[pairs.shapeA(pair)];
+            Outline outlineB = bodies.outline[pairs.shapeB(pair)];
+            collider.collide(outlineA, atA, outlineB, atB, reach, manifold);
+        }
         keep(pair);
         pairs.reach[pair] = Double.NaN;
+    }
+
+    /** Whether the bodies of a pair pass through each other at these poses: one is one-sided. */
+    public boolean isPassing(int pair, Pose atA, Pose atB) {
+        return passages.isOneSided(pair) && passages.isPassing(pair, atA, atB);
+    }
+
+    /** Whether one of a pair's shapes is solid on one side alone. */
+    public boolean isOneSided(int pair) {
+        return passages.isOneSided(pair);
+    }
+
+    /** Whether two bodies at these poses touch, or are nearly as near, where they may. */
+    public boolean touches(int pair, Pose atA, Pose atB) {
+        double width = PairTolerances.width(bodies, pairs.bodyA[pair], pairs.bodyB[pair]);
+        collider.collide(
+                bodies.outline[pairs.shapeA(pair)],
+                atA,
+                bodies.outline[pairs.shapeB(pair)],
+                atB,
+                PairTolerances.TOUCHING_GAP * width,
+                manifold);
+        return manifold.count > 0;
     }
 
     /** The same without the points that lie in a seam: what the solver of piles is to see. */

@@ -23,10 +23,13 @@ public final class PointAndRay {
 
     private double coreY;
 
-    /** Whether a point in world m lies inside or on the outline. */
+    /** Whether a point in world m lies inside or on the outline; an edge of a chain holds none. */
     public boolean holds(Outline shape, Pose pose, double x, double y) {
         double localX = pose.cos * (x - pose.x) + pose.sin * (y - pose.y);
         double localY = pose.cos * (y - pose.y) - pose.sin * (x - pose.x);
+        if (shape.isEdge()) {
+            return false;
+        }
         if (shape.isDisc()) {
             double radius = shape.radius();
             double dx = localX - shape.cornerX(0);
@@ -62,11 +65,11 @@ public final class PointAndRay {
         double localY = pose.cos * (y - pose.y) - pose.sin * (x - pose.x);
         pointX = x;
         pointY = y;
-        if (shape.depth(localX, localY) >= 0) {
+        if (!shape.isEdge() && shape.depth(localX, localY) >= 0) {
             return 0;
         }
         double distance = nearestOfCore(shape, localX, localY);
-        double share = shape.radius() / distance;
+        double share = distance > 0 ? shape.radius() / distance : 0;
         double nearX = coreX + share * (localX - coreX);
         double nearY = coreY + share * (localY - coreY);
         pointX = pose.worldX(nearX, nearY);
@@ -100,6 +103,11 @@ public final class PointAndRay {
     private double enters(Outline shape, double x, double y, double dx, double dy) {
         if (shape.isDisc()) {
             return entersDisc(shape.radius(), x - shape.cornerX(0), y - shape.cornerY(0), dx, dy);
+        }
+        if (shape.isEdge()) {
+            normalX = shape.normalX(0);
+            normalY = shape.normalY(0);
+            return entersEdge(shape, 0, x, y, dx, dy);
         }
         return shape.radius() > 0
                 ? entersRounded(shape, x, y, dx, dy)

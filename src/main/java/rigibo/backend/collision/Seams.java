@@ -158,7 +158,8 @@ final class Seams {
         double best = Double.NEGATIVE_INFINITY;
         double bestX = 0;
         double bestY = 0;
-        for (int i = 0; i < polygon.corners(); i++) {
+        int faces = polygon.isEdge() ? 1 : polygon.corners();
+        for (int i = 0; i < faces; i++) {
             outX = fixedPose.cos * polygon.normalX(i) - fixedPose.sin * polygon.normalY(i);
             outY = fixedPose.sin * polygon.normalX(i) + fixedPose.cos * polygon.normalY(i);
             if (outX * coveredX + outY * coveredY > -ROUND_OFF) {
@@ -246,7 +247,7 @@ final class Seams {
         boolean isSought = false;
         for (int p = bodies.firstPair[mover]; p != Pairs.NONE; p = pairs.nextOf(p, mover)) {
             int slot = pairs.other(p, mover);
-            if (p != pair && !bodies.isDynamic(slot) && touches(p)) {
+            if (p != pair && !bodies.isDynamic(slot) && touches(p) && !areOneChain(pair, p)) {
                 isOnFace = isSought ? isOnFace : findFace();
                 isSought = true;
                 int shape = pairs.shapeOf(p, slot);
@@ -256,6 +257,11 @@ final class Seams {
             }
         }
         return false;
+    }
+
+    /** Edges of one chain know each other. */
+    private boolean areOneChain(int pair, int other) {
+        return bodies.outline[fixedShape].isEdge() && pairs.other(other, mover) == fixed;
     }
 
     /** What only flies past a neighbour may still meet what the neighbour covers now. */

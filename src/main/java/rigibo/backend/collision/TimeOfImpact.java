@@ -114,6 +114,7 @@ public final class TimeOfImpact {
         rounding = ROUNDING_UNITS * Math.ulp(Math.max(farthest(a), farthest(b)));
         tolerance = Math.max(metres * width, rounding / LEAST_SHARE);
         advance.stopBetween(LEAST_SHARE * tolerance, LARGEST_SHARE * tolerance);
+        distance.near(LARGEST_SHARE * tolerance);
     }
 
     private static double farthest(Motion of) {

@@ -27,6 +27,14 @@ public final class Flight {
      */
     private static final double TIE_PER_METRE = 1e-3;
 
+    /**
+     * How often an edge of a chain looks for a meeting that is its own, and by how much of the
+     * other's width it goes on.
+     */
+    private static final int MOST_LOOKS = 16;
+
+    private static final double LOOK_AHEAD = 1e-3;
+
     private final Bodies bodies;
     private final Pairs pairs;
     private final Counters counters;
@@ -86,8 +94,10 @@ public final class Flight {
         reserve();
         disturbance.begin();
         for (int i = 0; i < pairs.activeCount; i++) {
-            if (pairs.points[pairs.active[i]] > 0) {
-                predict(pairs.active[i], 0, dt);
+            // An edge tells of no point before something is over it.
+            int pair = pairs.active[i];
+            if (pairs.points[pair] > 0 || narrowphase.isOneSided(pair)) {
+                predict(pair, 0, dt);
             }
         }
         disturbance.spreadBouncers(dt);
@@ -117,6 +127,10 @@ public final class Flight {
         if (!paths.isFlyer(a) && !paths.isFlyer(b) || waits(pair)) {
             return;
         }
+        boolean isOneSided = narrowphase.isOneSided(pair);
+        if (isOneSided && passes(pair, from)) {
+            return;
+        }
         paths.load(a, motionA);
         paths.load(b, motionB);
         motionA.outline = bodies.outline[pairs.shapeA(pair)];
@@ -125,9 +139,57 @@ public final class Flight {
                 timeOfImpact.find(
                         motionA, motionB, from, dt, accuracy.impactTolerance(), accuracy.search());
         counters.evaluations += timeOfImpact.evaluations;
+        if (isOneSided && time <= dt) {
+            time = firstThatIsMet(pair, time, dt);
+        }
         if (time <= dt) {
             queue.put(pair, time);
         }
+    }
+
+    /** How long in s the two take to come on by a little of what the narrower one is wide. */
+    private double lookAhead() {
+        double speed =
+                Math.abs(motionA.velocityX - motionB.velocityX)
+                        + Math.abs(motionA.velocityY - motionB.velocityY)
+                        + Math.abs(motionA.spin) * motionA.outline.boundingRadius()
+                        + Math.abs(motionB.spin) * motionB.outline.boundingRadius();
+        double width = Math.min(motionA.outline.smallestWidth(), motionB.outline.smallestWidth());
+        return LOOK_AHEAD * width / speed;
+    }
+
+    private boolean passes(int pair, double time) {
+        paths.poseAt(pairs.bodyA[pair], time, poseA);
+        paths.poseAt(pairs.bodyB[pair], time, poseB);
+        return narrowphase.isPassing(pair, poseA, poseB);
+    }
+
+    /**
+     * What comes near to where two edges of a chain meet is met by one of them, if by any: the
+     * other goes on to look.
+     */
+    private double firstThatIsMet(int pair, double found, double dt) {
+        double time = found;
+        for (int look = 0; look < MOST_LOOKS && time <= dt; look++) {
+            motionA.poseAt(time, poseA);
+            motionB.poseAt(time, poseB);
+            if (narrowphase.touches(pair, poseA, poseB)) {
+                return time;
+            }
+            double next = time + lookAhead();
+            time =
+                    next < dt
+                            ? timeOfImpact.find(
+                                    motionA,
+                                    motionB,
+                                    next,
+                                    dt,
+                                    accuracy.impactTolerance(),
+                                    accuracy.search())
+                            : TimeOfImpact.NEVER;
+            counters.evaluations += timeOfImpact.evaluations;
+        }
+        return TimeOfImpact.NEVER;
     }
 
     private boolean waits(int pair) {

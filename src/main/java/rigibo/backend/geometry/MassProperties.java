@@ -1,7 +1,7 @@
 package rigibo.backend.geometry;
 
 /**
- * What a rigid plate's motion depends on.
+ * What a rigid plate's motion depends on; zeros of what has no mass.
  *
  * @param mass kg, positive
  * @param inertia about the centroid, kg·m², positive

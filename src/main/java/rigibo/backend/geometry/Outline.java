@@ -1,6 +1,7 @@
 package rigibo.backend.geometry;
 
 import java.util.Arrays;
+import java.util.Objects;
 
 /**
  * The outline of a convex shape as collisions see it: a core of corners, and a radius at which the
@@ -9,6 +10,9 @@ import java.util.Arrays;
  * body's centre of mass. Immutable.
  */
 public final class Outline {
+
+    /** Sine of the turn between two edges of a chain up to which they are one straight line. */
+    static final double STRAIGHT = 1e-9;
 
     private static final double[] NOTHING = {};
     private static final double[] CENTRE = {0};
@@ -23,20 +27,20 @@ public final class Outline {
     private final double smallestWidth;
     private final boolean isBox;
 
-    /** Whether this is a disc about the centre of mass, whose outline stays when it turns. */
-    public boolean isCentredDisc() {
-        return coreReach == 0;
-    }
+    /** What lies beyond the ends of a chain's edge; null of all others. */
+    private final EdgeEnd before;
+
+    private final EdgeEnd after;
 
     /** A disc about the centre of mass. */
     static Outline ofDisc(double radius) {
-        return new Outline(CENTRE, CENTRE, NOTHING, NOTHING, radius);
+        return new Outline(CENTRE, CENTRE, NOTHING, NOTHING, radius, null, null);
     }
 
     /** A core of corners, counter-clockwise, and a radius of 0 or more. */
     static Outline of(double[] cornerX, double[] cornerY, double radius) {
         if (cornerX.length == 1) {
-            return new Outline(cornerX, cornerY, NOTHING, NOTHING, radius);
+            return new Outline(cornerX, cornerY, NOTHING, NOTHING, radius, null, null);
         }
         double[] normalX = new double[cornerX.length];
         double[] normalY = new double[cornerX.length];
@@ -48,11 +52,30 @@ public final class Outline {
             normalX[i] = ey / length;
             normalY[i] = -ex / length;
         }
-        return new Outline(cornerX, cornerY, normalX, normalY, radius);
+        return new Outline(cornerX, cornerY, normalX, normalY, radius, null, null);
+    }
+
+    /** An edge of a chain from the first corner to the second, with matter on its left. */
+    static Outline ofEdge(double[] cornerX, double[] cornerY, EdgeEnd before, EdgeEnd after) {
+        double ex = cornerX[1] - cornerX[0];
+        double ey = cornerY[1] - cornerY[0];
+        double length = Math.sqrt(ex * ex + ey * ey);
+        double nx = ey / length;
+        double ny = -ex / length;
+        return new Outline(
+                cornerX, cornerY, new double[] {nx, -nx}, new double[] {ny, -ny}, 0, before, after);
     }
 
     private Outline(
-            double[] cornerX, double[] cornerY, double[] normalX, double[] normalY, double radius) {
+            double[] cornerX,
+            double[] cornerY,
+            double[] normalX,
+            double[] normalY,
+            double radius,
+            EdgeEnd before,
+            EdgeEnd after) {
+        this.before = before;
+        this.after = after;
         this.cornerX = cornerX;
         this.cornerY = cornerY;
         this.normalX = normalX;
@@ -60,7 +83,7 @@ public final class Outline {
         this.radius = radius;
         coreReach = farthestCorner();
         innerRadius = nearestEdge();
-        smallestWidth = narrowest() + 2 * radius;
+        smallestWidth = before == null ? narrowest() + 2 * radius : Double.POSITIVE_INFINITY;
         isBox = findBox();
     }
 
@@ -117,9 +140,58 @@ public final class Outline {
         return innerRadius;
     }
 
-    /** Smallest width in m between two parallel lines that hold the outline. */
+    /**
+     * Smallest width in m between two parallel lines that hold the outline; infinite of a chain's
+     * edge, behind which matter is as thick as may be.
+     */
     public double smallestWidth() {
         return smallestWidth;
+    }
+
+    /** Whether this is a disc about the centre of mass, whose outline stays when it turns. */
+    public boolean isCentredDisc() {
+        return coreReach == 0;
+    }
+
+    /** Whether this is an edge of a chain: solid in front of its first normal alone. */
+    public boolean isEdge() {
+        return before != null;
+    }
+
+    /** Half the length of a chain's edge, m. */
+    public double halfLength() {
+        double dx = cornerX[1] - cornerX[0];
+        double dy = cornerY[1] - cornerY[0];
+        return Math.sqrt(dx * dx + dy * dy) / 2;
+    }
+
+    /** What lies before the first corner of a chain's edge. */
+    public EdgeEnd before() {
+        return before;
+    }
+
+    /** What lies behind the second corner of a chain's edge. */
+    public EdgeEnd after() {
+        return after;
+    }
+
+    /** Whether matter ends in a corner where a chain's edge begins; so it does at an open end. */
+    public boolean isConvexBefore() {
+        return bendBefore() > STRAIGHT;
+    }
+
+    /** Whether matter ends in a corner where a chain's edge ends. */
+    public boolean isConvexAfter() {
+        return bendAfter() > STRAIGHT;
+    }
+
+    /** Sine of the turn to the left from the edge before to this one. */
+    private double bendBefore() {
+        return before.normalX() * normalY[0] - before.normalY() * normalX[0];
+    }
+
+    private double bendAfter() {
+        return normalX[0] * after.normalY() - normalY[0] * after.normalX();
     }
 
     /** Whether the core is one point, wherever that is. */
@@ -162,12 +234,16 @@ public final class Outline {
 
     /**
      * How deep a point lies inside, m, negative outside. Beyond a corner of a sharp outline it is
-     * the least of the depths behind the edges' lines, which is more than its distance.
+     * the least of the depths behind the edges' lines, which is more than its distance. Behind a
+     * chain's edge all is inside.
      *
      * @param x seen from the centre of mass, in the shape's own frame, m
      * @param y likewise, m
      */
     public double depth(double x, double y) {
+        if (isEdge()) {
+            return depthBehindEdge(x, y);
+        }
         double least = Double.POSITIVE_INFINITY;
         for (int i = 0; i < normalX.length; i++) {
             double front = normalX[i] * (x - cornerX[i]) + normalY[i] * (y - cornerY[i]);
@@ -175,6 +251,13 @@ public final class Outline {
         }
         boolean isOutsideOfCore = isDisc() || least < 0 || cornerX.length == 2;
         return radius > 0 && isOutsideOfCore ? radius - distanceToCore(x, y) : least + radius;
+    }
+
+    private double depthBehindEdge(double x, double y) {
+        double behind = -(normalX[0] * (x - cornerX[0]) + normalY[0] * (y - cornerY[0]));
+        double fromStart = normalX[0] * (y - cornerY[0]) - normalY[0] * (x - cornerX[0]);
+        double fromEnd = normalX[0] * (cornerY[1] - y) - normalY[0] * (cornerX[1] - x);
+        return Math.min(behind, Math.min(fromStart, fromEnd));
     }
 
     /** Distance of a point outside of the core from it, m. */
@@ -243,7 +326,9 @@ public final class Outline {
         return other instanceof Outline outline
                 && radius == outline.radius
                 && Arrays.equals(cornerX, outline.cornerX)
-                && Arrays.equals(cornerY, outline.cornerY);
+                && Arrays.equals(cornerY, outline.cornerY)
+                && Objects.equals(before, outline.before)
+                && Objects.equals(after, outline.after);
     }
 
     @Override

@@ -1,15 +1,16 @@
 package rigibo.backend.geometry;
 
 /**
- * The outline of a body in the body's own frame, whose origin is the centre of mass. Immutable, so
- * one shape may serve any number of bodies.
+ * The outline of a body in the body's own frame, whose origin is the centre of mass; of a {@link
+ * Chain}, which has none, that of its corners. Immutable, so one shape may serve any number of
+ * bodies.
  */
-public sealed interface Shape permits Convex, Compound {
+public sealed interface Shape permits Convex, Compound, Chain {
 
     /** Which shape this is, for switches without a default. */
     ShapeKind kind();
 
-    /** Of how many convex parts it is. */
+    /** Of how many convex parts, or edges of a chain, it is. */
     int parts();
 
     /**
@@ -20,7 +21,7 @@ public sealed interface Shape permits Convex, Compound {
      */
     Outline outline(int part);
 
-    /** Area in m², positive. */
+    /** Area in m², positive; 0 of a chain. */
     double area();
 
     /**

@@ -12,5 +12,8 @@ public enum ShapeKind {
     POLYGON,
 
     /** {@link Compound}. */
-    COMPOUND
+    COMPOUND,
+
+    /** {@link Chain}. */
+    CHAIN
 }

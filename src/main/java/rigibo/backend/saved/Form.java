@@ -1,6 +1,7 @@
 package rigibo.backend.saved;
 
 import rigibo.backend.geometry.Capsule;
+import rigibo.backend.geometry.Chain;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Compound;
 import rigibo.backend.geometry.Convex;
@@ -32,12 +33,16 @@ record Form<T>(String name, int count, Function<T, double[]> numbers, Function<d
 
     /**
      * A disc is stated by its radius, a capsule by two numbers, a polygon by its corners and, where
-     * it is rounded, one number more; a compound begins with {@link #COMPOUND}, which no other
-     * does.
+     * it is rounded, one number more; a compound begins with {@link #COMPOUND} and a chain with
+     * {@link #CHAIN}, which no other does.
      */
     static final Form<Shape> SHAPE = new Form<>("shape", ANY, Form::numbersOf, Form::shapeOf);
 
     private static final double COMPOUND = Double.POSITIVE_INFINITY;
+    private static final double CHAIN = Double.NEGATIVE_INFINITY;
+
+    /** Of a chain before its first corner. */
+    private static final int CHAIN_HEAD = 2;
 
     /** Of a compound before its first part, and of a part before the numbers of its shape. */
     private static final int COMPOUND_HEAD = 5;
@@ -81,6 +86,7 @@ record Form<T>(String name, int count, Function<T, double[]> numbers, Function<d
                     new double[] {((Capsule) shape).halfLength(), ((Capsule) shape).radius()};
             case POLYGON -> numbersOf((Polygon) shape);
             case COMPOUND -> numbersOf((Compound) shape);
+            case CHAIN -> numbersOf((Chain) shape);
         };
     }
 
@@ -107,6 +113,22 @@ record Form<T>(String name, int count, Function<T, double[]> numbers, Function<d
             Arrays.stream(shape).forEach(numbers);
         }
         return numbers.build().toArray();
+    }
+
+    private static double[] numbersOf(Chain chain) {
+        double[] numbers = new double[CHAIN_HEAD + 2 * chain.corners()];
+        numbers[0] = CHAIN;
+        numbers[1] = chain.isLoop() ? 1 : 0;
+        for (int i = 0; i < chain.corners(); i++) {
+            numbers[CHAIN_HEAD + 2 * i] = chain.cornerX(i);
+            numbers[CHAIN_HEAD + 2 * i + 1] = chain.cornerY(i);
+        }
+        return numbers;
+    }
+
+    private static Chain chainOf(double[] numbers) {
+        double[] xy = Arrays.copyOfRange(numbers, CHAIN_HEAD, numbers.length);
+        return numbers[1] == 0 ? Chain.open(xy) : Chain.loop(xy);
     }
 
     private static Compound compoundOf(double[] numbers) {
@@ -136,6 +158,9 @@ record Form<T>(String name, int count, Function<T, double[]> numbers, Function<d
     private static Shape shapeOf(double[] numbers) {
         if (numbers.length >= COMPOUND_HEAD && numbers[0] == COMPOUND) {
             return compoundOf(numbers);
+        }
+        if (numbers.length >= CHAIN_HEAD && numbers[0] == CHAIN) {
+            return chainOf(numbers);
         }
         int corners = numbers.length / 2;
         return switch (numbers.length) {

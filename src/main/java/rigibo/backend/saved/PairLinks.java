@@ -69,6 +69,9 @@ final class PairLinks {
         known.put(shapeA, shapeB, pair);
         isPair[pair] = true;
         Require.within("points", pairs.points[pair], 0, MOST_POINTS);
+        if (pairs.passage != null) {
+            Require.within("passage", pairs.passage[pair], Pairs.UNDECIDED, Pairs.COMES_THROUGH);
+        }
         Require.within("impacts", pairs.impacts[pair], 0, Integer.MAX_VALUE);
     }
 

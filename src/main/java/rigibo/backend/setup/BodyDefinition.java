@@ -2,6 +2,7 @@ package rigibo.backend.setup;
 
 import rigibo.backend.geometry.MassProperties;
 import rigibo.backend.geometry.Shape;
+import rigibo.backend.geometry.ShapeKind;
 
 /**
  * A body as its creator states it. Immutable: every verb returns another definition, so one may be
@@ -34,6 +35,7 @@ public final class BodyDefinition {
     private BodyDefinition(BodyType type, Shape shape) {
         this.type = type;
         this.shape = Require.present("BodyDefinition.shape", shape);
+        requireMovable();
     }
 
     private BodyDefinition(BodyDefinition pattern) {
@@ -61,9 +63,21 @@ public final class BodyDefinition {
             surfaces = pattern.surfaces;
             filters = pattern.filters;
         }
+        requireMovable();
     }
 
-    /** A body that forces and contacts move. */
+    private void requireMovable() {
+        if (type == BodyType.DYNAMIC && shape.kind() == ShapeKind.CHAIN) {
+            throw new IllegalArgumentException(
+                    "BodyDefinition.shape must not be a Chain for a dynamic body: it has no mass");
+        }
+    }
+
+    /**
+     * A body that forces and contacts move.
+     *
+     * @throws IllegalArgumentException when the shape is a {@code Chain}, which has no mass
+     */
     public static BodyDefinition dynamic(Shape shape) {
         return new BodyDefinition(BodyType.DYNAMIC, shape);
     }
@@ -361,6 +375,9 @@ public final class BodyDefinition {
      * @throws IllegalArgumentException when density and size give no positive, finite number
      */
     public MassProperties massProperties() {
+        if (shape.kind() == ShapeKind.CHAIN) {
+            return new MassProperties(mass, inertia, 0, 0);
+        }
         MassProperties plate = shape.massProperties(material.density());
         double kilograms = mass > 0 ? mass : plate.mass();
         double aboutCentre = inertia > 0 ? inertia : plate.inertia() * (kilograms / plate.mass());

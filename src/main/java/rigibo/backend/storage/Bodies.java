@@ -159,6 +159,14 @@ public final class Bodies {
 
     public double[] elasticity;
 
+    /**
+     * The normal of a surface that is solid on its side alone, in the body's frame, 0 where it is
+     * solid all round; null where no shape is solid on one side alone.
+     */
+    public double[] oneWayX;
+
+    public double[] oneWayY;
+
     /** N asked for, and N·m where bodies turn. */
     public double[] forceX;
 
@@ -258,6 +266,10 @@ public final class Bodies {
             case LOCKS -> rotationLocked[slot] = false;
             case DRIVES -> driveTime[slot] = 0;
             case ABSENCES -> disabled[slot] = false;
+            case ONE_SIDED -> {
+                oneWayX[slot] = 0;
+                oneWayY[slot] = 0;
+            }
             default -> throw new AssertionError(need + " follows from effects");
         }
     }

@@ -9,6 +9,7 @@ import static rigibo.backend.storage.Need.DRIVES;
 import static rigibo.backend.storage.Need.FILTERS;
 import static rigibo.backend.storage.Need.FRICTION;
 import static rigibo.backend.storage.Need.LOCKS;
+import static rigibo.backend.storage.Need.ONE_SIDED;
 import static rigibo.backend.storage.Need.PATHS;
 import static rigibo.backend.storage.Need.RESTITUTION;
 import static rigibo.backend.storage.Need.ROLLING_RESISTANCE;
@@ -130,6 +131,8 @@ final class BodyColumns {
                 v.column("rollingResistance", DERIVED, ROLLING_RESISTANCE, b.rollingResistance);
         b.surfaceSpeed = v.column("surfaceSpeed", DERIVED, SURFACE_SPEED, b.surfaceSpeed);
         b.drag = v.column("drag", DERIVED, DRAG, b.drag);
+        b.oneWayX = v.column("oneWayX", DERIVED, ONE_SIDED, b.oneWayX);
+        b.oneWayY = v.column("oneWayY", DERIVED, ONE_SIDED, b.oneWayY);
     }
 
     private static void visitStep(Bodies b, ColumnVisitor v) {

@@ -33,6 +33,8 @@ public final class DataStorage {
         bodies.hold(need);
         if (need == Need.COMPOUNDS) {
             pairs.holdCompounds();
+        } else if (need == Need.ONE_SIDED) {
+            pairs.holdOneSided();
         }
     }
 

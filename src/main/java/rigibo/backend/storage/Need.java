@@ -42,10 +42,13 @@ public enum Need {
     /** A body is driven to a place. */
     DRIVES,
     /** A body is taken out of the simulation for a while. */
-    ABSENCES;
+    ABSENCES,
+    /** A shape is solid on one side alone. */
+    ONE_SIDED;
 
     /** What the first body that has it makes columns of, whatever is declared. */
-    public static final List<Need> OF_BODIES = List.of(COMPOUNDS, FILTERS, LOCKS, DRIVES, ABSENCES);
+    public static final List<Need> OF_BODIES =
+            List.of(COMPOUNDS, FILTERS, LOCKS, DRIVES, ABSENCES, ONE_SIDED);
 
     private final List<Class<? extends Effect>> effects;
 

@@ -3,6 +3,7 @@ package rigibo.backend.storage;
 import static rigibo.backend.storage.Need.ALWAYS;
 import static rigibo.backend.storage.Need.COMPOUNDS;
 import static rigibo.backend.storage.Need.FRICTION;
+import static rigibo.backend.storage.Need.ONE_SIDED;
 import static rigibo.backend.storage.Need.RESTITUTION;
 import static rigibo.backend.storage.Need.ROLLING_RESISTANCE;
 import static rigibo.backend.storage.Role.DERIVED;
@@ -36,6 +37,7 @@ final class PairColumns {
         p.normalY = v.column("normalY", SAVED, ALWAYS, p.normalY);
         p.faceOf = v.column("faceOf", SAVED, ALWAYS, p.faceOf);
         p.points = v.column("points", SAVED, ALWAYS, p.points);
+        p.passage = v.column("passage", SAVED, ONE_SIDED, p.passage);
         p.pointX = v.twins("pointX", SAVED, ALWAYS, p.pointX);
         p.pointY = v.twins("pointY", SAVED, ALWAYS, p.pointY);
         p.separation = v.twins("separation", SAVED, ALWAYS, p.separation);

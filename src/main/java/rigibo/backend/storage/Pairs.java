@@ -17,6 +17,16 @@ public final class Pairs {
     /** Ends a list. */
     public static final int NONE = -1;
 
+    /**
+     * In {@link #passage}: nobody has decided yet; the two meet; one is behind the other's surface;
+     * one is just coming through it.
+     */
+    public static final int UNDECIDED = 0;
+
+    public static final int MEETS = 1;
+    public static final int PASSES = 2;
+    public static final int COMES_THROUGH = 3;
+
     private static final int FIRST_CAPACITY = 64;
 
     public final Slots slots = new Slots();
@@ -97,6 +107,12 @@ public final class Pairs {
 
     public boolean[] touchedBefore = new boolean[FIRST_CAPACITY];
 
+    /**
+     * Of pairs with a shape that is solid on one side alone: whether the two meet; null where no
+     * shape is such.
+     */
+    public int[] passage;
+
     /** The pairs this step has to look at: those with an awake body. */
     public int[] active = new int[FIRST_CAPACITY];
 
@@ -139,6 +155,12 @@ public final class Pairs {
             System.arraycopy(bodyA, 0, shapesA, 0, slots.high);
             System.arraycopy(bodyB, 0, shapesB, 0, slots.high);
         }
+    }
+
+    /** Makes the column that shapes need which are solid on one side alone. */
+    void holdOneSided() {
+        asked.add(Need.ONE_SIDED);
+        declare(effects);
     }
 
     /** The slot of the shape of A that the pair is of. */
@@ -361,6 +383,9 @@ public final class Pairs {
         touching[pair] = false;
         touchedBefore[pair] = false;
         activeStep[pair] = 0;
+        if (passage != null) {
+            passage[pair] = UNDECIDED;
+        }
     }
 
     /** Takes one point away; the other becomes the first. */

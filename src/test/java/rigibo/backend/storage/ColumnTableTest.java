@@ -78,6 +78,7 @@ public class ColumnTableTest {
         bodies.integratePaths(true);
         Need.OF_BODIES.forEach(bodies::hold);
         pairs.holdCompounds();
+        pairs.holdOneSided();
     }
 
     private static Stream<Field> fields(Class<?> type) {

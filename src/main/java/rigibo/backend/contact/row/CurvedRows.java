@@ -128,6 +128,12 @@ public final class CurvedRows {
         double ty = -side * x;
         ends[0] = tx * polygon.cornerX(face) + ty * polygon.cornerY(face);
         ends[1] = tx * polygon.cornerX(next) + ty * polygon.cornerY(next);
+        if (polygon.isEdge() && face == 0) {
+            // Where a chain goes on in a line, so does the face.
+            double sign = Math.signum(ends[1] - ends[0]);
+            ends[0] -= sign * polygon.before().straight();
+            ends[1] += sign * polygon.after().straight();
+        }
     }
 
     /** How far B has slid along A since the step began, m. */

@@ -133,6 +133,8 @@ public final class FreshRows {
             speed += Math.abs(m[a + Motions.SPIN]) * bodies.sweepRadius[pairs.bodyA[pair]];
             speed += Math.abs(m[b + Motions.SPIN]) * bodies.sweepRadius[pairs.bodyB[pair]];
         }
-        return 2 * speed * left + bodies.smallestWidth[pairs.bodyA[pair]];
+        double width = bodies.smallestWidth[pairs.bodyA[pair]];
+        boolean isOfChain = width == Double.POSITIVE_INFINITY;
+        return 2 * speed * left + (isOfChain ? bodies.smallestWidth[pairs.bodyB[pair]] : width);
     }
 }

@@ -216,7 +216,10 @@ public final class TurningRows {
         double turn =
                 Math.abs(motions.data[entry + Motions.TURN])
                         + Math.abs(motions.data[entry + Motions.SPIN]) * left;
-        return sagitta(slot, turn) > straight.unseen() * bodies.smallestWidth[slot];
+        double width = bodies.smallestWidth[slot];
+        // A chain has no width that its turning could be compared with.
+        double unseen = width < Double.POSITIVE_INFINITY ? straight.unseen() * width : 0;
+        return sagitta(slot, turn) > unseen;
     }
 
     private double sagitta(int slot, double turn) {

@@ -4,6 +4,7 @@ import rigibo.backend.effect.Buoyancy;
 import rigibo.backend.effect.Effect;
 import rigibo.backend.effect.Gravity;
 import rigibo.backend.geometry.Capsule;
+import rigibo.backend.geometry.Chain;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Compound;
 import rigibo.backend.geometry.Part;
@@ -77,6 +78,14 @@ final class LevelHash {
             case CAPSULE -> capsule((Capsule) shape);
             case POLYGON -> corners((Polygon) shape);
             case COMPOUND -> parts((Compound) shape);
+            case CHAIN -> corners((Chain) shape);
+        }
+    }
+
+    private void corners(Chain chain) {
+        numbers(chain.corners(), chain.isLoop() ? 1 : 0);
+        for (int i = 0; i < chain.corners(); i++) {
+            numbers(chain.cornerX(i), chain.cornerY(i));
         }
     }
 
