@@ -178,6 +178,7 @@ final class BodyEditor {
     private void mixAnew(int slot) {
         for (int p = bodies.firstPairOf(slot); p != Pairs.NONE; p = data.pairs.nextOf(p, slot)) {
             data.pairs.mix(bodies, p);
+            data.pairs.reconsider(p);
         }
         waking.wakeNeighbours(slot);
         waking.wake(slot);

@@ -130,7 +130,14 @@ final class BodyShapes {
     }
 
     private void writeSurface(int slot, Material material) {
+        if (material.isOneWay()) {
+            data.hold(Need.ONE_SIDED);
+        }
         bodies.material[slot] = material;
+        if (bodies.oneWayX != null) {
+            bodies.oneWayX[slot] = material.oneWayX();
+            bodies.oneWayY[slot] = material.oneWayY();
+        }
         if (bodies.friction != null) {
             bodies.friction[slot] = material.friction();
         }

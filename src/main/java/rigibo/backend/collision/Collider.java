@@ -9,8 +9,10 @@ import rigibo.backend.geometry.Outline;
 public final class Collider {
 
     private final PolygonPolygon polygons;
-    private final EdgeContact edges = new EdgeContact();
     private final boolean isForDistance;
+
+    /** Made with the first edge of a chain. */
+    private EdgeContact edges;
 
     /**
      * Of a distance: how near in m something comes to the end of a chain's edge, in a direction in
@@ -66,6 +68,7 @@ public final class Collider {
 
     private void collideEdge(
             Outline edge, Pose poseE, Outline other, Pose poseO, double reach, Manifold out) {
+        edges = edges == null ? new EdgeContact() : edges;
         if (isForDistance) {
             edges.distance(edge, poseE, other, poseO, near, out);
         } else {

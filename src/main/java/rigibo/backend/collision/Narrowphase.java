@@ -31,7 +31,11 @@ public final class Narrowphase {
     private final StillContacts still;
     private final Collider collider = new Collider();
     private final Seams seams;
-    private final Passages passages;
+
+    /** Made with the first shape that is solid on one side alone. */
+    private Passages passages;
+
+    private final DataStorage data;
     private final Manifold manifold = new Manifold();
     private final Whereabouts whereabouts = new Whereabouts();
     private final Pose poseA = new Pose();
@@ -46,7 +50,7 @@ public final class Narrowphase {
         counters = data.counters;
         still = data.stillContacts;
         seams = new Seams(data);
-        passages = new Passages(data);
+        this.data = data;
     }
 
     /** Lists the active pairs and fills their manifolds for a step of {@code dt} seconds. */
@@ -65,7 +69,7 @@ public final class Narrowphase {
         for (int i = 0; i < pairs.activeCount; i++) {
             begin(pairs.active[i]);
         }
-        if (pairs.passage != null) {
+        if (hasOneSided()) {
             passages.decideActive();
         }
         whereabouts.begin(bodies);
@@ -138,7 +142,7 @@ public final class Narrowphase {
         int b = pairs.bodyB[pair];
         poseA.set(bodies.x[a], bodies.y[a], bodies.cos[a], bodies.sin[a]);
         poseB.set(bodies.x[b], bodies.y[b], bodies.cos[b], bodies.sin[b]);
-        boolean isPassing = passages.isPassing(pair);
+        boolean isPassing = pairs.passage != null && pairs.passage[pair] >= Pairs.PASSES;
         fill(pair, isPassing, poseA, poseB, reach);
         pairs.reach[pair] = reach;
         if (pairs.points[pair] == 0) {
@@ -171,12 +175,19 @@ public final class Narrowphase {
 
     /** Whether the bodies of a pair pass through each other at these poses: one is one-sided. */
     public boolean isPassing(int pair, Pose atA, Pose atB) {
-        return passages.isOneSided(pair) && passages.isPassing(pair, atA, atB);
+        return isOneSided(pair) && passages.isPassing(pair, atA, atB);
     }
 
     /** Whether one of a pair's shapes is solid on one side alone. */
     public boolean isOneSided(int pair) {
-        return passages.isOneSided(pair);
+        return hasOneSided() && passages.isOneSided(pair);
+    }
+
+    private boolean hasOneSided() {
+        if (pairs.passage != null && passages == null) {
+            passages = new Passages(data);
+        }
+        return passages != null;
     }
 
     /** Whether two bodies at these poses touch, or are nearly as near, where they may. */

@@ -135,8 +135,25 @@ final class Passages {
         if (low - top >= -overlap) {
             return Pairs.MEETS;
         }
-        boolean touches = pairs.touched(pair) || pairs.touchedBefore[pair];
-        return known == Pairs.MEETS && touches ? Pairs.MEETS : Pairs.PASSES;
+        return known == Pairs.MEETS && areTouching(pair) ? Pairs.MEETS : Pairs.PASSES;
+    }
+
+    /** Whether the bodies of a pair touch, or did, with these or other parts of theirs. */
+    private boolean areTouching(int pair) {
+        int a = pairs.bodyA[pair];
+        int mover = bodies.isDynamic(a) ? a : pairs.bodyB[pair];
+        int other = pairs.other(pair, mover);
+        boolean areTouching = pairs.touched(pair) || pairs.touchedBefore[pair];
+        boolean areMany =
+                bodies.nextShapeOf(mover) != Pairs.NONE || bodies.nextShapeOf(other) != Pairs.NONE;
+        for (int p = bodies.firstPair[mover]; areMany && p != Pairs.NONE && !areTouching; ) {
+            areTouching =
+                    pairs.other(p, mover) == other
+                            && pairs.passage[p] == Pairs.MEETS
+                            && (pairs.touched(p) || pairs.touchedBefore[p]);
+            p = pairs.nextOf(p, mover);
+        }
+        return areTouching;
     }
 
     /** How far an outline reaches along a direction from where another is, m. */

@@ -52,7 +52,7 @@ record Form<T>(String name, int count, Function<T, double[]> numbers, Function<d
     static final Form<Material> MATERIAL =
             new Form<>(
                     "material",
-                    6,
+                    8,
                     m ->
                             new double[] {
                                 m.density(),
@@ -60,9 +60,11 @@ record Form<T>(String name, int count, Function<T, double[]> numbers, Function<d
                                 m.elasticity(),
                                 m.rollingResistance(),
                                 m.surfaceSpeed(),
-                                m.drag()
+                                m.drag(),
+                                m.oneWayX(),
+                                m.oneWayY()
                             },
-                    n -> new Material(n[0], n[1], n[2], n[3], n[4], n[5]));
+                    n -> new Material(n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7]));
 
     private static final BodyType[] TYPES = BodyType.values();
 

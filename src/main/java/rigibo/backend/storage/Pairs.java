@@ -388,6 +388,14 @@ public final class Pairs {
         }
     }
 
+    /** Leaves it to the next step whether the two meet: a surface has become another. */
+    public void reconsider(int pair) {
+        if (passage != null) {
+            passage[pair] = UNDECIDED;
+            reach[pair] = Double.NaN;
+        }
+    }
+
     /** Takes one point away; the other becomes the first. */
     public void removePoint(int pair, int i) {
         reach[pair] = Double.NaN;
