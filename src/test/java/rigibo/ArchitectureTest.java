@@ -66,7 +66,7 @@ class ArchitectureTest {
             {"storage"},
             {"force", "broadphase", "collision"},
             {"impact"},
-            {"flight", "contact", "rest"},
+            {"flight", "contact", "rest", "sense"},
             {"step"},
             {"saved"}
         };

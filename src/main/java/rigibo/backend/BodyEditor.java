@@ -2,6 +2,7 @@ package rigibo.backend;
 
 import rigibo.backend.effect.Contacts;
 import rigibo.backend.effect.Effects;
+import rigibo.backend.effect.Sensors;
 import rigibo.backend.effect.Thrust;
 import rigibo.backend.geometry.MassProperties;
 import rigibo.backend.geometry.Shape;
@@ -48,6 +49,7 @@ final class BodyEditor {
 
     int add(BodyDefinition definition) {
         MassProperties plate = definition.massProperties();
+        requireSensors("Pool.add", definition.isSensor(), definition.shape());
         int slot = bodies.take();
         bodies.type[slot] = definition.type();
         bodies.gravityScale[slot] = definition.gravityScale();
@@ -106,6 +108,7 @@ final class BodyEditor {
     /** Takes the fixture of a body that goes, and wakes what rested on it. */
     private void leave(int slot) {
         supportLoss.wakeNeighbours(slot);
+        forgetVisits(slot);
         if (isInBroadphase(slot)) {
             pool.contacts().ended.cutAllOf(slot);
             plan.broadphase().remove(slot);
@@ -244,6 +247,7 @@ final class BodyEditor {
 
     void shape(int slot, Shape shape) {
         requireMass("shape", bodies.type[slot], shape);
+        requireSensors("RigidBody.shape", false, shape);
         MassProperties plate = Weight.of(bodies, slot, shape, bodies.material[slot]);
         waking.wakeNeighbours(slot);
         if (shape.parts() == 1 && bodies.shape[slot].parts() == 1 && !isChain(shape)) {
@@ -254,6 +258,23 @@ final class BodyEditor {
             exchange(slot, shape, plate);
         }
         waking.wake(slot);
+    }
+
+    private void forgetVisits(int slot) {
+        if (data.visits != null) {
+            pool.sensors().cutAllOf(slot);
+        }
+    }
+
+    private void requireSensors(String verb, boolean isWhole, Shape shape) {
+        boolean isAny = isWhole;
+        for (int part = 0; part < shape.parts() && !isAny; part++) {
+            isAny = BodyShapes.isSensor(shape, part);
+        }
+        if (isAny && !plan.effects().declares(Sensors.class)) {
+            throw new IllegalStateException(
+                    verb + " of a sensor needs the effect Sensors, which is not declared");
+        }
     }
 
     private static boolean isChain(Shape shape) {
@@ -270,6 +291,7 @@ final class BodyEditor {
 
     /** Another number of shapes takes other slots, and other fixtures. */
     private void exchange(int slot, Shape shape, MassProperties plate) {
+        forgetVisits(slot);
         if (isInBroadphase(slot)) {
             pool.contacts().ended.cutAllOf(slot);
             plan.broadphase().remove(slot);
@@ -292,6 +314,7 @@ final class BodyEditor {
         if (!effects.declares(Thrust.class)) {
             data.thrusting.clear();
         }
+        boolean sensed = plan.effects().declares(Sensors.class);
         bodies.declare(effects);
         data.pairs.declare(effects);
         plan.compile(effects, plan.accuracy());
@@ -315,8 +338,21 @@ final class BodyEditor {
                 waking.wake(slot);
             }
         }
+        if (data.visits != null && sensed != effects.declares(Sensors.class)) {
+            findVisitsAnew();
+        }
         // What is driven by its spin alone is driven only where bodies turn.
         data.roster.isStale = true;
+    }
+
+    /** Where sensors are declared again they look for who is there. */
+    private void findVisitsAnew() {
+        data.visits.clear();
+        for (int slot = 0; slot < bodies.slots.high; slot++) {
+            if (bodies.isBody(slot) && isInBroadphase(slot)) {
+                plan.broadphase().refit(slot);
+            }
+        }
     }
 
     private void forgetAllPairs() {

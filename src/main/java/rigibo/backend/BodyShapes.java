@@ -32,6 +32,7 @@ final class BodyShapes {
         for (int part = 0; part < definition.shape().parts(); part++) {
             writeSurface(slot, surface(definition.material(part), definition.material()));
             filter(slot, definition.filter(part));
+            sensor(slot, definition.isSensor() || isSensor(definition.shape(), part));
             slot = bodies.nextShapeOf(slot);
         }
     }
@@ -39,6 +40,7 @@ final class BodyShapes {
     /** Gives a body another number of parts, with the material and the filter of its first one. */
     void exchange(int body, Shape shape) {
         Filter filter = filter(body);
+        boolean isWhole = bodies.isSensor(body) && !isSensor(bodies.shape[body], 0);
         release(body);
         if (bodies.holdsCompounds()) {
             bodies.nextShape[body] = Pairs.NONE;
@@ -48,6 +50,7 @@ final class BodyShapes {
         for (int slot = body; slot != Pairs.NONE; slot = bodies.nextShapeOf(slot)) {
             writeSurface(slot, bodies.material[body]);
             filter(slot, filter);
+            sensor(slot, isWhole || isSensor(shape, bodies.partOf(slot)));
         }
     }
 
@@ -96,6 +99,20 @@ final class BodyShapes {
         }
         if (bodies.sweepRadius != null) {
             bodies.sweepRadius[body] = sweep;
+        }
+    }
+
+    /** Whether a part of a shape is a sensor by itself. */
+    static boolean isSensor(Shape shape, int part) {
+        return shape.isSensor(part);
+    }
+
+    private void sensor(int slot, boolean isSensor) {
+        if (isSensor) {
+            data.hold(Need.SENSORS);
+        }
+        if (bodies.sensor != null) {
+            bodies.sensor[slot] = isSensor;
         }
     }
 

@@ -53,6 +53,9 @@ public final class Pool {
     /** Made when somebody asks, or edits a body that might touch others. */
     private PoolContacts contacts;
 
+    /** Made when somebody asks what sensors see, or edits a body that they may see. */
+    private PoolSensors sensors;
+
     private final PoolTotals totals;
     private final BodyList bodies = new BodyList();
     private LongSupplier clock = NO_CLOCK;
@@ -192,6 +195,9 @@ public final class Pool {
         if (contacts != null) {
             contacts.ended.follow();
         }
+        if (sensors != null) {
+            sensors.follow();
+        }
         time += dt;
         return report;
     }
@@ -275,6 +281,40 @@ public final class Pool {
         Require.present("Pool.forEachContact visitor", visitor);
         busy.requireBetweenSteps("visit contacts");
         contacts().forEach(visitor);
+    }
+
+    /**
+     * What sensors saw in the last step; a list of its own. Empty where {@code Sensors} are not
+     * declared.
+     */
+    public List<SensorEvent> sensorEvents() {
+        return sensors().list();
+    }
+
+    /**
+     * Shows what {@link #sensorEvents} tells one by one and allocates nothing. Meanwhile the pool
+     * makes no step and refuses to be changed with {@link IllegalStateException}.
+     *
+     * @param reader is handed one object again and again, whose contents hold until it returns
+     * @throws IllegalStateException when called within a step
+     */
+    public void forEachSensorEvent(Consumer<? super SensorView> reader) {
+        Require.present("Pool.forEachSensorEvent reader", reader);
+        busy.requireBetweenSteps("read sensors");
+        sensors().forEach(reader);
+    }
+
+    /**
+     * The bodies that the last step left inside of any sensor of a body, each once. Refuses bodies
+     * as {@link #remove} does.
+     */
+    public List<RigidBody> inside(RigidBody sensor) {
+        return List.copyOf(sensors().inside(own(sensor).slot()));
+    }
+
+    /** Whether the last step left a body inside of any sensor of another one. */
+    public boolean isInside(RigidBody sensor, RigidBody visitor) {
+        return sensors().inside(own(sensor).slot()).contains(own(visitor));
     }
 
     /**
@@ -445,6 +485,13 @@ public final class Pool {
             contacts = new PoolContacts(this, data, busy);
         }
         return contacts;
+    }
+
+    PoolSensors sensors() {
+        if (sensors == null) {
+            sensors = new PoolSensors(this, data, busy);
+        }
+        return sensors;
     }
 
     List<SavedContact> savedContacts() {

@@ -73,15 +73,18 @@ final class PoolQueries {
         for (int i = 0; i < found.count; i++) {
             int slot = found.numbers[i];
             int body = place(slot);
-            if (pointAndRay.holds(bodies.outline[slot], pose, x, y)) {
+            if (!bodies.isSensor(slot) && pointAndRay.holds(bodies.outline[slot], pose, x, y)) {
                 last = later(last, pool.handle(body));
             }
         }
         return Optional.ofNullable(last);
     }
 
-    /** Whether a shape is one that a filter meets. */
+    /** Whether a shape is one that a filter meets; sensors are none. */
     boolean meets(int slot, Filter filter) {
+        if (bodies.isSensor(slot)) {
+            return false;
+        }
         Filter own = Filter.ALL.group(bodies.group[slot]);
         return filter.meets(
                 bodies.category == null
@@ -94,7 +97,7 @@ final class PoolQueries {
         pose.set(bodies.x[body], bodies.y[body], bodies.cos[body], bodies.sin[body]);
         boolean holds = false;
         for (int slot = body; slot != Pairs.NONE && !holds; slot = bodies.nextShapeOf(slot)) {
-            holds = pointAndRay.holds(bodies.outline[slot], pose, x, y);
+            holds = !bodies.isSensor(slot) && pointAndRay.holds(bodies.outline[slot], pose, x, y);
         }
         return holds;
     }
@@ -144,7 +147,7 @@ final class PoolQueries {
             int slot = found.numbers[i];
             int body = place(slot);
             collider.collide(outline, areaPose, bodies.outline[slot], pose, 0, manifold);
-            if (manifold.count > 0) {
+            if (manifold.count > 0 && !bodies.isSensor(slot)) {
                 inside.add(pool.handle(body));
             }
         }

@@ -102,7 +102,8 @@ final class RayCast {
         pose.set(bodies.x[body], bodies.y[body], bodies.cos[body], bodies.sin[body]);
         double at = pointAndRay.enters(bodies.outline[slot], pose, fromX, fromY, toX, toY);
         boolean isSooner = at < fraction || at == fraction && isFirstAdded(slot);
-        if (isSooner && !startsWithin(body) && (filter == null || queries.meets(slot, filter))) {
+        boolean isMet = filter == null ? !bodies.isSensor(slot) : queries.meets(slot, filter);
+        if (isSooner && isMet && !startsWithin(body)) {
             met = slot;
             fraction = at;
             normalX = pointAndRay.normalX;

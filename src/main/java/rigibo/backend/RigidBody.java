@@ -7,6 +7,7 @@ import rigibo.backend.setup.Filter;
 import rigibo.backend.setup.Material;
 import rigibo.backend.setup.Require;
 import rigibo.backend.storage.Bodies;
+import rigibo.backend.storage.Pairs;
 
 /**
  * A handle on one body of a {@link Pool}. Readers tell its state now; verbs change it between steps
@@ -130,6 +131,16 @@ public final class RigidBody {
     public Filter filter(int part) {
         columns();
         return pool.editor().filter(slot, part);
+    }
+
+    /** Whether all parts of the shape touch nothing and tell who is inside. */
+    public boolean isSensor() {
+        Bodies bodies = columns();
+        boolean isSensor = true;
+        for (int s = slot; s != Pairs.NONE && isSensor; s = bodies.nextShapeOf(s)) {
+            isSensor = bodies.isSensor(s);
+        }
+        return isSensor;
     }
 
     /** Whether the body is kept from turning. */

@@ -104,6 +104,11 @@ public final class StepReport {
         return counters.deepestOverlap;
     }
 
+    /** How often a shape was asked whether it is inside of a sensor that it is near. */
+    public int sensed() {
+        return data.counters.sensed;
+    }
+
     /**
      * Pairs in which a kinematic body has been pressed into a body that could not give way, deeper
      * than 5 % of its width; it presses no further there.

@@ -48,6 +48,11 @@ public final class Broadphase {
     private final Bodies bodies;
     private final Pairs pairs;
     private final Roster roster;
+    private final DataStorage data;
+
+    /** Whether it looks for the visitors of sensors, too. */
+    public boolean senses;
+
     private final FixtureTree tree = new FixtureTree();
     private final RayWalk walk = new RayWalk(tree);
     private final Found found = new Found();
@@ -61,6 +66,7 @@ public final class Broadphase {
         bodies = data.bodies;
         pairs = data.pairs;
         roster = data.roster;
+        this.data = data;
     }
 
     /** Lays the first fixtures of a new body, one for each of its shapes. */
@@ -200,6 +206,22 @@ public final class Broadphase {
             int body = roster.awake[i];
             if (isMoving(body)) {
                 coverPose(body);
+            }
+        }
+    }
+
+    /**
+     * After {@link #coverPoses} finds the sensors that a body has come to which left its fixture.
+     */
+    public void meetVisitors() {
+        for (int i = 0; i < moved.count; i++) {
+            int slot = moved.numbers[i];
+            query(slot);
+            for (int k = 0; k < found.count; k++) {
+                int other = found.numbers[k];
+                if (bodies.sensor[slot] || bodies.sensor[other]) {
+                    visit(slot, other);
+                }
             }
         }
     }
@@ -413,6 +435,14 @@ public final class Broadphase {
     }
 
     private void findPairs(int slot) {
+        query(slot);
+        for (int i = 0; i < found.count; i++) {
+            pair(slot, found.numbers[i]);
+        }
+    }
+
+    /** Finds all that reaches into the fixture of a shape. */
+    private void query(int slot) {
         found.clear();
         tree.query(
                 bodies.fixtureMinX[slot],
@@ -421,12 +451,13 @@ public final class Broadphase {
                 bodies.fixtureMaxY[slot],
                 found);
         found.sort();
-        for (int i = 0; i < found.count; i++) {
-            pair(slot, found.numbers[i]);
-        }
     }
 
     private void pair(int slot, int other) {
+        if (bodies.sensor != null && (bodies.sensor[slot] || bodies.sensor[other])) {
+            visit(slot, other);
+            return;
+        }
         boolean isFirst = bodies.bodyOf(slot) < bodies.bodyOf(other);
         int shapeA = isFirst ? slot : other;
         int shapeB = isFirst ? other : slot;
@@ -438,6 +469,15 @@ public final class Broadphase {
                         && bodies.meet(shapeA, shapeB);
         if (collide && pairs.index.find(shapeA, shapeB) == PairIndex.ABSENT) {
             pairs.add(bodies, shapeA, shapeB);
+        }
+    }
+
+    /** Sensors see no sensors, and no part of their own body. */
+    private void visit(int slot, int other) {
+        boolean isOne = bodies.sensor[slot] != bodies.sensor[other];
+        boolean areApart = bodies.bodyOf(slot) != bodies.bodyOf(other);
+        if (senses && isOne && areApart && bodies.meet(slot, other)) {
+            data.visits.meet(bodies, slot, other);
         }
     }
 

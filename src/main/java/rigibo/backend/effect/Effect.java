@@ -17,7 +17,8 @@ public sealed interface Effect
                 Buoyancy,
                 Thrust,
                 ContinuousImpacts,
-                Sleep {
+                Sleep,
+                Sensors {
 
     /**
      * Whether the effect holds a function of the caller's, which may change with time and cannot be

@@ -109,7 +109,8 @@ public final class Effects {
         if (effect instanceof Friction
                 || effect instanceof Restitution
                 || effect instanceof ContinuousImpacts
-                || effect instanceof Sleep) {
+                || effect instanceof Sleep
+                || effect instanceof Sensors) {
             require(effect, Contacts.class);
         }
         if (effect instanceof Wind) {

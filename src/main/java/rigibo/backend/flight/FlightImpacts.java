@@ -17,6 +17,7 @@ import rigibo.backend.storage.Quarantine;
 /** What happens when flyers meet: they part again, or their bounces have come to an end. */
 final class FlightImpacts {
 
+    private final DataStorage data;
     private final Bodies bodies;
     private final Pairs pairs;
     private final Counters counters;
@@ -48,6 +49,7 @@ final class FlightImpacts {
             Accuracy accuracy,
             Trajectories paths,
             Course course) {
+        this.data = data;
         bodies = data.bodies;
         pairs = data.pairs;
         counters = data.counters;
@@ -250,12 +252,23 @@ final class FlightImpacts {
         int b = pairs.bodyB[pair];
         bring(a, time);
         bring(b, time);
+        if (data.ways != null) {
+            note(a, time);
+            note(b, time);
+        }
         paths.load(a, motionA);
         paths.load(b, motionB);
         motionA.poseAt(time, poseA);
         motionB.poseAt(time, poseB);
         double width = PairTolerances.width(bodies, a, b);
         narrowphase.measure(pair, poseA, poseB, PairTolerances.TOUCHING_GAP * width);
+    }
+
+    /** What flew here flies on another way. */
+    private void note(int slot, double time) {
+        if (paths.isFlyer(slot)) {
+            data.ways.note(bodies, slot, time);
+        }
     }
 
     /** Brings a body's columns to a time in s, if it flies. */

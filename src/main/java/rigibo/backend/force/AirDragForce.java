@@ -47,7 +47,7 @@ final class AirDragForce implements ChangingForce {
         double most = Double.NEGATIVE_INFINITY;
         for (int part = 0; part < shape.parts(); part++) {
             Outline outline = shape.outline(part);
-            for (int i = 0; i < outline.corners(); i++) {
+            for (int i = 0; i < outline.corners() && !shape.isSensor(part); i++) {
                 double along = x * outline.cornerX(i) + y * outline.cornerY(i);
                 least = Math.min(least, along - outline.radius());
                 most = Math.max(most, along + outline.radius());

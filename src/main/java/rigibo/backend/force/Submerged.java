@@ -70,6 +70,9 @@ final class Submerged {
         for (int part = 0; part < at.shape.parts(); part++) {
             isBegun = false;
             Outline outline = at.shape.outline(part);
+            if (at.shape.isSensor(part)) {
+                continue;
+            }
             if (outline.radius() > 0) {
                 walkRound(outline, at.angle, at.cos(), at.sin());
             } else {

@@ -42,7 +42,9 @@ public final class Compound implements Shape {
         double covered = 0;
         for (int i = 0; i < outlines.length; i++) {
             reach = Math.max(reach, outlines[i].boundingRadius());
-            narrowest = Math.min(narrowest, outlines[i].smallestWidth());
+            if (!parts.get(i).isSensor()) {
+                narrowest = Math.min(narrowest, outlines[i].smallestWidth());
+            }
             covered += parts.get(i).shape().area();
         }
         boundingRadius = reach;
@@ -170,6 +172,11 @@ public final class Compound implements Shape {
     }
 
     @Override
+    public boolean isSensor(int part) {
+        return parts.get(part).isSensor();
+    }
+
+    @Override
     public Outline outline(int part) {
         return outlines[part];
     }
@@ -196,7 +203,7 @@ public final class Compound implements Shape {
         return boundingRadius;
     }
 
-    /** The smallest width in m of any part. */
+    /** The smallest width in m of any part that is no sensor. */
     @Override
     public double smallestWidth() {
         return smallestWidth;

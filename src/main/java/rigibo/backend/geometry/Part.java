@@ -11,8 +11,16 @@ public final class Part {
     private final double y;
     private final double angle;
     private final double relativeDensity;
+    private final boolean isSensor;
 
-    private Part(Convex shape, double x, double y, double angle, double relativeDensity) {
+    private Part(
+            Convex shape,
+            double x,
+            double y,
+            double angle,
+            double relativeDensity,
+            boolean isSensor) {
+        this.isSensor = isSensor;
         this.shape = shape;
         this.x = x;
         this.y = y;
@@ -25,7 +33,7 @@ public final class Part {
         if (shape == null) {
             throw new IllegalArgumentException("Part.shape must be present, was null");
         }
-        return new Part(shape, 0, 0, 0, 1);
+        return new Part(shape, 0, 0, 0, 1, false);
     }
 
     /**
@@ -41,7 +49,8 @@ public final class Part {
                 requireFinite("x", metresX, "m"),
                 requireFinite("y", metresY, "m"),
                 angle,
-                relativeDensity);
+                relativeDensity,
+                isSensor);
     }
 
     /**
@@ -50,7 +59,8 @@ public final class Part {
      * @throws IllegalArgumentException when the angle is not finite
      */
     public Part angle(double radians) {
-        return new Part(shape, x, y, requireFinite("angle", radians, "rad"), relativeDensity);
+        return new Part(
+                shape, x, y, requireFinite("angle", radians, "rad"), relativeDensity, isSensor);
     }
 
     /**
@@ -64,7 +74,20 @@ public final class Part {
             throw new IllegalArgumentException(
                     "Part.relativeDensity must be 0 to 10⁶ (no unit), was " + factor);
         }
-        return new Part(shape, x, y, angle, factor);
+        return new Part(shape, x, y, angle, factor, isSensor);
+    }
+
+    /**
+     * The same as a sensor, which touches nothing and tells who is inside, where {@code Sensors}
+     * are declared. It weighs nothing unless a relative density is stated after this.
+     */
+    public Part sensor() {
+        return new Part(shape, x, y, angle, 0, true);
+    }
+
+    /** Whether it touches nothing and tells who is inside. */
+    public boolean isSensor() {
+        return isSensor;
     }
 
     /** The shape. */
@@ -121,7 +144,8 @@ public final class Part {
                 && x == part.x
                 && y == part.y
                 && angle == part.angle
-                && relativeDensity == part.relativeDensity;
+                && relativeDensity == part.relativeDensity
+                && isSensor == part.isSensor;
     }
 
     @Override

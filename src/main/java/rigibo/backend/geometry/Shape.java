@@ -21,6 +21,15 @@ public sealed interface Shape permits Convex, Compound, Chain {
      */
     Outline outline(int part);
 
+    /**
+     * Whether a part touches nothing and tells who is inside.
+     *
+     * @param part from 0
+     */
+    default boolean isSensor(int part) {
+        return false;
+    }
+
     /** Area in m², positive; 0 of a chain. */
     double area();
 

@@ -12,6 +12,7 @@ import rigibo.backend.effect.Gravity;
 import rigibo.backend.effect.Restitution;
 import rigibo.backend.effect.RollingResistance;
 import rigibo.backend.effect.Rotation;
+import rigibo.backend.effect.Sensors;
 import rigibo.backend.effect.Sleep;
 import rigibo.backend.effect.SurfaceSpeed;
 import rigibo.backend.effect.Thrust;
@@ -62,6 +63,7 @@ final class EffectForms {
                             b -> new double[] {b.level(), b.density(), b.drag()},
                             n -> new Buoyancy(n[0], n[1], n[2])),
                     plain(new ContinuousImpacts()),
+                    plain(new Sensors()),
                     form(
                             Sleep.class,
                             2,

@@ -47,7 +47,7 @@ record Form<T>(String name, int count, Function<T, double[]> numbers, Function<d
     /** Of a compound before its first part, and of a part before the numbers of its shape. */
     private static final int COMPOUND_HEAD = 5;
 
-    private static final int PART_HEAD = 5;
+    private static final int PART_HEAD = 6;
 
     static final Form<Material> MATERIAL =
             new Form<>(
@@ -111,7 +111,7 @@ record Form<T>(String name, int count, Function<T, double[]> numbers, Function<d
             Part part = compound.part(i);
             double[] shape = numbersOf(part.shape());
             numbers.add(shape.length).add(part.x()).add(part.y());
-            numbers.add(part.angle()).add(part.relativeDensity());
+            numbers.add(part.angle()).add(part.relativeDensity()).add(part.isSensor() ? 1 : 0);
             Arrays.stream(shape).forEach(numbers);
         }
         return numbers.build().toArray();
@@ -143,9 +143,9 @@ record Form<T>(String name, int count, Function<T, double[]> numbers, Function<d
             if (!(shape instanceof Convex convex)) {
                 throw new IllegalArgumentException("a part of a compound must be convex");
             }
+            Part part = numbers[at + 5] == 0 ? Part.of(convex) : Part.of(convex).sensor();
             parts.add(
-                    Part.of(convex)
-                            .at(numbers[at + 1], numbers[at + 2])
+                    part.at(numbers[at + 1], numbers[at + 2])
                             .angle(numbers[at + 3])
                             .relativeDensity(numbers[at + 4]));
             at = to;

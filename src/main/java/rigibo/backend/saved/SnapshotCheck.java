@@ -5,6 +5,7 @@ import rigibo.backend.setup.BodyType;
 import rigibo.backend.setup.Require;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.Pairs;
+import rigibo.backend.storage.Visits;
 
 import java.util.Arrays;
 
@@ -38,6 +39,7 @@ final class SnapshotCheck {
         }
         check.requireOrder();
         PairLinks.require(snapshot.data);
+        check.requireVisits(snapshot.data.visits);
         for (SavedContact contact : snapshot.ended) {
             contact.require(check.bodies);
         }
@@ -72,6 +74,20 @@ final class SnapshotCheck {
         }
         if (bodies.firstPair != null) {
             requireFixture(slot);
+        }
+    }
+
+    private void requireVisits(Visits visits) {
+        for (int i = 0; visits != null && i < visits.count; i++) {
+            requireShapeAt(visits.sensor[i]);
+            requireShapeAt(visits.visitor[i]);
+            Require.within("visit", visits.state[i], Visits.OUTSIDE, Visits.PASSED);
+        }
+    }
+
+    private void requireShapeAt(int slot) {
+        if (slot < 0 || slot >= bodies.slots.high || bodies.type[slot] == null) {
+            throw new IllegalArgumentException("a visit must name shapes, was slot " + slot);
         }
     }
 

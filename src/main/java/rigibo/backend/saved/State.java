@@ -8,6 +8,7 @@ import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.Need;
 import rigibo.backend.storage.Role;
 import rigibo.backend.storage.Slots;
+import rigibo.backend.storage.Visits;
 
 import java.util.Arrays;
 import java.util.Map;
@@ -47,6 +48,24 @@ final class State implements ColumnVisitor {
         data.bodies.visitColumns(state);
         data.pairs.reserve(state.visitSlots("pair slots", data.pairs.slots));
         data.pairs.visitColumns(state);
+        if (data.visits != null) {
+            visitVisits(data.visits, codec);
+        }
+    }
+
+    private static void visitVisits(Visits visits, Codec codec) {
+        codec.label("visits");
+        int count = codec.count(visits.count, 3 * NUMBER_BYTES);
+        int known = visits.count;
+        for (int i = 0; i < count; i++) {
+            boolean isKnown = i < known;
+            int sensor = codec.number(isKnown ? visits.sensor[i] : 0);
+            int visitor = codec.number(isKnown ? visits.visitor[i] : 0);
+            int now = codec.number(isKnown ? visits.state[i] : 0);
+            if (!isKnown) {
+                visits.add(sensor, visitor, now);
+            }
+        }
     }
 
     /** Slots and which of them are free, in the order they will be handed out; answers how many. */

@@ -26,6 +26,7 @@ public final class BodyDefinition {
     private Filter filter = Filter.ALL;
     private boolean awake = true;
     private boolean rotationLocked;
+    private boolean sensor;
 
     /** Of the parts of a compound that have their own; null elsewhere, or where none has. */
     private Material[] surfaces;
@@ -59,6 +60,7 @@ public final class BodyDefinition {
         filter = pattern.filter;
         awake = pattern.awake;
         rotationLocked = pattern.rotationLocked;
+        sensor = pattern.sensor;
         if (shape.parts() == pattern.shape.parts()) {
             surfaces = pattern.surfaces;
             filters = pattern.filters;
@@ -255,6 +257,21 @@ public final class BodyDefinition {
         return next;
     }
 
+    /**
+     * Makes the whole body a sensor, which touches nothing and tells who is inside. {@code Sensors}
+     * have to be declared where it is added, and a dynamic one has to state its mass.
+     */
+    public BodyDefinition sensor() {
+        BodyDefinition next = new BodyDefinition(this);
+        next.sensor = true;
+        return next;
+    }
+
+    /** Whether the whole body touches nothing and tells who is inside. */
+    public boolean isSensor() {
+        return sensor;
+    }
+
     /** Whether the body starts awake; one that starts asleep waits for a touch. */
     public BodyDefinition awake(boolean isAwake) {
         BodyDefinition next = new BodyDefinition(this);
@@ -377,6 +394,10 @@ public final class BodyDefinition {
     public MassProperties massProperties() {
         if (shape.kind() == ShapeKind.CHAIN) {
             return new MassProperties(mass, inertia, 0, 0);
+        }
+        if (sensor && type == BodyType.DYNAMIC && mass == 0) {
+            throw new IllegalArgumentException(
+                    "BodyDefinition.mass must be stated (kg) for a dynamic sensor");
         }
         MassProperties plate = shape.massProperties(material.density());
         double kilograms = mass > 0 ? mass : plate.mass();

@@ -14,6 +14,7 @@ import rigibo.backend.effect.Gravity;
 import rigibo.backend.effect.Restitution;
 import rigibo.backend.effect.RollingResistance;
 import rigibo.backend.effect.Rotation;
+import rigibo.backend.effect.Sensors;
 import rigibo.backend.effect.Sleep;
 import rigibo.backend.effect.SurfaceSpeed;
 import rigibo.backend.effect.Thrust;
@@ -30,6 +31,7 @@ import rigibo.backend.force.WindKernel;
 import rigibo.backend.rest.IslandBuilder;
 import rigibo.backend.rest.PileClassifier;
 import rigibo.backend.rest.Sleeping;
+import rigibo.backend.sense.SensorStage;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.ImpactMode;
 import rigibo.backend.setup.Integrator;
@@ -75,6 +77,7 @@ public final class StepPlan {
         compileEffects(bodies, course);
         if (declared.declares(Contacts.class)) {
             broadphase = broadphase == null ? new Broadphase(data) : broadphase;
+            broadphase.senses = declared.declares(Sensors.class);
             compileContacts(bodies, course, areIntegrated ? new IslandForces(data, forces) : null);
         } else {
             broadphase = null;
@@ -94,6 +97,12 @@ public final class StepPlan {
         add(StepStage.REPORT, "put to rest what stopped being finite", bodies::quarantine);
         if (broadphase != null) {
             add(StepStage.REPORT, "fixtures of what left its own", dt -> broadphase.coverPoses());
+        }
+        if (declared.declares(Sensors.class)) {
+            add(
+                    StepStage.REPORT,
+                    "tell who is inside of sensors",
+                    new SensorStage(data, broadphase)::sense);
         }
     }
 

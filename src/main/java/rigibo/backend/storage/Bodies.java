@@ -167,6 +167,9 @@ public final class Bodies {
 
     public double[] oneWayY;
 
+    /** Whether a shape touches nothing and tells who is inside; null where none does. */
+    public boolean[] sensor;
+
     /** N asked for, and N·m where bodies turn. */
     public double[] forceX;
 
@@ -266,6 +269,7 @@ public final class Bodies {
             case LOCKS -> rotationLocked[slot] = false;
             case DRIVES -> driveTime[slot] = 0;
             case ABSENCES -> disabled[slot] = false;
+            case SENSORS -> sensor[slot] = false;
             case ONE_SIDED -> {
                 oneWayX[slot] = 0;
                 oneWayY[slot] = 0;
@@ -454,6 +458,11 @@ public final class Bodies {
     /** Whether a body is neither moved nor met by anybody. */
     public boolean isDisabled(int slot) {
         return disabled != null && disabled[slot];
+    }
+
+    /** Whether a shape touches nothing and tells who is inside. */
+    public boolean isSensor(int slot) {
+        return sensor != null && sensor[slot];
     }
 
     /** Whether a body is on its way to a place. */

@@ -14,6 +14,7 @@ import static rigibo.backend.storage.Need.PATHS;
 import static rigibo.backend.storage.Need.RESTITUTION;
 import static rigibo.backend.storage.Need.ROLLING_RESISTANCE;
 import static rigibo.backend.storage.Need.ROTATION;
+import static rigibo.backend.storage.Need.SENSORS;
 import static rigibo.backend.storage.Need.SLEEP;
 import static rigibo.backend.storage.Need.SURFACE_SPEED;
 import static rigibo.backend.storage.Need.THRUST;
@@ -59,6 +60,7 @@ final class BodyColumns {
         b.driveY = v.column("driveY", SAVED, DRIVES, b.driveY);
         b.driveAngle = v.column("driveAngle", SAVED, DRIVES, b.driveAngle);
         b.driveTime = v.column("driveTime", SAVED, DRIVES, b.driveTime);
+        b.sensor = v.column("sensor", SAVED, SENSORS, b.sensor);
         b.disabled = v.column("disabled", SAVED, ABSENCES, b.disabled);
         b.group = v.column("group", SAVED, ALWAYS, b.group);
         b.gravityScale = v.column("gravityScale", SAVED, ALWAYS, b.gravityScale);

@@ -26,6 +26,9 @@ public final class Counters {
 
     public double multiplications;
 
+    /** How often it was asked whether something is inside of a sensor. */
+    public int sensed;
+
     /** m, 0 or more. */
     public double deepestOverlap;
 
@@ -50,6 +53,7 @@ public final class Counters {
         Arrays.fill(rowsBy, 0);
         contactSolves = 0;
         multiplications = 0;
+        sensed = 0;
         deepestOverlap = 0;
         quarantinedCount = 0;
         Arrays.fill(nanos, 0);

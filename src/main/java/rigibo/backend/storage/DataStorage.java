@@ -18,6 +18,11 @@ public final class DataStorage {
     /** Slots of the bodies on their way to a place, some twice, and some that no longer are. */
     public final Found steered = new Found();
 
+    /** Who is near a sensor, and where bodies were struck; null where no shape is a sensor. */
+    public Visits visits;
+
+    public Ways ways;
+
     /** When the step in progress began, s since the pool was made. */
     public double time;
 
@@ -35,6 +40,9 @@ public final class DataStorage {
             pairs.holdCompounds();
         } else if (need == Need.ONE_SIDED) {
             pairs.holdOneSided();
+        } else if (need == Need.SENSORS && visits == null) {
+            visits = new Visits();
+            ways = new Ways();
         }
     }
 

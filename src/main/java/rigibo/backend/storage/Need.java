@@ -44,11 +44,13 @@ public enum Need {
     /** A body is taken out of the simulation for a while. */
     ABSENCES,
     /** A shape is solid on one side alone. */
-    ONE_SIDED;
+    ONE_SIDED,
+    /** A shape touches nothing and tells who is inside. */
+    SENSORS;
 
     /** What the first body that has it makes columns of, whatever is declared. */
     public static final List<Need> OF_BODIES =
-            List.of(COMPOUNDS, FILTERS, LOCKS, DRIVES, ABSENCES, ONE_SIDED);
+            List.of(COMPOUNDS, FILTERS, LOCKS, DRIVES, ABSENCES, ONE_SIDED, SENSORS);
 
     private final List<Class<? extends Effect>> effects;
 

@@ -14,6 +14,7 @@ import rigibo.backend.effect.Gravity;
 import rigibo.backend.effect.Restitution;
 import rigibo.backend.effect.RollingResistance;
 import rigibo.backend.effect.Rotation;
+import rigibo.backend.effect.Sensors;
 import rigibo.backend.effect.Sleep;
 import rigibo.backend.effect.SurfaceSpeed;
 import rigibo.backend.effect.Thrust;
@@ -115,6 +116,7 @@ record OwnClasses(List<Class<? extends Effect>> owners, List<String> classes) {
                             "flight.Flight",
                             "flight.ImpactQueue"),
                     ofAny(List.of(Restitution.class, ContinuousImpacts.class), "impact.*"),
+                    of(Sensors.class, "sense.*"),
                     of(Sleep.class, "rest.Sleeping"));
 
     private static OwnClasses of(Class<? extends Effect> owner, String... classes) {

@@ -14,6 +14,7 @@ import rigibo.backend.effect.Gravity;
 import rigibo.backend.effect.Restitution;
 import rigibo.backend.effect.RollingResistance;
 import rigibo.backend.effect.Rotation;
+import rigibo.backend.effect.Sensors;
 import rigibo.backend.effect.Sleep;
 import rigibo.backend.effect.SurfaceSpeed;
 import rigibo.backend.effect.Thrust;
@@ -41,6 +42,7 @@ enum KnownEffect {
     CENTRAL_FORCE(CentralForce.class),
     FIELD(Field.class),
     THRUST(Thrust.class),
+    SENSORS(Sensors.class),
     CONTINUOUS_IMPACTS(new ContinuousImpacts()),
     SLEEP(new Sleep()),
     /** Air at sea level round discs. */

@@ -1,0 +1,133 @@
+package rigibo.backend.sense;
+
+import rigibo.backend.broadphase.Broadphase;
+import rigibo.backend.collision.Collider;
+import rigibo.backend.collision.Manifold;
+import rigibo.backend.collision.Pose;
+import rigibo.backend.collision.TimeOfImpact;
+import rigibo.backend.setup.ImpactSearch;
+import rigibo.backend.storage.Bodies;
+import rigibo.backend.storage.Counters;
+import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.Visits;
+
+/**
+ * Asks of every shape whose fixture reaches into that of a sensor whether it is inside, and of
+ * those that are not and were not whether they came through within the step.
+ */
+public final class SensorStage {
+
+    /** How near something has to come on its way, as a share of the narrower one's width. */
+    private static final double TOLERANCE = 1e-6;
+
+    private final DataStorage data;
+    private final Broadphase broadphase;
+    private final Bodies bodies;
+    private final Counters counters;
+    private final Collider collider = new Collider();
+    private final Manifold manifold = new Manifold();
+    private final TimeOfImpact timeOfImpact = new TimeOfImpact();
+    private final Pose pose = new Pose();
+    private final Pose otherPose = new Pose();
+    private final Leg way;
+    private final Leg otherWay;
+
+    /** Sensors of a storage. */
+    public SensorStage(DataStorage data, Broadphase broadphase) {
+        this.broadphase = broadphase;
+        this.data = data;
+        bodies = data.bodies;
+        counters = data.counters;
+        way = new Leg(data);
+        otherWay = new Leg(data);
+    }
+
+    /** Tells who is inside after a step of dt seconds; forgets those that are far away again. */
+    public void sense(double dt) {
+        Visits visits = data.visits;
+        if (visits == null) {
+            return;
+        }
+        broadphase.meetVisitors();
+        int kept = 0;
+        for (int i = 0; i < visits.count; i++) {
+            visits.state[i] = next(visits, i, dt);
+            if (visits.state[i] == Visits.OUTSIDE && isOver(visits.sensor[i], visits.visitor[i])) {
+                visits.drop(i);
+            } else {
+                visits.keep(i, kept++);
+            }
+        }
+        visits.count = kept;
+        data.ways.count = 0;
+    }
+
+    private int next(Visits visits, int visit, double dt) {
+        int sensor = visits.sensor[visit];
+        int visitor = visits.visitor[visit];
+        boolean wasIn = visits.isInside(visit);
+        boolean meet = bodies.meet(sensor, visitor);
+        boolean isIn = meet && isInside(sensor, visitor);
+        if (isIn) {
+            return wasIn ? Visits.INSIDE : Visits.ENTERED;
+        }
+        if (wasIn) {
+            return Visits.LEFT;
+        }
+        return meet && passes(sensor, visitor, dt) ? Visits.PASSED : Visits.OUTSIDE;
+    }
+
+    /** Whether fixtures are apart, so that nobody has to be asked before one is laid anew. */
+    private boolean isOver(int a, int b) {
+        return bodies.fixtureMinX[a] > bodies.fixtureMaxX[b]
+                || bodies.fixtureMinX[b] > bodies.fixtureMaxX[a]
+                || bodies.fixtureMinY[a] > bodies.fixtureMaxY[b]
+                || bodies.fixtureMinY[b] > bodies.fixtureMaxY[a]
+                || !bodies.meet(a, b);
+    }
+
+    private boolean isInside(int sensor, int visitor) {
+        counters.sensed++;
+        place(sensor, pose);
+        place(visitor, otherPose);
+        collider.collide(
+                bodies.outline[sensor], pose, bodies.outline[visitor], otherPose, 0, manifold);
+        return manifold.count > 0;
+    }
+
+    private void place(int slot, Pose at) {
+        int body = bodies.bodyOf(slot);
+        at.set(bodies.x[body], bodies.y[body], bodies.cos[body], bodies.sin[body]);
+    }
+
+    /** Whether the two come together on their ways. */
+    private boolean passes(int sensor, int visitor, double dt) {
+        int body = bodies.bodyOf(sensor);
+        int other = bodies.bodyOf(visitor);
+        if (!bodies.isMoved(body) && !bodies.isMoved(other)) {
+            return false;
+        }
+        way.begin(sensor, dt);
+        otherWay.begin(visitor, dt);
+        double from = 0;
+        while (true) {
+            double until = Math.min(way.until, otherWay.until);
+            double found =
+                    timeOfImpact.find(
+                            way.motion, otherWay.motion, from, until, TOLERANCE, ImpactSearch.ITP);
+            if (found <= until) {
+                return true;
+            }
+            if (!(until < dt)) {
+                return false;
+            }
+            from = until;
+            if (way.until == until && way.hasNext()) {
+                way.advance();
+            }
+            if (otherWay.until == until && otherWay.hasNext()) {
+                otherWay.advance();
+            }
+        }
+    }
+}
