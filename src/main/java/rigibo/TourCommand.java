@@ -17,6 +17,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import java.util.concurrent.Callable;
+import java.util.stream.Collectors;
 
 /** Lets the game play itself, every scene and level in turn, and keeps pictures of it. */
 @Command(name = "tour", description = "The game plays itself in real windows and keeps pictures.")
@@ -49,6 +50,11 @@ final class TourCommand implements Callable<Integer> {
     private String language;
 
     @Option(
+            names = "--exhibits",
+            description = "Also everything that hangs in the gallery, each for a few seconds.")
+    private boolean hasExhibits;
+
+    @Option(
             names = "--scenes",
             paramLabel = "A,B",
             split = ",",
@@ -72,18 +78,29 @@ final class TourCommand implements Callable<Integer> {
         }
     }
 
-    /** The menus, then everything that they lead to. */
+    /** The menus, then everything that they lead to; single exhibits where they are asked for. */
     private List<Tour.Stop> stops() {
         List<Tour.Stop> all = new ArrayList<>();
         all.add(new Tour.Stop("menu", Catalog::menu, true));
         all.add(new Tour.Stop("levels", Catalog::levels, true));
         all.add(new Tour.Stop("settings", Catalog::settings, true));
-        for (SceneEntry entry : Catalog.entries()) {
-            all.add(new Tour.Stop(entry.name(), entry.open(), false));
-        }
+        Catalog.entries().forEach(entry -> all.add(stop(entry)));
+        Set<String> exhibits =
+                Catalog.exhibits().stream().map(SceneEntry::name).collect(Collectors.toSet());
+        Catalog.exhibits().forEach(entry -> all.add(stop(entry)));
         List<String> names = all.stream().map(Tour.Stop::name).toList();
         Options.requireKnown(spec, "--scenes", scenes, names);
-        return all.stream().filter(s -> scenes.isEmpty() || scenes.contains(s.name())).toList();
+        return all.stream()
+                .filter(stop -> isWanted(stop.name(), exhibits.contains(stop.name())))
+                .toList();
+    }
+
+    private static Tour.Stop stop(SceneEntry entry) {
+        return new Tour.Stop(entry.name(), entry.open(), false);
+    }
+
+    private boolean isWanted(String name, boolean isExhibit) {
+        return scenes.isEmpty() ? hasExhibits || !isExhibit : scenes.contains(name);
     }
 
     /** Pictures show all there is, however slowly it is drawn, unless less is asked for. */

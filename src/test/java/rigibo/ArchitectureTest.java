@@ -94,7 +94,9 @@ class ArchitectureTest {
         String save = FRONTEND + ".save";
         // Makes levels and plays what it makes.
         String editor = FRONTEND + ".editor";
-        String[] plain = {FRONTEND + ".menu", FRONTEND + ".demo", FRONTEND + ".laboratory"};
+        String[] plain = {
+            FRONTEND + ".menu", FRONTEND + ".demo", FRONTEND + ".laboratory", FRONTEND + ".gallery"
+        };
         String[] scenes = plus(plain, puzzle);
         Stream<Room> sceneRooms = Arrays.stream(plain).map(name -> new Room(name, withScene));
         String draw = FRONTEND + ".draw";

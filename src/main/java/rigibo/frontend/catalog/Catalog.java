@@ -3,6 +3,7 @@ package rigibo.frontend.catalog;
 import rigibo.backend.effect.Effects;
 import rigibo.frontend.demo.Demos;
 import rigibo.frontend.editor.Editor;
+import rigibo.frontend.gallery.Gallery;
 import rigibo.frontend.laboratory.Laboratory;
 import rigibo.frontend.menu.LevelsScene;
 import rigibo.frontend.menu.MenuScene;
@@ -20,6 +21,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
+import java.util.stream.Stream;
 
 /** Every scene that can be chosen. */
 public final class Catalog {
@@ -30,14 +32,22 @@ public final class Catalog {
     public static List<SceneEntry> entries() {
         List<SceneEntry> entries = new ArrayList<>(Levels.entries());
         entries.addAll(Demos.entries());
+        entries.add(Gallery.entry());
         entries.add(Laboratory.entry());
         entries.add(Editor.entry());
         return entries;
     }
 
-    /** The scene of a name, for the command line. */
+    /** What hangs in the gallery, in its order. */
+    public static List<SceneEntry> exhibits() {
+        return Gallery.exhibits();
+    }
+
+    /** The scene of a name, for the command line; of the gallery's, too. */
     public static Optional<SceneEntry> find(String name) {
-        return entries().stream().filter(entry -> entry.name().equals(name)).findFirst();
+        return Stream.concat(entries().stream(), exhibits().stream())
+                .filter(entry -> entry.name().equals(name))
+                .findFirst();
     }
 
     /**

@@ -11,6 +11,7 @@ import rigibo.backend.setup.BodyType;
 import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Grip;
 import rigibo.frontend.scene.Impacts;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Skin;
@@ -24,12 +25,6 @@ import java.util.function.Consumer;
 /** A pool that is looked at: bodies with skins, a camera, a hand that drags and flings. */
 final class Workbench {
 
-    /** Share of the way to the pointer that a dragged body makes up per second. */
-    private static final double GRIP = 12;
-
-    /** Fastest fling, m/s. */
-    private static final double MOST_FLING = 30;
-
     private static final double NORMAL_LENGTH_PX = 22;
 
     /** A force is drawn as long as its square root tells, so that weak ones show beside strong. */
@@ -41,15 +36,13 @@ final class Workbench {
     private final Camera camera;
     private final Map<RigidBody, Skin> skins = new IdentityHashMap<>();
     private final Impacts impacts = new Impacts();
-    private RigidBody held;
+    private final Grip grip = new Grip();
 
     /** The same scene at another accuracy, or null, and the accuracy of the scene when it began. */
     private Ghost ghost;
 
     private Accuracy hauntedAt;
     private final Aabb fixture = new Aabb();
-    private double pointerX;
-    private double pointerY;
 
     Workbench(Effects effects, Camera camera) {
         this.camera = camera;
@@ -88,9 +81,6 @@ final class Workbench {
         if (ghost != null) {
             ghost.removed(body);
         }
-        if (held == body) {
-            held = null;
-        }
     }
 
     /** Takes out what fell far below everything. */
@@ -104,41 +94,29 @@ final class Workbench {
 
     /** Takes hold of a dynamic body under a point, world m; returns whether there is one. */
     boolean grab(double x, double y) {
-        held = pool.bodyAt(x, y).filter(body -> body.type() == BodyType.DYNAMIC).orElse(null);
-        point(x, y);
-        return held != null;
+        return grip.grab(pool, x, y);
     }
 
     void letGo() {
-        held = null;
+        grip.letGo();
     }
 
     /** Where the pointer is, world m. */
     void point(double x, double y) {
-        pointerX = x;
-        pointerY = y;
+        grip.point(x, y);
     }
 
     double pointerX() {
-        return pointerX;
+        return grip.pointerX();
     }
 
     double pointerY() {
-        return pointerY;
+        return grip.pointerY();
     }
 
     /** Pulls what is held towards the pointer: it keeps its speed when it is let go. */
     void pull() {
-        if (held != null && held.isAlive()) {
-            act(held, this::pull);
-        }
-    }
-
-    private void pull(RigidBody body) {
-        double vx = GRIP * (pointerX - body.x());
-        double vy = GRIP * (pointerY - body.y());
-        double speed = Math.max(1, Math.sqrt(vx * vx + vy * vy) / MOST_FLING);
-        body.velocity(vx / speed, vy / speed);
+        grip.held().ifPresent(body -> act(body, grip::pull));
     }
 
     /** Advances the scene, and its ghost, by a step of {@code dt} seconds. */
@@ -185,7 +163,8 @@ final class Workbench {
 
     void draw(Canvas canvas) {
         canvas.camera(camera);
-        canvas.gaze(pointerX, pointerY);
+        canvas.gaze(pointerX(), pointerY());
+        RigidBody held = grip.held().orElse(null);
         for (RigidBody body : pool.bodies()) {
             if (isInView(body)) {
                 boolean isAsleep = body.type() == BodyType.DYNAMIC && !body.isAwake();

@@ -6,7 +6,9 @@ import rigibo.frontend.scene.Medal;
 import rigibo.frontend.scene.SceneEntry;
 import rigibo.frontend.scene.Words;
 import rigibo.frontend.scene.widget.Lines;
+import rigibo.frontend.scene.widget.Print;
 import rigibo.frontend.scene.widget.Sign;
+import rigibo.frontend.scene.widget.Tile;
 
 /**
  * A level in the list: its picture, number and title, and a medal or a lock.

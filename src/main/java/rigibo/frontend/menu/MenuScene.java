@@ -9,6 +9,9 @@ import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.SceneEntry;
 import rigibo.frontend.scene.Words;
 import rigibo.frontend.scene.widget.Lines;
+import rigibo.frontend.scene.widget.Print;
+import rigibo.frontend.scene.widget.Tile;
+import rigibo.frontend.scene.widget.Tiles;
 
 import java.util.ArrayList;
 import java.util.List;

@@ -5,6 +5,7 @@ import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Director;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.widget.Lines;
+import rigibo.frontend.scene.widget.Print;
 
 import java.util.ArrayList;
 import java.util.List;

@@ -11,6 +11,7 @@ import rigibo.frontend.scene.Words;
 import rigibo.frontend.scene.widget.Button;
 import rigibo.frontend.scene.widget.Choice;
 import rigibo.frontend.scene.widget.Panel;
+import rigibo.frontend.scene.widget.Print;
 import rigibo.frontend.scene.widget.Slider;
 import rigibo.frontend.scene.widget.Toggle;
 import rigibo.frontend.scene.widget.Widget;

@@ -1,4 +1,4 @@
-package rigibo.frontend.menu;
+package rigibo.frontend.scene.widget;
 
 import rigibo.frontend.scene.Canvas;
 
@@ -12,28 +12,32 @@ import rigibo.frontend.scene.Canvas;
  * @param look draws it
  * @param action what choosing it does
  */
-record Tile(double x, double y, double width, double height, Look look, Runnable action) {
+public record Tile(double x, double y, double width, double height, Look look, Runnable action) {
 
     /** What a tile looks like. */
-    interface Look {
+    public interface Look {
 
         /** Draws a tile, {@code isChosen} under the pointer or by keys. */
         void draw(Canvas canvas, Tile tile, boolean isChosen);
     }
 
-    double middleX() {
+    /** The middle, px. */
+    public double middleX() {
         return x + width / 2;
     }
 
-    double middleY() {
+    /** The middle, px. */
+    public double middleY() {
         return y + height / 2;
     }
 
-    boolean contains(double px, double py) {
+    /** Whether a point of the screen, px, lies on it. */
+    public boolean contains(double px, double py) {
         return px >= x && px <= x + width && py >= y && py <= y + height;
     }
 
-    void draw(Canvas canvas, boolean isChosen) {
+    /** Draws it, {@code isChosen} under the pointer or by keys. */
+    public void draw(Canvas canvas, boolean isChosen) {
         look.draw(canvas, this, isChosen);
     }
 }

@@ -1,32 +1,39 @@
-package rigibo.frontend.menu;
+package rigibo.frontend.scene.widget;
 
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 
-/** Words in a scene of the menu. */
-final class Print {
+/** Words of a size in px, about or beside a point of the screen. */
+public final class Print {
 
     private Print() {}
 
-    static void centred(Canvas canvas, String words, double x, double y, double size, Color color) {
+    /** With its middle at a point. */
+    public static void centred(
+            Canvas canvas, String words, double x, double y, double size, Color color) {
         canvas.text(words, x, y, size, Canvas.Font.WORDS, Canvas.Align.CENTRE, color);
     }
 
-    static void left(Canvas canvas, String words, double x, double y, double size, Color color) {
+    /** To the right of a point. */
+    public static void left(
+            Canvas canvas, String words, double x, double y, double size, Color color) {
         canvas.text(words, x, y, size, Canvas.Font.WORDS, Canvas.Align.LEFT, color);
     }
 
-    static void right(Canvas canvas, String words, double x, double y, double size, Color color) {
+    /** To the left of a point. */
+    public static void right(
+            Canvas canvas, String words, double x, double y, double size, Color color) {
         canvas.text(words, x, y, size, Canvas.Font.WORDS, Canvas.Align.RIGHT, color);
     }
 
     /** A button's plate with its word in the middle. */
-    static void button(Canvas canvas, Tile tile, String words, boolean isChosen) {
+    public static void button(Canvas canvas, Tile tile, String words, boolean isChosen) {
         plate(canvas, tile, isChosen);
         centred(canvas, words, tile.middleX(), tile.middleY(), 18, Color.TEXT);
     }
 
-    static void plate(Canvas canvas, Tile tile, boolean isChosen) {
+    /** A tile's plate, lit and framed where it is chosen. */
+    public static void plate(Canvas canvas, Tile tile, boolean isChosen) {
         Color plate = isChosen ? Color.PANEL_LIT : Color.PANEL;
         canvas.panel(tile.x(), tile.y(), tile.width(), tile.height(), 12, plate);
         if (isChosen) {

@@ -1,4 +1,4 @@
-package rigibo.frontend.menu;
+package rigibo.frontend.scene.widget;
 
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Key;
@@ -7,7 +7,7 @@ import rigibo.frontend.scene.PointerButton;
 import java.util.List;
 
 /** Tiles of which one is chosen, by the pointer, by arrows or by Tab. */
-final class Tiles {
+public final class Tiles {
 
     /** A tile aside of an arrow's way is as far as one so many times farther along it. */
     private static final double ASIDE = 3;
@@ -15,27 +15,32 @@ final class Tiles {
     private final List<Tile> tiles;
     private int chosen;
 
-    Tiles(List<Tile> tiles, int chosen) {
+    /** Tiles with one of them, from 0, chosen. */
+    public Tiles(List<Tile> tiles, int chosen) {
         this.tiles = List.copyOf(tiles);
         this.chosen = chosen;
     }
 
-    void draw(Canvas canvas) {
+    /** Draws them all. */
+    public void draw(Canvas canvas) {
         for (int i = 0; i < tiles.size(); i++) {
             tiles.get(i).draw(canvas, i == chosen);
         }
     }
 
-    int chosen() {
+    /** Which of them is chosen, from 0. */
+    public int chosen() {
         return chosen;
     }
 
-    void pointerMoved(double x, double y) {
+    /** The pointer moved, px: what is under it is chosen. */
+    public void pointerMoved(double x, double y) {
         int under = at(x, y);
         chosen = under < 0 ? chosen : under;
     }
 
-    void pointerPressed(PointerButton button, double x, double y) {
+    /** A button went down, px: the left one uses what is under it. */
+    public void pointerPressed(PointerButton button, double x, double y) {
         int under = at(x, y);
         if (under >= 0 && button == PointerButton.LEFT) {
             chosen = under;
@@ -52,7 +57,8 @@ final class Tiles {
         return -1;
     }
 
-    void keyPressed(Key key) {
+    /** Arrows and Tab choose, Enter and the space bar use what is chosen. */
+    public void keyPressed(Key key) {
         switch (key) {
             case UP -> chosen = towards(0, -1);
             case DOWN -> chosen = towards(0, 1);

@@ -1,0 +1,76 @@
+package rigibo.frontend.gallery;
+
+import rigibo.backend.geometry.Placement;
+import rigibo.backend.geometry.Shape;
+import rigibo.frontend.scene.Camera;
+import rigibo.frontend.scene.Canvas;
+import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Skin;
+
+/** A sketch on the canvas, through a camera. */
+final class CanvasSketch implements Sketch {
+
+    private static final double LINE = 2.5;
+    private static final double POINT = 4.5;
+    private static final double LETTERS = 18;
+
+    private final Canvas canvas;
+    private final Camera camera;
+    private String figure = "";
+
+    CanvasSketch(Canvas canvas, Camera camera) {
+        this.canvas = canvas;
+        this.camera = camera;
+    }
+
+    /** The number beside the title; empty where there is none. */
+    String figure() {
+        return figure;
+    }
+
+    private static Color color(Tone tone) {
+        return switch (tone) {
+            case PLAIN -> Color.BRASS;
+            case GOOD -> Color.GOOD;
+            case BAD -> Color.BAD;
+        };
+    }
+
+    @Override
+    public void line(double x1, double y1, double x2, double y2, Tone tone) {
+        canvas.line(
+                camera.screenX(x1),
+                camera.screenY(y1),
+                camera.screenX(x2),
+                camera.screenY(y2),
+                LINE,
+                color(tone));
+    }
+
+    @Override
+    public void point(double x, double y, Tone tone) {
+        canvas.disc(camera.screenX(x), camera.screenY(y), POINT, color(tone));
+    }
+
+    @Override
+    public void shape(Shape shape, Placement at) {
+        canvas.body(shape, at.x(), at.y(), at.angle(), Skin.BALL, Canvas.Mood.GHOST);
+    }
+
+    @Override
+    public void number(double x, double y, String number) {
+        canvas.text(
+                number,
+                camera.screenX(x),
+                camera.screenY(y),
+                LETTERS,
+                Canvas.Font.NUMBERS,
+                Canvas.Align.CENTRE,
+                Color.TEXT);
+    }
+
+    @Override
+    public void count(String number) {
+        figure = number;
+    }
+}

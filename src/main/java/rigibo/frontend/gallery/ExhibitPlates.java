@@ -1,0 +1,78 @@
+package rigibo.frontend.gallery;
+
+import rigibo.backend.Pool;
+import rigibo.frontend.scene.Canvas;
+import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.Words;
+import rigibo.frontend.scene.accuracy.Preset;
+import rigibo.frontend.scene.widget.Lines;
+import rigibo.frontend.scene.widget.Print;
+
+import java.util.stream.Collectors;
+
+/** What stands above and below a running exhibit: title, sentence, effects; source and keys. */
+final class ExhibitPlates {
+
+    private static final double LEFT = 8;
+    private static final double WIDTH = Scene.WIDTH - 2 * LEFT;
+    private static final double HEAD = 92;
+    private static final double FOOT = 62;
+    private static final double FOOT_TOP = Scene.HEIGHT - LEFT - FOOT;
+    private static final double INDENT = LEFT + 14;
+    private static final double SIZE = 16;
+
+    /** Room beside the source for the accuracy, px. */
+    private static final double BADGE = 60;
+
+    private static final double INNER = WIDTH - 28;
+    private static final double RIGHT = LEFT + WIDTH - 14;
+
+    private final Found found;
+    private final Words words;
+    private final ExhibitWords titles;
+
+    ExhibitPlates(Found found, Words words) {
+        this.found = found;
+        this.words = words;
+        titles = new ExhibitWords(words);
+    }
+
+    String title() {
+        return titles.title(found);
+    }
+
+    void draw(Canvas canvas, Pool pool, String figure, boolean isPaused) {
+        canvas.panel(LEFT, LEFT, WIDTH, HEAD, 12, Color.PANEL);
+        Print.left(canvas, title(), INDENT, LEFT + 22, 24, Color.BRASS);
+        String count = isPaused ? words.of("gallery.paused") : figure;
+        Print.right(canvas, count, RIGHT, LEFT + 22, 20, isPaused ? Color.BRASS : Color.TEXT);
+        left(canvas, titles.about(found), LEFT + 48, Color.TEXT);
+        left(canvas, effects(pool), LEFT + 72, Color.TEXT_DIM);
+        canvas.panel(LEFT, FOOT_TOP, WIDTH, FOOT, 12, Color.PANEL);
+        String source = found.source();
+        canvas.text(
+                Lines.shortened(canvas, source, SIZE, Canvas.Font.NUMBERS, INNER - BADGE),
+                INDENT,
+                FOOT_TOP + 20,
+                16,
+                Canvas.Font.NUMBERS,
+                Canvas.Align.LEFT,
+                Color.TEXT);
+        String accuracy = Preset.of(pool.accuracy()).map(Preset::name).orElse("");
+        Print.right(canvas, accuracy, RIGHT, FOOT_TOP + 20, 16, Color.BRASS);
+        left(canvas, words.of("gallery.keys"), FOOT_TOP + 44, Color.TEXT_DIM);
+    }
+
+    private static void left(Canvas canvas, String text, double y, Color color) {
+        String fitting = Lines.shortened(canvas, text, SIZE, Canvas.Font.WORDS, INNER);
+        Print.left(canvas, fitting, INDENT, y, SIZE, color);
+    }
+
+    /** What the pool simulates. */
+    private String effects(Pool pool) {
+        return pool.effects().all().stream()
+                .map(effect -> words.of("effect." + effect.title()))
+                .collect(Collectors.joining(" · "));
+    }
+}

@@ -1,0 +1,156 @@
+package rigibo.frontend.gallery;
+
+import rigibo.backend.RigidBody;
+import rigibo.frontend.scene.Camera;
+import rigibo.frontend.scene.Canvas;
+import rigibo.frontend.scene.Director;
+import rigibo.frontend.scene.Grip;
+import rigibo.frontend.scene.Impacts;
+import rigibo.frontend.scene.Key;
+import rigibo.frontend.scene.PointerButton;
+import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.accuracy.Preset;
+
+import java.util.Optional;
+
+/** An exhibit that runs: its bodies can be dragged, it can be halted and begun anew. */
+final class ExhibitScene implements Scene {
+
+    private static final double ZOOM = 1.15;
+
+    private final Director director;
+    private final Found found;
+    private final ExhibitPlates plates;
+    private final Grip grip = new Grip();
+    private Showing showing;
+    private Camera camera;
+    private Impacts impacts;
+    private boolean isPaused;
+    private boolean isPanning;
+    private double lastX;
+    private double lastY;
+
+    ExhibitScene(Director director, Found found) {
+        this.director = director;
+        this.found = found;
+        plates = new ExhibitPlates(found, director.words());
+        restart();
+    }
+
+    private void restart() {
+        showing = new Showing(found.make().get());
+        View view = showing.exhibit().view();
+        camera = new Camera(view.x(), view.y(), HEIGHT / view.height());
+        impacts = new Impacts();
+        grip.letGo();
+    }
+
+    @Override
+    public String title() {
+        return "RigiBo – " + plates.title();
+    }
+
+    @Override
+    public void step() {
+        if (!isPaused) {
+            advance();
+        }
+    }
+
+    private void advance() {
+        grip.held().ifPresent(grip::pull);
+        showing.step();
+        if (director.sounds().isHeard()) {
+            impacts.tell(showing.pool(), Looks::of, director.sounds());
+        }
+    }
+
+    @Override
+    public void draw(Canvas canvas) {
+        canvas.camera(camera);
+        canvas.gaze(grip.pointerX(), grip.pointerY());
+        for (RigidBody body : showing.pool().bodies()) {
+            if (isInView(body)) {
+                canvas.body(
+                        body.shape(),
+                        body.x(),
+                        body.y(),
+                        body.angle(),
+                        Looks.of(body),
+                        Showing.mood(body));
+            }
+        }
+        CanvasSketch sketch = new CanvasSketch(canvas, camera);
+        showing.exhibit().sketch(showing.pool(), sketch);
+        plates.draw(canvas, showing.pool(), sketch.figure(), isPaused);
+    }
+
+    private boolean isInView(RigidBody body) {
+        double radius = body.shape().boundingRadius() * camera.scale();
+        double x = camera.screenX(body.x());
+        double y = camera.screenY(body.y());
+        return x > -radius && x < WIDTH + radius && y > -radius && y < HEIGHT + radius;
+    }
+
+    @Override
+    public void pointerMoved(double x, double y) {
+        if (isPanning) {
+            camera.pan(x - lastX, y - lastY);
+        }
+        lastX = x;
+        lastY = y;
+        grip.point(camera.worldX(x), camera.worldY(y));
+    }
+
+    @Override
+    public void pointerPressed(PointerButton button, double x, double y) {
+        pointerMoved(x, y);
+        if (button == PointerButton.LEFT) {
+            grip.grab(showing.pool(), grip.pointerX(), grip.pointerY());
+        } else if (button == PointerButton.RIGHT) {
+            isPanning = true;
+            showing.exhibit().act(showing.pool(), grip.pointerX(), grip.pointerY());
+        }
+    }
+
+    @Override
+    public void pointerReleased(PointerButton button, double x, double y) {
+        grip.letGo();
+        isPanning = false;
+    }
+
+    @Override
+    public void scrolled(double notches, double x, double y) {
+        camera.zoom(Math.pow(ZOOM, notches), x, y);
+    }
+
+    @Override
+    public void keyPressed(Key key) {
+        switch (key) {
+            case SPACE -> isPaused = !isPaused;
+            case PERIOD -> advance();
+            case R -> restart();
+            case HOME -> camera.home();
+            case LEFT_BRACKET -> show(-1);
+            case RIGHT_BRACKET -> show(1);
+            case DIGIT_1, DIGIT_2, DIGIT_3, DIGIT_4 ->
+                    choose(key.ordinal() - Key.DIGIT_1.ordinal());
+            default -> {}
+        }
+    }
+
+    private void show(int direction) {
+        director.show(new ExhibitScene(director, Exhibits.beside(found, direction)));
+    }
+
+    private void choose(int preset) {
+        showing.pool().accuracy(Preset.values()[preset].accuracy());
+    }
+
+    /** Goes back to where it was chosen. */
+    @Override
+    public boolean escaped() {
+        director.show(new GalleryScene(director, Optional.of(found)));
+        return true;
+    }
+}

@@ -1,0 +1,49 @@
+package rigibo.frontend.gallery;
+
+import rigibo.frontend.scene.Words;
+
+import java.util.MissingResourceException;
+import java.util.ResourceBundle;
+
+/**
+ * What exhibits and their sections are called. The words lie beside the exhibits; one that brings
+ * none is called by its class.
+ */
+final class ExhibitWords {
+
+    private static final String BUNDLE = "rigibo.gallery";
+
+    private final Words words;
+
+    ExhibitWords(Words words) {
+        this.words = words;
+    }
+
+    String title(Found found) {
+        return find(found.name(), found.type().getSimpleName());
+    }
+
+    /** A sentence on what there is to see; empty where nobody wrote one. */
+    String about(Found found) {
+        return find(found.name() + ".words", "");
+    }
+
+    String section(String section) {
+        return find("section." + section, section);
+    }
+
+    private String find(String key, String otherwise) {
+        try {
+            ResourceBundle bundle =
+                    ResourceBundle.getBundle(
+                            BUNDLE,
+                            words.locale(),
+                            ResourceBundle.Control.getNoFallbackControl(
+                                    ResourceBundle.Control.FORMAT_DEFAULT));
+            return bundle.containsKey(key) ? bundle.getString(key) : otherwise;
+        } catch (MissingResourceException e) {
+            // No bundle at all: exhibits that a stranger put on the class path.
+            return otherwise;
+        }
+    }
+}

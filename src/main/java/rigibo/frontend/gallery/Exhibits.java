@@ -1,0 +1,39 @@
+package rigibo.frontend.gallery;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.ServiceLoader;
+import java.util.stream.Collectors;
+
+/** Every exhibit that is registered, in the order of the lines that do it. */
+final class Exhibits {
+
+    private Exhibits() {}
+
+    static List<Found> all() {
+        return ServiceLoader.load(Exhibit.class).stream()
+                .map(provider -> new Found(provider.type(), provider))
+                .toList();
+    }
+
+    static Optional<Found> named(String name) {
+        return all().stream().filter(found -> found.name().equals(name)).findFirst();
+    }
+
+    /** By section; the sections in the order in which they first occur. */
+    static Map<String, List<Found>> bySection() {
+        return all().stream()
+                .collect(
+                        Collectors.groupingBy(
+                                Found::section, LinkedHashMap::new, Collectors.toList()));
+    }
+
+    /** The one before (−1) or after (1) another, round and round. */
+    static Found beside(Found found, int direction) {
+        List<Found> all = all();
+        int at = all.stream().map(Found::type).toList().indexOf(found.type());
+        return all.get(Math.floorMod(at + direction, all.size()));
+    }
+}

@@ -1,0 +1,33 @@
+package rigibo.frontend.gallery;
+
+import java.util.Locale;
+import java.util.function.Supplier;
+
+/**
+ * An exhibit as it was found, before it is made.
+ *
+ * @param type its class
+ * @param make a new one
+ */
+record Found(Class<? extends Exhibit> type, Supplier<? extends Exhibit> make) {
+
+    private static final String SOURCES = "src/examples/java/";
+
+    /** Its class's name as the command line has it: {@code card-house}. */
+    String name() {
+        return type.getSimpleName()
+                .replaceAll("(?<=[a-z0-9])(?=[A-Z])", "-")
+                .toLowerCase(Locale.ROOT);
+    }
+
+    /** The last word of its package: exhibits of one package are shown together. */
+    String section() {
+        String whole = type.getPackageName();
+        return whole.substring(whole.lastIndexOf('.') + 1);
+    }
+
+    /** The file that it is written in. */
+    String source() {
+        return SOURCES + type.getName().replace('.', '/') + ".java";
+    }
+}

@@ -1,0 +1,31 @@
+package rigibo.frontend.gallery;
+
+import rigibo.frontend.scene.SceneEntry;
+
+import java.util.List;
+import java.util.Optional;
+
+/** The door of the gallery. */
+public final class Gallery {
+
+    private Gallery() {}
+
+    /** How the menu lists it. */
+    public static SceneEntry entry() {
+        return SceneEntry.of("gallery", director -> new GalleryScene(director, Optional.empty()));
+    }
+
+    /** An entry for each exhibit, for the command line. */
+    public static List<SceneEntry> exhibits() {
+        return Exhibits.all().stream().map(Gallery::entry).toList();
+    }
+
+    private static SceneEntry entry(Found found) {
+        return new SceneEntry(
+                found.name(),
+                words -> new ExhibitWords(words).title(found),
+                words -> new ExhibitWords(words).about(found),
+                Optional.empty(),
+                director -> new ExhibitScene(director, found));
+    }
+}

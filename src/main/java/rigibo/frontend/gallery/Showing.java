@@ -1,0 +1,40 @@
+package rigibo.frontend.gallery;
+
+import rigibo.backend.Pool;
+import rigibo.backend.RigidBody;
+import rigibo.backend.setup.BodyType;
+import rigibo.frontend.scene.Canvas;
+import rigibo.frontend.scene.Scene;
+
+/** An exhibit that goes on: itself and its pool. */
+final class Showing {
+
+    private final Exhibit exhibit;
+    private final Pool pool;
+
+    Showing(Exhibit exhibit) {
+        this.exhibit = exhibit;
+        pool = exhibit.open();
+    }
+
+    Exhibit exhibit() {
+        return exhibit;
+    }
+
+    Pool pool() {
+        return pool;
+    }
+
+    void step() {
+        exhibit.beforeStep(pool);
+        pool.step(Scene.STEP);
+    }
+
+    static Canvas.Mood mood(RigidBody body) {
+        if (!body.isEnabled()) {
+            return Canvas.Mood.GHOST;
+        }
+        boolean isAsleep = body.type() == BodyType.DYNAMIC && !body.isAwake();
+        return isAsleep ? Canvas.Mood.ASLEEP : Canvas.Mood.PLAIN;
+    }
+}

@@ -1,0 +1,210 @@
+package rigibo.frontend.gallery;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+import rigibo.backend.Pool;
+import rigibo.backend.geometry.Circle;
+import rigibo.backend.setup.BodyDefinition;
+import rigibo.frontend.scene.Key;
+import rigibo.frontend.scene.Legibility;
+import rigibo.frontend.scene.PointerButton;
+import rigibo.frontend.scene.RecordingCanvas;
+import rigibo.frontend.scene.RecordingDirector;
+import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.SceneEntry;
+import rigibo.frontend.scene.Words;
+
+import java.nio.file.Path;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.stream.IntStream;
+
+/** The gallery, used as a player does, with everything that the game ships in it. */
+class GalleryTest {
+
+    private static final Path HOME = Path.of(System.getProperty("rigibo.home", ""));
+
+    private final RecordingDirector director = new RecordingDirector();
+
+    static List<Found> exhibits() {
+        return Exhibits.all();
+    }
+
+    private Scene shown() {
+        return director.shown.get(director.shown.size() - 1);
+    }
+
+    private static void press(Scene scene, Key... keys) {
+        for (Key key : keys) {
+            scene.keyPressed(key);
+        }
+    }
+
+    @Test
+    void everyExhibitHasANameOfItsOwnAmongAllScenes() {
+        Set<String> names = new HashSet<>();
+        assertThat(exhibits()).isNotEmpty().allMatch(found -> names.add(found.name()));
+    }
+
+    @ParameterizedTest
+    @MethodSource("exhibits")
+    void namesTheFileThatItIsWrittenInAndSaysWhatItShows(Found found) {
+        assertThat(HOME.resolve(found.source())).isRegularFile();
+        ExhibitWords english = new ExhibitWords(new Words("en"));
+        ExhibitWords german = new ExhibitWords(new Words("de"));
+        assertThat(english.about(found)).as("words of %s", found.name()).isNotEmpty();
+        assertThat(german.about(found)).isNotEmpty().isNotEqualTo(english.about(found));
+    }
+
+    /** At its start, at work and paused. */
+    @ParameterizedTest
+    @MethodSource("exhibits")
+    void runsAndCanBeReadInBothLanguages(Found found) {
+        for (String language : List.of("en", "de")) {
+            Scene scene = new ExhibitScene(new RecordingDirector(language), found);
+            assertThat(Legibility.faults(scene)).isEmpty();
+            for (int i = 0; i < 90; i++) {
+                scene.step();
+            }
+            scene.keyPressed(Key.SPACE);
+            assertThat(Legibility.faults(scene)).isEmpty();
+            assertThat(RecordingCanvas.of(scene).texts()).contains(found.source());
+        }
+    }
+
+    /** Whatever it does by itself it does the same way again: no clock and no chance is in it. */
+    @ParameterizedTest
+    @MethodSource("exhibits")
+    void goesTheSameWayEachTime(Found found) {
+        long[] ends = new long[2];
+        for (int i = 0; i < 2; i++) {
+            Exhibit exhibit = found.make().get();
+            Pool pool = exhibit.open();
+            exhibit.run(pool, 0.5);
+            ends[i] = pool.stateHash();
+        }
+        assertThat(ends[0]).isEqualTo(ends[1]);
+    }
+
+    @Test
+    void everyPageOfEverySectionCanBeReadInBothLanguages() {
+        for (String language : List.of("en", "de")) {
+            RecordingDirector told = new RecordingDirector(language);
+            for (Found found : exhibits()) {
+                Scene scene = new GalleryScene(told, Optional.of(found));
+                assertThat(Legibility.faults(scene)).as(found.name()).isEmpty();
+                assertThat(RecordingCanvas.of(scene).texts())
+                        .contains(new ExhibitWords(told.words()).about(found));
+            }
+        }
+    }
+
+    @Test
+    void theMenuLeadsToItAndACardOpensAnExhibit() {
+        SceneEntry door = Gallery.entry();
+        Scene gallery = door.open().apply(director);
+        double[] at = RecordingCanvas.of(gallery).middleOf("Carrying cup");
+        gallery.pointerMoved(at[0], at[1]);
+        gallery.pointerPressed(PointerButton.LEFT, at[0], at[1]);
+        assertThat(shown().title()).isEqualTo("RigiBo – Carrying cup");
+        press(gallery, Key.UP, Key.UP, Key.ENTER);
+        assertThat(director.shown).hasSize(1);
+    }
+
+    @Test
+    void escGoesBackToTheCardThatWasChosen() {
+        Found last = exhibits().get(exhibits().size() - 1);
+        Scene scene = new ExhibitScene(director, last);
+        assertThat(scene.escaped()).isTrue();
+        press(shown(), Key.ENTER);
+        assertThat(shown().title()).isEqualTo(scene.title());
+        assertThat(new GalleryScene(director, Optional.empty()).escaped()).isFalse();
+    }
+
+    @Test
+    void bracketsGoRoundAllExhibits() {
+        Scene first = new ExhibitScene(director, exhibits().get(0));
+        press(first, Key.LEFT_BRACKET);
+        press(shown(), Key.RIGHT_BRACKET);
+        assertThat(director.shown.get(0).title()).isNotEqualTo(first.title());
+        assertThat(shown().title()).isEqualTo(first.title());
+    }
+
+    @Test
+    void onlyTheChosenCardMoves() {
+        Scene gallery = Gallery.entry().open().apply(director);
+        List<double[]> before = RecordingCanvas.of(gallery).bodies();
+        for (int i = 0; i < 60; i++) {
+            gallery.step();
+        }
+        List<double[]> after = RecordingCanvas.of(gallery).bodies();
+        List<Integer> moved =
+                IntStream.range(0, before.size())
+                        .filter(i -> Math.abs(before.get(i)[1] - after.get(i)[1]) > 1)
+                        .boxed()
+                        .toList();
+        // The lift is the first card: it and the three on it, out of six bodies.
+        assertThat(moved).isNotEmpty().allMatch(i -> i < 6);
+    }
+
+    @Test
+    void aBodyIsDraggedAndFlungAndTheSceneHaltsStepsAndBeginsAnew() {
+        Scene scene = new ExhibitScene(director, Exhibits.named("moving-lift").orElseThrow());
+        double[] start = crate(scene);
+        scene.pointerPressed(PointerButton.LEFT, start[0], start[1]);
+        scene.pointerMoved(start[0] + 100, start[1] - 100);
+        for (int i = 0; i < 20; i++) {
+            scene.step();
+        }
+        double[] pulled = crate(scene);
+        // 12/s of the way left for a third of a second: all but e^(−4) of it.
+        assertThat(pulled[0] - start[0]).isBetween(90.0, 101.0);
+        scene.pointerReleased(PointerButton.LEFT, pulled[0], pulled[1]);
+        press(scene, Key.SPACE);
+        scene.step();
+        assertThat(crate(scene)).containsExactly(pulled);
+        press(scene, Key.PERIOD);
+        assertThat(crate(scene)).isNotEqualTo(pulled);
+        press(scene, Key.R);
+        assertThat(crate(scene)).containsExactly(start);
+    }
+
+    /** The fourth body that is added. */
+    private static double[] crate(Scene scene) {
+        return RecordingCanvas.of(scene).bodies().get(3);
+    }
+
+    @Test
+    void accuracyIsChosenByDigits() {
+        Scene scene = new ExhibitScene(director, exhibits().get(0));
+        assertThat(RecordingCanvas.of(scene).texts()).contains("GAME");
+        press(scene, Key.DIGIT_4);
+        assertThat(RecordingCanvas.of(scene).texts()).contains("EXACT");
+    }
+
+    /** Names and words are made of the class alone where nobody wrote any. */
+    @Test
+    void anExhibitOfAStrangerNeedsNoWords() {
+        Found strange = new Found(OneBall.class, OneBall::new);
+        assertThat(strange.name()).isEqualTo("one-ball");
+        assertThat(new ExhibitWords(new Words("de")).title(strange)).isEqualTo("OneBall");
+        Scene scene = new ExhibitScene(director, strange);
+        scene.step();
+        assertThat(Legibility.faults(scene)).isEmpty();
+    }
+
+    /** A ball that falls. */
+    static final class OneBall implements Exhibit {
+
+        @Override
+        public void build(Pool pool) {
+            pool.add(BodyDefinition.dynamic(new Circle(0.2)));
+        }
+    }
+}
