@@ -16,11 +16,14 @@ final class CanvasSketch implements Sketch {
 
     private final Canvas canvas;
     private final Camera camera;
+    private final double boldness;
     private String figure = "";
 
-    CanvasSketch(Canvas canvas, Camera camera) {
+    /** With lines and points so many times as bold as usual. */
+    CanvasSketch(Canvas canvas, Camera camera, double boldness) {
         this.canvas = canvas;
         this.camera = camera;
+        this.boldness = boldness;
     }
 
     /** The number beside the title; empty where there is none. */
@@ -43,13 +46,13 @@ final class CanvasSketch implements Sketch {
                 camera.screenY(y1),
                 camera.screenX(x2),
                 camera.screenY(y2),
-                LINE,
+                boldness * LINE,
                 color(tone));
     }
 
     @Override
     public void point(double x, double y, Tone tone) {
-        canvas.disc(camera.screenX(x), camera.screenY(y), POINT, color(tone));
+        canvas.disc(camera.screenX(x), camera.screenY(y), boldness * POINT, color(tone));
     }
 
     @Override

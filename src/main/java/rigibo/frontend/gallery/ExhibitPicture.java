@@ -14,6 +14,9 @@ final class ExhibitPicture {
     /** Share of a view that a running exhibit's plates leave free. */
     private static final double FREE = 0.8;
 
+    /** Of lines and points, as a share of those of a running exhibit. */
+    private static final double FINE = 0.5;
+
     private final Camera camera;
     private final Aabb window = new Aabb();
     private final Aabb own = new Aabb();
@@ -40,12 +43,14 @@ final class ExhibitPicture {
         for (RigidBody body : showing.pool().bodies()) {
             draw(canvas, body);
         }
+        Sketch sketch = new PictureSketch(new CanvasSketch(canvas, camera, FINE), window);
+        showing.exhibit().sketch(showing.pool(), sketch);
     }
 
     private void draw(Canvas canvas, RigidBody body) {
         Shape shape = body.shape();
         shape.bounds(body.x(), body.y(), Math.cos(body.angle()), Math.sin(body.angle()), own);
-        if (holds()) {
+        if (window.contains(own.minX, own.minY) && window.contains(own.maxX, own.maxY)) {
             canvas.body(
                     shape, body.x(), body.y(), body.angle(), Looks.of(body), Showing.mood(body));
         } else if (own.overlaps(window)) {
@@ -54,13 +59,6 @@ final class ExhibitPicture {
                 drawInside(canvas, body, new Cut(shape.outline(part), at));
             }
         }
-    }
-
-    private boolean holds() {
-        return own.minX >= window.minX
-                && own.minY >= window.minY
-                && own.maxX <= window.maxX
-                && own.maxY <= window.maxY;
     }
 
     private void drawInside(Canvas canvas, RigidBody body, Cut cut) {

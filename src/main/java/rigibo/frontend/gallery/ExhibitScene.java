@@ -80,7 +80,7 @@ final class ExhibitScene implements Scene {
                         Showing.mood(body));
             }
         }
-        CanvasSketch sketch = new CanvasSketch(canvas, camera);
+        CanvasSketch sketch = new CanvasSketch(canvas, camera, 1);
         showing.exhibit().sketch(showing.pool(), sketch);
         plates.draw(canvas, showing.pool(), sketch.figure(), isPaused);
     }

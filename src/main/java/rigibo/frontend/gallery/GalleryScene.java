@@ -2,6 +2,7 @@ package rigibo.frontend.gallery;
 
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Demonstration;
 import rigibo.frontend.scene.Director;
 import rigibo.frontend.scene.Key;
 import rigibo.frontend.scene.PointerButton;
@@ -35,7 +36,7 @@ final class GalleryScene implements Scene {
     private static final double MARGIN = 5;
     private static final double FOOT_TOP = HEIGHT - 52;
     private static final double FOOT_HEIGHT = 40;
-    private static final double PAGER = 48;
+    private static final double PAGER = 42;
 
     private final Director director;
     private final Words words;
@@ -92,14 +93,14 @@ final class GalleryScene implements Scene {
             laid.add(card(cards.get(i), i));
         }
         if (pages() > 1) {
-            laid.add(pager(EDGE, "‹", -1));
+            laid.add(pager(WIDTH - EDGE - 2 * PAGER - GAP, "‹", -1));
             laid.add(pager(WIDTH - EDGE - PAGER, "›", 1));
         }
         tiles = new Tiles(laid, cards.isEmpty() ? 0 : firstCard + card);
     }
 
     private void addTabs(List<Tile> laid) {
-        double width = (WIDTH - 2 * EDGE + GAP) / Math.max(1, sections.size()) - GAP;
+        double width = tabWidth();
         for (String name : sections.keySet()) {
             double x = EDGE + (laid.size() - 1) * (width + GAP);
             laid.add(
@@ -111,6 +112,11 @@ final class GalleryScene implements Scene {
                             (canvas, tile, isChosen) -> drawTab(canvas, tile, name, isChosen),
                             () -> turnTo(name, 0)));
         }
+    }
+
+    private double tabWidth() {
+        double room = WIDTH - 2 * EDGE - 2 * (PAGER + GAP);
+        return (room + GAP) / Math.max(1, sections.size()) - GAP;
     }
 
     private Tile card(Found found, int place) {
@@ -126,9 +132,9 @@ final class GalleryScene implements Scene {
     private Tile pager(double x, String sign, int direction) {
         return new Tile(
                 x,
-                FOOT_TOP,
+                TABS_TOP,
                 PAGER,
-                FOOT_HEIGHT,
+                TAB_HEIGHT,
                 (canvas, tile, isChosen) -> Print.button(canvas, tile, sign, isChosen),
                 () -> turn(direction));
     }
@@ -176,9 +182,8 @@ final class GalleryScene implements Scene {
         int count = sections.values().stream().mapToInt(List::size).sum();
         Print.right(canvas, words.of("gallery.count", count), WIDTH - EDGE, 44, 18, Color.TEXT);
         tiles.draw(canvas);
-        double inset = pages() > 1 ? EDGE + PAGER + GAP : EDGE;
-        double width = WIDTH - 2 * inset;
-        canvas.panel(inset, FOOT_TOP, width, FOOT_HEIGHT, 12, Color.PANEL);
+        double width = WIDTH - 2 * EDGE;
+        canvas.panel(EDGE, FOOT_TOP, width, FOOT_HEIGHT, 12, Color.PANEL);
         String foot = chosen().map(titles::about).orElse(words.of("gallery.choose"));
         String fitting = Lines.shortened(canvas, foot, 17, Canvas.Font.WORDS, width - 24);
         Print.centred(canvas, fitting, WIDTH / 2.0, FOOT_TOP + FOOT_HEIGHT / 2, 17, Color.TEXT);
@@ -218,6 +223,25 @@ final class GalleryScene implements Scene {
         double width = tile.width() - 16;
         String title = Lines.shortened(canvas, titles.title(found), 16, Canvas.Font.WORDS, width);
         Print.centred(canvas, title, tile.middleX(), strip + STRIP / 2, 16, Color.TEXT);
+    }
+
+    /** From page to page: a section's tab, then the way on as often as it has pages more. */
+    @Override
+    public Optional<Demonstration> demonstration() {
+        List<Demonstration.Click> ways = new ArrayList<>();
+        double middle = TABS_TOP + TAB_HEIGHT / 2;
+        int tab = 0;
+        for (List<Found> all : sections.values()) {
+            if (tab > 0) {
+                double x = EDGE + (tab + 0.5) * tabWidth() + tab * GAP;
+                ways.add(new Demonstration.Click(x, middle));
+            }
+            for (int more = 1; more * PAGE < all.size(); more++) {
+                ways.add(new Demonstration.Click(WIDTH - EDGE - PAGER / 2, middle));
+            }
+            tab++;
+        }
+        return Optional.of(new GalleryWalk(ways));
     }
 
     @Override

@@ -1,0 +1,45 @@
+package rigibo.frontend.gallery;
+
+import rigibo.frontend.scene.Demonstration;
+
+import java.util.List;
+import java.util.Optional;
+
+/** A walk through the gallery: from page to page of every section, each looked at for a while. */
+final class GalleryWalk implements Demonstration {
+
+    /** How long a page is looked at, turns; its picture is kept at the end of it. */
+    private static final int LOOK = 60;
+
+    private final List<Click> ways;
+    private int turn;
+
+    /** A walk that goes on by clicks, from a first page that needs none. */
+    GalleryWalk(List<Click> ways) {
+        this.ways = List.copyOf(ways);
+    }
+
+    @Override
+    public Optional<Click> click() {
+        turn++;
+        int page = turn / LOOK;
+        boolean goesOn = turn % LOOK == 0 && page <= ways.size();
+        return goesOn ? Optional.of(ways.get(page - 1)) : Optional.empty();
+    }
+
+    @Override
+    public Optional<String> picture() {
+        boolean isKept = turn % LOOK == LOOK - 1 && turn / LOOK <= ways.size();
+        return isKept ? Optional.of("page-" + (turn / LOOK + 1)) : Optional.empty();
+    }
+
+    @Override
+    public boolean isOver() {
+        return turn >= LOOK * (ways.size() + 1);
+    }
+
+    @Override
+    public boolean hasSucceeded() {
+        return isOver();
+    }
+}
