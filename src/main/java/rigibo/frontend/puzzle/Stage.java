@@ -3,6 +3,7 @@ package rigibo.frontend.puzzle;
 import rigibo.backend.RigidBody;
 import rigibo.backend.geometry.Aabb;
 import rigibo.backend.geometry.Shape;
+import rigibo.frontend.puzzle.level.LevelPath;
 import rigibo.frontend.puzzle.rules.Piece;
 import rigibo.frontend.puzzle.rules.PuzzleGame;
 import rigibo.frontend.scene.Camera;
@@ -25,6 +26,13 @@ final class Stage {
     private static final double WATER = 0.22;
 
     private static final double SURFACE = 0.7;
+
+    /** Of the track that a driven body follows: its dots, the way between two, a stop, px. */
+    private static final double DOT = 2;
+
+    private static final double DOT_PITCH = 12;
+    private static final double STOP = 5;
+    private static final Color TRACK = Color.BRASS.alpha(0.55);
 
     private final Session session;
     private final Camera camera;
@@ -53,7 +61,43 @@ final class Stage {
         for (RigidBody each : game.balls()) {
             body(canvas, each, Skin.BALL, Canvas.Mood.PLAIN);
         }
+        for (Piece piece : game.pieces()) {
+            if (piece.body().isAlive()) {
+                piece.definition().path().ifPresent(path -> drawPath(canvas, piece, path));
+            }
+        }
         game.level().world().waterLevel().ifPresent(level -> drawWater(canvas, level));
+    }
+
+    /** Dots along the way of a driven body, and a ring at each of its stops. */
+    private void drawPath(Canvas canvas, Piece piece, LevelPath path) {
+        double x = piece.definition().x();
+        double y = piece.definition().y();
+        drawStop(canvas, x, y);
+        for (LevelPath.Stop stop : path.stops()) {
+            drawWay(canvas, x, y, stop.x(), stop.y());
+            drawStop(canvas, stop.x(), stop.y());
+            x = stop.x();
+            y = stop.y();
+        }
+        if (path.end() == LevelPath.End.ROUND) {
+            drawWay(canvas, x, y, piece.definition().x(), piece.definition().y());
+        }
+    }
+
+    private void drawStop(Canvas canvas, double x, double y) {
+        canvas.ring(camera.screenX(x), camera.screenY(y), STOP, 2, 1, TRACK);
+    }
+
+    private void drawWay(Canvas canvas, double x, double y, double toX, double toY) {
+        double length = Math.hypot(toX - x, toY - y) * camera.scale();
+        int dots = (int) (length / DOT_PITCH);
+        for (int i = 1; i < dots; i++) {
+            double share = i / (double) dots;
+            double dotX = x + share * (toX - x);
+            double dotY = y + share * (toY - y);
+            canvas.disc(camera.screenX(dotX), camera.screenY(dotY), DOT, TRACK);
+        }
     }
 
     /** Over the bodies, so that what is under water looks it. */

@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.Optional;
 
 /** An outline about the point that its item is placed by; also one that cannot be simulated. */
-public sealed interface Form permits Box, Disc, Corners {
+public sealed interface Form permits Box, Disc, Corners, Kept {
 
     /** Corners in their order, m; none of a disc. */
     List<Point> corners();
@@ -33,11 +33,20 @@ public sealed interface Form permits Box, Disc, Corners {
 
     /** A body's {@code shape}. */
     static Form of(JsonNode shape) {
+        if (shape instanceof ObjectNode stated && isBeyondTools(stated)) {
+            return new Kept(stated);
+        }
         return switch (shape.path("type").asString("")) {
             case "box" -> new Box(number(shape, "w"), number(shape, "h"));
             case "circle" -> new Disc(number(shape, "r"));
             default -> Corners.of(shape.path("points"));
         };
+    }
+
+    /** Whether the editor's tools would lose something of it. */
+    private static boolean isBeyondTools(ObjectNode shape) {
+        String type = shape.path("type").asString("");
+        return type.equals("capsule") || type.equals("compound") || shape.has("round");
     }
 
     private static double number(JsonNode shape, String name) {

@@ -9,7 +9,7 @@ import java.util.List;
 /** What a document must have for the editor to show it at all. */
 final class Frame {
 
-    private static final int FORMAT = 1;
+    private static final int FORMAT = 2;
     private static final List<String> OBJECTS =
             List.of("title", "hint", "world", "rules", "ball", "platform");
     private static final List<String> LISTS = List.of("bodies", "solutions", "moreBalls");

@@ -97,7 +97,7 @@ public record Item(String pointer, ObjectNode node) {
 
     /** Whether it stays where it is, whatever strikes it. */
     public boolean isFixed() {
-        return kind() == Kind.PLATFORM || !node.path("dynamic").asBoolean(true);
+        return kind() == Kind.PLATFORM || node.has("path") || !node.path("dynamic").asBoolean(true);
     }
 
     /** A point of the world in its own frame, m. */

@@ -21,7 +21,7 @@ public final class NewLevel {
 
     static ObjectNode document() {
         ObjectNode level = JsonNodeFactory.instance.objectNode();
-        level.put("format", 1).put("id", ID);
+        level.put("format", 2).put("id", ID);
         level.putObject("title").put("en", TITLE);
         world(level.putObject("world"));
         level.putObject("rules")

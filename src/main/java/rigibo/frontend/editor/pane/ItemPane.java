@@ -4,6 +4,7 @@ import rigibo.frontend.editor.desk.Desk;
 import rigibo.frontend.editor.draft.Corners;
 import rigibo.frontend.editor.draft.Form;
 import rigibo.frontend.editor.draft.Item;
+import rigibo.frontend.editor.draft.Kept;
 import rigibo.frontend.puzzle.level.Substance;
 import rigibo.frontend.scene.Canvas;
 
@@ -73,6 +74,8 @@ final class ItemPane {
         Form form = item.form();
         if (form instanceof Corners polygon) {
             fields.column().note(fields.words("corners", polygon.corners().size()));
+        } else if (form instanceof Kept) {
+            fields.column().note(fields.words("kept"));
         } else if (form.corners().isEmpty()) {
             fields.number("radius", shape + "/r", RADIUS);
         } else {

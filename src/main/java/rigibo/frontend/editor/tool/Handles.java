@@ -37,7 +37,7 @@ final class Handles {
             for (int i = 0; i < polygon.corners().size(); i++) {
                 handles.add(corner(desk, item, polygon, i));
             }
-        } else {
+        } else if (form instanceof Disc) {
             handles.add(radius(desk, item, form.reach()));
         }
         if (item.kind() != Item.Kind.BALL) {

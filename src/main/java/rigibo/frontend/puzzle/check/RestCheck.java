@@ -55,7 +55,11 @@ final class RestCheck {
         return games.stream().mapToDouble(moved).max().orElseThrow();
     }
 
+    /** What is driven is meant to move. */
     private static double moved(Piece piece) {
+        if (piece.definition().path().isPresent()) {
+            return 0;
+        }
         return piece.body().isAlive()
                 ? moved(piece.body(), piece.definition().x(), piece.definition().y())
                 : Double.POSITIVE_INFINITY;

@@ -26,8 +26,18 @@ final class ApartRules {
      *
      * @param order in which problems name two of them
      * @param pointer of it in the file
+     * @param print what it covers
      */
-    private record Placed(int order, String pointer, Footprint print, double left, double right) {}
+    private record Placed(int order, String pointer, Footprint print) {
+
+        double left() {
+            return print.bounds().minX;
+        }
+
+        double right() {
+            return print.bounds().maxX;
+        }
+    }
 
     private ApartRules(Document json) {
         this.json = json;
@@ -49,8 +59,7 @@ final class ApartRules {
     }
 
     private static void add(List<Placed> placed, String pointer, BodyDefinition body) {
-        Footprint print = Footprint.of(body);
-        placed.add(new Placed(placed.size(), pointer, print, print.left(), print.right()));
+        placed.add(new Placed(placed.size(), pointer, Footprint.of(body)));
     }
 
     private void reach(Placed next) {
@@ -68,9 +77,9 @@ final class ApartRules {
     private void requireApart(Placed first, Placed second) {
         Footprint a = first.print();
         Footprint b = second.print();
-        // Walls may be built of parts that overlap.
-        boolean mayOverlap = a.isFixed() && b.isFixed();
-        if (mayOverlap || a.top() < b.bottom() || b.top() < a.bottom()) {
+        // Walls may be built of parts that overlap, and lifts start within them.
+        boolean mayOverlap = a.isUnmoved() && b.isUnmoved();
+        if (mayOverlap || !a.bounds().overlaps(b.bounds())) {
             return;
         }
         double depth = Overlap.depth(a, b);

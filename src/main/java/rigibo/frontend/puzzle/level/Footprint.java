@@ -1,6 +1,8 @@
 package rigibo.frontend.puzzle.level;
 
+import rigibo.backend.geometry.Aabb;
 import rigibo.backend.geometry.Outline;
+import rigibo.backend.geometry.Shape;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.BodyType;
 
@@ -8,66 +10,43 @@ import rigibo.backend.setup.BodyType;
  * What a placed body covers of the world.
  *
  * @param body what is placed
- * @param corners in the world, x₀, y₀, x₁, …, m, counter-clockwise; of a disc its centre alone
- * @param radius at which its outline goes round the corners, m; 0 of a sharp polygon
+ * @param corners of each part's core in the world, x₀, y₀, x₁, …, m, counter-clockwise; of a disc
+ *     its centre alone
+ * @param bounds that it fills, m
  */
-record Footprint(BodyDefinition body, double[] corners, double radius) {
+record Footprint(BodyDefinition body, double[][] corners, Aabb bounds) {
 
     static Footprint of(BodyDefinition body) {
-        return new Footprint(body, corners(body), body.shape().outline(0).radius());
-    }
-
-    boolean isDisc() {
-        return corners.length == 2;
-    }
-
-    boolean isFixed() {
-        return body.type() == BodyType.STATIC;
-    }
-
-    double left() {
-        return least(0);
-    }
-
-    double right() {
-        return most(0);
-    }
-
-    double bottom() {
-        return least(1);
-    }
-
-    double top() {
-        return most(1);
-    }
-
-    private double least(int axis) {
-        double least = Double.POSITIVE_INFINITY;
-        for (int i = axis; i < corners.length; i += 2) {
-            least = Math.min(least, corners[i]);
+        double cos = StrictMath.cos(body.angle());
+        double sin = StrictMath.sin(body.angle());
+        Shape shape = body.shape();
+        double[][] corners = new double[shape.parts()][];
+        for (int part = 0; part < corners.length; part++) {
+            corners[part] = corners(shape.outline(part), body, cos, sin);
         }
-        return least - radius;
+        Aabb bounds = new Aabb();
+        shape.bounds(body.x(), body.y(), cos, sin, bounds);
+        return new Footprint(body, corners, bounds);
     }
 
-    private double most(int axis) {
-        double most = Double.NEGATIVE_INFINITY;
-        for (int i = axis; i < corners.length; i += 2) {
-            most = Math.max(most, corners[i]);
-        }
-        return most + radius;
-    }
-
-    private static double[] corners(BodyDefinition placed) {
-        Outline outline = placed.shape().outline(0);
-        double cos = StrictMath.cos(placed.angle());
-        double sin = StrictMath.sin(placed.angle());
+    private static double[] corners(Outline outline, BodyDefinition at, double cos, double sin) {
         double[] xy = new double[2 * outline.corners()];
         for (int i = 0; i < outline.corners(); i++) {
             double x = outline.cornerX(i);
             double y = outline.cornerY(i);
-            xy[2 * i] = placed.x() + cos * x - sin * y;
-            xy[2 * i + 1] = placed.y() + sin * x + cos * y;
+            xy[2 * i] = at.x() + cos * x - sin * y;
+            xy[2 * i + 1] = at.y() + sin * x + cos * y;
         }
         return xy;
+    }
+
+    /** How far a part's outline goes round its core, m. */
+    double radius(int part) {
+        return body.shape().outline(part).radius();
+    }
+
+    /** Nothing but its path, if it has one, ever moves it. */
+    boolean isUnmoved() {
+        return body.type() != BodyType.DYNAMIC;
     }
 }

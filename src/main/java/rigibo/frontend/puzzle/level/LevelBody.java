@@ -4,6 +4,8 @@ import rigibo.backend.geometry.Shape;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.Material;
 
+import java.util.Optional;
+
 /**
  * One body of a level, besides ball and platform.
  *
@@ -17,6 +19,7 @@ import rigibo.backend.setup.Material;
  * @param motion at the start
  * @param mobility whether it moves
  * @param deletable whether a click deletes it
+ * @param path that it is driven along, of a driven body
  */
 public record LevelBody(
         String id,
@@ -28,12 +31,17 @@ public record LevelBody(
         Material material,
         Motion motion,
         Mobility mobility,
-        boolean deletable) {
+        boolean deletable,
+        Optional<LevelPath> path) {
 
-    /** Whether a body moves. */
+    /** What moves a body. */
     public enum Mobility {
+        /** Forces and contacts. */
         DYNAMIC,
-        STATIC
+        /** Nothing. */
+        STATIC,
+        /** Its path, whatever it meets. */
+        DRIVEN
     }
 
     public boolean isDynamic() {
@@ -49,12 +57,23 @@ public record LevelBody(
                                     .velocity(motion.x(), motion.y())
                                     .spin(motion.spin());
                     case STATIC -> BodyDefinition.fixed(shape);
+                    case DRIVEN -> BodyDefinition.kinematic(shape);
                 };
         return placed.at(x, y).angle(angle).material(material).name(id);
     }
 
     LevelBody shifted(double metres) {
         return new LevelBody(
-                id, shape, x + metres, y, angle, substance, material, motion, mobility, deletable);
+                id,
+                shape,
+                x + metres,
+                y,
+                angle,
+                substance,
+                material,
+                motion,
+                mobility,
+                deletable,
+                path);
     }
 }

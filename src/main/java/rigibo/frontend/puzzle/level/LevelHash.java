@@ -70,6 +70,13 @@ final class LevelHash {
         motion(body.motion());
         text(body.mobility().name());
         numbers(body.deletable() ? 1 : 0);
+        body.path().ifPresent(this::path);
+    }
+
+    private void path(LevelPath path) {
+        numbers(path.speed(), path.pause());
+        text(path.end().name());
+        path.stops().forEach(stop -> numbers(stop.x(), stop.y()));
     }
 
     private void shape(Shape shape) {

@@ -15,8 +15,8 @@ import java.util.Optional;
  */
 public final class LevelLoader {
 
-    /** The format this version reads. */
-    static final int FORMAT = 1;
+    /** The newest format this version reads; it reads all before it. */
+    static final int FORMAT = 2;
 
     private final JsonSchema schema = new JsonSchema(LevelShelf.SCHEMA);
 
@@ -47,11 +47,13 @@ public final class LevelLoader {
         if (!schema.admits(document)) {
             return Optional.empty();
         }
+        FormatRules.check(document);
         LevelSketch sketch = LevelSketch.of(document);
         IdRules.check(sketch);
         StartRules.check(sketch);
         ApartRules.check(sketch);
         PieceRules.check(sketch);
+        PathRules.check(sketch);
         EffectRules.check(sketch);
         SolutionRules.check(sketch);
         return document.hasErrors() ? Optional.empty() : Optional.of(sketch.level());

@@ -21,7 +21,9 @@ import tools.jackson.databind.JsonNode;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
 
@@ -135,10 +137,44 @@ final class LevelReader {
                 substance,
                 material(node, substance.material()),
                 motion(node),
-                node.path("dynamic").asBoolean(true)
-                        ? LevelBody.Mobility.DYNAMIC
-                        : LevelBody.Mobility.STATIC,
-                node.path("deletable").asBoolean(false));
+                mobility(node),
+                node.path("deletable").asBoolean(false),
+                path(node, outline));
+    }
+
+    private static LevelBody.Mobility mobility(JsonNode node) {
+        if (node.has("path")) {
+            return LevelBody.Mobility.DRIVEN;
+        }
+        return node.path("dynamic").asBoolean(true)
+                ? LevelBody.Mobility.DYNAMIC
+                : LevelBody.Mobility.STATIC;
+    }
+
+    /** A file's points are of the point that it places the body by. */
+    private static Optional<LevelPath> path(JsonNode body, Outline outline) {
+        JsonNode path = body.path("path");
+        if (path.isMissingNode()) {
+            return Optional.empty();
+        }
+        double angle = Math.toRadians(body.path("angle").asDouble(0));
+        double cos = StrictMath.cos(angle);
+        double sin = StrictMath.sin(angle);
+        double dx = cos * outline.centroidX() - sin * outline.centroidY();
+        double dy = sin * outline.centroidX() + cos * outline.centroidY();
+        List<LevelPath.Stop> stops = new ArrayList<>();
+        for (JsonNode point : path.path("points")) {
+            double x = point.path(0).asDouble() + dx;
+            double y = point.path(1).asDouble() + dy;
+            stops.add(new LevelPath.Stop(x, y));
+        }
+        String end = path.path("end").asString("back").toUpperCase(Locale.ROOT);
+        return Optional.of(
+                new LevelPath(
+                        stops,
+                        path.path("speed").asDouble(),
+                        path.path("pause").asDouble(0),
+                        LevelPath.End.valueOf(end)));
     }
 
     static Solution solution(JsonNode node) {

@@ -1,50 +1,46 @@
 package rigibo.frontend.puzzle.level;
 
 /**
- * How deep two placed bodies are in each other, by the separating axis theorem: two convex shapes
- * are apart exactly when one of their edge normals (for a disc also the direction to the nearest
- * corner) has a gap. The engine's own manifolds stay behind its door.
+ * How deep two placed bodies are in each other: that of the two parts which are deepest. Cores that
+ * overlap are parted along the edge normal with the least way (separating axis theorem), cores
+ * apart are as far as the nearest corner of one from an edge of the other; the radii round them
+ * come on top. Nothing is made on the way: a file may hold half a million pairs.
  */
 final class Overlap {
 
     private Overlap() {}
 
-    /** Depth in m; negative is the gap along the best edge normal, or the distance of a disc. */
+    /** Depth in m; negative is how far they are apart. */
     static double depth(Footprint a, Footprint b) {
-        double[] cornersA = a.corners();
-        double[] cornersB = b.corners();
-        if (a.isDisc() && b.isDisc()) {
-            double distance = Math.hypot(cornersA[0] - cornersB[0], cornersA[1] - cornersB[1]);
-            return a.radius() + b.radius() - distance;
+        double deepest = Double.NEGATIVE_INFINITY;
+        for (int i = 0; i < a.corners().length; i++) {
+            for (int j = 0; j < b.corners().length; j++) {
+                double cores = depth(a.corners()[i], b.corners()[j]);
+                deepest = Math.max(deepest, cores + a.radius(i) + b.radius(j));
+            }
         }
-        if (a.isDisc()) {
-            return a.radius() - distance(cornersB, cornersA[0], cornersA[1]);
-        }
-        if (b.isDisc()) {
-            return b.radius() - distance(cornersA, cornersB[0], cornersB[1]);
-        }
-        return -Math.max(widestGap(cornersA, cornersB), widestGap(cornersB, cornersA));
+        return deepest;
     }
 
-    /** The widest gap from an edge of the first polygon outwards to the second. */
+    private static double depth(double[] a, double[] b) {
+        double gap = Math.max(widestGap(a, b), widestGap(b, a));
+        return gap < 0 ? -gap : -Math.min(distance(a, b), distance(b, a));
+    }
+
+    /** The widest gap from an edge of the first core outwards to the second; a point has none. */
     private static double widestGap(double[] first, double[] second) {
         double widest = Double.NEGATIVE_INFINITY;
-        for (int i = 0; i < first.length; i += 2) {
+        for (int i = 0; first.length > 2 && i < first.length; i += 2) {
             double nearest = Double.POSITIVE_INFINITY;
             for (int j = 0; j < second.length; j += 2) {
                 nearest = Math.min(nearest, area(first, i, second[j], second[j + 1]));
             }
             widest = Math.max(widest, nearest / length(first, i));
         }
-        return widest;
+        return first.length > 2 || second.length > 2 ? widest : 0;
     }
 
-    /** How far a point lies outside the edge that begins at this index. */
-    private static double ahead(double[] xy, int i, double x, double y) {
-        return area(xy, i, x, y) / length(xy, i);
-    }
-
-    /** That distance times the edge's length: the area of the parallelogram between them. */
+    /** How far a point lies outside the edge that begins at this index, times its length. */
     private static double area(double[] xy, int i, double x, double y) {
         int next = (i + 2) % xy.length;
         return (x - xy[i]) * (xy[next + 1] - xy[i + 1]) - (y - xy[i + 1]) * (xy[next] - xy[i]);
@@ -55,24 +51,24 @@ final class Overlap {
         return Math.hypot(xy[next] - xy[i], xy[next + 1] - xy[i + 1]);
     }
 
-    /** Distance of a point to a polygon; inside, minus the depth to the nearest edge. */
-    private static double distance(double[] xy, double x, double y) {
-        double outside = Double.NEGATIVE_INFINITY;
+    /** From the edges of the first core to the nearest corner of the second. */
+    private static double distance(double[] first, double[] second) {
         double nearest = Double.POSITIVE_INFINITY;
-        for (int i = 0; i < xy.length; i += 2) {
-            outside = Math.max(outside, ahead(xy, i, x, y));
-            nearest = Math.min(nearest, distanceToEdge(xy, i, x, y));
+        for (int i = 0; i < first.length; i += 2) {
+            for (int j = 0; j < second.length; j += 2) {
+                nearest = Math.min(nearest, distanceToEdge(first, i, second[j], second[j + 1]));
+            }
         }
-        return outside <= 0 ? outside : nearest;
+        return nearest;
     }
 
     private static double distanceToEdge(double[] xy, int i, double x, double y) {
         int next = (i + 2) % xy.length;
         double edgeX = xy[next] - xy[i];
         double edgeY = xy[next + 1] - xy[i + 1];
-        double along =
-                ((x - xy[i]) * edgeX + (y - xy[i + 1]) * edgeY) / (edgeX * edgeX + edgeY * edgeY);
-        double t = Math.max(0, Math.min(1, along));
+        double square = edgeX * edgeX + edgeY * edgeY;
+        double along = (x - xy[i]) * edgeX + (y - xy[i + 1]) * edgeY;
+        double t = square > 0 ? Math.max(0, Math.min(1, along / square)) : 0;
         return Math.hypot(x - xy[i] - t * edgeX, y - xy[i + 1] - t * edgeY);
     }
 }

@@ -13,7 +13,7 @@ final class PieceRules {
             sketch.json().error(pointer, () -> "E130 no body can be deleted");
         }
         for (Located<LevelBody> body : sketch.bodies()) {
-            if (body.part().deletable() && !body.part().isDynamic()) {
+            if (body.part().deletable() && body.part().mobility() == LevelBody.Mobility.STATIC) {
                 sketch.json()
                         .warning(
                                 body.pointer(),

@@ -20,6 +20,7 @@ public final class PuzzleGame {
 
     private final Level level;
     private final Board board;
+    private final List<Ride> rides;
     private final Cooldown cooldown;
     private final HoldClock hold;
     private final RestWatch rest = new RestWatch();
@@ -36,6 +37,11 @@ public final class PuzzleGame {
         this.level = level;
         Limits limits = level.limits();
         board = Board.of(level, accuracy);
+        rides =
+                board.pieces().stream()
+                        .filter(piece -> piece.definition().path().isPresent())
+                        .map(piece -> new Ride(piece.definition(), piece.body()))
+                        .toList();
         cooldown = new Cooldown(Steps.of(limits.cooldown()));
         hold = new HoldClock(Steps.of(limits.hold()), Steps.of(limits.contactGrace()));
         trace.observe(steps, outcome, board.pool());
@@ -43,6 +49,7 @@ public final class PuzzleGame {
 
     /** Advances by 1/60 s. */
     public void step() {
+        rides.forEach(ride -> ride.beforeStep(steps));
         board.pool().step(Steps.SECONDS);
         steps++;
         board.forgetStrays();

@@ -132,7 +132,7 @@ class DraftTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"[]", "4", "{\"format\": 2}", "{\"ball\": 3}", "{\"bodies\": {}}"})
+    @ValueSource(strings = {"[]", "4", "{\"format\": 3}", "{\"ball\": 3}", "{\"bodies\": {}}"})
     void whatIsNoLevelIsRefused(String text) {
         JsonNode document = parsed(text);
         assertThatThrownBy(() -> Draft.of(document)).isInstanceOf(IllegalArgumentException.class);

@@ -90,7 +90,7 @@ class DraftFilesTest {
     void whatIsNoLevelIsRefusedWithTheReason() throws IOException {
         Path broken = Files.writeString(folder.resolve("broken.json"), "{");
         assertThatThrownBy(() -> DraftFiles.open(broken)).hasMessageContaining("not JSON");
-        Path newer = Files.writeString(folder.resolve("newer.json"), "{\"format\": 2}");
+        Path newer = Files.writeString(folder.resolve("newer.json"), "{\"format\": 3}");
         assertThatThrownBy(() -> DraftFiles.open(newer)).hasMessageContaining("newer RigiBo");
     }
 

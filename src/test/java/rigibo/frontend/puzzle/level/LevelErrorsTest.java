@@ -150,7 +150,7 @@ class LevelErrorsTest {
                 Arguments.of(
                         "\"format\": 1",
                         "\"format\": 0",
-                        List.of("a.json:2:13: /format: must be 1, was 0")));
+                        List.of("a.json:2:13: /format: must be 1 or more, was 0")));
     }
 
     @ParameterizedTest
@@ -197,10 +197,10 @@ class LevelErrorsTest {
 
     @Test
     void aNewerFormatIsTheOnlyMessage() {
-        String text = LevelTexts.with("\"format\": 1", "\"format\": 2").replace("ball", "orb");
+        String text = LevelTexts.with("\"format\": 1", "\"format\": 3").replace("ball", "orb");
         assertThat(problems(text))
                 .containsExactly(
-                        "a.json:2:13: /format: made for a newer RigiBo (format 2); this version"
-                                + " reads 1");
+                        "a.json:2:13: /format: made for a newer RigiBo (format 3); this version"
+                                + " reads 2");
     }
 }

@@ -5,7 +5,10 @@ import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
 
+import rigibo.backend.geometry.Capsule;
 import rigibo.backend.geometry.Circle;
+import rigibo.backend.geometry.Compound;
+import rigibo.backend.geometry.Part;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
 
@@ -22,10 +25,10 @@ class OverlapTest {
     }
 
     private static void assertDepth(BodyDefinition a, BodyDefinition b, double metres) {
-        Footprint first = Footprint.of(a);
-        Footprint second = Footprint.of(b);
-        assertThat(Overlap.depth(first, second)).isCloseTo(metres, within(ROUNDING));
-        assertThat(Overlap.depth(second, first)).isCloseTo(metres, within(ROUNDING));
+        assertThat(Overlap.depth(Footprint.of(a), Footprint.of(b)))
+                .isCloseTo(metres, within(ROUNDING));
+        assertThat(Overlap.depth(Footprint.of(b), Footprint.of(a)))
+                .isCloseTo(metres, within(ROUNDING));
     }
 
     @Test
@@ -54,5 +57,34 @@ class OverlapTest {
     @Test
     void aDiscInsideABoxIsAsDeepAsTheNearestEdgeAndItsRadius() {
         assertDepth(box(0, 0, 0), disc(0.3, 0), 0.7);
+    }
+
+    /** Cores of 1 m at right angles, their nearest points 0.7 m apart; radii of 0.2 m each. */
+    @Test
+    void capsulesMeasureTheirCoresAndRadii() {
+        BodyDefinition lying = BodyDefinition.fixed(new Capsule(0.5, 0.2));
+        BodyDefinition standing = lying.at(0.3, 1.2).angle(Math.PI / 2);
+        assertDepth(lying, standing, 0.4 - 0.7);
+        assertDepth(lying, lying.at(0.2, 0.1), 0.4 - 0.1);
+    }
+
+    /** At the corner a rounded box of 1 m with a rim of 0.2 m reaches 0.3·√2 + 0.2 m. */
+    @Test
+    void aRoundedCornerIsPassedNearer() {
+        BodyDefinition box = BodyDefinition.fixed(Polygon.box(0.6, 0.6).rounded(0.2));
+        double reach = 0.3 * Math.sqrt(2) + 0.2 + 0.5;
+        double away = 0.75;
+        assertDepth(box, disc(away, away), reach - away * Math.sqrt(2));
+    }
+
+    @Test
+    void aCompoundIsAsDeepAsItsDeepestPart() {
+        Compound ell =
+                Compound.of(
+                        Part.of(Polygon.box(2, 0.5)), Part.of(Polygon.box(0.5, 2)).at(-0.75, 1));
+        BodyDefinition placed = BodyDefinition.fixed(ell).at(ell.centroidX(), ell.centroidY());
+        // In its dent, 0.1 m off the upright.
+        assertDepth(placed, disc(0.1, 0.95), -0.1);
+        assertDepth(placed, disc(0.1, 0.6), 0.15);
     }
 }

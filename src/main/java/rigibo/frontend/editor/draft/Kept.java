@@ -1,0 +1,104 @@
+package rigibo.frontend.editor.draft;
+
+import rigibo.backend.Geometry;
+import rigibo.backend.geometry.Placement;
+import rigibo.backend.geometry.Polygon;
+import rigibo.backend.geometry.Shape;
+import rigibo.frontend.puzzle.level.Outline;
+
+import tools.jackson.databind.node.ObjectNode;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * A shape that the editor has no tools for: shown, moved and turned, and otherwise kept as the file
+ * states it.
+ *
+ * @param node as the file states it
+ */
+public record Kept(ObjectNode node) implements Form {
+
+    /** Points round each part from which the outline is drawn. */
+    private static final int POINTS = 32;
+
+    private Optional<Outline> outline() {
+        try {
+            return Optional.of(Outline.of(node));
+        } catch (IllegalArgumentException refused) {
+            // Half written: the loader's words stand beside it.
+            return Optional.empty();
+        }
+    }
+
+    /** Of the rubber band round all of it. */
+    @Override
+    public List<Point> corners() {
+        return outline().map(Kept::corners).orElse(List.of());
+    }
+
+    private static List<Point> corners(Outline stated) {
+        Polygon band = Polygon.hull(rim(stated.shape()));
+        double x = stated.centroidX() + band.centroidX();
+        double y = stated.centroidY() + band.centroidY();
+        List<Point> corners = new ArrayList<>();
+        for (int i = 0; i < band.corners(); i++) {
+            corners.add(new Point(x + band.cornerX(i), y + band.cornerY(i)));
+        }
+        return corners;
+    }
+
+    /** The farthest corner of each part in every direction, and its rounding beyond that. */
+    private static double[] rim(Shape shape) {
+        double[] xy = new double[2 * POINTS * shape.parts()];
+        int next = 0;
+        for (int part = 0; part < shape.parts(); part++) {
+            var outline = shape.outline(part);
+            for (int i = 0; i < POINTS; i++) {
+                double dx = Math.cos(2 * Math.PI * i / POINTS);
+                double dy = Math.sin(2 * Math.PI * i / POINTS);
+                int corner = 0;
+                for (int j = 1; j < outline.corners(); j++) {
+                    double more =
+                            (outline.cornerX(j) - outline.cornerX(corner)) * dx
+                                    + (outline.cornerY(j) - outline.cornerY(corner)) * dy;
+                    corner = more > 0 ? j : corner;
+                }
+                xy[next++] = outline.cornerX(corner) + outline.radius() * dx;
+                xy[next++] = outline.cornerY(corner) + outline.radius() * dy;
+            }
+        }
+        return xy;
+    }
+
+    @Override
+    public boolean contains(Point point) {
+        return outline()
+                .filter(
+                        stated ->
+                                Geometry.holds(
+                                        stated.shape(),
+                                        Placement.at(stated.centroidX(), stated.centroidY()),
+                                        point.x(),
+                                        point.y()))
+                .isPresent();
+    }
+
+    @Override
+    public double reach() {
+        return corners().stream().mapToDouble(Point::length).max().orElse(0);
+    }
+
+    @Override
+    public Optional<Shape> shape() {
+        return outline().map(Outline::shape);
+    }
+
+    @Override
+    public Point centre() {
+        return outline()
+                .map(stated -> new Point(stated.centroidX(), stated.centroidY()))
+                .orElse(new Point(0, 0));
+    }
+}

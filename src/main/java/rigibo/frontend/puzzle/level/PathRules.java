@@ -1,0 +1,49 @@
+package rigibo.frontend.puzzle.level;
+
+import tools.jackson.databind.JsonNode;
+
+import java.util.Locale;
+
+/** E116 a body with a path that says it is dynamic; E117 a way of a path that leads nowhere. */
+final class PathRules {
+
+    /** A way that takes less than a step at a walking pace is none, m. */
+    static final double LEAST_WAY = 0.01;
+
+    private PathRules() {}
+
+    static void check(LevelSketch sketch) {
+        for (Located<LevelBody> body : sketch.bodies()) {
+            body.part().path().ifPresent(path -> check(sketch, body, path));
+        }
+    }
+
+    private static void check(LevelSketch sketch, Located<LevelBody> body, LevelPath path) {
+        JsonNode stated = sketch.json().node(body.pointer() + "/dynamic");
+        if (stated.asBoolean(false)) {
+            sketch.json()
+                    .error(
+                            body.pointer() + "/dynamic",
+                            () -> "E116 a body with a path is driven and cannot be dynamic");
+        }
+        double x = body.part().x();
+        double y = body.part().y();
+        for (int i = 0; i < path.stops().size(); i++) {
+            LevelPath.Stop stop = path.stops().get(i);
+            requireWay(
+                    sketch,
+                    body.pointer() + "/path/points/" + i,
+                    Math.hypot(stop.x() - x, stop.y() - y));
+            x = stop.x();
+            y = stop.y();
+        }
+    }
+
+    private static void requireWay(LevelSketch sketch, String pointer, double metres) {
+        if (metres < LEAST_WAY) {
+            String words = "E117 a way of %.4f m, at least %.2f: it is where the body comes from";
+            sketch.json()
+                    .error(pointer, () -> String.format(Locale.ROOT, words, metres, LEAST_WAY));
+        }
+    }
+}
