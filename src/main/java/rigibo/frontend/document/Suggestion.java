@@ -1,7 +1,6 @@
 package rigibo.frontend.document;
 
 import java.util.Collection;
-import java.util.Comparator;
 import java.util.Locale;
 import java.util.stream.Collectors;
 
@@ -14,12 +13,17 @@ public final class Suggestion {
     public static String among(Collection<String> known, String word) {
         // A third of the letters wrong is still a slip; more is another word.
         int most = Math.max(1, (word.length() + 1) / 3);
-        return known.stream()
-                .filter(candidate -> Math.abs(candidate.length() - word.length()) <= most)
-                .filter(candidate -> distance(candidate, word) <= most)
-                .min(Comparator.comparingInt(candidate -> distance(candidate, word)))
-                .map(candidate -> ", did you mean \"" + candidate + "\"?")
-                .orElse("");
+        String meant = word.toLowerCase(Locale.ROOT);
+        String nearest = "";
+        int least = most + 1;
+        for (String candidate : known) {
+            if (Math.abs(candidate.length() - word.length()) < least) {
+                int distance = distance(candidate.toLowerCase(Locale.ROOT), meant);
+                nearest = distance < least ? candidate : nearest;
+                least = Math.min(least, distance);
+            }
+        }
+        return nearest.isEmpty() ? "" : ", did you mean \"" + nearest + "\"?";
     }
 
     /** The known words in a row, for messages. */
@@ -27,10 +31,8 @@ public final class Suggestion {
         return known.stream().collect(Collectors.joining(", "));
     }
 
-    /** Levenshtein's distance, blind to case. */
-    private static int distance(String first, String second) {
-        String a = first.toLowerCase(Locale.ROOT);
-        String b = second.toLowerCase(Locale.ROOT);
+    /** Levenshtein's distance. */
+    private static int distance(String a, String b) {
         int[] row = new int[b.length() + 1];
         for (int j = 0; j <= b.length(); j++) {
             row[j] = j;

@@ -1,13 +1,19 @@
 package rigibo.frontend.draw;
 
+import rigibo.backend.geometry.Chain;
 import rigibo.backend.geometry.Compound;
 import rigibo.backend.geometry.Convex;
 import rigibo.backend.geometry.Part;
 import rigibo.backend.geometry.Shape;
 import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Canvas.Mood;
+import rigibo.frontend.scene.ChainBand;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Skin;
+
+import java.util.List;
+import java.util.Map;
+import java.util.WeakHashMap;
 
 /** All that a frame shows of the world: shadows, bodies, faces and particles, some calls in all. */
 final class BodyBatch {
@@ -30,6 +36,7 @@ final class BodyBatch {
     private final FaceBatch faces = new FaceBatch();
     private final DotBatch dots = new DotBatch();
     private final ParticleBatch particles = new ParticleBatch();
+    private final Map<Chain, List<ChainBand.Piece>> bands = new WeakHashMap<>();
     private final Figure figure = new Figure();
     private final OnScreen at = new OnScreen();
     private final Gaze gaze = new Gaze();
@@ -67,8 +74,24 @@ final class BodyBatch {
     void body(Shape shape, double x, double y, double angle, Skin skin, Mood mood) {
         if (shape instanceof Compound compound) {
             parts(compound, x, y, angle, skin, mood);
+        } else if (shape instanceof Chain chain) {
+            band(chain, x, y, angle, skin, mood);
         } else {
             piece((Convex) shape, x, y, angle, skin, mood);
+        }
+    }
+
+    private void band(Chain chain, double x, double y, double angle, Skin skin, Mood mood) {
+        double cos = Math.cos(angle);
+        double sin = Math.sin(angle);
+        for (ChainBand.Piece piece : bands.computeIfAbsent(chain, ChainBand::of)) {
+            piece(
+                    piece.polygon(),
+                    x + cos * piece.x() - sin * piece.y(),
+                    y + sin * piece.x() + cos * piece.y(),
+                    angle,
+                    skin,
+                    mood);
         }
     }
 

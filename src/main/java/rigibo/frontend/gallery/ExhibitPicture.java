@@ -2,11 +2,13 @@ package rigibo.frontend.gallery;
 
 import rigibo.backend.RigidBody;
 import rigibo.backend.geometry.Aabb;
+import rigibo.backend.geometry.Chain;
 import rigibo.backend.geometry.Placement;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.geometry.Shape;
 import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Canvas;
+import rigibo.frontend.scene.ChainBand;
 
 /** An exhibit as small as a card; what lies half outside is cut at the card's edge. */
 final class ExhibitPicture {
@@ -55,9 +57,22 @@ final class ExhibitPicture {
                     shape, body.x(), body.y(), body.angle(), Looks.of(body), Showing.mood(body));
         } else if (own.overlaps(window)) {
             Placement at = new Placement(body.x(), body.y(), body.angle());
+            if (shape instanceof Chain chain) {
+                drawBand(canvas, body, chain);
+                return;
+            }
             for (int part = 0; part < shape.parts(); part++) {
                 drawInside(canvas, body, new Cut(shape.outline(part), at));
             }
+        }
+    }
+
+    private void drawBand(Canvas canvas, RigidBody body, Chain chain) {
+        for (ChainBand.Piece piece : ChainBand.of(chain)) {
+            double x = body.worldX(piece.x(), piece.y());
+            double y = body.worldY(piece.x(), piece.y());
+            Placement at = new Placement(x, y, body.angle());
+            drawInside(canvas, body, new Cut(piece.polygon().outline(), at));
         }
     }
 

@@ -58,9 +58,11 @@ record Remains(Shape shape, Pose pose, Skin skin) {
     }
 
     private static Shape scaled(Shape shape, double across, double along) {
-        return shape instanceof Compound compound
-                ? scaled(compound, across, along)
-                : scaled((Convex) shape, across, along);
+        if (shape instanceof Compound compound) {
+            return scaled(compound, across, along);
+        }
+        // A landscape as it is: it has no middle to be squashed towards.
+        return shape instanceof Convex convex ? scaled(convex, across, along) : shape;
     }
 
     /**
