@@ -5,10 +5,11 @@ import rigibo.backend.RigidBody;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
+import rigibo.backend.setup.Material;
 import rigibo.frontend.gallery.Exhibit;
 import rigibo.frontend.gallery.View;
 
-/** A lift that goes up and down and takes along whatever stands on it. */
+/** A lift takes along whatever stands on it; a shelf lets a ball pass from below, not back. */
 public final class MovingLift implements Exhibit {
 
     static final double RISE = 4; // m
@@ -17,6 +18,8 @@ public final class MovingLift implements Exhibit {
 
     RigidBody lift;
     RigidBody crate;
+    RigidBody shelf;
+    RigidBody ball;
     private double next;
     private boolean isUp;
 
@@ -27,7 +30,12 @@ public final class MovingLift implements Exhibit {
         lift = pool.add(BodyDefinition.kinematic(Polygon.box(2.4, 0.2)).at(0, -0.1));
         crate = pool.add(BodyDefinition.dynamic(Polygon.box(0.8, 0.8)).at(-0.5, 0.4));
         pool.add(BodyDefinition.dynamic(Polygon.box(0.5, 0.5)).at(-0.5, 1.05));
-        pool.add(BodyDefinition.dynamic(new Circle(0.3)).at(0.6, 0.3));
+        shelf =
+                pool.add(
+                        BodyDefinition.fixed(Polygon.box(2, 0.2))
+                                .at(-3.2, 2.4)
+                                .material(Material.DEFAULT.oneWay(0, 1)));
+        ball = pool.add(BodyDefinition.dynamic(new Circle(0.3)).at(-3.2, 0.3).velocity(0, 8));
     }
 
     @Override

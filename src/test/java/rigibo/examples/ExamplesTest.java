@@ -34,6 +34,38 @@ class ExamplesTest {
         }
     }
 
+    /**
+     * Thrown at 8 m/s it rises 3.26 m, past the shelf and untouched by it, and comes to lie there.
+     */
+    @Test
+    void theShelfLetsTheBallPassFromBelowOnly() {
+        MovingLift example = new MovingLift();
+        Pool pool = example.open();
+        double highest = 0;
+        for (int i = 0; i < 180; i++) {
+            example.run(pool, 1.0 / 60);
+            highest = Math.max(highest, example.ball.y());
+        }
+        // Seen at steps it is less by up to g·dt²/8.
+        assertThat(highest).isCloseTo(0.3 + 64 / (2 * 9.81), within(0.001));
+        double top = example.shelf.y() + 0.1;
+        assertThat(example.ball.y() - 0.3).isCloseTo(top, within(1e-3));
+    }
+
+    /** One chain round the air: none of the guests leaves it through a corner or an edge. */
+    @Test
+    void theCaveKeepsItsGuests() {
+        Cave example = new Cave();
+        Pool pool = example.open();
+        example.run(pool, 10);
+        double wall = 1.13;
+        assertThat(example.guests)
+                .hasSize(30)
+                .allMatch(guest -> Math.abs(guest.x()) < wall * Cave.HALF_WIDTH)
+                .allMatch(guest -> Math.abs(guest.y() - 4) < wall * 3)
+                .noneMatch(RigidBody::isAwake);
+    }
+
     @Test
     void shotsPassThroughFriendsAndHitEnemies() {
         BulletFilters example = new BulletFilters();

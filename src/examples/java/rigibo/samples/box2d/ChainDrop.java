@@ -5,7 +5,6 @@ import rigibo.backend.geometry.Chain;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
-import rigibo.backend.setup.Material;
 import rigibo.frontend.gallery.Exhibit;
 import rigibo.frontend.gallery.View;
 
@@ -14,13 +13,11 @@ public final class ChainDrop implements Exhibit {
     @Override
     public void build(Pool pool) {
 
-        pool.add(BodyDefinition.fixed(Chain.open(6, 1, 3, 0, 0, 0.4, -3, 0, -6, 1)));
         pool.add(
-                BodyDefinition.dynamic(new Circle(0.4))
-                        .at(-1, 8)
-                        .velocity(0, -50)
-                        .material(new Material(1, 0.5, 0.3)));
-        pool.add(BodyDefinition.dynamic(Polygon.box(0.7, 0.7)).at(1.5, 6).velocity(0, -50));
+                BodyDefinition.fixed(
+                        Chain.open(4, 7, 3.6, 0.8, 2.4, 0, 0, 0.4, -2.4, 0, -3.6, 0.8, -4, 7)));
+        pool.add(BodyDefinition.dynamic(new Circle(0.4)).at(-1, 5).velocity(0, -50));
+        pool.add(BodyDefinition.dynamic(Polygon.box(0.7, 0.7)).at(1.5, 4).velocity(0, -50));
     }
 
     @Override

@@ -3,6 +3,7 @@ package rigibo.frontend.puzzle;
 import rigibo.backend.RigidBody;
 import rigibo.backend.geometry.Aabb;
 import rigibo.backend.geometry.Shape;
+import rigibo.backend.setup.Material;
 import rigibo.frontend.puzzle.level.LevelPath;
 import rigibo.frontend.puzzle.rules.Piece;
 import rigibo.frontend.puzzle.rules.PuzzleGame;
@@ -32,6 +33,11 @@ final class Stage {
 
     private static final double DOT_PITCH = 12;
     private static final double STOP = 5;
+
+    /** Half the width of a chevron on a shelf, and from one to the next, px. */
+    private static final double CHEVRON = 5;
+
+    private static final double CHEVRON_PITCH = 22;
     private static final Color TRACK = Color.BRASS.alpha(0.55);
 
     private final Session session;
@@ -64,6 +70,7 @@ final class Stage {
         for (Piece piece : game.pieces()) {
             if (piece.body().isAlive()) {
                 piece.definition().path().ifPresent(path -> drawPath(canvas, piece, path));
+                drawWayThrough(canvas, piece);
             }
         }
         game.level().world().waterLevel().ifPresent(level -> drawWater(canvas, level));
@@ -82,6 +89,33 @@ final class Stage {
         }
         if (path.end() == LevelPath.End.ROUND) {
             drawWay(canvas, x, y, piece.definition().x(), piece.definition().y());
+        }
+    }
+
+    /** Chevrons over a shelf, in the direction in which it lets through. */
+    private void drawWayThrough(Canvas canvas, Piece piece) {
+        Material material = piece.definition().material();
+        if (material.isOneWay()) {
+            Pose pose = session.pose(piece.body());
+            double cos = Math.cos(pose.angle());
+            double sin = Math.sin(pose.angle());
+            double upX = cos * material.oneWayX() - sin * material.oneWayY();
+            double upY = -sin * material.oneWayX() - cos * material.oneWayY();
+            double x = camera.screenX(pose.x());
+            double y = camera.screenY(pose.y());
+            for (int i = -1; i <= 1; i++) {
+                double tipX = x + i * CHEVRON_PITCH * upY + CHEVRON * upX;
+                double tipY = y - i * CHEVRON_PITCH * upX + CHEVRON * upY;
+                chevron(canvas, tipX, tipY, upX, upY);
+            }
+        }
+    }
+
+    private static void chevron(Canvas canvas, double x, double y, double upX, double upY) {
+        for (int side = -1; side <= 1; side += 2) {
+            double footX = x + CHEVRON * (side * upY - upX);
+            double footY = y - CHEVRON * (side * upX + upY);
+            canvas.line(footX, footY, x, y, 2.5, Color.TEXT);
         }
     }
 

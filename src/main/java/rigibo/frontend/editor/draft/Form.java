@@ -7,9 +7,13 @@ import tools.jackson.databind.node.ObjectNode;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 
 /** An outline about the point that its item is placed by; also one that cannot be simulated. */
 public sealed interface Form permits Box, Disc, Corners, Kept {
+
+    /** Shapes of a level file that are shown, moved and turned, and not edited otherwise. */
+    Set<String> BEYOND_TOOLS = Set.of("capsule", "compound", "chain");
 
     /** Corners in their order, m; none of a disc. */
     List<Point> corners();
@@ -46,7 +50,7 @@ public sealed interface Form permits Box, Disc, Corners, Kept {
     /** Whether the editor's tools would lose something of it. */
     private static boolean isBeyondTools(ObjectNode shape) {
         String type = shape.path("type").asString("");
-        return type.equals("capsule") || type.equals("compound") || shape.has("round");
+        return BEYOND_TOOLS.contains(type) || shape.has("round");
     }
 
     private static double number(JsonNode shape, String name) {

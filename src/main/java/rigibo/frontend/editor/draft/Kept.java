@@ -1,6 +1,7 @@
 package rigibo.frontend.editor.draft;
 
 import rigibo.backend.Geometry;
+import rigibo.backend.geometry.Chain;
 import rigibo.backend.geometry.Placement;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.geometry.Shape;
@@ -23,6 +24,9 @@ public record Kept(ObjectNode node) implements Form {
     /** Points round each part from which the outline is drawn. */
     private static final int POINTS = 32;
 
+    /** From a chain, m. */
+    private static final double NEAR = 0.2;
+
     private Optional<Outline> outline() {
         try {
             return Optional.of(Outline.of(node));
@@ -39,12 +43,23 @@ public record Kept(ObjectNode node) implements Form {
     }
 
     private static List<Point> corners(Outline stated) {
+        if (stated.shape() instanceof Chain chain) {
+            return corners(chain);
+        }
         Polygon band = Polygon.hull(rim(stated.shape()));
         double x = stated.centroidX() + band.centroidX();
         double y = stated.centroidY() + band.centroidY();
         List<Point> corners = new ArrayList<>();
         for (int i = 0; i < band.corners(); i++) {
             corners.add(new Point(x + band.cornerX(i), y + band.cornerY(i)));
+        }
+        return corners;
+    }
+
+    private static List<Point> corners(Chain chain) {
+        List<Point> corners = new ArrayList<>();
+        for (int i = 0; i < chain.corners(); i++) {
+            corners.add(new Point(chain.cornerX(i), chain.cornerY(i)));
         }
         return corners;
     }
@@ -74,6 +89,9 @@ public record Kept(ObjectNode node) implements Form {
 
     @Override
     public boolean contains(Point point) {
+        if (outline().filter(stated -> stated.shape() instanceof Chain).isPresent()) {
+            return isNearAnEdge(point);
+        }
         return outline()
                 .filter(
                         stated ->
@@ -83,6 +101,21 @@ public record Kept(ObjectNode node) implements Form {
                                         point.x(),
                                         point.y()))
                 .isPresent();
+    }
+
+    /** A line has no inside: it is taken hold of where one sees it. */
+    private boolean isNearAnEdge(Point point) {
+        List<Point> corners = corners();
+        for (int i = 0; i + 1 < corners.size(); i++) {
+            Point way = corners.get(i + 1).minus(corners.get(i));
+            Point to = point.minus(corners.get(i));
+            double along = to.x() * way.x() + to.y() * way.y();
+            double share = Math.max(0, Math.min(1, along / (way.length() * way.length())));
+            if (to.minus(way.times(share)).length() < NEAR) {
+                return true;
+            }
+        }
+        return false;
     }
 
     @Override

@@ -77,8 +77,9 @@ final class ApartRules {
     private void requireApart(Placed first, Placed second) {
         Footprint a = first.print();
         Footprint b = second.print();
-        // Walls may be built of parts that overlap, and lifts start within them.
-        boolean mayOverlap = a.isUnmoved() && b.isUnmoved();
+        // Walls may be built of parts that overlap, and lifts start within them; whatever starts
+        // within a shelf passes it.
+        boolean mayOverlap = a.isUnmoved() && b.isUnmoved() || a.isOneWay() || b.isOneWay();
         if (mayOverlap || !a.bounds().overlaps(b.bounds())) {
             return;
         }

@@ -49,4 +49,8 @@ record Footprint(BodyDefinition body, double[][] corners, Aabb bounds) {
     boolean isUnmoved() {
         return body.type() != BodyType.DYNAMIC;
     }
+
+    boolean isOneWay() {
+        return body.material().isOneWay();
+    }
 }

@@ -4,8 +4,14 @@ import rigibo.frontend.document.Document;
 
 import tools.jackson.databind.JsonNode;
 
+import java.util.List;
+import java.util.Set;
+
 /** E103 a file of format 1 that holds what came with format 2: an older game would not read it. */
 final class FormatRules {
+
+    private static final Set<String> SHAPES = Set.of("capsule", "compound", "chain");
+    private static final List<String> MEMBERS = List.of("path", "oneWay");
 
     private FormatRules() {}
 
@@ -17,14 +23,16 @@ final class FormatRules {
             String body = "/bodies/" + i;
             JsonNode shape = json.node(body + "/shape");
             String type = shape.path("type").asString("");
-            if (type.equals("capsule") || type.equals("compound")) {
+            if (SHAPES.contains(type)) {
                 tell(json, body + "/shape", "the shape \"" + type + "\"");
             }
             if (shape.has("round")) {
                 tell(json, body + "/shape/round", "\"round\"");
             }
-            if (json.node(body).has("path")) {
-                tell(json, body + "/path", "\"path\"");
+            for (String member : MEMBERS) {
+                if (json.node(body).has(member)) {
+                    tell(json, body + "/" + member, "\"" + member + "\"");
+                }
             }
         }
     }

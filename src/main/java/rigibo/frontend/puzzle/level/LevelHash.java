@@ -67,6 +67,9 @@ final class LevelHash {
         shape(body.shape());
         numbers(body.x(), body.y(), body.angle());
         material(body.material());
+        if (body.material().isOneWay()) {
+            numbers(body.material().oneWayX(), body.material().oneWayY());
+        }
         motion(body.motion());
         text(body.mobility().name());
         numbers(body.deletable() ? 1 : 0);

@@ -193,6 +193,15 @@ final class LevelReader {
     }
 
     private static Material material(JsonNode node, Material usual) {
+        Material plain = sidedAlike(node, usual);
+        if (!node.has("oneWay")) {
+            return plain;
+        }
+        double side = Math.toRadians(node.path("oneWay").asDouble());
+        return plain.oneWay(StrictMath.cos(side), StrictMath.sin(side));
+    }
+
+    private static Material sidedAlike(JsonNode node, Material usual) {
         return usual.density(node.path("density").asDouble(usual.density()))
                 .friction(node.path("friction").asDouble(usual.friction()))
                 .elasticity(node.path("restitution").asDouble(usual.elasticity()))

@@ -84,6 +84,7 @@ record LevelSketch(
             String pointer = "/bodies/" + i;
             if (!json.isSpoilt(pointer)) {
                 OutlineRules.read(json, pointer + "/shape")
+                        .filter(outline -> PathRules.canBe(json, pointer, outline))
                         .flatMap(
                                 outline ->
                                         part(

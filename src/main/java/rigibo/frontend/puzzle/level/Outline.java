@@ -1,6 +1,7 @@
 package rigibo.frontend.puzzle.level;
 
 import rigibo.backend.geometry.Capsule;
+import rigibo.backend.geometry.Chain;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Compound;
 import rigibo.backend.geometry.Convex;
@@ -34,6 +35,7 @@ public record Outline(Shape shape, double centroidX, double centroidY) {
             case "circle" -> new Outline(new Circle(number(node, "r")), 0, 0);
             case "capsule" ->
                     new Outline(new Capsule(number(node, "length") / 2, number(node, "r")), 0, 0);
+            case "chain" -> new Outline(chain(node), 0, 0);
             case "compound" -> compound(node.path("parts"));
             default -> polygon(node.path("points"));
         };
@@ -49,6 +51,16 @@ public record Outline(Shape shape, double centroidX, double centroidY) {
         double height = number(node, "h") - 2 * round;
         Polygon box = Polygon.box(width, height);
         return round == 0 ? box : box.rounded(round);
+    }
+
+    private static Chain chain(JsonNode node) {
+        JsonNode points = node.path("points");
+        double[] xy = new double[2 * points.size()];
+        for (int i = 0; i < points.size(); i++) {
+            xy[2 * i] = points.path(i).path(0).asDouble(0);
+            xy[2 * i + 1] = points.path(i).path(1).asDouble(0);
+        }
+        return node.path("loop").asBoolean(false) ? Chain.loop(xy) : Chain.open(xy);
     }
 
     private static Outline compound(JsonNode stated) {

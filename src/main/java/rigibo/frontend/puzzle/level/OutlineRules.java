@@ -27,7 +27,7 @@ final class OutlineRules {
         boolean isSound =
                 switch (node.path("type").asString()) {
                     case "box" -> keepsACore(level, pointer);
-                    case "circle", "capsule" -> true;
+                    case "circle", "capsule", "chain" -> true;
                     case "compound" -> partsAreSound(level, pointer + "/parts");
                     default -> polygonIsSound(level, pointer + "/points");
                 };
@@ -77,9 +77,11 @@ final class OutlineRules {
         try {
             return Optional.of(Outline.of(level.node(pointer)));
         } catch (IllegalArgumentException refused) {
-            // A star turns left at every corner, and only the engine sees that it goes round twice.
-            String points = pointer + "/points";
-            level.error(points, () -> "E110 polygon not convex: " + refused.getMessage());
+            // A star turns left at every corner, and only the engine sees that it goes round twice;
+            // of a chain it names the edges that are too short or cross.
+            boolean isChain = level.node(pointer + "/type").asString("").equals("chain");
+            String what = isChain ? "E113 no landscape: " : "E110 polygon not convex: ";
+            level.error(pointer + "/points", () -> what + refused.getMessage());
             return Optional.empty();
         }
     }

@@ -1,10 +1,16 @@
 package rigibo.frontend.puzzle.level;
 
+import rigibo.backend.geometry.Chain;
+import rigibo.frontend.document.Document;
+
 import tools.jackson.databind.JsonNode;
 
 import java.util.Locale;
 
-/** E116 a body with a path that says it is dynamic; E117 a way of a path that leads nowhere. */
+/**
+ * E115 a chain that is to move by forces; E116 a body with a path that says it is dynamic; E117 a
+ * way of a path that leads nowhere.
+ */
 final class PathRules {
 
     /** A way that takes less than a step at a walking pace is none, m. */
@@ -16,6 +22,18 @@ final class PathRules {
         for (Located<LevelBody> body : sketch.bodies()) {
             body.part().path().ifPresent(path -> check(sketch, body, path));
         }
+    }
+
+    /** Whether what is placed at a pointer can be what it says; a chain can have no mass. */
+    static boolean canBe(Document json, String pointer, Outline outline) {
+        JsonNode body = json.node(pointer);
+        boolean isDynamic = !body.has("path") && body.path("dynamic").asBoolean(true);
+        boolean canBe = !(outline.shape() instanceof Chain && isDynamic);
+        if (!canBe) {
+            json.error(
+                    pointer, () -> "E115 a chain has no mass: state \"dynamic\": false, or a path");
+        }
+        return canBe;
     }
 
     private static void check(LevelSketch sketch, Located<LevelBody> body, LevelPath path) {

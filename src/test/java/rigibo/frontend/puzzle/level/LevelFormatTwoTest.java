@@ -10,6 +10,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 import rigibo.backend.RigidBody;
 import rigibo.backend.geometry.Capsule;
+import rigibo.backend.geometry.Chain;
 import rigibo.backend.geometry.Compound;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.Accuracy;
@@ -183,6 +184,62 @@ class LevelFormatTwoTest {
                     .asString()
                     .contains("E103");
         }
+    }
+
+    private static final String FLOOR =
+            "{\"id\": \"hill\", \"shape\": {\"type\": \"chain\", \"points\": [[3, 0], [1, 0.5],"
+                    + " [0, 0]]},\n     \"x\": 6, \"y\": 5, \"material\": \"stone\","
+                    + " \"dynamic\": false}";
+
+    @Test
+    void aChainIsALandscapeInTheFramesOfItsPoints() {
+        LevelBody hill = thing(with(FLOOR));
+        assertThat(hill.shape()).isEqualTo(Chain.open(3, 0, 1, 0.5, 0, 0));
+        assertThat(hill.x()).isEqualTo(6);
+        long own = LevelTexts.level(with(FLOOR)).hash();
+        String loop = FLOOR.replace("[0, 0]]", "[0, 0]], \"loop\": true");
+        assertThat(LevelTexts.level(with(loop)).hash()).isNotEqualTo(own);
+        assertThat(LevelTexts.level(with(FLOOR.replace("0.5", "0.6"))).hash()).isNotEqualTo(own);
+    }
+
+    @Test
+    void aChainThatCannotBeIsToldWithItsReason() {
+        assertThat(problems(with(FLOOR.replace("[0, 0]]", "[1, 0.5]]"))))
+                .singleElement()
+                .asString()
+                .startsWith("a.json:15:57: /bodies/1/shape/points: E113 no landscape: ");
+        assertThat(problems(with(FLOOR.replace(", \"dynamic\": false", ""))))
+                .containsExactly(
+                        "a.json:15:5: /bodies/1: E115 a chain has no mass: state \"dynamic\":"
+                                + " false, or a path");
+    }
+
+    /** Thrown up at 8 m/s from 1 m below, the shelf lets the ball through; falling, it holds it. */
+    @Test
+    void aShelfIsPassedFromBelowAndHoldsFromAbove() {
+        String shelf = WALL.replace("\"dynamic\"", "\"oneWay\": 90, \"dynamic\"");
+        String flat =
+                shelf.replace("\"w\": 0.5, \"h\": 4", "\"w\": 2, \"h\": 0.2")
+                        .replace("\"y\": 2", "\"y\": 4");
+        Level level =
+                LevelTexts.level(
+                        with(flat)
+                                .replace(
+                                        "\"restitution\"]",
+                                        "\"restitution\", \"continuous-impacts\"]")
+                                .replace(
+                                        "\"x\": 4.5, \"y\": 2.7", "\"x\": 8, \"y\": 3, \"vy\": 8"));
+        assertThat(level.bodies().get(1).material().isOneWay()).isTrue();
+        PuzzleGame game = new PuzzleGame(level, Accuracy.GAME);
+        RigidBody ball = game.balls().get(0);
+        double highest = 0;
+        while (game.steps() < Steps.of(3)) {
+            game.step();
+            highest = Math.max(highest, ball.y());
+        }
+        // Undisturbed it rises by v²/2g, seen at steps: less by up to g·dt²/8.
+        assertThat(highest).isCloseTo(3 + 64 / (2 * 9.81), within(0.001));
+        assertThat(ball.y()).isCloseTo(4.1 + 0.35, within(0.001));
     }
 
     /**
