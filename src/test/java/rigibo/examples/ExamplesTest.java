@@ -52,6 +52,25 @@ class ExamplesTest {
         assertThat(example.ball.y() - 0.3).isCloseTo(top, within(1e-3));
     }
 
+    /**
+     * The ball flies along the parabola that the coins hang on, past each at the time it was hung
+     * for: after t seconds it has met those hung for less than t, and one more that its rim meets.
+     */
+    @Test
+    void theBallCollectsEveryCoinOnItsWayAndNoneBefore() {
+        Coins example = new Coins();
+        Pool pool = example.open();
+        example.run(pool, 0.05);
+        assertThat(example.collected).isZero();
+        for (int due = 1; due < 5; due++) {
+            example.run(pool, due == 1 ? 0.2 + 1.0 / 60 : 0.25);
+            assertThat(example.collected).isBetween(due, due + 1);
+        }
+        example.run(pool, 3);
+        assertThat(example.collected).isEqualTo(Coins.COUNT);
+        assertThat(pool.bodies()).hasSize(3);
+    }
+
     /** One chain round the air: none of the guests leaves it through a corner or an edge. */
     @Test
     void theCaveKeepsItsGuests() {

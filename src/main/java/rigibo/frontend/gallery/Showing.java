@@ -30,8 +30,9 @@ final class Showing {
         pool.step(Scene.STEP);
     }
 
+    /** What touches nothing is an outline, what sleeps is dimmed. */
     static Canvas.Mood mood(RigidBody body) {
-        if (!body.isEnabled()) {
+        if (!body.isEnabled() || body.isSensor()) {
             return Canvas.Mood.GHOST;
         }
         boolean isAsleep = body.type() == BodyType.DYNAMIC && !body.isAwake();
