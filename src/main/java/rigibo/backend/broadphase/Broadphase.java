@@ -191,7 +191,12 @@ public final class Broadphase {
             swept.maxY = Math.max(bodies.fixtureMaxY[slot], y + radius);
             if (!isCovered(slot)) {
                 writeFixture(body, slot, 0);
-                hangAnew(slot);
+                tree.grow(
+                        bodies.leaf[slot],
+                        bodies.fixtureMinX[slot],
+                        bodies.fixtureMinY[slot],
+                        bodies.fixtureMaxX[slot],
+                        bodies.fixtureMaxY[slot]);
                 meetNeighbours(body, slot);
             }
         }

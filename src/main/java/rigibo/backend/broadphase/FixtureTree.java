@@ -72,6 +72,28 @@ final class FixtureTree {
         }
     }
 
+    /** Gives a leaf a box that holds the one it has; it keeps its place. */
+    void grow(int leaf, double minX, double minY, double maxX, double maxY) {
+        setBox(leaf, minX, minY, maxX, maxY);
+        for (int node = parent[leaf]; node != NONE; node = parent[node]) {
+            int at = 4 * node;
+            boolean holds =
+                    box[at] <= minX
+                            && box[at + 1] <= minY
+                            && box[at + 2] >= maxX
+                            && box[at + 3] >= maxY;
+            if (holds) {
+                return;
+            }
+            setBox(
+                    node,
+                    Math.min(box[at], minX),
+                    Math.min(box[at + 1], minY),
+                    Math.max(box[at + 2], maxX),
+                    Math.max(box[at + 3], maxY));
+        }
+    }
+
     /** Appends the numbers of all leaves whose box shares a point with this one. */
     void query(double minX, double minY, double maxX, double maxY, Found found) {
         int depth = push(0, root);

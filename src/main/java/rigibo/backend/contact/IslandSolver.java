@@ -90,6 +90,7 @@ final class IslandSolver {
     private final DeclaredRows declared;
     private final IslandResults results;
     private final CarriedFrame frame;
+    private final Substeps fewer;
 
     /** Whether the packed island is small enough to be solved to the end. */
     private boolean isWhole;
@@ -126,6 +127,7 @@ final class IslandSolver {
             IslandForces forces) {
         motions = new Motions(data.bodies.turns());
         frame = new CarriedFrame(data, motions);
+        fewer = new Substeps(data);
         islands = data.islands;
         this.accuracy = accuracy;
         PackedTurns turns = motions.turns ? new PackedTurns(data.bodies, motions) : null;
@@ -162,7 +164,11 @@ final class IslandSolver {
             results.goOn(island, dt);
             contacts.work.solve(SolveMethod.AT_REST, 0);
         } else if (isAdvanced) {
-            substeps = declared.substepsFor(island, dt - start, accuracy.substeps());
+            int usual =
+                    kick.mayChange()
+                            ? accuracy.substeps()
+                            : fewer.of(island, dt, accuracy.substeps());
+            substeps = declared.substepsFor(island, dt - start, usual);
             advance(island, start, (dt - start) / substeps, dt);
         }
         frame.leave(island, dt);
@@ -182,6 +188,7 @@ final class IslandSolver {
         declared.foresee(dt - start);
         warmStart.prepare();
         overlap.prepare();
+        passes.begin(dt, substeps);
         isWhole = rounds.prepare(motions.fastest() <= CALM * dt * kick.strongest());
         lateJoiners.delay(start, h);
         landings.begin();

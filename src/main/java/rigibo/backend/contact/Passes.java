@@ -76,7 +76,13 @@ public final class Passes {
     private final double noise;
     private final boolean isCorrecting;
     private final int most;
-    private final int substeps;
+    private final int usual;
+
+    /** Passes that a calm crowd is given in a substep at most. */
+    private int mostIfCalm;
+
+    /** Length of the step, s. */
+    private double step;
 
     public Passes(
             Motions motions,
@@ -94,10 +100,10 @@ public final class Passes {
         this.overlap = overlap;
         missed = missed(accuracy);
         isCorrecting = accuracy.correction() == Correction.SOFT;
-        substeps = accuracy.substeps();
-        shorter = Math.min(1, substeps / (double) Accuracy.GAME.substeps());
+        usual = accuracy.substeps();
+        shorter = Math.min(1, usual / (double) Accuracy.GAME.substeps());
         noise = NOISE * shorter * shorter;
-        int passes = Math.max(LEAST_PASSES, substeps * substeps * substeps / CUBES_PER_PASS);
+        int passes = Math.max(LEAST_PASSES, usual * usual * usual / CUBES_PER_PASS);
         most = Math.min(MOST_PASSES, accuracy.velocityIterations() * passes);
     }
 
@@ -109,6 +115,15 @@ public final class Passes {
     private static double missed(Accuracy accuracy) {
         double root = Math.sqrt(accuracy.impactTolerance());
         return root * Math.sqrt(root);
+    }
+
+    /**
+     * Begins a step of {@code dt} seconds of the packed island, which is given so many substeps of
+     * the usual ones: fewer have to find in more passes what a heap needs to come to rest.
+     */
+    void begin(double dt, int substeps) {
+        step = dt;
+        mostIfCalm = most / 2 * Math.max(1, usual / substeps);
     }
 
     /**
@@ -138,10 +153,10 @@ public final class Passes {
 
     /** A crowd is solved the more coarsely the faster it moves, and when calm in fewer passes. */
     private void sweepCrowd(double h, double length, int substep, double fastest) {
-        double gained = kick.strongest() * h * substeps;
+        double gained = kick.strongest() * step;
         double ofFall = gained > 0 ? Math.min(1, fastest / gained) : 0;
         double quiet = shorter * Math.max(QUIET, ofFall * QUIET_IN_A_CROWD) * fastest;
-        int passes = fastest < CALM * gained ? most / 2 : most;
+        int passes = fastest < CALM * gained ? mostIfCalm : most;
         sweep.run(h, length, substep, MISSED_IN_A_CROWD * missed, quiet, passes);
     }
 }

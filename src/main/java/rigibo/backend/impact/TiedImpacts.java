@@ -51,6 +51,16 @@ public final class TiedImpacts {
     private double fastest;
     private int passes;
 
+    /** How many solutions have changed something so far. */
+    private int changes;
+
+    /** By slot the last of them that moved the body, and by row the last that it has answered. */
+    private int[] movedBy = new int[16];
+
+    private int[] answered = new int[16];
+
+    private static final int NONE = -1;
+
     /** Impacts between bodies of these columns. */
     public TiedImpacts(Bodies bodies, Pairs pairs) {
         this.bodies = bodies;
@@ -61,6 +71,10 @@ public final class TiedImpacts {
     public void clear() {
         count = 0;
         fastest = 0;
+        changes = 0;
+        if (movedBy.length < bodies.type.length) {
+            movedBy = new int[bodies.type.length];
+        }
     }
 
     /** Adds the impact of a pair, with the elasticity it is to have; nothing moves yet. */
@@ -85,6 +99,7 @@ public final class TiedImpacts {
             row = Arrays.copyOf(row, 2 * count * STRIDE);
             pairOf = Arrays.copyOf(pairOf, 2 * count);
             points = Arrays.copyOf(points, 2 * count);
+            answered = Arrays.copyOf(answered, 2 * count);
         }
         double leverA =
                 ((impact.armAX[i] + impact.armAX[j]) * y - (impact.armAY[i] + impact.armAY[j]) * x)
@@ -104,6 +119,9 @@ public final class TiedImpacts {
                         + impact.inverseInertiaA * leverA * leverA
                         + impact.inverseInertiaB * leverB * leverB;
         pairOf[count] = pair;
+        movedBy[pairs.bodyA[pair]] = 0;
+        movedBy[pairs.bodyB[pair]] = 0;
+        answered[count] = NONE;
         points[count++] = 0;
         row[at + SPEED_BEFORE] = speed(count - 1);
     }
@@ -192,19 +210,36 @@ public final class TiedImpacts {
         }
     }
 
-    /** One pass over all rows; returns the largest change of speed, m/s. */
+    /**
+     * One pass over all rows whose bodies have moved since they were solved last: an impact far
+     * from them is none of their matter. Returns the largest change of speed, m/s.
+     */
     private double pass() {
         double most = 0;
         for (int i = 0; i < count; i++) {
-            int at = i * STRIDE;
-            double old = row[at + IMPULSE];
-            double wanted = old + (row[at + TARGET] - speed(i)) / row[at + RESPONSE];
-            double limited = points[i] == 0 ? Math.max(0, wanted) : withinCone(i, wanted);
-            row[at + IMPULSE] = limited;
-            push(i, limited - old);
-            most = Math.max(most, Math.abs(limited - old) * row[at + RESPONSE]);
+            int a = pairs.bodyA[pairOf[i]];
+            int b = pairs.bodyB[pairOf[i]];
+            if (Math.max(movedBy[a], movedBy[b]) > answered[i]) {
+                most = Math.max(most, solveRow(i, a, b));
+            }
         }
         return most;
+    }
+
+    private double solveRow(int i, int a, int b) {
+        int at = i * STRIDE;
+        double old = row[at + IMPULSE];
+        double wanted = old + (row[at + TARGET] - speed(i)) / row[at + RESPONSE];
+        double limited = points[i] == 0 ? Math.max(0, wanted) : withinCone(i, wanted);
+        if (limited != old) {
+            row[at + IMPULSE] = limited;
+            push(i, limited - old);
+            changes++;
+            movedBy[a] = bodies.isDynamic(a) ? changes : 0;
+            movedBy[b] = bodies.isDynamic(b) ? changes : 0;
+        }
+        answered[i] = changes;
+        return Math.abs(limited - old) * row[at + RESPONSE];
     }
 
     private double withinCone(int tangent, double wanted) {

@@ -53,6 +53,26 @@ class FixtureTreeTest {
         assertThat(numbers()).containsExactly(2);
     }
 
+    /** Each of a row of unit boxes grows by one to the right, and is met there and where it was. */
+    @Test
+    void whatGrewIsFoundInAllOfItsBox() {
+        int[] leaf = new int[100];
+        for (int i = 0; i < leaf.length; i++) {
+            leaf[i] = tree.insert(i, 10 * i, 0, 10 * i + 1, 1);
+        }
+        for (int i = 0; i < leaf.length; i++) {
+            tree.grow(leaf[i], 10 * i, -1, 10 * i + 2, 1);
+        }
+        for (int i = 0; i < leaf.length; i++) {
+            found.clear();
+            tree.query(10 * i + 1.5, -0.5, 10 * i + 1.5, -0.5, found);
+            assertThat(numbers()).containsExactly(i);
+            found.clear();
+            tree.query(10 * i + 0.5, 0.5, 10 * i + 0.5, 0.5, found);
+            assertThat(numbers()).containsExactly(i);
+        }
+    }
+
     @Test
     void boxesInOnePlaceAreAllFound() {
         for (int i = 0; i < 100; i++) {

@@ -44,6 +44,11 @@ final class ImpactShifts {
     /** By entry of the motions the share of its shift that stays. */
     private double[] shares = new double[16];
 
+    /** The contacts of those that were shifted. */
+    private int[] asked = new int[16];
+
+    private int askedCount;
+
     ImpactShifts(Bodies bodies, Motions motions, PackedContacts contacts) {
         this.bodies = bodies;
         this.motions = motions;
@@ -83,9 +88,10 @@ final class ImpactShifts {
      * left behind: so again, until all are apart or nothing is left.
      */
     void limit(int substep) {
+        listContacts(substep);
         for (int round = 0; round < MOST_ROUNDS; round++) {
             Arrays.fill(shares, 0, motions.count, 1);
-            if (!isAnyInto(substep, round < PARTLY)) {
+            if (!isAnyInto(round < PARTLY)) {
                 return;
             }
             double lifts = 0;
@@ -114,10 +120,29 @@ final class ImpactShifts {
         return (1 - shares[entry]) * along / inverseMass;
     }
 
-    private boolean isAnyInto(int substep, boolean isPartly) {
-        boolean isAny = false;
+    private void listContacts(int substep) {
+        if (asked.length < contacts.count) {
+            asked = new int[contacts.pair.length];
+        }
+        askedCount = 0;
         for (int row = 0; row < contacts.count; row++) {
-            double share = contacts.firstSubstep[row] <= substep ? shareOf(row) : 1;
+            boolean isAsked = isShifted(contacts.bodyA[row]) || isShifted(contacts.bodyB[row]);
+            if (isAsked && contacts.firstSubstep[row] <= substep) {
+                asked[askedCount++] = row;
+            }
+        }
+    }
+
+    private boolean isShifted(int at) {
+        int i = at / Motions.STRIDE * STRIDE;
+        return shifts[i] != 0 || shifts[i + 1] != 0 || shifts[i + 2] != 0;
+    }
+
+    private boolean isAnyInto(boolean isPartly) {
+        boolean isAny = false;
+        for (int i = 0; i < askedCount; i++) {
+            int row = asked[i];
+            double share = shareOf(row);
             if (share < APART) {
                 isAny = true;
                 lessen(contacts.bodyA[row], isPartly ? share : 0);

@@ -55,13 +55,16 @@ public final class BentRows {
             turning.begin(left);
         }
         reserve();
+        boolean isCrowd = PackedContacts.areCrowd(contacts.count);
         boolean isAny = false;
         for (int row = 0; row < contacts.count; row++) {
             turns[row] = turning != null && turning.isTurning(row, left);
             curves[row] = curved != null && curved.isCurved(row, left);
             if (turns[row] || curves[row]) {
                 isAny = true;
-                if (!isFirst || substep > 0 && contacts.firstSubstep[row] != substep) {
+                boolean isNew = isFirst && (substep == 0 || contacts.firstSubstep[row] == substep);
+                // In a crowd half of the contacts are only foreseen, and stay so.
+                if (!isNew && (!isCrowd || fresh.mayClose(row, left))) {
                     fresh.measure(row, left);
                 }
             }

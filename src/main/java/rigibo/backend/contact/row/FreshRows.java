@@ -7,6 +7,8 @@ import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.Pairs;
 
+import java.util.Arrays;
+
 /**
  * Contacts that are measured anew within a step. What joins the pile in a substep is measured where
  * the two are when it joins: the pile has moved on since the step's start.
@@ -15,6 +17,9 @@ public final class FreshRows {
 
     /** Distance in m beyond which the square of a distance overflows. */
     private static final double FARTHEST = 1e150;
+
+    /** Gap up to which a contact is measured whatever its bodies do, as a share of the width. */
+    private static final double NEAR = 0.01;
 
     /** Share of an overlap that contacts measured anew take back per second, 1/s. */
     double recovery = Recovery.RATE;
@@ -28,6 +33,12 @@ public final class FreshRows {
     private final Pose poseA = new Pose();
     private final Pose poseB = new Pose();
 
+    /** By entry of the motions an angle in rad, and its cosine and sine: most are asked again. */
+    private double[] angles;
+
+    private double[] cosines;
+    private double[] sines;
+
     public FreshRows(
             DataStorage data,
             Narrowphase narrowphase,
@@ -40,6 +51,7 @@ public final class FreshRows {
         this.motions = motions;
         this.contacts = contacts;
         this.builder = builder;
+        forgetAngles();
     }
 
     /**
@@ -112,17 +124,55 @@ public final class FreshRows {
         return point == Pairs.NONE ? 0 : contacts.data[at + PackedContacts.BEFORE0 + point];
     }
 
-    private void place(int slot, int entry, Pose pose) {
-        double angle = bodies.angle[slot] + motions.data[entry + Motions.TURN];
+    private void place(int slot, int at, Pose pose) {
+        int entry = at / Motions.STRIDE;
+        if (angles.length < motions.count) {
+            forgetAngles();
+        }
+        double angle = bodies.angle[slot] + motions.data[at + Motions.TURN];
+        // The sine of zero has the sign of that zero.
+        if (angles[entry] != angle || angle == 0) {
+            angles[entry] = angle;
+            cosines[entry] = Angle.cos(angle);
+            sines[entry] = Angle.sin(angle);
+        }
         pose.set(
-                bodies.x[slot] + motions.data[entry + Motions.DX],
-                bodies.y[slot] + motions.data[entry + Motions.DY],
-                Angle.cos(angle),
-                Angle.sin(angle));
+                bodies.x[slot] + motions.data[at + Motions.DX],
+                bodies.y[slot] + motions.data[at + Motions.DY],
+                cosines[entry],
+                sines[entry]);
+    }
+
+    private void forgetAngles() {
+        angles = new double[motions.slots.length];
+        cosines = new double[motions.slots.length];
+        sines = new double[motions.slots.length];
+        Arrays.fill(cosines, 1);
+    }
+
+    /**
+     * Whether a contact may close in what is left of the step, s, even if its bodies come to go at
+     * twice their speed.
+     */
+    boolean mayClose(int row, double left) {
+        double gap = motions.gap(contacts, row, 0);
+        if (contacts.points[row] == 2) {
+            gap = Math.min(gap, motions.gap(contacts, row, 1));
+        }
+        double width = contacts.data[row * PackedContacts.STRIDE + PackedContacts.WIDTH];
+        return gap <= NEAR * width + 2 * speed(row, contacts.pair[row]) * left;
     }
 
     /** The gap in m that could close in what is left of the step. */
     private double reach(int row, int pair, double left) {
+        double width = bodies.smallestWidth[pairs.bodyA[pair]];
+        boolean isOfChain = width == Double.POSITIVE_INFINITY;
+        double near = isOfChain ? bodies.smallestWidth[pairs.bodyB[pair]] : width;
+        return 2 * speed(row, pair) * left + near;
+    }
+
+    /** Bound on the speed at which the bodies of a contact come together, m/s. */
+    private double speed(int row, int pair) {
         double[] m = motions.data;
         int a = contacts.bodyA[row];
         int b = contacts.bodyB[row];
@@ -133,8 +183,6 @@ public final class FreshRows {
             speed += Math.abs(m[a + Motions.SPIN]) * bodies.sweepRadius[pairs.bodyA[pair]];
             speed += Math.abs(m[b + Motions.SPIN]) * bodies.sweepRadius[pairs.bodyB[pair]];
         }
-        double width = bodies.smallestWidth[pairs.bodyA[pair]];
-        boolean isOfChain = width == Double.POSITIVE_INFINITY;
-        return 2 * speed * left + (isOfChain ? bodies.smallestWidth[pairs.bodyB[pair]] : width);
+        return speed;
     }
 }

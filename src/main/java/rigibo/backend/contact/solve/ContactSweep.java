@@ -21,7 +21,8 @@ import java.util.Arrays;
  * the next. A pass solves only contacts whose bodies have changed their speed, since the contact
  * was solved last, by more than a threshold: most of a heap is quiet at any time, and passes that
  * follow an impact through it cost little. In a crowd that threshold falls with the overlap of a
- * contact; otherwise the same places would sink in, by a little in each substep, for seconds.
+ * contact; otherwise the same places would sink in, by a little in each substep, for seconds. And
+ * what carries nothing there and parts is left alone until its bodies may have lost that speed.
  */
 public final class ContactSweep {
 
@@ -39,6 +40,9 @@ public final class ContactSweep {
     /** By row: the change of speed that does not count, m/s. */
     private double[] uncounted = new double[16];
 
+    /** By row: the change of speed since it was solved last beyond which it is due, m/s. */
+    private double[] due = new double[16];
+
     /** Overlap in widths from which on a contact is solved as strictly as any. */
     private static final double DEEP = 0.005;
 
@@ -47,6 +51,9 @@ public final class ContactSweep {
 
     /** By point: the speed at which it may close, for it has a gap left, m/s. */
     private double[] spare = new double[32];
+
+    /** Whether the packed island has more contacts than elimination takes. */
+    private boolean isCrowd;
 
     /** Length of the substep over that of its kick: 2 for half a kick, else 1. */
     private double softness;
@@ -102,7 +109,7 @@ public final class ContactSweep {
             int a = contacts.bodyA[row];
             int b = contacts.bodyB[row];
             double now = changed[a / Motions.STRIDE] + changed[b / Motions.STRIDE];
-            if (now - seen[row] > uncounted[row]) {
+            if (now - seen[row] > due[row]) {
                 solve(row, a, b);
                 solved++;
             }
@@ -119,11 +126,13 @@ public final class ContactSweep {
         if (seen.length < contacts.count) {
             seen = new double[contacts.pair.length];
             uncounted = new double[contacts.pair.length];
+            due = new double[contacts.pair.length];
             spare = new double[2 * contacts.pair.length];
         }
         Arrays.fill(changed, 0, motions.count, 0);
         double perSubstep = 1 / h;
-        double strictly = PackedContacts.areCrowd(contacts.count) ? STRICTLY : 1;
+        isCrowd = PackedContacts.areCrowd(contacts.count);
+        double strictly = isCrowd ? STRICTLY : 1;
         for (int row = 0; row < contacts.count; row++) {
             boolean isThere = contacts.firstSubstep[row] <= substep;
             seen[row] = isThere ? Double.NEGATIVE_INFINITY : Double.POSITIVE_INFINITY;
@@ -137,6 +146,34 @@ public final class ContactSweep {
             }
             double counts = Math.min(sharePerSecond * width, quiet);
             uncounted[row] = counts * Math.max(strictly, 1 + least / (DEEP * width));
+            due[row] = uncounted[row];
+            if (isThere && isCrowd) {
+                leaveAloneWhatParts(row);
+            }
+        }
+    }
+
+    /**
+     * Finds whether a contact carries nothing and parts. What its bodies have changed their speed
+     * by bounds what any of its points has, so that until then a solution would change nothing.
+     */
+    private void leaveAloneWhatParts(int row) {
+        double[] d = contacts.data;
+        int at = row * PackedContacts.STRIDE;
+        if (d[at + PackedContacts.IMPULSE0] != 0
+                || d[at + PackedContacts.IMPULSE1] != 0
+                || d[at + PackedContacts.IMPULSE_T] != 0
+                || d[at + PackedContacts.ROLLING] > 0) {
+            return;
+        }
+        double parts = motions.parting(contacts, row, 0) + spare[2 * row];
+        if (contacts.points[row] == 2) {
+            double other = motions.parting(contacts, row, 1) + spare[2 * row + 1];
+            parts = other < parts ? other : parts;
+        }
+        if (parts > 0) {
+            seen[row] = 0;
+            due[row] = Math.max(uncounted[row], parts);
         }
     }
 
@@ -194,6 +231,7 @@ public final class ContactSweep {
         double give = softness * d[at + PackedContacts.GIVE];
         double w0 = vn + lb0 * spinB - la0 * spinA + spare[2 * row] + give * old0;
         double jn;
+        double parts = w0;
         if (contacts.points[row] == 1) {
             double wanted = old0 - w0 * d[at + PackedContacts.M00];
             double kept = push(wanted);
@@ -205,6 +243,7 @@ public final class ContactSweep {
             double la1 = d[at + PackedContacts.LEVER_A1];
             double lb1 = d[at + PackedContacts.LEVER_B1];
             double w1 = vn + lb1 * spinB - la1 * spinA + spare[2 * row + 1] + give * old1;
+            parts = w1 < w0 ? w1 : w0;
             solvePair(d, at, w0, w1);
             double j0 = d[at + PackedContacts.IMPULSE0] - old0;
             double j1 = d[at + PackedContacts.IMPULSE1] - old1;
@@ -212,6 +251,8 @@ public final class ContactSweep {
             turnA += la0 * j0 + la1 * j1;
             turnB += lb0 * j0 + lb1 * j1;
         }
+        boolean isIdle = isCrowd && old0 == 0 && old1 == 0 && !rolls && parts > uncounted[row];
+        due[row] = isIdle ? parts : uncounted[row];
         double jx = jn * nx - jt * ny;
         double jy = jn * ny + jt * nx;
         m[a + VX] -= massA * jx;
