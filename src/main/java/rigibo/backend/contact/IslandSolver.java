@@ -11,6 +11,7 @@ import rigibo.backend.contact.row.Kick;
 import rigibo.backend.contact.row.Landings;
 import rigibo.backend.contact.row.LateJoiners;
 import rigibo.backend.contact.row.Motions;
+import rigibo.backend.contact.row.OwnLoads;
 import rigibo.backend.contact.row.PackedContacts;
 import rigibo.backend.contact.row.PackedTurns;
 import rigibo.backend.contact.row.Recovery;
@@ -40,9 +41,6 @@ final class IslandSolver {
 
     /** Share of a substep that counts as an instant, but lets a gap of round-off stay open. */
     private static final double NO_TIME = 1e-3;
-
-    /** Fastest speed of a calm island, as a share of what a free body gains in a step. */
-    private static final double CALM = 0.25;
 
     /** Smallest share of the fastest speed to which passes solve. */
     private static final double FINEST_OF_PASSES = 1e-5;
@@ -142,7 +140,8 @@ final class IslandSolver {
         overlap = new OverlapSolver(data.bodies, motions, contacts, accuracy);
         boolean isCorrecting = accuracy.correction() == Correction.SOFT;
         OverlapSolver wanted = isCorrecting ? overlap : null;
-        repose = new Repose(data, motions, contacts, wanted, kick, builder, accuracy);
+        OwnLoads own = new OwnLoads(data.bodies, motions, contacts);
+        repose = new Repose(data, motions, contacts, own, wanted, kick, builder, accuracy);
         balance = new EnergyBalance(data.bodies, motions, contacts);
         Straightness straight = new Straightness(motions, accuracy);
         landings = new Landings(motions, contacts, kick, straight.follows);
@@ -150,7 +149,7 @@ final class IslandSolver {
         declared = new DeclaredRows(data, effects, motions, contacts, kick, fresh, straight);
         boolean isBlock = accuracy.contactSolver() != ContactSolver.SEQUENTIAL;
         ContactSweep sweep = new ContactSweep(motions, contacts, declared.rubbing(), isBlock);
-        rounds = new Rounds(motions, contacts, declared, guard, sweep, overlap, accuracy);
+        rounds = new Rounds(motions, contacts, own, declared, guard, sweep, overlap, accuracy);
         passes = new Passes(motions, contacts, kick, guard, sweep, overlap, accuracy);
     }
 
@@ -189,7 +188,8 @@ final class IslandSolver {
         warmStart.prepare();
         overlap.prepare();
         passes.begin(dt, substeps);
-        isWhole = rounds.prepare(motions.fastest() <= CALM * dt * kick.strongest());
+        repose.begin();
+        isWhole = rounds.prepare(repose.isCalm(dt));
         lateJoiners.delay(start, h);
         landings.begin();
         balance.begin();
@@ -277,14 +277,15 @@ final class IslandSolver {
                 rounds.forget();
             }
         }
-        isWhole = isWhole && rounds.settle(h, substep, fastest, limit);
+        isWhole = isWhole && rounds.settle(h, kicked, substep, fastest, limit);
         if (!isWhole) {
             passes.advance(h, kicked, substep, unanswered(), limit);
             return false;
         }
-        if (mayRest && substep == 0 && repose.isFound(start, h, substeps, rounds.settled())) {
+        if (mayRest && substep == 0 && repose.isFound(start, h, substeps, kicked)) {
             return true;
         }
+        repose.haltHeld(kicked);
         contacts.addUpImpulses(1);
         motions.drift(h);
         rounds.takeOverlapBack(h, substep);
@@ -356,7 +357,7 @@ final class IslandSolver {
     }
 
     private boolean isCarried(double start, double h) {
-        isHeld = repose.isCarried(start, h, substeps, share() * fastest, fastest);
+        isHeld = repose.isCarried(start, h, substeps, kicked);
         return isHeld;
     }
 
@@ -393,8 +394,9 @@ final class IslandSolver {
         isWhole =
                 isWhole
                         && declared.strikeAtOnce(h * NO_TIME, substep)
-                        && rounds.settle(h * NO_TIME, substep, fastest, limit);
+                        && rounds.settle(h * NO_TIME, kicked, substep, fastest, limit);
         if (isWhole) {
+            repose.haltHeld(kicked);
             contacts.addUpImpulses(1);
         } else {
             passes.hold(h, kicked, substep, unanswered(), limit);

@@ -1,6 +1,7 @@
 package rigibo.backend.contact;
 
 import rigibo.backend.contact.row.Motions;
+import rigibo.backend.contact.row.OwnLoads;
 import rigibo.backend.contact.row.PackedContacts;
 import rigibo.backend.contact.solve.ContactSweep;
 import rigibo.backend.contact.solve.DirectSolver;
@@ -20,6 +21,18 @@ public final class Rounds {
 
     /** Share of the fastest speed that may be left unsolved, per metre of the tolerance. */
     private static final double SETTLED = 1e-2;
+
+    /**
+     * Share of its own loads that may be left unsolved of a body in a calm island: less than a body
+     * at rest may be held too little, so that what nothing holds is told from an error.
+     */
+    private static final double SETTLED_IF_CALM = 5e-10;
+
+    /**
+     * The share that may be left where rounds come no nearer: what rows give way by, and rows that
+     * elimination would have to try one after the other.
+     */
+    private static final double LEFT_IF_CALM = 1e-7;
 
     /** Share of the strongest answer below which a change is round-off: some 64 ulp. */
     private static final double ROUND_OFF = 1e-14;
@@ -51,7 +64,9 @@ public final class Rounds {
     /** What passes take in multiplications: by a contact in a substep, mostly six times. */
     private static final double WORK_OF_PASSES = 6 * 60;
 
+    private final Motions motions;
     private final PackedContacts contacts;
+    private final OwnLoads own;
     private final DeclaredRows declared;
     private final EnergyGuard guard;
     private final ContactSweep sweep;
@@ -71,17 +86,20 @@ public final class Rounds {
 
     private final double worthIfCalm;
 
-    private double settled;
+    private boolean isCalm;
 
     public Rounds(
             Motions motions,
             PackedContacts contacts,
+            OwnLoads own,
             DeclaredRows declared,
             EnergyGuard guard,
             ContactSweep sweep,
             OverlapSolver overlap,
             Accuracy accuracy) {
+        this.motions = motions;
         this.contacts = contacts;
+        this.own = own;
         this.declared = declared;
         this.guard = guard;
         this.sweep = sweep;
@@ -103,6 +121,7 @@ public final class Rounds {
 
     /** Begins the packed island, unless it is too large. */
     boolean prepare(boolean isCalm) {
+        this.isCalm = isCalm && !motions.isAnyDriven;
         double ofContact = isCalm ? worthIfCalm : worth;
         return isDirect && direct.prepare(Math.max(LEAST_WORTH, ofContact * contacts.count));
     }
@@ -122,21 +141,17 @@ public final class Rounds {
         return share;
     }
 
-    /** What counted as solved in the last substep, m/s. */
-    double settled() {
-        return settled;
-    }
-
     /**
-     * Solves a substep of h seconds, in which nothing went faster than {@code fastest} m/s before
-     * contacts answered, and nothing that is not solved may go faster than a limit in m/s.
+     * Solves a substep of h seconds, whose kick lasted {@code kicked} seconds, in which nothing
+     * went faster than {@code fastest} m/s before contacts answered, and nothing that is not solved
+     * may go faster than a limit in m/s.
      *
      * @return whether it was worth it; if not, everything is as it was
      */
-    boolean settle(double h, int substep, double fastest, double limit) {
+    boolean settle(double h, double kicked, int substep, double fastest, double limit) {
         before.begin();
         direct.begin();
-        boolean isSettled = settleRows(h, substep, fastest);
+        boolean isSettled = settleRows(h, kicked, substep, fastest);
         contacts.work.multiplications += direct.work();
         if (direct.isSpent()) {
             before.takeBack();
@@ -150,12 +165,14 @@ public final class Rounds {
     }
 
     /** Goes on until nothing is left, which at rest it is after the first round. */
-    private boolean settleRows(double h, int substep, double fastest) {
-        settled = share * fastest;
+    private boolean settleRows(double h, double kicked, int substep, double fastest) {
+        if (isCalm) {
+            return settleCalmRows(h, kicked, substep);
+        }
         double last = Double.POSITIVE_INFINITY;
         for (int i = 0; i < most && !direct.isSpent(); i++) {
             double change = sweep.once(h, substep);
-            settled = Math.max(settled, ROUND_OFF * contacts.strongestAnswer());
+            double settled = Math.max(share * fastest, ROUND_OFF * contacts.strongestAnswer());
             if (change <= settled) {
                 return true;
             }
@@ -168,6 +185,51 @@ public final class Rounds {
         }
         sweep.once(h, substep);
         return false;
+    }
+
+    /** Goes on as long as that brings it nearer, by the body that is the farthest from it. */
+    private boolean settleCalmRows(double h, double kicked, int substep) {
+        double last = Double.POSITIVE_INFINITY;
+        for (int i = 0; i < most && !direct.isSpent(); i++) {
+            sweep.once(h, substep);
+            own.measure(kicked);
+            double change = changeOfOwn();
+            boolean isNoNearer = change > SHRINKS * last;
+            if (change <= SETTLED_IF_CALM || isNoNearer && last <= LEFT_IF_CALM) {
+                if (change > last) {
+                    halfway.takeBack();
+                }
+                return true;
+            }
+            halfway.begin();
+            direct.solveNearby(h, substep, SETTLED_IF_CALM * leastOwn());
+            if (isNoNearer) {
+                halfway.end();
+            }
+            last = change;
+        }
+        sweep.once(h, substep);
+        return false;
+    }
+
+    /** The most that the last pass changed the speed of a body, as a share of its own loads. */
+    private double changeOfOwn() {
+        double most = 0;
+        for (int entry = 1; entry < motions.count; entry++) {
+            double change = sweep.change(entry);
+            most = change > 0 ? Math.max(most, change / own.of(entry)) : most;
+        }
+        return most;
+    }
+
+    /** The least that any body would gain by its own loads, m/s. */
+    private double leastOwn() {
+        double least = Double.POSITIVE_INFINITY;
+        for (int entry = 1; entry < motions.count; entry++) {
+            double ofEntry = own.of(entry);
+            least = ofEntry > 0 ? Math.min(least, ofEntry) : least;
+        }
+        return least;
     }
 
     /** Takes overlap back by moving bodies, after a substep of h seconds. */

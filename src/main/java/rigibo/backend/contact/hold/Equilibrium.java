@@ -18,7 +18,7 @@ import rigibo.backend.storage.Pairs;
  */
 final class Equilibrium {
 
-    /** Share of the island's strongest pull by which a body may be held too little or too much. */
+    /** Share of its own loads by which a body may be held too little or too much. */
     static final double UNHELD = 1e-9;
 
     private final Bodies bodies;
@@ -39,6 +39,9 @@ final class Equilibrium {
     private double[] leftY = new double[16];
     private double[] leftTurn = new double[16];
 
+    /** By slot: what pulls at it and what its contacts carry, all by amount, m/s². */
+    private double[] own = new double[16];
+
     Equilibrium(DataStorage data, Accuracy accuracy) {
         bodies = data.bodies;
         pairs = data.pairs;
@@ -49,15 +52,13 @@ final class Equilibrium {
 
     /** Whether an island stays as it is for a step of {@code dt} seconds. */
     boolean lasts(int island, double dt) {
-        double strongest = 0;
         for (int i = islands.bodyStart[island]; i < islands.bodyStart[island + 1]; i++) {
             int slot = islands.bodies[i];
             if (!isStill(slot, dt)) {
                 return false;
             }
-            strongest = Math.max(strongest, pull(slot));
         }
-        return areHeld(island, UNHELD * strongest);
+        return areHeld(island);
     }
 
     private boolean isStill(int slot, double dt) {
@@ -71,7 +72,7 @@ final class Equilibrium {
         return Math.abs(bodies.accelerationX[slot]) + Math.abs(bodies.accelerationY[slot]);
     }
 
-    private boolean areHeld(int island, double most) {
+    private boolean areHeld(int island) {
         reserve();
         int contacts = islands.pairStart[island + 1] - islands.pairStart[island];
         kept = Recovery.kept(contacts, accuracy);
@@ -80,6 +81,7 @@ final class Equilibrium {
             leftX[slot] = bodies.accelerationX[slot];
             leftY[slot] = bodies.accelerationY[slot];
             leftTurn[slot] = bodies.turns() ? bodies.angularAcceleration[slot] : 0;
+            own[slot] = pull(slot);
         }
         for (int i = islands.pairStart[island]; i < islands.pairStart[island + 1]; i++) {
             int pair = islands.pairs[i];
@@ -92,7 +94,7 @@ final class Equilibrium {
             int slot = islands.bodies[i];
             double left = Math.abs(leftX[slot]) + Math.abs(leftY[slot]);
             left += bodies.boundingRadius[slot] * Math.abs(leftTurn[slot]);
-            if (!(left <= most)) {
+            if (!(left <= UNHELD * own[slot])) {
                 return false;
             }
         }
@@ -104,6 +106,7 @@ final class Equilibrium {
             leftX = new double[bodies.type.length];
             leftY = new double[bodies.type.length];
             leftTurn = new double[bodies.type.length];
+            own = new double[bodies.type.length];
         }
     }
 
@@ -147,6 +150,9 @@ final class Equilibrium {
         double fy = load * ny + along * nx;
         int a = pairs.bodyA[pair];
         int b = pairs.bodyB[pair];
+        double carried = load + Math.abs(along);
+        own[a] += bodies.inverseMass[a] * carried;
+        own[b] += bodies.inverseMass[b] * carried;
         leftX[a] -= bodies.inverseMass[a] * fx;
         leftY[a] -= bodies.inverseMass[a] * fy;
         leftX[b] += bodies.inverseMass[b] * fx;

@@ -19,7 +19,7 @@ import java.util.Arrays;
  */
 final class LoadsFromAbove {
 
-    /** Share of the fastest speed that a body may be left with. */
+    /** Share of what its own pull and supports give a body that it may be left with. */
     private static final double UNHELD = 1e-10;
 
     /** A body that is held is held better as long as a round leaves no more of its speed. */
@@ -52,17 +52,17 @@ final class LoadsFromAbove {
     /**
      * Lets the contacts of the packed island carry what pulls at it.
      *
-     * @param fastest the fastest speed before contacts answer, m/s
+     * @param kicked how long the kick was that contacts answer, s
      * @return whether every body is held; if not, impulses and speeds are of no use
      */
-    boolean handDown(double fastest) {
+    boolean handDown(double kicked) {
         reserve();
         sort();
         listSupports();
         for (int i = 1; i < motions.count; i++) {
             int entry = (int) order[i];
             boolean isMovable = motions.data[entry * Motions.STRIDE + Motions.INVERSE_MASS] > 0;
-            if (isMovable && !hold(entry, UNHELD * fastest)) {
+            if (isMovable && !hold(entry, kicked)) {
                 return false;
             }
         }
@@ -144,7 +144,8 @@ final class LoadsFromAbove {
      * Finds impulses that hold one body on its supports, as if those stood still. Normal impulses
      * come first: friction that is not needed would push apart what stands below.
      */
-    private boolean hold(int entry, double most) {
+    private boolean hold(int entry, double kicked) {
+        double most = 0;
         double left = speed(entry);
         double before;
         int round = 0;
@@ -155,8 +156,23 @@ final class LoadsFromAbove {
             }
             before = left;
             left = speed(entry);
+            most = UNHELD * own(entry, kicked);
         } while (++round < 2 * ROUNDS && (left > most || left < IMPROVES * before));
         return left <= most;
+    }
+
+    /** What a body's pull gives it in a kick, and what its supports do, m/s. */
+    private double own(int entry, double kicked) {
+        double carried = 0;
+        for (int i = start[entry]; i < start[entry + 1]; i++) {
+            int at = supports[i] * PackedContacts.STRIDE;
+            carried += contacts.data[at + PackedContacts.IMPULSE0];
+            carried += contacts.data[at + PackedContacts.IMPULSE1];
+        }
+        int slot = motions.slots[entry];
+        double pull = Math.abs(bodies.accelerationX[slot]) + Math.abs(bodies.accelerationY[slot]);
+        return kicked * pull
+                + carried * motions.data[entry * Motions.STRIDE + Motions.INVERSE_MASS];
     }
 
     /** The fastest that any point of a body goes, m/s. */

@@ -2,6 +2,7 @@ package rigibo.backend.contact.hold;
 
 import rigibo.backend.contact.row.Kick;
 import rigibo.backend.contact.row.Motions;
+import rigibo.backend.contact.row.OwnLoads;
 import rigibo.backend.contact.row.PackedContacts;
 import rigibo.backend.contact.row.RowBuilder;
 import rigibo.backend.contact.solve.Halfway;
@@ -14,6 +15,12 @@ import rigibo.backend.storage.DataStorage;
  * loads handed down from above, or, after they were solved, by the solution.
  */
 public final class Repose {
+
+    /** How many times what counts as solved a still body may go at. */
+    private static final double QUIET = 16;
+
+    /** Fastest speed of a calm body, as a share of what its own pull gives it in a step. */
+    private static final double CALM = 0.25;
 
     private final Kick kick;
     private final RowBuilder builder;
@@ -28,6 +35,7 @@ public final class Repose {
             DataStorage data,
             Motions motions,
             PackedContacts contacts,
+            OwnLoads own,
             OverlapSolver overlap,
             Kick kick,
             RowBuilder builder,
@@ -37,7 +45,7 @@ public final class Repose {
         substeps = accuracy.substeps();
         equilibrium = new Equilibrium(data, accuracy);
         loads = new LoadsFromAbove(data.bodies, motions, contacts);
-        stillness = new Stillness(data.bodies, motions, contacts, overlap, kick);
+        stillness = new Stillness(data.bodies, motions, contacts, own, overlap, kick);
         before = new Halfway(motions, contacts);
     }
 
@@ -63,23 +71,33 @@ public final class Repose {
         return kick.isSteady(first, h, kicks, Equilibrium.UNHELD * kick.strongest());
     }
 
+    /** Begins the step of the packed island, which has not been kicked yet. */
+    public void begin() {
+        stillness.begin();
+    }
+
     /**
-     * Whether no body of the packed island moves by more than a multiple of a share of what a step
-     * of {@code dt} seconds of the strongest acceleration would give it.
+     * Whether no body of the packed island goes faster than a multiple of a share of what its own
+     * pull would give it in a step of {@code dt} seconds.
      */
     public boolean isStill(double dt, double share) {
-        return stillness.isEveryBodyStill(dt, Stillness.QUIET * share * dt * kick.strongest());
+        return stillness.isEveryBodyStill(dt, QUIET * share);
+    }
+
+    /** Whether none goes so fast that its own pull would take long to do it. */
+    public boolean isCalm(double dt) {
+        return stillness.isEveryBodyStill(dt, CALM);
     }
 
     /**
      * Whether the packed island, which was still, rests on loads handed down from above, in the
-     * first of its substeps; if not it is as it was. Nothing went faster than {@code fastest} m/s.
+     * first of its substeps, whose kick lasted {@code kicked} seconds; if not it is as it was.
      */
-    public boolean isCarried(double start, double h, int substeps, double settled, double fastest) {
+    public boolean isCarried(double start, double h, int substeps, double kicked) {
         before.begin();
         boolean isCarried =
-                loads.handDown(fastest)
-                        && isFound(start, h, substeps, settled)
+                loads.handDown(kicked)
+                        && isFound(start, h, substeps, kicked)
                         && isPulledSteadily(start + h, h, substeps);
         if (!isCarried) {
             before.takeBack();
@@ -87,8 +105,13 @@ public final class Repose {
         return isCarried;
     }
 
+    /** Stops whoever is held where others are not, after a kick of {@code kicked} seconds. */
+    public void haltHeld(double kicked) {
+        stillness.haltHeld(kicked);
+    }
+
     /** Whether the packed island was solved to rest, in the first of its substeps. */
-    public boolean isFound(double start, double h, int substeps, double settled) {
-        return stillness.isAtRest(start, h, substeps, settled);
+    public boolean isFound(double start, double h, int substeps, double kicked) {
+        return stillness.isAtRest(start, h, substeps, kicked);
     }
 }

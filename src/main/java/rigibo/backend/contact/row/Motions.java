@@ -136,8 +136,13 @@ public final class Motions {
     /** Takes all speed from every entry. */
     public void halt() {
         for (int at = STRIDE; at < count * STRIDE; at += STRIDE) {
-            Arrays.fill(data, at, at + DX, 0);
+            halt(at);
         }
+    }
+
+    /** Takes all speed from one entry, at its offset. */
+    public void halt(int at) {
+        Arrays.fill(data, at, at + DX, 0);
     }
 
     /** The gap of a contact's point now, m, negative in overlap. */

@@ -100,6 +100,11 @@ public final class ContactSweep {
         return most;
     }
 
+    /** By how much the last sweep changed the speed of an entry of the motions, m/s. */
+    public double change(int entry) {
+        return changed[entry];
+    }
+
     /** Returns how many contacts were due. */
     private int pass(boolean isBack) {
         int ground = contacts.groundStart;

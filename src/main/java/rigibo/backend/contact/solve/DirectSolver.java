@@ -8,6 +8,8 @@ import rigibo.backend.contact.row.PackedContacts;
 import rigibo.backend.contact.row.Recovery;
 import rigibo.backend.contact.row.SingleRows;
 
+import java.util.Arrays;
+
 /**
  * Solves all loaded rows of a small island at once. Passing over the contacts one by one carries a
  * load through a stack of N only after some N² passes, and its bending after N⁴, so that a tower
@@ -55,6 +57,9 @@ public final class DirectSolver {
     private double[] moved = new double[64];
 
     private double[] cone = new double[64];
+
+    /** By row: the impulse up to which it does not give way, N·s. */
+    private double[] kept = new double[64];
 
     /** A load that gives a row less speed than this in m/s is none. */
     private double least;
@@ -115,9 +120,30 @@ public final class DirectSolver {
 
     /**
      * Brings the rows to rest against each other, for a substep of h seconds, but for a speed of
-     * {@code settled} m/s.
+     * {@code settled} m/s. Of the many ways to share a load it finds the one with the least
+     * impulses.
      */
     public void solve(double h, int substep, double settled) {
+        reserve();
+        Arrays.fill(kept, 0, ROWS_PER_CONTACT * contacts.count, 0);
+        solveKept(h, substep, settled);
+    }
+
+    /**
+     * Finds the nearest of them instead: a row gives way by what it gains from here on. The one
+     * with the least impulses may be far, beyond a cone or a pull, and a heap at rest would be
+     * taken apart on the way to it. What is squeezed in vain must not be solved so: its impulses
+     * would grow for as long as it lasts.
+     */
+    public void solveNearby(double h, int substep, double settled) {
+        reserve();
+        for (int id = 0; id < ROWS_PER_CONTACT * contacts.count; id++) {
+            kept[id] = impulse(id);
+        }
+        solveKept(h, substep, settled);
+    }
+
+    private void solveKept(double h, int substep, double settled) {
         if (isUncoupled()) {
             return;
         }
@@ -229,6 +255,7 @@ public final class DirectSolver {
             unknown = new double[capacity];
             moved = new double[capacity];
             cone = new double[capacity];
+            kept = new double[capacity];
         }
     }
 
@@ -254,10 +281,7 @@ public final class DirectSolver {
 
     /** The speed that a row's impulse gives it, m/s, with the impulse that would solve it alone. */
     private double answerAfterOwnChange(int id, double h) {
-        double impulse =
-                contacts.data[
-                        id / ROWS_PER_CONTACT * PackedContacts.STRIDE
-                                + SingleRows.impulseColumn(id)];
+        double impulse = impulse(id);
         double response = single.response(id, id);
         return response * (impulse - approach(id, h) / (response + single.give(id)));
     }
@@ -274,8 +298,7 @@ public final class DirectSolver {
         int row = id / ROWS_PER_CONTACT;
         int kind = id % ROWS_PER_CONTACT;
         double v = single.relative(id, Motions.VX, Motions.VY, Motions.SPIN);
-        double impulse = contacts.data[row * PackedContacts.STRIDE + SingleRows.impulseColumn(id)];
-        double given = v + single.give(id) * impulse - single.ownSpeed(id);
+        double given = v + single.give(id) * (impulse(id) - kept[id]) - single.ownSpeed(id);
         return kind == TANGENT ? given : given + Math.max(0, motions.gap(contacts, row, kind)) / h;
     }
 
@@ -339,10 +362,15 @@ public final class DirectSolver {
         single.push(id, change, Motions.VX, Motions.VY, Motions.SPIN);
     }
 
+    private double impulse(int id) {
+        int at = id / ROWS_PER_CONTACT * PackedContacts.STRIDE;
+        return contacts.data[at + SingleRows.impulseColumn(id)];
+    }
+
     /** The part of a change that leaves its row within its bounds. */
     private double withinBounds(int id, double change) {
         int row = id / ROWS_PER_CONTACT;
-        double impulse = contacts.data[row * PackedContacts.STRIDE + SingleRows.impulseColumn(id)];
+        double impulse = impulse(id);
         if (id % ROWS_PER_CONTACT != TANGENT) {
             return Math.max(change, -impulse);
         }
