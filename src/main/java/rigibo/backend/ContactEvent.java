@@ -22,7 +22,8 @@ package rigibo.backend;
  * @param normalX unit normal from a to b
  * @param normalY unit normal from a to b
  * @param impulse normal impulse of the step in N·s, impacts included, 0 or more
- * @param isCrushing whether a kinematic body is pressed into the other deeper than 5 % of its width
+ * @param isCrushing whether the two overlap deeper than 5 % of the smaller width, for something had
+ *     to give
  */
 public record ContactEvent(
         RigidBody a,

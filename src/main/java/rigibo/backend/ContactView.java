@@ -39,7 +39,7 @@ public final class ContactView {
     /** Normal impulse of the step in N·s, impacts included, 0 or more. */
     public double impulse;
 
-    /** Whether a kinematic body is pressed into the other deeper than 5 % of its width. */
+    /** Whether the two overlap deeper than 5 % of the smaller width, for something had to give. */
     public boolean isCrushing;
 
     ContactView() {}

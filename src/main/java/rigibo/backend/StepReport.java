@@ -110,8 +110,10 @@ public final class StepReport {
     }
 
     /**
-     * Pairs in which a kinematic body has been pressed into a body that could not give way, deeper
-     * than 5 % of its width; it presses no further there.
+     * Pairs of a pile that overlapped deeper than 5 % of the width of the smaller of the two as the
+     * step began: something had to give, because a body is driven or struck against what does not
+     * move, or because there is no room. What is kinematic presses no further into a body that does
+     * not follow it.
      */
     public int crushed() {
         return counters.crushed;

@@ -269,8 +269,7 @@ final class IslandSolver {
     /** Returns whether the first substep has shown that the island rests. */
     private boolean solvePart(double start, double h, int substep, boolean mayRest, double left) {
         if (isWhole) {
-            isWhole = declared.strikeJointly(h, substep);
-            if (!isWhole) {
+            if (!declared.strikeJointly(h, substep)) {
                 strikeUnloaded(h, substep);
             }
             if (declared.measureStrays(left)) {

@@ -6,6 +6,7 @@ import rigibo.backend.contact.row.PackedContacts;
 import rigibo.backend.contact.solve.ContactSweep;
 import rigibo.backend.contact.solve.DirectSolver;
 import rigibo.backend.contact.solve.EnergyGuard;
+import rigibo.backend.contact.solve.GroundHold;
 import rigibo.backend.contact.solve.Halfway;
 import rigibo.backend.contact.solve.OverlapSolver;
 import rigibo.backend.setup.Accuracy;
@@ -55,6 +56,12 @@ public final class Rounds {
      */
     private static final double WORTH_IF_CALM = 48;
 
+    /**
+     * How many times that it is worth, at most, where bodies differ in mass: passes take the more
+     * of them the heavier what strikes is, and before they are done a bullet is through a box.
+     */
+    private static final double MOST_BY_MASS = 100;
+
     /** Multiplications that the smallest island is worth in a substep: some ten microseconds. */
     private static final double LEAST_WORTH = 20_000;
 
@@ -72,6 +79,7 @@ public final class Rounds {
     private final ContactSweep sweep;
     private final OverlapSolver overlap;
     private final DirectSolver direct;
+    private final GroundHold ground;
     private final Halfway halfway;
     private final Halfway before;
     private final boolean isDirect;
@@ -106,6 +114,7 @@ public final class Rounds {
         this.overlap = overlap;
         int substeps = accuracy.substeps();
         direct = new DirectSolver(motions, contacts, overlap, substeps);
+        ground = new GroundHold(motions, contacts);
         halfway = new Halfway(motions, contacts);
         before = new Halfway(motions, contacts);
         isDirect = accuracy.contactSolver() == ContactSolver.DIRECT;
@@ -122,7 +131,8 @@ public final class Rounds {
     /** Begins the packed island, unless it is too large. */
     boolean prepare(boolean isCalm) {
         this.isCalm = isCalm && !motions.isAnyDriven;
-        double ofContact = isCalm ? worthIfCalm : worth;
+        double moving = worth * Math.min(MOST_BY_MASS, motions.massRatio());
+        double ofContact = isCalm ? Math.max(worthIfCalm, moving) : moving;
         return isDirect && direct.prepare(Math.max(LEAST_WORTH, ofContact * contacts.count));
     }
 
@@ -236,8 +246,10 @@ public final class Rounds {
     void takeOverlapBack(double h, int substep) {
         if (isCorrecting) {
             overlap.begin();
+            ground.begin();
             direct.correct(h, substep);
             overlap.correct(h, substep);
+            ground.hold(substep);
             overlap.end(h);
         }
     }

@@ -46,9 +46,9 @@ final class BulletIntoRow implements HardCase {
 
     @Override
     public String finding() {
-        return "Between a wall and what is a thousand times as heavy the passes give"
-                + " way wherever they leave off, at the wall as well as between boxes;"
-                + " only what kinematic bodies crush is told.";
+        return "Where elimination has spent what an island is worth passes go on, and"
+                + " they give way wherever they leave off; and a box that is struck round"
+                + " its corner turns into the floor within a substep.";
     }
 
     @Override

@@ -43,8 +43,7 @@ final class OverfullRoom implements HardCase {
 
     @Override
     public String finding() {
-        return "Only what a kinematic body crushes is told; discs that cannot part go"
-                + " on being pushed to and fro.";
+        return "Discs that cannot part go on being pushed to and fro.";
     }
 
     @Override

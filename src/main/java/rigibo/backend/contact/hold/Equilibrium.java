@@ -21,6 +21,15 @@ final class Equilibrium {
     /** Share of its own loads by which a body may be held too little or too much. */
     static final double UNHELD = 1e-9;
 
+    /**
+     * Share by which friction and rolling may exceed their bounds: rounds bound them by the load of
+     * the round before, and end where a load changes by less.
+     */
+    private static final double BEYOND_CONE = 1e-7;
+
+    /** An overlap is more than so many times as deep as what is taken back of it in a step. */
+    private static final double PER_STEP = 3;
+
     private final Bodies bodies;
     private final Pairs pairs;
     private final Islands islands;
@@ -115,7 +124,7 @@ final class Equilibrium {
         int a = pairs.bodyA[pair];
         int b = pairs.bodyB[pair];
         double width = PairTolerances.width(bodies, a, b);
-        double most = (kept + Stillness.STILL) * width;
+        double most = (kept + PER_STEP * Stillness.STILL) * width;
         if (isCorrecting && pairs.gap(pair) < -most || bodies.isDriven(a) || bodies.isDriven(b)) {
             return false;
         }
@@ -134,11 +143,11 @@ final class Equilibrium {
         boolean slides =
                 pairs.friction != null
                         && Math.abs(pairs.heldFriction(pair))
-                                > (1 + UNHELD) * pairs.friction[pair] * load;
+                                > (1 + BEYOND_CONE) * pairs.friction[pair] * load;
         return !slides
                 && (bodies.rollingResistance == null
                         || Math.abs(pairs.heldTorque(pair))
-                                <= (1 + UNHELD) * load * pairs.rollingLever(bodies, pair));
+                                <= (1 + BEYOND_CONE) * load * pairs.rollingLever(bodies, pair));
     }
 
     private void addForces(int pair) {

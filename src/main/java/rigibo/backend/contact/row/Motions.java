@@ -256,6 +256,20 @@ public final class Motions {
     }
 
     /**
+     * How many times the lightest of what can be moved the heaviest weighs, 1 where nothing can.
+     */
+    public double massRatio() {
+        double least = Double.POSITIVE_INFINITY;
+        double most = 0;
+        for (int at = STRIDE; at < count * STRIDE; at += STRIDE) {
+            double inverse = data[at + INVERSE_MASS];
+            most = Math.max(most, inverse);
+            least = inverse > 0 ? Math.min(least, inverse) : least;
+        }
+        return most > 0 ? most / least : 1;
+    }
+
+    /**
      * What a unit impulse along one row between A and B, with its levers, gives another with the
      * same direction, 1/kg.
      */

@@ -16,13 +16,16 @@ public final class RowBuilder {
      */
     private static final double DEPENDENT = 1e-4;
 
-    /** Overlap with what is driven from which on a body is crushed, as a share of its width. */
+    /** Overlap from which on a body is crushed, as a share of its width. */
     private static final double CRUSHED = 0.05;
 
-    /** The same share in a crowd, where a hard impact presses bodies that deep for a moment. */
-    private static final double CRUSHED_IN_A_CROWD = 0.25;
+    /**
+     * The share from which on what is driven presses no further in a crowd, where a hard impact
+     * presses bodies deeper than that for a moment.
+     */
+    private static final double HALTS_IN_A_CROWD = 0.25;
 
-    /** Share of the pressing speed that a body must fail to follow for it to be crushed. */
+    /** Share of the pressing speed that a body must fail to follow for what is driven to halt. */
     private static final double STAYS_BEHIND = 0.5;
 
     /** Where the motions keep what stands still. */
@@ -52,8 +55,8 @@ public final class RowBuilder {
     /** Of all that can be moved in the packed island, kg. */
     private double mass;
 
-    /** The share of its width from which on a body of the packed island is crushed. */
-    private double crushed;
+    /** The share of a body's width from which on what is driven presses it no further. */
+    private double halts;
 
     public RowBuilder(
             DataStorage data, Motions motions, PackedContacts contacts, PackedTurns turns) {
@@ -74,7 +77,7 @@ public final class RowBuilder {
         int driven = motions.count;
         mass = motions.mass();
         int pairCount = islands.pairStart[island + 1] - islands.pairStart[island];
-        crushed = PackedContacts.areCrowd(pairCount) ? CRUSHED_IN_A_CROWD : CRUSHED;
+        halts = PackedContacts.areCrowd(pairCount) ? HALTS_IN_A_CROWD : CRUSHED;
         contacts.clear();
         colours.find(island);
         for (int i = 0; i < pairCount; i++) {
@@ -103,9 +106,10 @@ public final class RowBuilder {
         int b = pairs.bodyB[pair];
         contacts.pair[row] = pair;
         contacts.points[row] = pairs.points[pair];
+        boolean isHalted = isPressedInVain(pair);
         boolean crushes = isCrushed(pair);
-        contacts.bodyA[row] = crushes && bodies.isDriven(a) ? GROUND : motions.offset(bodies, a);
-        contacts.bodyB[row] = crushes && bodies.isDriven(b) ? GROUND : motions.offset(bodies, b);
+        contacts.bodyA[row] = isHalted && bodies.isDriven(a) ? GROUND : motions.offset(bodies, a);
+        contacts.bodyB[row] = isHalted && bodies.isDriven(b) ? GROUND : motions.offset(bodies, b);
         pairs.crushed[pair] = crushes;
         contacts.work.crushed += crushes ? 1 : 0;
         int at = row * PackedContacts.STRIDE;
@@ -277,15 +281,23 @@ public final class RowBuilder {
      * body then counts as standing still. A body that follows has been hit hard and has room to go;
      * so may one that was not pushed before.
      */
-    private boolean isCrushed(int pair) {
+    private boolean isPressedInVain(int pair) {
         int a = pairs.bodyA[pair];
         int b = pairs.bodyB[pair];
         boolean isDriven = bodies.isDriven(a) || bodies.isDriven(b);
         return isDriven
                 && pairs.touchedBefore[pair]
-                && -pairs.gap(pair) > crushed * PairTolerances.width(bodies, a, b)
+                && -pairs.gap(pair) > halts * PairTolerances.width(bodies, a, b)
                 && (staysBehind(pair, 2 * pair)
                         || staysBehind(pair, 2 * pair + pairs.points[pair] - 1));
+    }
+
+    /** Whether a pair overlaps deep, by the width of the smaller of the two, movable or not. */
+    private boolean isCrushed(int pair) {
+        int a = pairs.bodyA[pair];
+        int b = pairs.bodyB[pair];
+        double width = Math.min(bodies.smallestWidth[a], bodies.smallestWidth[b]);
+        return -pairs.gap(pair) > CRUSHED * width;
     }
 
     /** Whether a point closes at more than half of the speed at which what is driven presses. */

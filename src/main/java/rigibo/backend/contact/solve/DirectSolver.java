@@ -200,12 +200,19 @@ public final class DirectSolver {
             int row = order.order[i];
             if (contacts.firstSubstep[row] <= substep) {
                 for (int point = 0; point < contacts.points[row]; point++) {
-                    if (overlap.wanted(row, point, h) > 0) {
+                    if (overlap.wanted(row, point, h) > 0 || isOnGround(row, point)) {
                         set[size++] = ROWS_PER_CONTACT * row + point;
                     }
                 }
             }
         }
+    }
+
+    /** What lies on the ground or leans on it does not give way: its neighbour goes all the way. */
+    private boolean isOnGround(int row, int point) {
+        double width = contacts.data[row * PackedContacts.STRIDE + PackedContacts.WIDTH];
+        return row >= contacts.groundStart
+                && motions.gap(contacts, row, point) <= Recovery.KEPT_OVERLAP * width;
     }
 
     private void keepPlaces() {

@@ -1,0 +1,115 @@
+package rigibo.backend;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+import rigibo.backend.effect.Contacts;
+import rigibo.backend.effect.ContinuousImpacts;
+import rigibo.backend.effect.Effects;
+import rigibo.backend.effect.Friction;
+import rigibo.backend.effect.Gravity;
+import rigibo.backend.effect.Restitution;
+import rigibo.backend.effect.Rotation;
+import rigibo.backend.geometry.Circle;
+import rigibo.backend.geometry.Polygon;
+import rigibo.backend.setup.Accuracy;
+import rigibo.backend.setup.BodyDefinition;
+import rigibo.backend.setup.Material;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** Where something must give, bodies that move do, and say so; what nobody moves never does. */
+class CrushedTest {
+
+    private static final Material MATTER = new Material(1, 0.5, 0.2);
+    private static final Effects NO_WEIGHT =
+            Effects.of(
+                    new Contacts(),
+                    new Rotation(),
+                    new Friction(),
+                    new Restitution(),
+                    new ContinuousImpacts());
+
+    private static Pool pool(Effects effects) {
+        return new Pool(effects, Accuracy.GAME);
+    }
+
+    private static RigidBody box(Pool pool, double x, double y) {
+        BodyDefinition box = BodyDefinition.dynamic(Polygon.box(1, 1));
+        return pool.add(box.at(x, y).material(MATTER));
+    }
+
+    /** Boxes of 2 m in a gap of 1.7 m: 0.15 m in each other, or more in one of the walls. */
+    @Test
+    void whatFindsNoRoomIsToldAsCrushed() {
+        Pool pool = pool(NO_WEIGHT);
+        pool.add(BodyDefinition.fixed(Polygon.box(1, 4)).at(-0.5, 0).material(MATTER));
+        pool.add(BodyDefinition.fixed(Polygon.box(1, 4)).at(2.2, 0).material(MATTER));
+        box(pool, 0.5, 0);
+        box(pool, 1.2, 0);
+        for (int step = 0; step < 120; step++) {
+            assertThat(pool.step(Scenes.DT).crushed()).as("step %d", step).isPositive();
+        }
+    }
+
+    /** Of what overlaps by half a tenth of a width at rest nothing is told: it only parts. */
+    @Test
+    void whatTouchesIsNotToldAsCrushed() {
+        Pool pool = pool(NO_WEIGHT);
+        box(pool, 0, 0);
+        box(pool, 0.96, 0);
+        assertThat(pool.step(Scenes.DT).crushed()).isZero();
+    }
+
+    /** Parted from a heavy neighbour a box goes no deeper into the wall that it leans on. */
+    @Test
+    void whatIsPartedIsNotPushedIntoAWall() {
+        Pool pool = pool(NO_WEIGHT);
+        pool.add(BodyDefinition.fixed(Polygon.box(1, 4)).at(0.5, 0).material(MATTER));
+        RigidBody light = box(pool, -0.5, 0);
+        BodyDefinition heavy = BodyDefinition.dynamic(Polygon.box(1, 1)).mass(1e4);
+        RigidBody other = pool.add(heavy.at(-1.3, 0).material(MATTER));
+        for (int step = 0; step < 120; step++) {
+            pool.step(Scenes.DT);
+            // Of every overlap 10⁻⁵ of a width stays.
+            assertThat(light.x()).as("step %d", step).isLessThan(-0.5 + 1.1e-5);
+        }
+        assertThat(light.x() - other.x()).isGreaterThan(1 - 2e-3);
+    }
+
+    /**
+     * A bullet of a hundred to ten thousand times the mass of a box meets boxes on a floor that
+     * lean on a wall. It stays before them, in their order, and none is in wall or floor by 2 % of
+     * it.
+     */
+    @ParameterizedTest
+    @CsvSource({"100, 300", "1000, 60", "1000, 300", "10000, 60", "10000, 1000"})
+    void heavyBulletPassesThroughNothing(double ratio, double speed) {
+        Pool pool = pool(NO_WEIGHT.with(new Gravity(0, -9.81)));
+        pool.add(BodyDefinition.fixed(Polygon.box(800, 2)).at(0, -1).material(MATTER));
+        pool.add(BodyDefinition.fixed(Polygon.box(0.1, 40)).at(0.05, 20).material(MATTER));
+        List<RigidBody> row = new ArrayList<>();
+        for (int i = 0; i < 3; i++) {
+            row.add(box(pool, -0.5 - i, 0.5));
+        }
+        BodyDefinition bullet = BodyDefinition.dynamic(new Circle(0.3)).mass(ratio);
+        row.add(pool.add(bullet.at(-5, 0.5).velocity(speed, 0).material(MATTER)));
+        for (int step = 0; step < 30; step++) {
+            pool.step(Scenes.DT);
+            for (int i = 0; i < row.size(); i++) {
+                String where = "step " + step + ", body " + i;
+                double half = i < 3 ? 0.5 : 0.3;
+                // A box that turns is higher and wider than half its side, never lower.
+                assertThat(row.get(i).y()).as(where).isGreaterThan(half - 0.02);
+                assertThat(row.get(i).x()).as(where).isLessThan(-half + 0.02);
+                if (i > 0) {
+                    assertThat(row.get(i).x()).as(where).isLessThan(row.get(i - 1).x());
+                }
+            }
+        }
+    }
+}
