@@ -43,12 +43,14 @@ class CrushedTest {
         return pool.add(box.at(x, y).material(MATTER));
     }
 
-    /** Boxes of 2 m in a gap of 1.7 m: 0.15 m in each other, or more in one of the walls. */
+    /** Two square metres in a closed room of 1.7 m × 1.05 m: neither can slide out either. */
     @Test
     void whatFindsNoRoomIsToldAsCrushed() {
         Pool pool = pool(NO_WEIGHT);
         pool.add(BodyDefinition.fixed(Polygon.box(1, 4)).at(-0.5, 0).material(MATTER));
         pool.add(BodyDefinition.fixed(Polygon.box(1, 4)).at(2.2, 0).material(MATTER));
+        pool.add(BodyDefinition.fixed(Polygon.box(4, 1)).at(0.85, -1.025).material(MATTER));
+        pool.add(BodyDefinition.fixed(Polygon.box(4, 1)).at(0.85, 1.025).material(MATTER));
         box(pool, 0.5, 0);
         box(pool, 1.2, 0);
         for (int step = 0; step < 120; step++) {
