@@ -37,6 +37,14 @@ final class ContactReader {
         into.normalY = pairs.normalY[pair];
         into.impulse = pairs.impulse[pair];
         into.isCrushing = pairs.crushed[pair];
+        into.friction = pairs.heldFriction(pair);
+        into.points = pairs.points[pair];
+        for (int i = 0; i < into.points; i++) {
+            into.pointX[i] = pairs.pointX[2 * pair + i];
+            into.pointY[i] = pairs.pointY[2 * pair + i];
+            into.separation[i] = pairs.separation[2 * pair + i];
+            into.force[i] = pairs.normalForce[2 * pair + i];
+        }
         return true;
     }
 }

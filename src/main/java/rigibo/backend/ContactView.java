@@ -42,6 +42,28 @@ public final class ContactView {
     /** Whether the two overlap deeper than 5 % of the smaller width, for something had to give. */
     public boolean isCrushing;
 
+    /**
+     * How many points the two touch or nearly touch in, 0 to 2; 0 of a contact that an edit ended.
+     */
+    public int points;
+
+    /** World place of each point in m, midway between the two surfaces; read, not written. */
+    public final double[] pointX = new double[2];
+
+    public final double[] pointY = new double[2];
+
+    /** Gap at each point as it was measured, m; negative in overlap. */
+    public final double[] separation = new double[2];
+
+    /** Normal force that each point carried as the step ended, N; 0 in a mere impact. */
+    public final double[] force = new double[2];
+
+    /**
+     * Friction that the contact carried as the step ended, N on b along (−normalY, normalX); 0
+     * where {@code Friction} is not declared.
+     */
+    public double friction;
+
     ContactView() {}
 
     /** Whether neither body was removed. */
@@ -49,13 +71,15 @@ public final class ContactView {
         return a.isAlive() && b.isAlive();
     }
 
-    /** A copy that lasts. */
+    /** A copy that lasts, of all but the single points. */
     public ContactEvent event() {
         return new ContactEvent(
                 a, b, partA, partB, phase, x, y, normalX, normalY, impulse, isCrushing);
     }
 
     void show(ContactEvent event) {
+        points = 0;
+        friction = 0;
         a = event.a();
         b = event.b();
         partA = event.partA();

@@ -53,7 +53,10 @@ final class PoolSensors {
     /** After a step tells the ends that edits made before it. */
     void follow() {
         ended.clear();
-        ended.addAll(ending);
+        // List.addAll makes an array of what is added, even of nothing.
+        for (int i = 0; i < ending.size(); i++) {
+            ended.add(ending.get(i));
+        }
         ending.clear();
     }
 

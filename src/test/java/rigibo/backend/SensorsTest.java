@@ -28,6 +28,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.SplittableRandom;
+import java.util.function.Consumer;
 
 /** Shapes that touch nothing and tell who is inside. */
 class SensorsTest {
@@ -334,6 +335,28 @@ class SensorsTest {
             assertThat(sensing.bodies().get(i).x()).isEqualTo(plain.bodies().get(i).x());
             assertThat(sensing.bodies().get(i).y()).isEqualTo(plain.bodies().get(i).y());
         }
+    }
+
+    @Test
+    void allocatesNothingOnceWarm() {
+        Pool pool = new Pool(AWAKE, Accuracy.GAME);
+        pool.add(BodyDefinition.fixed(Polygon.box(9, 1)).at(0, -0.5));
+        pool.add(BodyDefinition.fixed(Polygon.box(9, 2)).at(0, 1).sensor());
+        for (int i = 0; i < 10; i++) {
+            pool.add(BodyDefinition.dynamic(new Circle(0.2)).at(i * 0.5 - 2, 3).velocity(0, -20));
+        }
+        int[] inside = new int[1];
+        Consumer<SensorView> reader = seen -> inside[0]++;
+        long bytes =
+                Allocation.ofThirdRun(
+                        () -> {
+                            for (int i = 0; i < 500; i++) {
+                                pool.step(DT);
+                                pool.forEachSensorEvent(reader);
+                            }
+                        });
+        assertThat(bytes).isEqualTo(0);
+        assertThat(inside[0]).isGreaterThan(5000);
     }
 
     @Test

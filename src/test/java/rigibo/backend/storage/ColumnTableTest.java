@@ -65,6 +65,8 @@ public class ColumnTableTest {
                     Map.entry("DataStorage.pairs", "a table"),
                     Map.entry("DataStorage.thrusting", "follows from forces; BodyEditor.derive"),
                     Map.entry("DataStorage.time", OF_A_STEP),
+                    Map.entry("DataStorage.visits", "saved beside the tables; State.visitVisits"),
+                    Map.entry("DataStorage.ways", "written in a step and read at its end"),
                     Map.entry("DataStorage.steered", "follows from the drives; BodyEditor.derive"),
                     Map.entry("DataStorage.roster", "follows from the bodies when it is stale"),
                     Map.entry("DataStorage.islands", OF_A_STEP),

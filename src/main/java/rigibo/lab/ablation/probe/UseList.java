@@ -16,10 +16,12 @@ import rigibo.backend.effect.Gravity;
 import rigibo.backend.effect.Restitution;
 import rigibo.backend.effect.RollingResistance;
 import rigibo.backend.effect.Rotation;
+import rigibo.backend.effect.Sensors;
 import rigibo.backend.effect.Sleep;
 import rigibo.backend.effect.SurfaceSpeed;
 import rigibo.backend.effect.Thrust;
 import rigibo.backend.effect.Wind;
+import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.Material;
@@ -117,6 +119,7 @@ final class UseList {
                         body -> body.at(body.x(), -1000),
                         same()),
                 thrust(),
+                sensors(),
                 onPlates(
                         WEIGHT.with(new Contacts()).with(new Restitution()),
                         new ContinuousImpacts(),
@@ -210,6 +213,26 @@ final class UseList {
                 alone(same()),
                 alone(same()),
                 push,
+                EVERY_SHARE);
+    }
+
+    /** Users are inside of a sensor that is thrown along with them. */
+    private static Use sensors() {
+        UnaryOperator<BodyDefinition> along =
+                body ->
+                        BodyDefinition.dynamic(new Circle(0.5))
+                                .mass(1)
+                                .at(body.x(), body.y())
+                                .velocity(body.velocityX(), body.velocityY())
+                                .sensor();
+        return new Use(
+                ROW,
+                WEIGHT.with(new Contacts()),
+                share -> new Sensors(),
+                "it is inside of a sensor that flies along",
+                body -> List.of(body, along.apply(body)),
+                alone(same()),
+                Use.NO_PUSH,
                 EVERY_SHARE);
     }
 

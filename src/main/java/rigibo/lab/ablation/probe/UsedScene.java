@@ -3,6 +3,7 @@ package rigibo.lab.ablation.probe;
 import rigibo.backend.Pool;
 import rigibo.backend.RigidBody;
 import rigibo.backend.effect.Effects;
+import rigibo.backend.effect.Sensors;
 import rigibo.backend.effect.Thrust;
 import rigibo.backend.setup.BodyDefinition;
 
@@ -59,6 +60,9 @@ final class UsedScene implements Workload {
                 all.addAll(use.idler().apply(body));
             }
         }
+        // Undeclared there are none, for they would be refused.
+        boolean senses = effects.declares(Sensors.class);
+        all.removeIf(body -> body.isSensor() && !senses);
         return all;
     }
 

@@ -20,6 +20,7 @@ import rigibo.backend.effect.Gravity;
 import rigibo.backend.effect.Restitution;
 import rigibo.backend.effect.RollingResistance;
 import rigibo.backend.effect.Rotation;
+import rigibo.backend.effect.Sensors;
 import rigibo.backend.effect.Sleep;
 import rigibo.backend.effect.SurfaceSpeed;
 import rigibo.backend.effect.Thrust;
@@ -46,6 +47,7 @@ class EffectsBarTest {
                     new Restitution(),
                     new RollingResistance(),
                     new SurfaceSpeed(),
+                    new Sensors(),
                     new Drag(),
                     new AirDrag(1.2, 1.1),
                     new Wind(1, 0),

@@ -1,0 +1,196 @@
+package rigibo.backend;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import org.junit.jupiter.api.Test;
+
+import rigibo.backend.effect.Effects;
+import rigibo.backend.effect.Sleep;
+import rigibo.backend.geometry.Capsule;
+import rigibo.backend.geometry.Circle;
+import rigibo.backend.geometry.Compound;
+import rigibo.backend.geometry.Part;
+import rigibo.backend.geometry.Polygon;
+import rigibo.backend.geometry.Shape;
+import rigibo.backend.setup.Accuracy;
+import rigibo.backend.setup.BodyDefinition;
+import rigibo.backend.setup.Material;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** What is put together of parts does what the same outline does in one piece. */
+class OnePieceTest {
+
+    private static final double DT = 1 / 60.0;
+    private static final Effects AWAKE = Effects.usual().without(Sleep.class);
+
+    private static final Polygon BOX = Polygon.box(1, 0.8);
+
+    private static final Compound FOUR_BOXES =
+            Compound.of(
+                    Part.of(Polygon.box(0.5, 0.4)).at(-0.25, -0.2),
+                    Part.of(Polygon.box(0.5, 0.4)).at(0.25, -0.2),
+                    Part.of(Polygon.box(0.5, 0.4)).at(0.25, 0.2),
+                    Part.of(Polygon.box(0.5, 0.4)).at(-0.25, 0.2));
+
+    private static Pool thrown(Shape shape, Material material) {
+        Pool pool = new Pool(AWAKE, Accuracy.FINE);
+        pool.add(BodyDefinition.fixed(Polygon.box(60, 1)).at(0, -0.5).material(material));
+        pool.add(
+                BodyDefinition.dynamic(shape)
+                        .at(0, 3)
+                        .angle(0.3)
+                        .velocity(2, 1)
+                        .spin(1.5)
+                        .material(material));
+        return pool;
+    }
+
+    /** In flight and in its first bounce there is one outline: the parts' corners lie on it. */
+    @Test
+    void aBoxOfFourBoxesFliesAndBouncesAsTheBox() {
+        Material elastic = new Material(1, 0.3, 0.5);
+        Pool whole = thrown(BOX, elastic);
+        Pool parts = thrown(FOUR_BOXES, elastic);
+        RigidBody box = whole.bodies().get(1);
+        RigidBody four = parts.bodies().get(1);
+        assertThat(four.inertia()).isEqualTo(box.inertia(), within(1e-15));
+        for (int i = 0; i < 60; i++) {
+            whole.step(DT);
+            parts.step(DT);
+            // Both meet the floor to round-off of the tolerance of impacts, 1e-7 of a width.
+            assertThat(four.x()).as("step %d", i).isEqualTo(box.x(), within(1e-6));
+            assertThat(four.y()).isEqualTo(box.y(), within(1e-6));
+            assertThat(four.angle()).isEqualTo(box.angle(), within(1e-6));
+        }
+        assertThat(box.velocityY()).as("has bounced").isGreaterThan(-5);
+    }
+
+    /** At rest it stands as high, and its corners carry half of its weight each. */
+    @Test
+    void aBoxOfFourBoxesStandsAsTheBox() {
+        Pool pool = new Pool(AWAKE, Accuracy.GAME);
+        pool.add(BodyDefinition.fixed(Polygon.box(60, 1)).at(0, -0.5));
+        for (int i = 0; i < 5; i++) {
+            pool.add(BodyDefinition.dynamic(FOUR_BOXES).at(0, 0.4 + 0.8 * i));
+        }
+        for (int i = 0; i < 300; i++) {
+            pool.step(DT);
+        }
+        for (int i = 0; i < 5; i++) {
+            RigidBody box = pool.bodies().get(i + 1);
+            assertThat(box.y()).isEqualTo(0.4 + 0.8 * i, within(1e-3 * (i + 1)));
+            assertThat(box.x()).isEqualTo(0, within(1e-3));
+            assertThat(box.angle()).isEqualTo(0, within(1e-3));
+        }
+        double[] carried = new double[1];
+        pool.forEachContact(
+                contact -> {
+                    if (contact.a == pool.bodies().get(0)) {
+                        for (int i = 0; i < contact.points; i++) {
+                            carried[0] += contact.force[i];
+                        }
+                    }
+                });
+        assertThat(carried[0]).isEqualTo(5 * 0.8 * 9.81, within(1e-3 * 5 * 0.8 * 9.81));
+    }
+
+    /** The smaller ones lie within: they touch nothing, and weigh nothing here. */
+    @Test
+    void aDiscWithSmallerDiscsInItRollsAsTheDisc() {
+        Compound filled =
+                Compound.of(
+                        Part.of(new Circle(0.5)),
+                        Part.of(new Circle(0.2)).at(0.2, 0.1).relativeDensity(0),
+                        Part.of(new Circle(0.1)).at(-0.3, -0.2).relativeDensity(0));
+        Material rough = new Material(1, 0.6, 0.2);
+        Pool plain = thrown(new Circle(0.5), rough);
+        Pool parts = thrown(filled, rough);
+        for (int i = 0; i < 240; i++) {
+            plain.step(DT);
+            parts.step(DT);
+        }
+        RigidBody disc = plain.bodies().get(1);
+        RigidBody three = parts.bodies().get(1);
+        assertThat(three.mass()).isEqualTo(disc.mass());
+        // The plain disc takes shortcuts that one of several parts does not: within the tolerance.
+        assertThat(three.y()).isEqualTo(disc.y(), within(1e-3));
+        assertThat(three.velocityX()).isEqualTo(disc.velocityX(), within(0.01));
+        assertThat(three.angularVelocity()).isEqualTo(disc.angularVelocity(), within(0.02));
+        assertThat(three.velocityX()).isEqualTo(-0.5 * three.angularVelocity(), within(0.01));
+    }
+
+    /** A wheel of 256 corners that rolls down a slope, in one piece and as 256 wedges. */
+    @Test
+    void aWheelOfWedgesRollsAsTheWheel() {
+        Polygon wheel = Polygon.regular(256, 0.5);
+        List<Part> wedges = new ArrayList<>();
+        for (int i = 0; i < 256; i++) {
+            int next = (i + 1) % 256;
+            Polygon wedge =
+                    Polygon.of(
+                            0,
+                            0,
+                            wheel.cornerX(i),
+                            wheel.cornerY(i),
+                            wheel.cornerX(next),
+                            wheel.cornerY(next));
+            wedges.add(Part.of(wedge).at(wedge.centroidX(), wedge.centroidY()));
+        }
+        Compound parts = Compound.of(wedges);
+        double inertia = wheel.massProperties(1).inertia();
+        assertThat(parts.massProperties(1).inertia()).isEqualTo(inertia, within(1e-12));
+        double[] way = new double[2];
+        for (int k = 0; k < 2; k++) {
+            Pool pool = new Pool(AWAKE, Accuracy.GAME);
+            pool.add(BodyDefinition.fixed(Polygon.box(60, 1)).at(0, -0.5).angle(-0.2));
+            RigidBody body =
+                    pool.add(
+                            BodyDefinition.dynamic(k == 0 ? wheel : parts)
+                                    .material(new Material(1, 0.9, 0)));
+            // Half of the plate's height and the wheel's radius from the middle of the plate.
+            body.moveTo(Math.sin(0.2), Math.cos(0.2) - 0.5, 0);
+            for (int i = 0; i < 120; i++) {
+                pool.step(DT);
+            }
+            way[k] = Math.hypot(body.x() - Math.sin(0.2), body.y() - Math.cos(0.2) + 0.5);
+        }
+        // Rolling of a disc: a = 2/3·g·sin β; corners cost it up to 1 %, either way alike.
+        double expected = 9.81 * Math.sin(0.2) / 3 * 4;
+        assertThat(way[0]).isEqualTo(expected, within(0.02 * expected));
+        assertThat(way[1]).isEqualTo(expected, within(0.02 * expected));
+    }
+
+    /** A capsule of no length is a disc, and its pool goes on to the same bits. */
+    @Test
+    void aCapsuleOfNoLengthIsACircleToTheBit() {
+        Material matter = new Material(1, 0.4, 0.3);
+        Pool discs = new Pool(AWAKE, Accuracy.GAME);
+        Pool capsules = new Pool(AWAKE, Accuracy.GAME);
+        for (Pool pool : List.of(discs, capsules)) {
+            pool.add(BodyDefinition.fixed(Polygon.box(20, 1)).at(0, -0.5));
+            for (int i = 0; i < 40; i++) {
+                Shape shape = pool == discs ? new Circle(0.3) : new Capsule(0, 0.3);
+                pool.add(
+                        BodyDefinition.dynamic(shape)
+                                .at(i % 7 * 0.65 - 2, 0.5 + i / 7 * 0.7)
+                                .velocity(i % 3, 0)
+                                .material(matter));
+            }
+        }
+        for (int step = 0; step < 200; step++) {
+            discs.step(DT);
+            capsules.step(DT);
+        }
+        for (int i = 0; i < discs.bodies().size(); i++) {
+            RigidBody disc = discs.bodies().get(i);
+            RigidBody capsule = capsules.bodies().get(i);
+            assertThat(capsule.x()).isEqualTo(disc.x());
+            assertThat(capsule.y()).isEqualTo(disc.y());
+            assertThat(capsule.angle()).isEqualTo(disc.angle());
+            assertThat(capsule.velocityX()).isEqualTo(disc.velocityX());
+        }
+    }
+}
