@@ -22,6 +22,7 @@ import rigibo.backend.effect.Gravity;
 import rigibo.backend.effect.Restitution;
 import rigibo.backend.effect.RollingResistance;
 import rigibo.backend.effect.Rotation;
+import rigibo.backend.effect.Sensors;
 import rigibo.backend.effect.Sleep;
 import rigibo.backend.effect.SurfaceSpeed;
 import rigibo.backend.effect.Thrust;
@@ -50,6 +51,7 @@ class NeutralEffectsTest {
                                         neutral(accuracy, usual, MATERIAL.drag(0), new Drag()),
                                         neutral(accuracy, usual, MATERIAL, new RollingResistance()),
                                         neutral(accuracy, usual, MATERIAL, new SurfaceSpeed()),
+                                        neutral(accuracy, usual, MATERIAL, new Sensors()),
                                         neutral(accuracy, usual, MATERIAL, new Thrust()),
                                         neutral(accuracy, usual, MATERIAL, new AirDrag(0, 1)),
                                         neutral(accuracy, usual, MATERIAL, new AirDrag(1, 0)),
@@ -170,6 +172,7 @@ class NeutralEffectsTest {
                 Arguments.of(contacts, new Sleep(), 4 * 64),
                 Arguments.of(contacts, new RollingResistance(), 64),
                 Arguments.of(contacts, new ContinuousImpacts(), 0),
+                Arguments.of(contacts, new Sensors(), 0),
                 Arguments.of(contacts.with(new Friction()), new SurfaceSpeed(), 64),
                 Arguments.of(contacts, new Thrust(), 3 * 64),
                 Arguments.of(contacts, new Drag(), 64),

@@ -26,6 +26,7 @@ class UndeclaredCodeTest {
                     "impact",
                     "contact",
                     "rest",
+                    "sense",
                     "broadphase",
                     "collision",
                     "step");

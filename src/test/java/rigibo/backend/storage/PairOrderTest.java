@@ -46,6 +46,7 @@ class PairOrderTest {
     @Test
     void everyColumnGoesWithItsPair() {
         data.hold(Need.COMPOUNDS);
+        data.hold(Need.ONE_SIDED);
         pairUpAtRandom();
         listActive();
         mark();
