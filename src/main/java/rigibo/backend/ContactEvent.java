@@ -12,6 +12,14 @@ package rigibo.backend;
  * #bothAlive}. Only a restored pool, which has no handle on a body that was removed before its
  * snapshot, cannot tell what would name it.
  *
+ * <pre>{@code
+ * for (ContactEvent contact : pool.contactEvents()) {
+ *     if (contact.phase() == ContactEvent.Phase.BEGIN && contact.impulse() > 5) { // N·s
+ *         System.out.println(contact.a() + " hits " + contact.b());
+ *     }
+ * }
+ * }</pre>
+ *
  * @param a the body the normal points away from
  * @param b the body the normal points to
  * @param partA which part of a's shape touches, from 0; 0 of a shape in one piece

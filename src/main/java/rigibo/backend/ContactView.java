@@ -6,6 +6,11 @@ import rigibo.backend.ContactEvent.Phase;
  * A contact of the last step as {@link Pool#forEachContact} shows it. It is one object that is
  * written anew for each contact: what must last beyond the visitor's call is copied, or kept as
  * {@link #event}.
+ *
+ * <pre>{@code
+ * double[] hardest = {0};
+ * pool.forEachContact(contact -> hardest[0] = Math.max(hardest[0], contact.impulse)); // no garbage
+ * }</pre>
  */
 public final class ContactView {
 

@@ -6,6 +6,10 @@ import rigibo.backend.setup.Require;
 /**
  * How a shape moves: evenly, from where it is.
  *
+ * <pre>{@code
+ * Movement thrown = new Movement(Placement.at(0, 1), 4, 2, 6); // 4 m/s, 2 m/s up, 6 rad/s
+ * }</pre>
+ *
  * @param from where it is at first
  * @param velocityX m/s, to the right
  * @param velocityY m/s, up

@@ -23,6 +23,15 @@ import java.util.function.LongSupplier;
  * A world of rigid bodies. It manages all bodies, their dynamics and every query about them. The
  * same calls give the same bits on every machine. Not thread-safe: one thread uses a pool at a
  * time.
+ *
+ * <pre>{@code
+ * Pool world = new Pool(); // gravity, contacts, rotation, friction, restitution, sleep
+ * world.add(BodyDefinition.fixed(Polygon.box(40, 1)).at(0, -0.5));
+ * RigidBody box = world.add(BodyDefinition.dynamic(Polygon.box(1, 1)).at(0, 5));
+ * while (box.isAwake()) {
+ *     world.step(1.0 / 60);
+ * }
+ * }</pre>
  */
 public final class Pool {
 

@@ -12,6 +12,11 @@ import java.util.function.Supplier;
 /**
  * Snapshots of other revisions of the simulation: {@link Pool#restore(byte[])} refuses them, for a
  * pool restored from one goes on from the same state, but to other bits than it once did.
+ *
+ * <pre>{@code
+ * byte[] kept = pool.snapshot();
+ * int revision = PoolSnapshot.revision(kept);
+ * }</pre>
  */
 public final class PoolSnapshot {
 

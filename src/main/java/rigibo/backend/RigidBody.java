@@ -13,6 +13,12 @@ import rigibo.backend.storage.Pairs;
  * A handle on one body of a {@link Pool}. Readers tell its state now; verbs change it between steps
  * and wake it. Once the body is removed, everything but {@link #isAlive}, {@link #name} and {@link
  * #toString} throws {@link IllegalStateException}.
+ *
+ * <pre>{@code
+ * crate.velocity(2, 0);
+ * crate.applyImpulse(0, 5, crate.x(), crate.y()); // N·s
+ * System.out.println(crate.x() + " " + crate.y() + " " + crate.angle());
+ * }</pre>
  */
 public final class RigidBody {
 

@@ -6,6 +6,14 @@ package rigibo.backend;
  * takes it out or that follows an edit which does. One that passed through within one step tells
  * {@code ENTERED} and {@code LEFT}. Of compounds each part tells for itself.
  *
+ * <pre>{@code
+ * for (SensorEvent event : pool.sensorEvents()) {
+ *     if (event.phase() == SensorEvent.Phase.ENTERED) {
+ *         System.out.println(event.visitor() + " entered " + event.sensor());
+ *     }
+ * }
+ * }</pre>
+ *
  * @param sensor the body whose shape is the sensor
  * @param part which part of its shape that is, from 0
  * @param visitor the other body, which may have been removed since

@@ -4,6 +4,12 @@ package rigibo.backend;
  * A visit of the last step as {@link Pool#forEachSensorEvent} shows it. It is one object that is
  * written anew for each visit: what must last beyond the visitor's call is copied, or kept as
  * {@link #event}.
+ *
+ * <pre>{@code
+ * int[] entered = {0};
+ * pool.forEachSensorEvent(
+ *         event -> entered[0] += event.phase == SensorEvent.Phase.ENTERED ? 1 : 0); // no garbage
+ * }</pre>
  */
 public final class SensorView {
 

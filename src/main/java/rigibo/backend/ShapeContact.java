@@ -5,6 +5,14 @@ import java.util.List;
 /**
  * Where two convex parts touch or nearly touch.
  *
+ * <pre>{@code
+ * Shape box = Polygon.box(1, 1);
+ * for (ShapeContact contact :
+ *         Geometry.contacts(box, Placement.ORIGIN, box, Placement.at(0.9, 0), 0)) {
+ *     System.out.println(contact.points().size() + " points, the first " + contact.points().get(0));
+ * }
+ * }</pre>
+ *
  * @param part which part of the first shape, from 0
  * @param otherPart which part of the second
  * @param normalX unit normal from the first to the second, world x

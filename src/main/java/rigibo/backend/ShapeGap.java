@@ -3,6 +3,13 @@ package rigibo.backend;
 /**
  * How far two shapes are apart, and between which points.
  *
+ * <pre>{@code
+ * ShapeGap gap =
+ *         Geometry.gap(
+ *                 new Circle(1), Placement.ORIGIN, Polygon.box(1, 1), Placement.at(3, 0));
+ * System.out.println(gap.gap() + " m"); // 1.5 m
+ * }</pre>
+ *
  * @param gap m; in overlap minus the least way that would part the two parts
  * @param normalX unit vector from the first shape to the second, world x
  * @param normalY unit vector from the first shape to the second, world y

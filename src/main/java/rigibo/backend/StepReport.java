@@ -8,6 +8,11 @@ import rigibo.backend.storage.DataStorage;
 /**
  * What the last step did and cost. It is the pool's own object and is overwritten by the next step;
  * copy what must last.
+ *
+ * <pre>{@code
+ * StepReport report = pool.step(1.0 / 60);
+ * System.out.println(report.awake() + " awake, overlap " + report.deepestOverlap() + " m");
+ * }</pre>
  */
 public final class StepReport {
 

@@ -9,6 +9,10 @@ import rigibo.backend.setup.Require;
  * width or up to its diagonal, as it is turned. There is no lift and no torque. Where {@link Wind}
  * is declared the air moves.
  *
+ * <pre>{@code
+ * pool.effects(pool.effects().with(new AirDrag(1.2, 1.1))); // air at sea level round discs
+ * }</pre>
+ *
  * @param density ρ of the air in kg/m³, zero or more; at sea level 1.2
  * @param coefficient c of the shape, no unit, zero or more; a disc across its axis 1.1, a box 2
  */

@@ -9,6 +9,10 @@ import rigibo.backend.setup.Require;
  * second moment of what is under water are exact for discs and polygons. Weight is the declared
  * {@link Gravity}'s; it has to be declared.
  *
+ * <pre>{@code
+ * pool.effects(pool.effects().with(new Buoyancy(2, 1000, 2))); // water up to y = 2 m
+ * }</pre>
+ *
  * @param level y of the surface, m
  * @param density of the water, kg/m² as for materials, zero or more; 1000 at a depth of 1 m
  * @param drag 1/s, zero or more

@@ -6,6 +6,11 @@ import rigibo.backend.setup.Require;
  * An acceleration of s·rⁿ towards a centre, whatever the mass, at the distance r in m: planets at n
  * = −2, where s is G·M; springs at n = 1, where s is ω². At the centre itself it is 0.
  *
+ * <pre>{@code
+ * // The sun at the origin: an attraction that falls with the square of the distance.
+ * Pool planets = new Pool(Effects.of(new CentralForce(0, 0, 40, -2)), Accuracy.FINE);
+ * }</pre>
+ *
  * @param x world place of the centre, m
  * @param y world place of the centre, m, up
  * @param strength s in m^(1−n)/s², positive towards the centre, negative away from it

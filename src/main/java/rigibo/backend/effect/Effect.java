@@ -1,6 +1,14 @@
 package rigibo.backend.effect;
 
-/** Something that is simulated because a scene declares it; what is not declared costs nothing. */
+/**
+ * Something that is simulated because a scene declares it; what is not declared costs nothing.
+ *
+ * <pre>{@code
+ * for (Effect effect : pool.effects().all()) {
+ *     System.out.println(effect.title());
+ * }
+ * }</pre>
+ */
 public sealed interface Effect
         permits Gravity,
                 Contacts,

@@ -7,7 +7,14 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 
-/** The declared set of effects of a pool: at most one of each, and none without what it needs. */
+/**
+ * The declared set of effects of a pool: at most one of each, and none without what it needs.
+ *
+ * <pre>{@code
+ * Effects slippery = Effects.usual().without(Friction.class);
+ * Effects moon = slippery.with(new Gravity(0, -1.62));
+ * }</pre>
+ */
 public final class Effects {
 
     private final List<Effect> declared;

@@ -3,6 +3,11 @@ package rigibo.backend.effect;
 /**
  * What a {@link FieldFunction} is told of a body, and what it answers. A plain carrier that is used
  * again for the next body.
+ *
+ * <pre>{@code
+ * // Against motion, and up to a height of 3 m.
+ * Field honey = new Field(at -> at.push(-at.velocityX, at.y < 3 ? 12 * at.mass : 0));
+ * }</pre>
  */
 public final class FieldPoint {
 

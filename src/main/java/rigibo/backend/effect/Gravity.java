@@ -5,6 +5,10 @@ import rigibo.backend.setup.Require;
 /**
  * A uniform acceleration of every dynamic body, times its gravity scale.
  *
+ * <pre>{@code
+ * pool.effects(pool.effects().with(new Gravity(0, -1.62))); // the moon
+ * }</pre>
+ *
  * @param x m/s², to the right
  * @param y m/s², up; the Earth's is -9.81
  */

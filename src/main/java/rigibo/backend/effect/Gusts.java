@@ -1,6 +1,12 @@
 package rigibo.backend.effect;
 
-/** How a wind changes with time. Called within a step, and given a number only. */
+/**
+ * How a wind changes with time. Called within a step, and given a number only.
+ *
+ * <pre>{@code
+ * Gusts sway = time -> 1 + 0.5 * Math.sin(time);
+ * }</pre>
+ */
 @FunctionalInterface
 public interface Gusts {
 

@@ -1,4 +1,11 @@
 package rigibo.backend.effect;
 
-/** Impacts rebound by the materials' elasticity; left out, every impact has e = 0. */
+/**
+ * Impacts rebound by the materials' elasticity; left out, every impact has e = 0.
+ *
+ * <pre>{@code
+ * pool.effects(pool.effects().with(new Restitution()));
+ * crate.material(crate.material().elasticity(0.8));
+ * }</pre>
+ */
 public record Restitution() implements Effect {}

@@ -10,7 +10,7 @@ package rigibo.backend.effect;
  * Pool pool = new Pool(Effects.usual().with(new Sensors()), Accuracy.GAME);
  * RigidBody coin = pool.add(BodyDefinition.fixed(new Circle(0.3)).at(4, 1).sensor());
  * pool.step(1 / 60.0);
- * pool.forEachSensorEvent(event -> { if (event.sensor == coin) { … } });
+ * pool.forEachSensorEvent(event -> System.out.println(event.visitor + " found " + event.sensor));
  * }</pre>
  */
 public record Sensors() implements Effect {}

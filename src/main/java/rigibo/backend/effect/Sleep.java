@@ -5,6 +5,10 @@ import rigibo.backend.setup.Require;
 /**
  * Islands of bodies that rest stop costing until something touches them.
  *
+ * <pre>{@code
+ * pool.effects(pool.effects().with(new Sleep(1, 0.001))); // 1 s within 1 mm
+ * }</pre>
+ *
  * @param seconds how long every body of an island must have stayed in place, s, positive
  * @param distance how far a body of one metre may stray meanwhile, m, positive; scales with size
  */

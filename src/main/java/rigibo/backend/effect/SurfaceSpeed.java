@@ -6,5 +6,11 @@ package rigibo.backend.effect;
  * positive speed and to the right at a negative one, and a body on tracks of its own moves as a
  * wheel of that rim speed would. Where two outlines meet, their speeds add. Friction carries, so it
  * has to be declared.
+ *
+ * <pre>{@code
+ * pool.effects(pool.effects().with(new SurfaceSpeed()));
+ * pool.add(
+ *         BodyDefinition.fixed(Polygon.box(6, 0.4)).material(wood.surfaceSpeed(-2))); // a belt
+ * }</pre>
  */
 public record SurfaceSpeed() implements Effect {}

@@ -6,6 +6,10 @@ import rigibo.backend.setup.Require;
  * Moving air: {@link Drag} and {@link AirDrag} brake against it instead of against the world. One
  * of the two has to be declared.
  *
+ * <pre>{@code
+ * pool.effects(pool.effects().with(new AirDrag(1.2, 1.1)).with(new Wind(10, 0)));
+ * }</pre>
+ *
  * @param x speed of the air to the right, m/s, within ±1e4
  * @param y speed of the air upwards, m/s, within ±1e4
  * @param gusts what share of that speed blows at a time; {@link Gusts#STEADY} where it is constant

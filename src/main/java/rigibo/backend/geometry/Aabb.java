@@ -1,6 +1,13 @@
 package rigibo.backend.geometry;
 
-/** An axis-aligned box in world coordinates, m. A plain carrier that stages reuse. */
+/**
+ * An axis-aligned box in world coordinates, m. A plain carrier that stages reuse.
+ *
+ * <pre>{@code
+ * List<RigidBody> found = new ArrayList<>();
+ * pool.overlapping(new Aabb(-1, 0, 1, 2), found::add); // 2 m by 2 m
+ * }</pre>
+ */
 public final class Aabb {
 
     /** Left edge, m. */

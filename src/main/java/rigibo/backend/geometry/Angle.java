@@ -12,6 +12,10 @@ package rigibo.backend.geometry;
  * <p>Beyond 10⁷ rad, whose neighbours are 10⁻⁹ rad apart and more, whole turns are taken off first,
  * by the double next to 2π: the result is that of an angle nearer than the next double. {@link
  * StrictMath} would be exact there, and allocates on some JVMs.
+ *
+ * <pre>{@code
+ * double height = 5 * Angle.sin(0.3); // m, the same bits everywhere
+ * }</pre>
  */
 public final class Angle {
 

@@ -3,6 +3,10 @@ package rigibo.backend.geometry;
 /**
  * A disc about the centre of mass.
  *
+ * <pre>{@code
+ * pool.add(BodyDefinition.dynamic(new Circle(0.5)).at(0, 3)); // a disc of 1 m
+ * }</pre>
+ *
  * @param radius m, positive and finite
  */
 public record Circle(double radius) implements Convex {

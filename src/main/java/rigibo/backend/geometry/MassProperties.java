@@ -3,6 +3,10 @@ package rigibo.backend.geometry;
 /**
  * What a rigid plate's motion depends on; zeros of what has no mass.
  *
+ * <pre>{@code
+ * MassProperties plate = Polygon.box(2, 1).massProperties(10); // 20 kg
+ * }</pre>
+ *
  * @param mass kg, positive
  * @param inertia about the centroid, kg·m², positive
  * @param centroidX m, in the frame the points were given in

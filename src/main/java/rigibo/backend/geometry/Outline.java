@@ -8,6 +8,11 @@ import java.util.Objects;
  * outline goes round the core. The core of a disc is one point, that of a capsule two, that of a
  * polygon its corners, with a radius of 0 where it is not rounded. All places are seen from the
  * body's centre of mass. Immutable.
+ *
+ * <pre>{@code
+ * Outline pill = new Capsule(0.5, 0.2).outline();
+ * System.out.println(pill.corners() + " corners, round by " + pill.radius() + " m"); // 2, 0.2 m
+ * }</pre>
  */
 public final class Outline {
 

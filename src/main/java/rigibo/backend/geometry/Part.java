@@ -3,6 +3,10 @@ package rigibo.backend.geometry;
 /**
  * One convex shape of a {@link Compound}, and where it sits. Immutable: every verb returns another
  * part.
+ *
+ * <pre>{@code
+ * Part head = Part.of(Polygon.box(0.5, 0.2)).at(0, 0.5).angle(0.1).relativeDensity(8);
+ * }</pre>
  */
 public final class Part {
 

@@ -3,6 +3,10 @@ package rigibo.backend.geometry;
 /**
  * Where a shape is: its centre of mass, and how far it is turned.
  *
+ * <pre>{@code
+ * Placement ahead = Placement.at(3, 1).angle(Math.PI / 4);
+ * }</pre>
+ *
  * @param x world x, m
  * @param y world y, m, up
  * @param angle rad, counter-clockwise

@@ -4,6 +4,12 @@ package rigibo.backend.geometry;
  * A convex polygon of 3 to 256 corners, counter-clockwise, sharp or {@linkplain #rounded rounded}.
  * The corners are kept relative to the centroid: wherever the points were given, the centre of mass
  * is the shape's origin.
+ *
+ * <pre>{@code
+ * Polygon box = Polygon.box(2, 1);
+ * Polygon wedge = Polygon.of(0, 0, 3, 0, 0, 1); // counter-clockwise
+ * Polygon nut = Polygon.regular(6, 0.5).rounded(0.05);
+ * }</pre>
  */
 public final class Polygon implements Convex {
 

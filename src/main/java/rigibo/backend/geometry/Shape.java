@@ -4,6 +4,11 @@ package rigibo.backend.geometry;
  * The outline of a body in the body's own frame, whose origin is the centre of mass; of a {@link
  * Chain}, which has none, that of its corners. Immutable, so one shape may serve any number of
  * bodies.
+ *
+ * <pre>{@code
+ * Shape shape = Polygon.box(2, 1);
+ * System.out.println(shape.area() + " m², reaches " + shape.boundingRadius() + " m");
+ * }</pre>
  */
 public sealed interface Shape permits Convex, Compound, Chain {
 

@@ -4,6 +4,11 @@ package rigibo.backend.setup;
  * How exactly a pool is to be simulated, and so what it costs. Every knob can be turned alone with
  * its {@code with…} method; the presets are choices that were measured.
  *
+ * <pre>{@code
+ * pool.accuracy(Accuracy.EXACT);
+ * pool.accuracy(Accuracy.GAME.withSubsteps(8)); // between two steps
+ * }</pre>
+ *
  * @param substeps 1 to 64 substeps of a pile per step, and of a flight under forces that change
  *     along the way; their time grows with it
  * @param velocityIterations 1 to 8 passes over the contacts per substep

@@ -7,6 +7,14 @@ import rigibo.backend.geometry.ShapeKind;
 /**
  * A body as its creator states it. Immutable: every verb returns another definition, so one may be
  * the pattern for many. Static and kinematic bodies have no mass: nothing moves them.
+ *
+ * <pre>{@code
+ * BodyDefinition pattern =
+ *         BodyDefinition.dynamic(Polygon.box(1, 1)).material(new Material(700, 0.5, 0.2));
+ * for (int i = 0; i < 10; i++) {
+ *     pool.add(pattern.at(0, 0.5 + i)); // a stack of ten
+ * }
+ * }</pre>
  */
 public final class BodyDefinition {
 

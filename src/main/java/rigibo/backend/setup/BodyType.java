@@ -1,6 +1,12 @@
 package rigibo.backend.setup;
 
-/** How a body answers forces. */
+/**
+ * How a body answers forces.
+ *
+ * <pre>{@code
+ * crate.type(BodyType.STATIC); // from now on nothing moves it
+ * }</pre>
+ */
 public enum BodyType {
     /** Moves under forces, contacts and impacts. */
     DYNAMIC,

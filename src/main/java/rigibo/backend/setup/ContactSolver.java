@@ -1,6 +1,12 @@
 package rigibo.backend.setup;
 
-/** How the impulses of resting contacts are found. */
+/**
+ * How the impulses of resting contacts are found.
+ *
+ * <pre>{@code
+ * pool.accuracy(Accuracy.GAME.withContactSolver(ContactSolver.BLOCK));
+ * }</pre>
+ */
 public enum ContactSolver {
     /** One contact point after the other. */
     SEQUENTIAL,

@@ -1,6 +1,12 @@
 package rigibo.backend.setup;
 
-/** What is done about overlap. */
+/**
+ * What is done about overlap.
+ *
+ * <pre>{@code
+ * pool.accuracy(Accuracy.GAME.withCorrection(Correction.SOFT));
+ * }</pre>
+ */
 public enum Correction {
     /** Nothing: overlap stays as it is. */
     NONE,

@@ -1,6 +1,12 @@
 package rigibo.backend.setup;
 
-/** When within a step an impact happens. */
+/**
+ * When within a step an impact happens.
+ *
+ * <pre>{@code
+ * pool.accuracy(Accuracy.GAME.withImpacts(ImpactMode.EVENTS));
+ * }</pre>
+ */
 public enum ImpactMode {
     /** At the end of the step, where bodies already overlap. */
     DISCRETE,

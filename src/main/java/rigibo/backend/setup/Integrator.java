@@ -4,6 +4,10 @@ package rigibo.backend.setup;
  * How a body in flight is moved. What is the same all along a step is exact with {@link #BALLISTIC}
  * at any step; forces that change along the way ({@code Field}, {@code CentralForce}, {@code
  * AirDrag}, gusts, {@code Buoyancy}) are integrated in {@link Accuracy#substeps} steps.
+ *
+ * <pre>{@code
+ * pool.accuracy(Accuracy.FINE.withIntegrator(Integrator.RK4));
+ * }</pre>
  */
 public enum Integrator {
     /** Symplectic Euler, first order. */

@@ -4,6 +4,11 @@ package rigibo.backend.setup;
  * What a body is made of. Where two bodies meet, friction mixes as √(μaμb), elasticity as max(ea,
  * eb), rolling resistance as max(ca, cb) and surface speeds add.
  *
+ * <pre>{@code
+ * Material oak = new Material(700, 0.4, 0.3); // kg/m², Coulomb's friction, elasticity
+ * Material belt = oak.surfaceSpeed(-2); // m/s: carries to the right
+ * }</pre>
+ *
  * @param density kg/m², positive and finite
  * @param friction Coulomb's μ, 0 to 1e9; ice 0.03, wood 0.4, rubber 0.9
  * @param elasticity Newton's coefficient of restitution e, 0 (stays where it lands) to 1 (returns

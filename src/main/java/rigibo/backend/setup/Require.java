@@ -1,6 +1,12 @@
 package rigibo.backend.setup;
 
-/** Refusals at the public door: each names the field, the value, the unit and the allowed range. */
+/**
+ * Refusals at the public door: each names the field, the value, the unit and the allowed range.
+ *
+ * <pre>{@code
+ * double speed = Require.positive("Lift.speed", 2, "m/s"); // or an exception that says it all
+ * }</pre>
+ */
 public final class Require {
 
     private Require() {}

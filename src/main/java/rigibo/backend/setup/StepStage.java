@@ -1,6 +1,13 @@
 package rigibo.backend.setup;
 
-/** The eight stages of a step, in their order; a report tells the time of each. */
+/**
+ * The eight stages of a step, in their order; a report tells the time of each.
+ *
+ * <pre>{@code
+ * pool.clock(System::nanoTime);
+ * long nanoseconds = pool.step(1.0 / 60).nanos(StepStage.CONTACT);
+ * }</pre>
+ */
 public enum StepStage {
     /** Removals, additions and wake-ups asked for since the last step. */
     ACCEPT,
