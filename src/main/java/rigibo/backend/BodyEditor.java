@@ -102,6 +102,9 @@ final class BodyEditor {
         leave(slot);
         shapes.release(slot);
         bodies.release(slot);
+        if (data.hits != null) {
+            data.hits.remove(slot);
+        }
         data.roster.isStale = true;
     }
 

@@ -62,6 +62,9 @@ public final class Pool {
     /** Made when somebody asks, or edits a body that might touch others. */
     private PoolContacts contacts;
 
+    /** Made when somebody asks. */
+    private PoolHits hits;
+
     /** Made when somebody asks what sensors see, or edits a body that they may see. */
     private PoolSensors sensors;
 
@@ -293,6 +296,27 @@ public final class Pool {
     }
 
     /**
+     * The impacts of the last step; a list of its own. Those of flight come first, in the order of
+     * time. One whose body is removed before the next step is not told any more.
+     */
+    public List<HitEvent> hits() {
+        return shownHits().list();
+    }
+
+    /**
+     * Shows what {@link #hits} tells one by one and allocates nothing. Meanwhile the pool makes no
+     * step and refuses to be changed with {@link IllegalStateException}.
+     *
+     * @param visitor is handed one object again and again, whose contents hold until it returns
+     * @throws IllegalStateException when called within a step
+     */
+    public void forEachHit(Consumer<? super HitView> visitor) {
+        Require.present("Pool.forEachHit visitor", visitor);
+        busy.requireBetweenSteps("visit hits");
+        shownHits().forEach(visitor);
+    }
+
+    /**
      * What sensors saw in the last step; a list of its own. Empty where {@code Sensors} are not
      * declared.
      */
@@ -494,6 +518,13 @@ public final class Pool {
             contacts = new PoolContacts(this, data, busy);
         }
         return contacts;
+    }
+
+    private PoolHits shownHits() {
+        if (hits == null) {
+            hits = new PoolHits(this, data, busy);
+        }
+        return hits;
     }
 
     PoolSensors sensors() {

@@ -107,6 +107,9 @@ final class DeclaredRows {
      * @return whether there was anything
      */
     boolean measureAnew(int substep, boolean isFirst, double time, double left) {
+        if (impacts != null) {
+            impacts.startAt(time);
+        }
         boolean isAny = isFirst && fresh.measureJoining(substep, time, left);
         isAny |= bent.refresh(substep, isFirst, left);
         if (isAny) {

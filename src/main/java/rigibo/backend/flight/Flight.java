@@ -284,6 +284,7 @@ public final class Flight {
         paths.landEarlier(pileBody, time);
         paths.land(flyer, time);
         Impact impact = impacts.expectedImpact(pair);
+        impacts.foretell(pair, impact, time);
         int a = pairs.bodyA[pair];
         int b = pairs.bodyB[pair];
         bystanders.measureImpact(a, b, impact, dt - time);

@@ -10,6 +10,7 @@ import rigibo.backend.setup.Accuracy;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.Counters;
 import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.Hits;
 import rigibo.backend.storage.PairTolerances;
 import rigibo.backend.storage.Pairs;
 import rigibo.backend.storage.Quarantine;
@@ -32,6 +33,7 @@ final class FlightImpacts {
     private final Impact impact = new Impact();
     private final TiedImpacts together;
     private final Quarantine quarantine;
+    private final Hits hits;
     private final Motion motionA = new Motion();
     private final Motion motionB = new Motion();
     private final Pose poseA = new Pose();
@@ -59,6 +61,7 @@ final class FlightImpacts {
         this.course = course;
         together = new TiedImpacts(bodies, pairs);
         quarantine = new Quarantine(data);
+        hits = data.noteHits();
     }
 
     /** Resolves the impacts of one instant, at once where they share a body. */
@@ -104,6 +107,7 @@ final class FlightImpacts {
         loadImpact(pair);
         counters.impacts++;
         pairs.impacts[pair]++;
+        note(pair, impact, time);
         restsAt[i] = restsAt(pair, time, dt);
         double elasticity = restsAt[i] <= dt ? 0 : impact.elasticity;
         if (sharesBody(pair)) {
@@ -112,6 +116,21 @@ final class FlightImpacts {
             law.resolve(impact, elasticity);
             impact.store(bodies, pairs, pair);
             pairs.tellImpulse(pair, impact.totalNormalImpulse());
+        }
+    }
+
+    /** Notes where, when and how fast the two of a loaded impact meet. */
+    private void note(int pair, Impact met, double time) {
+        double x = poseA.x + (met.armAX[0] + met.armAX[met.points - 1]) / 2;
+        double y = poseA.y + (met.armAY[0] + met.armAY[met.points - 1]) / 2;
+        hits.add(bodies, pairs, pair, x, y, -met.slowestParting(), time);
+    }
+
+    /** Notes an impact whose outcome a pile's solver will find, at a time in s. */
+    void foretell(int pair, Impact expected, double time) {
+        if (touches(pair)) {
+            note(pair, expected, time);
+            hits.foretell(pair);
         }
     }
 

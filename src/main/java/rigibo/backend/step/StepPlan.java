@@ -188,7 +188,7 @@ public final class StepPlan {
 
     /** Advances by {@code dt} seconds; the clock counts ns. */
     public void run(double dt, LongSupplier clock) {
-        data.counters.clear();
+        data.beginStep();
         long before = clock.getAsLong();
         for (int i = 0; i < parts.size(); i++) {
             Part part = parts.get(i);

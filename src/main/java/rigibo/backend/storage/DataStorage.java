@@ -23,6 +23,9 @@ public final class DataStorage {
 
     public Ways ways;
 
+    /** The impacts of the last step; null where nothing ever resolved any. */
+    public Hits hits;
+
     /** When the step in progress began, s since the pool was made. */
     public double time;
 
@@ -43,6 +46,22 @@ public final class DataStorage {
         } else if (need == Need.SENSORS && visits == null) {
             visits = new Visits();
             ways = new Ways();
+        }
+    }
+
+    /** Where whoever resolves impacts notes them. */
+    public Hits noteHits() {
+        if (hits == null) {
+            hits = new Hits();
+        }
+        return hits;
+    }
+
+    /** Begins a step, of which nothing is told yet. */
+    public void beginStep() {
+        counters.clear();
+        if (hits != null) {
+            hits.clear();
         }
     }
 

@@ -67,6 +67,7 @@ public class ColumnTableTest {
                     Map.entry("DataStorage.time", OF_A_STEP),
                     Map.entry("DataStorage.visits", "saved beside the tables; State.visitVisits"),
                     Map.entry("DataStorage.ways", "written in a step and read at its end"),
+                    Map.entry("DataStorage.hits", "what the last step did, not the next"),
                     Map.entry("DataStorage.steered", "follows from the drives; BodyEditor.derive"),
                     Map.entry("DataStorage.roster", "follows from the bodies when it is stale"),
                     Map.entry("DataStorage.islands", OF_A_STEP),

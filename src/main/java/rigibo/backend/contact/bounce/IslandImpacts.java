@@ -14,11 +14,18 @@ public final class IslandImpacts {
     private final BounceRows bounces;
     private final SimultaneousImpacts joint;
     private final PairwiseImpacts apart;
+    private final HitNotes notes;
 
     public IslandImpacts(DataStorage data, Motions motions, PackedContacts contacts, Kick kick) {
         bounces = new BounceRows(data, contacts);
-        joint = new SimultaneousImpacts(data, motions, contacts, kick, bounces);
-        apart = new PairwiseImpacts(data, motions, contacts, bounces);
+        notes = new HitNotes(data, motions, contacts);
+        joint = new SimultaneousImpacts(data, motions, contacts, kick, bounces, notes);
+        apart = new PairwiseImpacts(data, motions, contacts, bounces, notes);
+    }
+
+    /** What is resolved next is in a part of a substep that begins at a time of the step, s. */
+    public void startAt(double time) {
+        notes.start = time;
     }
 
     /**

@@ -28,6 +28,7 @@ final class PairwiseImpacts {
     private final Motions motions;
     private final PackedContacts contacts;
     private final Pairs pairs;
+    private final HitNotes notes;
     private final Impact impact = new Impact();
     private final ImpactLaw law = new ImpactLaw();
 
@@ -45,12 +46,17 @@ final class PairwiseImpacts {
     private static final int NEVER = -1;
 
     PairwiseImpacts(
-            DataStorage data, Motions motions, PackedContacts contacts, BounceRows bounces) {
+            DataStorage data,
+            Motions motions,
+            PackedContacts contacts,
+            BounceRows bounces,
+            HitNotes notes) {
         this.motions = motions;
         this.contacts = contacts;
         this.bounces = bounces;
         shifts = new ImpactShifts(data.bodies, motions, contacts);
         pairs = data.pairs;
+        this.notes = notes;
     }
 
     /** Resolves all impacts that fall into a substep of h seconds. */
@@ -132,6 +138,7 @@ final class PairwiseImpacts {
         int a = contacts.bodyA[row];
         int b = contacts.bodyB[row];
         double before = motions.energy(a) + motions.energy(b);
+        notes.note(row, impact, -impact.slowestParting(), time);
         law.resolve(impact);
         take(a, time, impact.velocityAX, impact.velocityAY, impact.spinA);
         take(b, time, impact.velocityBX, impact.velocityBY, impact.spinB);

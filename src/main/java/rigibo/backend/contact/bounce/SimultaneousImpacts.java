@@ -41,6 +41,7 @@ final class SimultaneousImpacts {
     private final PackedContacts contacts;
     private final Kick kick;
     private final BounceRows bounces;
+    private final HitNotes notes;
     private final Impact impact = new Impact();
     private final TiedImpacts together;
 
@@ -63,13 +64,15 @@ final class SimultaneousImpacts {
             Motions motions,
             PackedContacts contacts,
             Kick kick,
-            BounceRows bounces) {
+            BounceRows bounces,
+            HitNotes notes) {
         bodies = data.bodies;
         pairs = data.pairs;
         this.motions = motions;
         this.contacts = contacts;
         this.kick = kick;
         this.bounces = bounces;
+        this.notes = notes;
         together = new TiedImpacts(bodies, pairs);
     }
 
@@ -139,12 +142,17 @@ final class SimultaneousImpacts {
      */
     private boolean strikes(int row, int point, double time) {
         double speed = motions.parting(contacts, row, point);
-        double met = speed + (time - middle) * gained(row, point);
+        double met = met(row, point, time);
         boolean touched = motions.gap(contacts, row, point) <= 0;
         double unloaded = speed - gainedInAll(row, point) + turnedBy(row);
         double parting = touched ? Math.max(met, unloaded) : met;
         double limit = contacts.data[row * PackedContacts.STRIDE + PackedContacts.BOUNCE_SPEED];
         return parting < -Math.max(ROUND_OFF, limit);
+    }
+
+    /** How fast a point parts at a time, m/s. */
+    private double met(int row, int point, double time) {
+        return motions.parting(contacts, row, point) + (time - middle) * gained(row, point);
     }
 
     /** The first root of gap + v·τ + a·τ²/2, by the form that does not cancel. */
@@ -210,6 +218,7 @@ final class SimultaneousImpacts {
         contacts.work.multiplications += work;
         if (isAnswered || left > 0) {
             together.keep(isAnswered);
+            noteStrikes(time);
             takeVelocities(time);
             if (bodies.turns()) {
                 takeSpins(time);
@@ -217,6 +226,22 @@ final class SimultaneousImpacts {
             countStrikes();
         }
         return isAnswered;
+    }
+
+    /** Notes what strikes, at the velocities that the motions still hold from before. */
+    private void noteStrikes(double time) {
+        for (int i = 0; i < strikingCount; i++) {
+            int row = striking[i];
+            load(row, row * PackedContacts.STRIDE);
+            double closing = 0;
+            for (int point = 0; point < contacts.points[row]; point++) {
+                if (strikes(row, point, time)) {
+                    contacts.addPoint(row, point, impact);
+                    closing = Math.max(closing, -met(row, point, time));
+                }
+            }
+            notes.note(row, impact, closing, time);
+        }
     }
 
     private void countStrikes() {

@@ -117,6 +117,21 @@ public final class Motions {
         return count <= FEW + 1;
     }
 
+    /**
+     * World x in m of the centre of mass of a packed body, at an offset, some seconds ahead: at a
+     * time in s after the step's start.
+     */
+    public double x(Bodies bodies, int at, double ahead, double time) {
+        double inFrame = bodies.x[slots[at / STRIDE]] + data[at + DX] + ahead * data[at + VX];
+        return inFrame + time * frameX;
+    }
+
+    /** The same upwards. */
+    public double y(Bodies bodies, int at, double ahead, double time) {
+        double inFrame = bodies.y[slots[at / STRIDE]] + data[at + DY] + ahead * data[at + VY];
+        return inFrame + time * frameY;
+    }
+
     /** Moves every entry along its velocity for h seconds. */
     public void drift(double h) {
         for (int at = STRIDE; at < count * STRIDE; at += STRIDE) {

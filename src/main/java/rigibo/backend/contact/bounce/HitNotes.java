@@ -1,0 +1,54 @@
+package rigibo.backend.contact.bounce;
+
+import rigibo.backend.contact.row.Motions;
+import rigibo.backend.contact.row.PackedContacts;
+import rigibo.backend.impact.Impact;
+import rigibo.backend.storage.Bodies;
+import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.Hits;
+import rigibo.backend.storage.Pairs;
+
+/** Notes the impacts within an island that flight has not told of before. */
+final class HitNotes {
+
+    private final Bodies bodies;
+    private final Pairs pairs;
+    private final Hits hits;
+    private final Motions motions;
+    private final PackedContacts contacts;
+
+    /** When the present part of a substep began, s after the step did. */
+    double start;
+
+    HitNotes(DataStorage data, Motions motions, PackedContacts contacts) {
+        bodies = data.bodies;
+        pairs = data.pairs;
+        hits = data.noteHits();
+        this.motions = motions;
+        this.contacts = contacts;
+    }
+
+    /**
+     * Notes an impact of a row whose points are loaded, with the speed in m/s at which they close,
+     * {@code ahead} seconds after the present part began.
+     */
+    void note(int row, Impact impact, double closing, double ahead) {
+        int pair = contacts.pair[row];
+        if (impact.points == 0 || hits.wasForetold(pair)) {
+            return;
+        }
+        boolean isOnA = contacts.bodyA[row] != 0;
+        int at = isOnA ? contacts.bodyA[row] : contacts.bodyB[row];
+        double[] armX = isOnA ? impact.armAX : impact.armBX;
+        double[] armY = isOnA ? impact.armAY : impact.armBY;
+        int last = impact.points - 1;
+        hits.add(
+                bodies,
+                pairs,
+                pair,
+                motions.x(bodies, at, ahead, start + ahead) + (armX[0] + armX[last]) / 2,
+                motions.y(bodies, at, ahead, start + ahead) + (armY[0] + armY[last]) / 2,
+                closing,
+                start + ahead);
+    }
+}

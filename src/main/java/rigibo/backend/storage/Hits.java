@@ -1,0 +1,133 @@
+package rigibo.backend.storage;
+
+import java.util.Arrays;
+
+/**
+ * The impacts of the last step, in the order in which they were resolved: scratch that no step
+ * reads. It is there with whatever resolves impacts.
+ */
+public final class Hits {
+
+    /** Hits of a step that are kept, some 5 MB; what a step resolves beyond them is not told. */
+    private static final int MOST = 1 << 16;
+
+    /** Slots of the two bodies, which part of each was struck, and the slot of their pair. */
+    public int[] bodyA = new int[16];
+
+    public int[] bodyB = new int[16];
+    public int[] partA = new int[16];
+    public int[] partB = new int[16];
+    private int[] pair = new int[16];
+
+    /** World place, m, and the unit normal from A to B. */
+    public double[] x = new double[16];
+
+    public double[] y = new double[16];
+    public double[] normalX = new double[16];
+    public double[] normalY = new double[16];
+
+    /** m/s at which the two came together along the normal, and s after the step's start. */
+    public double[] speed = new double[16];
+
+    public double[] time = new double[16];
+    public int count;
+
+    /** By pair: whether its hit was told, and a solver is still to resolve it. */
+    private boolean[] isForetold = new boolean[16];
+
+    /** Slots of bodies that were removed since the step, and by slot whether they were. */
+    private final Found removed = new Found();
+
+    private boolean[] isRemoved = new boolean[16];
+
+    /** Begins a step. */
+    public void clear() {
+        for (int i = 0; i < count; i++) {
+            if (pair[i] < isForetold.length) {
+                isForetold[pair[i]] = false;
+            }
+        }
+        count = 0;
+        for (int i = 0; i < removed.count; i++) {
+            isRemoved[removed.numbers[i]] = false;
+        }
+        removed.clear();
+    }
+
+    /**
+     * Notes a hit of a pair where its two shapes come together; what only slides or parts is none.
+     */
+    public void add(
+            Bodies bodies, Pairs pairs, int of, double atX, double atY, double closing, double at) {
+        if (!(closing > 0) || count == MOST) {
+            return;
+        }
+        if (count == bodyA.length) {
+            grow();
+        }
+        pair[count] = of;
+        bodyA[count] = pairs.bodyA[of];
+        bodyB[count] = pairs.bodyB[of];
+        partA[count] = bodies.partOf(pairs.shapeA(of));
+        partB[count] = bodies.partOf(pairs.shapeB(of));
+        x[count] = atX;
+        y[count] = atY;
+        normalX[count] = pairs.normalX[of];
+        normalY[count] = pairs.normalY[of];
+        speed[count] = closing;
+        time[count] = at;
+        count++;
+    }
+
+    /** Notes that a solver will resolve the hit of a pair that was just added. */
+    public void foretell(int of) {
+        if (of >= isForetold.length) {
+            isForetold = Arrays.copyOf(isForetold, Math.max(of + 1, 2 * isForetold.length));
+        }
+        isForetold[of] = count > 0 && pair[count - 1] == of;
+    }
+
+    /** Whether the hit of a pair that a solver resolves was told before; the next one was not. */
+    public boolean wasForetold(int of) {
+        boolean was = of < isForetold.length && isForetold[of];
+        if (was) {
+            isForetold[of] = false;
+        }
+        return was;
+    }
+
+    /** A body goes, whose slot may be another's before the next step. */
+    public void remove(int slot) {
+        if (slot >= isRemoved.length) {
+            isRemoved = Arrays.copyOf(isRemoved, Math.max(slot + 1, 2 * isRemoved.length));
+        }
+        if (count > 0 && !isRemoved[slot]) {
+            isRemoved[slot] = true;
+            removed.add(slot);
+        }
+    }
+
+    /** Whether both bodies of a hit are still the ones that met. */
+    public boolean areThere(int hit) {
+        return removed.count == 0 || !wasRemoved(bodyA[hit]) && !wasRemoved(bodyB[hit]);
+    }
+
+    private boolean wasRemoved(int slot) {
+        return slot < isRemoved.length && isRemoved[slot];
+    }
+
+    private void grow() {
+        int capacity = 2 * count;
+        pair = Arrays.copyOf(pair, capacity);
+        bodyA = Arrays.copyOf(bodyA, capacity);
+        bodyB = Arrays.copyOf(bodyB, capacity);
+        partA = Arrays.copyOf(partA, capacity);
+        partB = Arrays.copyOf(partB, capacity);
+        x = Arrays.copyOf(x, capacity);
+        y = Arrays.copyOf(y, capacity);
+        normalX = Arrays.copyOf(normalX, capacity);
+        normalY = Arrays.copyOf(normalY, capacity);
+        speed = Arrays.copyOf(speed, capacity);
+        time = Arrays.copyOf(time, capacity);
+    }
+}
