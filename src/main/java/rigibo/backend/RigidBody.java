@@ -185,6 +185,26 @@ public final class RigidBody {
         return bodies.y[slot] + (bodies.sin[slot] * localX + bodies.cos[slot] * localY);
     }
 
+    /**
+     * World x in m of the point that was the origin where the corners of the polygon or the parts
+     * of the compound were stated; the body's own x for shapes that are stated about their centre.
+     *
+     * <pre>{@code
+     * Polygon wedge = Polygon.of(0, 0, 3, 0, 0, 1); // the right angle is its origin
+     * double cornerX = pool.add(BodyDefinition.dynamic(wedge)).originX();
+     * }</pre>
+     */
+    public double originX() {
+        Shape shape = shape();
+        return worldX(shape.originX(), shape.originY());
+    }
+
+    /** World y in m of the same point. */
+    public double originY() {
+        Shape shape = shape();
+        return worldY(shape.originX(), shape.originY());
+    }
+
     /** Where a world point in m is in the body's own frame, m along its first axis. */
     public double localX(double worldX, double worldY) {
         Bodies bodies = columns();

@@ -13,6 +13,8 @@ import rigibo.backend.effect.Gravity;
 import rigibo.backend.effect.Sleep;
 import rigibo.backend.geometry.Aabb;
 import rigibo.backend.geometry.Circle;
+import rigibo.backend.geometry.Compound;
+import rigibo.backend.geometry.Part;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.BodyDefinition;
@@ -214,5 +216,30 @@ class EverydayTest {
         body.tag("coin");
         assertThat(body.tag()).isEqualTo("coin");
         assertThat(Pool.restore(pool.snapshot()).bodies().get(0).tag()).isNull();
+    }
+
+    /** A right triangle's centroid is a third along each leg; 2 m away is its corner. */
+    @Test
+    void tellsWhereTheOriginOfAStatedFrameIs() {
+        Pool pool = new Pool();
+        Polygon wedge = Polygon.of(0, 0, 3, 0, 0, 1.5);
+        double turn = 0.7;
+        RigidBody body = pool.add(BodyDefinition.dynamic(wedge).at(5, 6).angle(turn));
+        double x = 5 - Math.cos(turn) * 1 + Math.sin(turn) * 0.5;
+        double y = 6 - Math.sin(turn) * 1 - Math.cos(turn) * 0.5;
+        assertThat(body.originX()).isEqualTo(x, within(1e-14));
+        assertThat(body.originY()).isEqualTo(y, within(1e-14));
+
+        Compound eccentric =
+                Compound.of(Part.of(new Circle(0.5)).at(2, 0), Part.of(new Circle(0.5)).at(4, 0));
+        body.shape(eccentric);
+        assertThat(body.originX()).isEqualTo(5 - 3 * Math.cos(turn), within(1e-14));
+        assertThat(body.originY()).isEqualTo(6 - 3 * Math.sin(turn), within(1e-14));
+        body.shape(eccentric.centredAt(0, 1));
+        assertThat(body.originX()).isEqualTo(5 + Math.sin(turn), within(1e-14));
+
+        body.shape(Polygon.box(1, 2));
+        assertThat(body.originX()).isEqualTo(5);
+        assertThat(body.originY()).isEqualTo(6);
     }
 }

@@ -161,6 +161,16 @@ public final class Compound implements Shape {
         return plate.centroidY();
     }
 
+    @Override
+    public double originX() {
+        return 0 - plate.centroidX();
+    }
+
+    @Override
+    public double originY() {
+        return 0 - plate.centroidY();
+    }
+
     /** Whether the centre of mass was stated. */
     public boolean statesCentre() {
         return statesCentre;

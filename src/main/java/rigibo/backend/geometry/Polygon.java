@@ -175,6 +175,16 @@ public final class Polygon implements Convex {
         return outline.corners();
     }
 
+    @Override
+    public double originX() {
+        return 0 - shiftX;
+    }
+
+    @Override
+    public double originY() {
+        return 0 - shiftY;
+    }
+
     /** A corner's x relative to the centre of mass, m; corners are counter-clockwise. */
     public double cornerX(int i) {
         return outline.cornerX(i);

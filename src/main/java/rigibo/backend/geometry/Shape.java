@@ -35,6 +35,19 @@ public sealed interface Shape permits Convex, Compound, Chain {
         return false;
     }
 
+    /**
+     * Where the origin of the frame in which the shape was stated is, seen from its centre of mass,
+     * m along the first axis: 0 of what is stated about its centre, as discs and boxes are.
+     */
+    default double originX() {
+        return 0;
+    }
+
+    /** The same along the second axis, m. */
+    default double originY() {
+        return 0;
+    }
+
     /** Area in m², positive; 0 of a chain. */
     double area();
 
