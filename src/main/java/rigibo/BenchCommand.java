@@ -91,9 +91,10 @@ final class BenchCommand implements Callable<Integer> {
             fallbackValue = ALL,
             description =
                     "Scenes in which much moves, in place of those above: from each step's time to"
-                            + " the deepest overlap on the way, ours at every preset. All of them"
-                            + " where none is named: rain-boxes-10 to rain-mixed-1500, settle-20,"
-                            + " settle-30, settle-50, struck, towers, belt, shaken, rods.")
+                        + " the deepest overlap on the way, ours at every preset. All of them where"
+                        + " none is named: rain-boxes-10 to rain-mixed-1500, settle-20, settle-30,"
+                        + " settle-50, struck, towers, belt, shaken, rods, compounds, capsules,"
+                        + " cave.")
     private List<String> moving = List.of();
 
     @Option(

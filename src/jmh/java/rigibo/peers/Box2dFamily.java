@@ -1,7 +1,10 @@
 package rigibo.peers;
 
-import rigibo.backend.geometry.Polygon;
+import rigibo.backend.geometry.Chain;
+import rigibo.backend.geometry.Outline;
 import rigibo.backend.setup.BodyDefinition;
+
+import java.util.function.IntToDoubleFunction;
 
 /** What Box2D 2.x and its translations have in common. */
 public final class Box2dFamily {
@@ -21,15 +24,44 @@ public final class Box2dFamily {
      *
      * @throws UnsupportedOperationException when there are more than 8 corners
      */
-    public static float[] corners(Polygon polygon) {
+    public static float[] corners(Outline polygon) {
         if (polygon.corners() > MOST_CORNERS) {
             throw new UnsupportedOperationException(
                     "polygons of more than " + MOST_CORNERS + " corners");
         }
-        float[] xy = new float[2 * polygon.corners()];
-        for (int i = 0; i < polygon.corners(); i++) {
-            xy[2 * i] = (float) polygon.cornerX(i);
-            xy[2 * i + 1] = (float) polygon.cornerY(i);
+        if (polygon.radius() > 0) {
+            throw new UnsupportedOperationException("polygons with round corners");
+        }
+        return xy(polygon.corners(), polygon::cornerX, polygon::cornerY);
+    }
+
+    /** Corner coordinates of a chain in its own frame, m. */
+    public static float[] corners(Chain chain) {
+        return xy(chain.corners(), chain::cornerX, chain::cornerY);
+    }
+
+    private static float[] xy(int count, IntToDoubleFunction x, IntToDoubleFunction y) {
+        float[] xy = new float[2 * count];
+        for (int i = 0; i < count; i++) {
+            xy[2 * i] = (float) x.applyAsDouble(i);
+            xy[2 * i + 1] = (float) y.applyAsDouble(i);
+        }
+        return xy;
+    }
+
+    /** Corners of the box between the discs that end a capsule, counter-clockwise, m. */
+    public static float[] between(Outline capsule) {
+        double alongX = capsule.cornerX(1) - capsule.cornerX(0);
+        double alongY = capsule.cornerY(1) - capsule.cornerY(0);
+        double share = capsule.radius() / Math.hypot(alongX, alongY);
+        double acrossX = -share * alongY;
+        double acrossY = share * alongX;
+        float[] xy = new float[8];
+        for (int i = 0; i < 4; i++) {
+            int end = i == 1 || i == 2 ? 1 : 0;
+            int side = i < 2 ? -1 : 1;
+            xy[2 * i] = (float) (capsule.cornerX(end) + side * acrossX);
+            xy[2 * i + 1] = (float) (capsule.cornerY(end) + side * acrossY);
         }
         return xy;
     }

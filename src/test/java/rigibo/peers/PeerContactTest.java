@@ -14,7 +14,11 @@ import rigibo.backend.effect.Gravity;
 import rigibo.backend.effect.Restitution;
 import rigibo.backend.effect.Rotation;
 import rigibo.backend.effect.Sleep;
+import rigibo.backend.geometry.Capsule;
+import rigibo.backend.geometry.Chain;
 import rigibo.backend.geometry.Circle;
+import rigibo.backend.geometry.Compound;
+import rigibo.backend.geometry.Part;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.Material;
@@ -222,6 +226,24 @@ class PeerContactTest {
             double y = world.y(box);
             peer.run(world, 1);
             assertThat(world.y(box)).isEqualTo(y);
+        }
+    }
+
+    /** Two squares make a plank, which lies flat at half its height; a capsule lies on its side. */
+    @ParameterizedTest
+    @MethodSource("peers")
+    void compoundsAndCapsulesRestOnAChain(Peer peer) {
+        Compound plank = Compound.of(Part.of(BOX).at(3, 0), Part.of(BOX).at(4, 0));
+        Capsule capsule = new Capsule(0.5, 0.25);
+        try (World world = peer.world(RESTING)) {
+            world.add(BodyDefinition.fixed(Chain.open(20, 0, 4, 0, -3, 0, -20, 0)));
+            int onFace = world.add(BodyDefinition.dynamic(plank).at(0, 0.6));
+            int onSide = world.add(BodyDefinition.dynamic(capsule).at(5, 0.35));
+            peer.run(world, 3);
+            assertThat(world.x(onFace)).isCloseTo(0, within(SLOP));
+            assertThat(world.y(onFace)).isCloseTo(0.5, within(SLOP));
+            assertThat(world.x(onSide)).isCloseTo(5, within(SLOP));
+            assertThat(world.y(onSide)).isCloseTo(0.25, within(SLOP));
         }
     }
 }

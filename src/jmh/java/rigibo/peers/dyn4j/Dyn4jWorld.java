@@ -4,6 +4,7 @@ import org.dyn4j.dynamics.Body;
 import org.dyn4j.dynamics.BodyFixture;
 import org.dyn4j.dynamics.ContinuousDetectionMode;
 import org.dyn4j.dynamics.Settings;
+import org.dyn4j.geometry.Convex;
 import org.dyn4j.geometry.Mass;
 import org.dyn4j.geometry.MassType;
 import org.dyn4j.geometry.Vector2;
@@ -61,7 +62,9 @@ final class Dyn4jWorld implements World {
         Body body = new Body();
         body.setUserData(number);
         if (called.hasContacts()) {
-            body.addFixture(fixture(stated));
+            for (Convex piece : Outlines.of(stated.shape())) {
+                body.addFixture(fixture(piece, stated));
+            }
         }
         body.getTransform().setRotation(stated.angle());
         body.translate(stated.x(), stated.y());
@@ -73,8 +76,8 @@ final class Dyn4jWorld implements World {
         return number;
     }
 
-    private BodyFixture fixture(BodyDefinition stated) {
-        BodyFixture fixture = new BodyFixture(Outlines.of(stated.shape()));
+    private BodyFixture fixture(Convex piece, BodyDefinition stated) {
+        BodyFixture fixture = new BodyFixture(piece);
         fixture.setFriction(called.friction(stated));
         fixture.setRestitution(called.elasticity(stated));
         fixture.setFilter(new GroupFilter(stated.group()));

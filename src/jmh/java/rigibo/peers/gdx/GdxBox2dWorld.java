@@ -84,13 +84,14 @@ final class GdxBox2dWorld implements World {
     /** Without a density: the mass is stated. Box2D copies the shape. */
     private void outline(Body body, BodyDefinition stated) {
         FixtureDef fixture = new FixtureDef();
-        Shape shape = Outlines.of(stated.shape());
-        fixture.shape = shape;
         fixture.friction = (float) called.friction(stated);
         fixture.restitution = (float) called.elasticity(stated);
         fixture.filter.groupIndex = Box2dFamily.group(stated);
-        body.createFixture(fixture);
-        shape.dispose();
+        for (Shape shape : Outlines.of(stated.shape())) {
+            fixture.shape = shape;
+            body.createFixture(fixture);
+            shape.dispose();
+        }
     }
 
     private static MassData mass(MassProperties stated) {

@@ -1,6 +1,7 @@
 package rigibo.peers.jbox2d;
 
 import org.jbox2d.collision.shapes.MassData;
+import org.jbox2d.collision.shapes.Shape;
 import org.jbox2d.common.Vec2;
 import org.jbox2d.dynamics.Body;
 import org.jbox2d.dynamics.BodyDef;
@@ -51,7 +52,11 @@ final class Jbox2dWorld implements World {
         Body body = world.createBody(definition(stated));
         body.setUserData(number);
         if (called.hasContacts()) {
-            body.createFixture(fixture(stated));
+            FixtureDef fixture = fixture(stated);
+            for (Shape shape : Outlines.of(stated.shape())) {
+                fixture.shape = shape;
+                body.createFixture(fixture);
+            }
         }
         if (body.getType() == BodyType.DYNAMIC) {
             body.setMassData(mass(stated.massProperties()));
@@ -84,7 +89,6 @@ final class Jbox2dWorld implements World {
     /** Without a density: the mass is stated. */
     private FixtureDef fixture(BodyDefinition stated) {
         FixtureDef fixture = new FixtureDef();
-        fixture.shape = Outlines.of(stated.shape());
         fixture.friction = (float) called.friction(stated);
         fixture.restitution = (float) called.elasticity(stated);
         fixture.filter.groupIndex = Box2dFamily.group(stated);

@@ -62,7 +62,26 @@ public final class MovingScenes {
                         "rods",
                         "300 rods, a hundred times as long as thick, that fall crosswise",
                         () -> Commotions.rods(300)));
+        addShapes(scenes);
         return scenes;
+    }
+
+    private static void addShapes(List<BenchScene> scenes) {
+        scenes.add(
+                scene(
+                        "compounds",
+                        "1500 bodies of two to five parts that rain into a trough",
+                        () -> ShapeCrowds.compounds(1500, SEED)));
+        scenes.add(
+                scene(
+                        "capsules",
+                        "1500 capsules that rain into a trough",
+                        () -> ShapeCrowds.capsules(1500, SEED)));
+        scenes.add(
+                scene(
+                        "cave",
+                        "500 boxes and discs that fall in a cave of 2000 edges",
+                        () -> ShapeCrowds.cave(500, 2000, SEED)));
     }
 
     /**

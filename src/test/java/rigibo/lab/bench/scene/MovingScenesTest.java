@@ -43,7 +43,10 @@ class MovingScenesTest {
         "towers, 600",
         "belt, 80",
         "shaken, 100",
-        "rods, 300"
+        "rods, 300",
+        "compounds, 1500",
+        "capsules, 1500",
+        "cave, 500"
     })
     void sceneHasAsManyBodiesAsItSays(String name, int bodies) {
         assertThat(MovingScenes.named(name).scene().get().dynamic()).isEqualTo(bodies);
