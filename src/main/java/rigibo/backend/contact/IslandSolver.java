@@ -163,10 +163,7 @@ final class IslandSolver {
             results.goOn(island, dt);
             contacts.work.solve(SolveMethod.AT_REST, 0);
         } else if (isAdvanced) {
-            int usual =
-                    kick.mayChange()
-                            ? accuracy.substeps()
-                            : fewer.of(island, dt, accuracy.substeps());
+            int usual = fewer.of(island, dt, accuracy.substeps());
             substeps = declared.substepsFor(island, dt - start, usual);
             advance(island, start, (dt - start) / substeps, dt);
         }

@@ -47,7 +47,7 @@ public final class Rounds {
      */
     private static final double SHRINKS = 0.5;
 
-    /** How many times the work of passes elimination is worth. */
+    /** How many times the work of passes elimination is worth; less at fewer substeps. */
     private static final double WORTH = 3;
 
     /**
@@ -61,6 +61,9 @@ public final class Rounds {
      * of them the heavier what strikes is, and before they are done a bullet is through a box.
      */
     private static final double MOST_BY_MASS = 100;
+
+    /** Ratio of masses up to which passes come to an end as fast as among equals. */
+    private static final double LIKE_EQUALS = 4;
 
     /** Multiplications that the smallest island is worth in a substep: some ten microseconds. */
     private static final double LEAST_WORTH = 20_000;
@@ -123,15 +126,16 @@ public final class Rounds {
         share = SETTLED * accuracy.impactTolerance();
         // From EXACT on elimination is worth any work.
         boolean isLimited = substeps < Accuracy.EXACT.substeps();
-        double fewer = Math.max(1, Accuracy.GAME.substeps() / substeps);
-        worth = isLimited ? WORTH * fewer * WORK_OF_PASSES : Double.POSITIVE_INFINITY;
-        worthIfCalm = isLimited ? WORTH_IF_CALM * WORK_OF_PASSES : Double.POSITIVE_INFINITY;
+        double coarser = Math.min(1, substeps / (double) Accuracy.GAME.substeps());
+        worth = isLimited ? WORTH * coarser * WORK_OF_PASSES : Double.POSITIVE_INFINITY;
+        worthIfCalm = isLimited ? WORTH_IF_CALM * coarser * WORK_OF_PASSES : Double.POSITIVE_INFINITY;
     }
 
     /** Begins the packed island, unless it is too large. */
     boolean prepare(boolean isCalm) {
         this.isCalm = isCalm && !motions.isAnyDriven;
-        double moving = worth * Math.min(MOST_BY_MASS, motions.massRatio());
+        double byMass = Math.min(MOST_BY_MASS, motions.massRatio() / LIKE_EQUALS);
+        double moving = worth * Math.max(1, byMass);
         double ofContact = isCalm ? Math.max(worthIfCalm, moving) : moving;
         return isDirect && direct.prepare(Math.max(LEAST_WORTH, ofContact * contacts.count));
     }

@@ -50,6 +50,7 @@ public final class TiedImpacts {
     private int count;
     private double fastest;
     private int passes;
+    private int solves;
 
     /** How many solutions have changed something so far. */
     private int changes;
@@ -72,9 +73,6 @@ public final class TiedImpacts {
         count = 0;
         fastest = 0;
         changes = 0;
-        if (movedBy.length < bodies.type.length) {
-            movedBy = new int[bodies.type.length];
-        }
     }
 
     /** Adds the impact of a pair, with the elasticity it is to have; nothing moves yet. */
@@ -118,6 +116,9 @@ public final class TiedImpacts {
                         + impact.inverseMassB
                         + impact.inverseInertiaA * leverA * leverA
                         + impact.inverseInertiaB * leverB * leverB;
+        if (movedBy.length < bodies.type.length) {
+            movedBy = Arrays.copyOf(movedBy, bodies.type.length);
+        }
         pairOf[count] = pair;
         movedBy[pairs.bodyA[pair]] = 0;
         movedBy[pairs.bodyB[pair]] = 0;
@@ -126,7 +127,7 @@ public final class TiedImpacts {
         row[at + SPEED_BEFORE] = speed(count - 1);
     }
 
-    /** How many rows a pass goes over. */
+    /** How many rows there are: a pass solves no more. */
     public int rows() {
         return count;
     }
@@ -134,6 +135,11 @@ public final class TiedImpacts {
     /** How many passes the last impacts took after the first. */
     public int passes() {
         return passes;
+    }
+
+    /** How many times a row was solved for the last impacts. */
+    public int solves() {
+        return solves;
     }
 
     /**
@@ -150,6 +156,7 @@ public final class TiedImpacts {
     public boolean solve(int mostPasses) {
         double settled = ROUND_OFF * fastest;
         passes = 0;
+        solves = 0;
         while (pass() > settled && passes < mostPasses) {
             passes++;
         }
@@ -221,6 +228,7 @@ public final class TiedImpacts {
             int b = pairs.bodyB[pairOf[i]];
             if (Math.max(movedBy[a], movedBy[b]) > answered[i]) {
                 most = Math.max(most, solveRow(i, a, b));
+                solves++;
             }
         }
         return most;
