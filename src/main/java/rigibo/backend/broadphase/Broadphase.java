@@ -209,7 +209,7 @@ public final class Broadphase {
     public void coverPoses() {
         for (int i = 0; i < roster.awakeCount; i++) {
             int body = roster.awake[i];
-            if (isMoving(body)) {
+            if (hasMoved(body)) {
                 coverPose(body);
             }
         }
@@ -240,10 +240,11 @@ public final class Broadphase {
         }
     }
 
-    private boolean isMoving(int slot) {
-        return bodies.velocityX[slot] != 0
-                || bodies.velocityY[slot] != 0
-                || bodies.turns() && bodies.spin[slot] != 0;
+    /** Whether a body is elsewhere than as the step began: what was stopped may have moved. */
+    private boolean hasMoved(int slot) {
+        return bodies.x[slot] != bodies.startX[slot]
+                || bodies.y[slot] != bodies.startY[slot]
+                || bodies.turns() && bodies.angle[slot] != bodies.startAngle[slot];
     }
 
     private void meetNeighbours(int body, int slot) {

@@ -128,7 +128,8 @@ public final class Rounds {
         boolean isLimited = substeps < Accuracy.EXACT.substeps();
         double coarser = Math.min(1, substeps / (double) Accuracy.GAME.substeps());
         worth = isLimited ? WORTH * coarser * WORK_OF_PASSES : Double.POSITIVE_INFINITY;
-        worthIfCalm = isLimited ? WORTH_IF_CALM * coarser * WORK_OF_PASSES : Double.POSITIVE_INFINITY;
+        worthIfCalm =
+                isLimited ? WORTH_IF_CALM * coarser * WORK_OF_PASSES : Double.POSITIVE_INFINITY;
     }
 
     /** Begins the packed island, unless it is too large. */
