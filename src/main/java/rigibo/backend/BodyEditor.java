@@ -320,6 +320,7 @@ final class BodyEditor {
         boolean sensed = plan.effects().declares(Sensors.class);
         bodies.declare(effects);
         data.pairs.declare(effects);
+        data.declareJoints(effects);
         plan.compile(effects, plan.accuracy());
         for (int slot = 0; slot < bodies.slots.high; slot++) {
             if (bodies.isBody(slot)) {

@@ -58,7 +58,8 @@ final class EndedContacts {
         }
     }
 
-    private void cut(int pair) {
+    /** Notes the contact of a pair that is about to be forgotten. */
+    void cut(int pair) {
         if (reader.read(pair, view)) {
             cut(view.event());
         }

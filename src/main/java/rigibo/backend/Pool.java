@@ -13,6 +13,7 @@ import rigibo.backend.setup.Require;
 import rigibo.backend.step.StepPlan;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.JointStore;
 
 import java.util.List;
 import java.util.Optional;
@@ -68,6 +69,9 @@ public final class Pool {
     /** Made when somebody asks what sensors see, or edits a body that they may see. */
     private PoolSensors sensors;
 
+    /** Null where no joints are declared. */
+    private PoolJoints joints;
+
     private final PoolTotals totals;
     private final BodyList bodies = new BodyList();
     private LongSupplier clock = NO_CLOCK;
@@ -98,6 +102,7 @@ public final class Pool {
         report = new StepReport(this, data);
         editor = new BodyEditor(this, data, plan);
         totals = new PoolTotals(this, data);
+        declareJoints();
     }
 
     Pool(Snapshot snapshot) {
@@ -106,6 +111,9 @@ public final class Pool {
         editor.derive();
         for (int i = 0; i < snapshot.order.length; i++) {
             bodies.append(new RigidBody(this, snapshot.order[i], snapshot.names[i]));
+        }
+        if (joints != null) {
+            joints.restore(snapshot.jointOrder);
         }
         for (SavedContact contact : snapshot.ended) {
             contacts().ended.restore(contact);
@@ -151,15 +159,56 @@ public final class Pool {
     }
 
     /**
-     * Takes a body out and wakes what it touched; how many other bodies there are takes no time.
+     * Takes a body out, with its joints, and wakes what it touched; how many other bodies there are
+     * takes no time.
      *
      * @throws IllegalArgumentException when the body is of another pool
      * @throws IllegalStateException when it was removed before
      */
     public void remove(RigidBody body) {
-        editor(body).remove(body.slot());
+        BodyEditor bodyEditor = editor(body);
+        if (joints != null) {
+            joints.removeAllOf(body);
+        }
+        bodyEditor.remove(body.slot());
         bodies.drop(body);
         body.markRemoved();
+    }
+
+    /**
+     * Joins two bodies, and wakes them.
+     *
+     * @throws IllegalStateException when the effect {@code Joints} is not declared
+     * @throws IllegalArgumentException when a body, or a joint it couples, is of another pool
+     */
+    public Joint join(JointDefinition definition) {
+        Require.present("Pool.join definition", definition);
+        busy.requireChangeable("join bodies");
+        if (joints == null) {
+            throw new IllegalStateException("Pool.join needs the effect Joints, not declared");
+        }
+        return joints.join(definition);
+    }
+
+    /**
+     * Ends a joint, with the gears that couple it, and wakes its bodies.
+     *
+     * @throws IllegalArgumentException when it is of another pool
+     * @throws IllegalStateException when it was removed before, or broke
+     */
+    public void remove(Joint joint) {
+        joinery(joint);
+        joints.remove(joint);
+    }
+
+    /** All joints in the order they were joined; a view that cannot be changed through itself. */
+    public List<Joint> joints() {
+        return joints == null ? List.of() : joints.all();
+    }
+
+    /** The joints that broke in the last step; a list of its own. */
+    public List<JointBreak> brokenJoints() {
+        return joints == null ? List.of() : joints.broken();
     }
 
     /**
@@ -210,6 +259,9 @@ public final class Pool {
         if (sensors != null) {
             sensors.follow();
         }
+        if (joints != null) {
+            joints.followBreaks();
+        }
         time += dt;
         return report;
     }
@@ -241,11 +293,24 @@ public final class Pool {
         return plan.effects();
     }
 
-    /** Changes what is simulated from the next step on, and wakes every body. */
+    /**
+     * Changes what is simulated from the next step on, and wakes every body. Where joints are no
+     * longer declared they all end.
+     */
     public void effects(Effects effects) {
         Require.present("Pool.effects", effects);
         busy.requireChangeable("change the effects");
         editor.effects(effects);
+        declareJoints();
+    }
+
+    private void declareJoints() {
+        if (data.joints == null && joints != null) {
+            joints.removeAll();
+            joints = null;
+        } else if (data.joints != null && joints == null) {
+            joints = new PoolJoints(this, data, plan);
+        }
     }
 
     /**
@@ -562,6 +627,41 @@ public final class Pool {
 
     RigidBody handle(int slot) {
         return bodies.atSlot(slot);
+    }
+
+    /** What changes a joint; refuses as {@link #editor(RigidBody)} does. */
+    Joinery joinery(Joint joint) {
+        Require.present("joint", joint).requireAlive();
+        busy.requireChangeable("change a joint");
+        if (joints == null || joint.pool() != this) {
+            throw new IllegalArgumentException(joint + " belongs to another pool");
+        }
+        return joints.joinery();
+    }
+
+    /** What reads a joint. */
+    Joinery joinery() {
+        return joints.joinery();
+    }
+
+    JointStore jointColumns() {
+        return data.joints;
+    }
+
+    Joint joint(int slot) {
+        return joints.atSlot(slot);
+    }
+
+    int[] jointOrder() {
+        return joints == null ? new int[0] : joints.order();
+    }
+
+    List<Joint> jointsOf(int body) {
+        return joints == null ? List.of() : joints.of(body);
+    }
+
+    void requireOwn(RigidBody body) {
+        own(body);
     }
 
     private RigidBody own(RigidBody body) {

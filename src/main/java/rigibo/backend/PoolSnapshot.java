@@ -89,6 +89,7 @@ public final class PoolSnapshot {
         snapshot.order = pool.bodies().stream().mapToInt(RigidBody::slot).toArray();
         snapshot.names = pool.bodies().stream().map(RigidBody::name).toArray(String[]::new);
         snapshot.ended = pool.savedContacts().toArray(new SavedContact[0]);
+        snapshot.jointOrder = pool.jointOrder();
         return snapshot.encode();
     }
 

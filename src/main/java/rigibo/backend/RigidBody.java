@@ -9,6 +9,8 @@ import rigibo.backend.setup.Require;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.Pairs;
 
+import java.util.List;
+
 /**
  * A handle on one body of a {@link Pool}. Readers tell its state now; verbs change it between steps
  * and wake it. Once the body is removed, everything but {@link #isAlive}, {@link #name} and {@link
@@ -147,6 +149,12 @@ public final class RigidBody {
             isSensor = bodies.isSensor(s);
         }
         return isSensor;
+    }
+
+    /** The joints that hold the body, in the order they were joined; a list of its own. */
+    public List<Joint> joints() {
+        columns();
+        return pool.jointsOf(slot);
     }
 
     /** Whether the body is kept from turning. */

@@ -63,10 +63,10 @@ public final class Broadphase {
 
     /** A broadphase over the bodies of a storage. */
     public Broadphase(DataStorage data) {
+        this.data = data;
         bodies = data.bodies;
         pairs = data.pairs;
         roster = data.roster;
-        this.data = data;
     }
 
     /** Lays the first fixtures of a new body, one for each of its shapes. */
@@ -132,6 +132,11 @@ public final class Broadphase {
         while (bodies.firstPair[slot] != Pairs.NONE) {
             pairs.remove(bodies, bodies.firstPair[slot]);
         }
+    }
+
+    /** Drops a pair. */
+    public void forgetPair(int pair) {
+        pairs.remove(bodies, pair);
     }
 
     /** Stage 3: fixtures for a step of {@code dt} seconds, and the pairs they make. */
@@ -472,7 +477,8 @@ public final class Broadphase {
         boolean collide =
                 a != b
                         && (bodies.isDynamic(a) || bodies.isDynamic(b))
-                        && bodies.meet(shapeA, shapeB);
+                        && bodies.meet(shapeA, shapeB)
+                        && !(data.joints != null && data.joints.keepApart(a, b));
         if (collide && pairs.index.find(shapeA, shapeB) == PairIndex.ABSENT) {
             pairs.add(bodies, shapeA, shapeB);
         }

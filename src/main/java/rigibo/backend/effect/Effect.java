@@ -25,6 +25,7 @@ public sealed interface Effect
                 Buoyancy,
                 Thrust,
                 ContinuousImpacts,
+                Joints,
                 Sleep,
                 Sensors {
 

@@ -116,6 +116,7 @@ public final class Effects {
         if (effect instanceof Friction
                 || effect instanceof Restitution
                 || effect instanceof ContinuousImpacts
+                || effect instanceof Joints
                 || effect instanceof Sleep
                 || effect instanceof Sensors) {
             require(effect, Contacts.class);

@@ -3,6 +3,7 @@ package rigibo.backend.rest;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.Islands;
+import rigibo.backend.storage.JointStore;
 import rigibo.backend.storage.Pairs;
 import rigibo.backend.storage.Roster;
 
@@ -19,11 +20,13 @@ public final class IslandBuilder {
     private final Pairs pairs;
     private final Roster roster;
     private final Islands islands;
+    private final DataStorage data;
     private int[] parent = new int[16];
     private int[] number = new int[16];
 
     /** A builder of the islands of a storage. */
     public IslandBuilder(DataStorage data) {
+        this.data = data;
         bodies = data.bodies;
         pairs = data.pairs;
         roster = data.roster;
@@ -36,8 +39,49 @@ public final class IslandBuilder {
         for (int i = 0; i < pairs.activeCount; i++) {
             uniteBodiesOf(pairs.active[i]);
         }
+        if (data.joints != null) {
+            uniteJoined(data.joints);
+        }
         numberIslands();
         countAndFill();
+        if (data.joints == null) {
+            islands.jointStart = null;
+        } else {
+            fillJoints(data.joints);
+        }
+    }
+
+    private void uniteJoined(JointStore joints) {
+        for (int i = 0; i < joints.active.count; i++) {
+            int joint = joints.active.numbers[i];
+            int gears = joints.firstGeared[joint];
+            unite(joints.bodyA[joint], joints.bodyB[joint]);
+            if (gears != JointStore.NONE) {
+                unite(joints.bodyA[joint], joints.bodyA[gears]);
+                unite(joints.bodyB[joint], joints.bodyA[joints.secondGeared[joint]]);
+            }
+        }
+    }
+
+    /** Counting sort of joints by island. */
+    private void fillJoints(JointStore joints) {
+        islands.reserveJoints(islands.count, joints.active.count);
+        for (int i = 0; i < joints.active.count; i++) {
+            islands.jointStart[islandOf(joints, joints.active.numbers[i]) + 2]++;
+        }
+        for (int i = 1; i <= islands.count; i++) {
+            islands.jointStart[i + 1] += islands.jointStart[i];
+        }
+        // Each start is moved to its end while the island before it is filled up to it.
+        for (int i = 0; i < joints.active.count; i++) {
+            int joint = joints.active.numbers[i];
+            islands.joints[islands.jointStart[islandOf(joints, joint) + 1]++] = joint;
+        }
+    }
+
+    private int islandOf(JointStore joints, int joint) {
+        int a = joints.bodyA[joint];
+        return number[bodies.isDynamic(a) ? a : joints.bodyB[joint]];
     }
 
     /** Whether a pair belongs to a pile: near, and none of its dynamic bodies is in flight. */
@@ -69,6 +113,12 @@ public final class IslandBuilder {
         int a = pairs.bodyA[pair];
         int b = pairs.bodyB[pair];
         if (bodies.isDynamic(a) && bodies.isDynamic(b) && isPilePair(pair)) {
+            unite(a, b);
+        }
+    }
+
+    private void unite(int a, int b) {
+        if (bodies.isDynamic(a) && bodies.isDynamic(b)) {
             int rootA = root(a);
             int rootB = root(b);
             // The lower slot leads, so that the shape of the forest cannot depend on pair order.

@@ -4,6 +4,7 @@ import rigibo.backend.effect.Sleep;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.Islands;
+import rigibo.backend.storage.JointStore;
 import rigibo.backend.storage.Pairs;
 import rigibo.backend.storage.Roster;
 
@@ -14,6 +15,7 @@ import rigibo.backend.storage.Roster;
  */
 public final class Sleeping {
 
+    private final DataStorage data;
     private final Bodies bodies;
     private final Pairs pairs;
     private final Roster roster;
@@ -22,6 +24,7 @@ public final class Sleeping {
 
     /** Sleep by declared thresholds. */
     public Sleeping(DataStorage data, Sleep sleep) {
+        this.data = data;
         bodies = data.bodies;
         pairs = data.pairs;
         roster = data.roster;
@@ -85,6 +88,18 @@ public final class Sleeping {
         for (int i = islands.pairStart[island]; i < islands.pairStart[island + 1]; i++) {
             int pair = islands.pairs[i];
             if (bodies.isDriven(pairs.bodyA[pair]) || bodies.isDriven(pairs.bodyB[pair])) {
+                return true;
+            }
+        }
+        return data.joints != null && isDrivenByJoint(data.joints, island);
+    }
+
+    /** Whether one of its joints is to something kinematic that moves. */
+    private boolean isDrivenByJoint(JointStore joints, int island) {
+        int end = islands.areJoined(island) ? islands.jointStart[island + 1] : 0;
+        for (int i = end == 0 ? 0 : islands.jointStart[island]; i < end; i++) {
+            int joint = islands.joints[i];
+            if (bodies.isDriven(joints.bodyA[joint]) || bodies.isDriven(joints.bodyB[joint])) {
                 return true;
             }
         }

@@ -24,6 +24,7 @@ public final class SupportLoss {
     /** Contacts this upright (cosine to gravity) carry; others hold from the side. */
     private static final double UPRIGHT = 0.999;
 
+    private final DataStorage data;
     private final Bodies bodies;
     private final Pairs pairs;
     private final Waking waking;
@@ -55,6 +56,7 @@ public final class SupportLoss {
 
     /** Waking in this storage. */
     public SupportLoss(DataStorage data, Waking waking) {
+        this.data = data;
         bodies = data.bodies;
         pairs = data.pairs;
         this.waking = waking;
@@ -130,6 +132,9 @@ public final class SupportLoss {
     }
 
     private boolean isSteadyOnItsSupports(int body) {
+        if (data.isJoined(body)) {
+            return false;
+        }
         findDown(body);
         if (!measure(body)) {
             return false;

@@ -9,6 +9,7 @@ import rigibo.backend.effect.Drag;
 import rigibo.backend.effect.Effect;
 import rigibo.backend.effect.Friction;
 import rigibo.backend.effect.Gravity;
+import rigibo.backend.effect.Joints;
 import rigibo.backend.effect.Restitution;
 import rigibo.backend.effect.RollingResistance;
 import rigibo.backend.effect.Rotation;
@@ -64,6 +65,7 @@ final class EffectForms {
                             n -> new Buoyancy(n[0], n[1], n[2])),
                     plain(new ContinuousImpacts()),
                     plain(new Sensors()),
+                    plain(new Joints()),
                     form(
                             Sleep.class,
                             2,

@@ -32,6 +32,9 @@ public final class Snapshot {
 
     public String[] names = {};
 
+    /** Slots of the joints in the order they were joined. */
+    public int[] jointOrder = {};
+
     /** What edits took from the pairs. */
     public SavedContact[] ended = {};
 
@@ -125,6 +128,20 @@ public final class Snapshot {
         }
         for (int i = 0; i < count; i++) {
             ended[i] = ended[i].visit(codec);
+        }
+        if (data.joints != null) {
+            visitJointOrder(codec);
+        }
+    }
+
+    private void visitJointOrder(Codec codec) {
+        codec.label("joints in the order they were joined");
+        int count = codec.count(jointOrder.length, Integer.BYTES);
+        if (jointOrder.length != count) {
+            jointOrder = new int[count];
+        }
+        for (int i = 0; i < count; i++) {
+            jointOrder[i] = codec.number(jointOrder[i]);
         }
     }
 

@@ -48,6 +48,10 @@ final class State implements ColumnVisitor {
         data.bodies.visitColumns(state);
         data.pairs.reserve(state.visitSlots("pair slots", data.pairs.slots));
         data.pairs.visitColumns(state);
+        if (data.joints != null) {
+            data.joints.reserve(state.visitSlots("joint slots", data.joints.slots));
+            data.joints.visitColumns(state);
+        }
         if (data.visits != null) {
             visitVisits(data.visits, codec);
         }

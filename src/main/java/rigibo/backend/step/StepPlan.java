@@ -11,6 +11,7 @@ import rigibo.backend.effect.Effect;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Friction;
 import rigibo.backend.effect.Gravity;
+import rigibo.backend.effect.Joints;
 import rigibo.backend.effect.Restitution;
 import rigibo.backend.effect.RollingResistance;
 import rigibo.backend.effect.Rotation;
@@ -29,6 +30,7 @@ import rigibo.backend.force.ThrustKernel;
 import rigibo.backend.force.TorqueKernel;
 import rigibo.backend.force.WindKernel;
 import rigibo.backend.rest.IslandBuilder;
+import rigibo.backend.rest.JointedBodies;
 import rigibo.backend.rest.PileClassifier;
 import rigibo.backend.rest.Sleeping;
 import rigibo.backend.sense.SensorStage;
@@ -147,6 +149,12 @@ public final class StepPlan {
         } else {
             add(StepStage.CLASSIFY, "manifolds of pairs that may touch", narrowphase::collide);
         }
+        if (effects.declares(Joints.class)) {
+            add(
+                    StepStage.CLASSIFY,
+                    "take what joints hold for piled",
+                    new JointedBodies(data)::pile);
+        }
         add(
                 StepStage.CLASSIFY,
                 "measure contacts, and find what rests on them",
@@ -177,6 +185,7 @@ public final class StepPlan {
         addIf(SurfaceSpeed.class, "running surfaces", rows);
         addIf(Restitution.class, "impacts", rows);
         addIf(Rotation.class, "faces that turn", rows);
+        addIf(Joints.class, "joints", rows);
         return rows.toString();
     }
 

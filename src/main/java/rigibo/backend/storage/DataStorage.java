@@ -1,6 +1,7 @@
 package rigibo.backend.storage;
 
 import rigibo.backend.effect.Effects;
+import rigibo.backend.effect.Joints;
 
 /** All live state of a pool: the columns of bodies and pairs, and what a step counts. */
 public final class DataStorage {
@@ -26,6 +27,9 @@ public final class DataStorage {
     /** The impacts of the last step; null where nothing ever resolved any. */
     public Hits hits;
 
+    /** The joints, or null where none are declared. */
+    public JointStore joints;
+
     /** When the step in progress began, s since the pool was made. */
     public double time;
 
@@ -34,6 +38,21 @@ public final class DataStorage {
         bodies = new Bodies(effects);
         pairs = new Pairs(effects);
         stillContacts = new StillContacts(bodies, pairs);
+        declareJoints(effects);
+    }
+
+    /** Makes the store of joints where they are declared, and drops it where they are not. */
+    public void declareJoints(Effects effects) {
+        if (!effects.declares(Joints.class)) {
+            joints = null;
+        } else if (joints == null) {
+            joints = new JointStore();
+        }
+    }
+
+    /** Whether a body is held by a joint. */
+    public boolean isJoined(int body) {
+        return joints != null && joints.holds(bodies, body);
     }
 
     /** Makes columns that a body needs, whatever is declared. */

@@ -19,6 +19,30 @@ public final class Islands {
     public int[] bodies = new int[16];
     public int[] pairs = new int[16];
 
+    /**
+     * The joints of island i: {@code joints[jointStart[i] .. jointStart[i + 1]]}; null where none
+     * are declared.
+     */
+    public int[] jointStart;
+
+    public int[] joints;
+
+    /** Whether an island has joints. */
+    public boolean areJoined(int island) {
+        return jointStart != null && jointStart[island + 1] > jointStart[island];
+    }
+
+    /** Makes room for so many joints. */
+    public void reserveJoints(int islands, int jointCount) {
+        if (jointStart == null || jointStart.length <= islands + 1) {
+            jointStart = new int[2 * (islands + 2)];
+        }
+        if (joints == null || joints.length < jointCount) {
+            joints = new int[2 * jointCount + 1];
+        }
+        Arrays.fill(jointStart, 0, islands + 2, 0);
+    }
+
     /** Makes room; contents are to be written anew. */
     public void reserve(int islands, int bodyCount, int pairCount) {
         if (bodyStart.length <= islands) {

@@ -43,6 +43,18 @@ public final class Waking {
                 wake(other);
             }
         }
+        if (data.joints != null) {
+            wakeJoined(slot);
+        }
+    }
+
+    private void wakeJoined(int slot) {
+        JointStore joints = data.joints;
+        for (int j = joints.firstOf(slot); j != JointStore.NONE; j = joints.nextOf(j, slot)) {
+            if (bodies.isDynamic(joints.other(j, slot))) {
+                wake(joints.other(j, slot));
+            }
+        }
     }
 
     /**
@@ -89,6 +101,19 @@ public final class Waking {
             contactsLookedAt++;
             int other = pairs.other(p, slot);
             if (pairs.touching[p] && bodies.isDynamic(other) && !bodies.awake[other]) {
+                push(other);
+            }
+        }
+        if (data.joints != null) {
+            pushJoined(slot);
+        }
+    }
+
+    private void pushJoined(int slot) {
+        JointStore joints = data.joints;
+        for (int j = joints.firstOf(slot); j != JointStore.NONE; j = joints.nextOf(j, slot)) {
+            int other = joints.other(j, slot);
+            if (joints.hasRows(bodies, j) && bodies.isDynamic(other) && !bodies.awake[other]) {
                 push(other);
             }
         }

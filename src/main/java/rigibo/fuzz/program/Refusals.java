@@ -255,7 +255,7 @@ record Refusals(Chance chance) {
             case 3 -> pool("Pool.effects", "effects(null)", p -> p.effects(null));
             case 4 -> pool("Pool.accuracy", "accuracy(null)", p -> p.accuracy(null));
             case 5 -> pool("Pool.add", "add(null)", p -> p.add(null));
-            case 6 -> pool("body", "remove(null)", p -> p.remove(null));
+            case 6 -> pool("body", "remove((RigidBody) null)", p -> p.remove((RigidBody) null));
             case 7 ->
                     pool(
                             "Pool.overlapping",

@@ -100,6 +100,16 @@ public final class RowBuilder {
         }
     }
 
+    /** The offset of a body in the motions, which is packed if it moves and is not there yet. */
+    public int offset(int slot) {
+        int before = motions.count;
+        int offset = motions.offset(bodies, slot);
+        if (turns != null && motions.count > before) {
+            turns.pack(before);
+        }
+        return offset;
+    }
+
     private void addRow(int pair, double firstKick) {
         int row = contacts.add();
         int a = pairs.bodyA[pair];

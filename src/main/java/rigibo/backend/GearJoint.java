@@ -1,0 +1,72 @@
+package rigibo.backend;
+
+import rigibo.backend.setup.JointKind;
+import rigibo.backend.setup.JointSettings;
+import rigibo.backend.setup.Require;
+
+/**
+ * Couples the coordinates of two hinges or slides: q₁ + ratio·q₂ stays what it is when they are
+ * coupled. The bodies that carry them take the reaction. It ends with either of the two.
+ *
+ * @param first a revolute or prismatic joint
+ * @param second another one
+ * @param ratio not 0; −1 turns both alike, 1 against each other
+ * @param settings breaking loads and whether the two driven bodies meet
+ */
+public record GearJoint(Joint first, Joint second, double ratio, JointSettings settings)
+        implements JointDefinition {
+
+    /**
+     * Checks all parts.
+     *
+     * @throws IllegalArgumentException when one is missing or out of its range
+     */
+    public GearJoint {
+        requireGeared("GearJoint.first", first);
+        requireGeared("GearJoint.second", second);
+        if (first == second || first.b() == second.b()) {
+            throw new IllegalArgumentException(
+                    "GearJoint.second must drive another body than first, was " + second);
+        }
+        if (!(ratio != 0 && Math.abs(ratio) < Double.POSITIVE_INFINITY)) {
+            throw new IllegalArgumentException(
+                    "GearJoint.ratio must be finite and not 0 (no unit), was " + ratio);
+        }
+        Require.present("GearJoint.settings", settings).requireOnly("GearJoint");
+    }
+
+    /** Couples two joints with a ratio. */
+    public static GearJoint of(Joint first, Joint second, double ratio) {
+        return new GearJoint(first, second, ratio, JointSettings.NONE);
+    }
+
+    private static void requireGeared(String field, Joint joint) {
+        JointKind kind = Require.present(field, joint).kind();
+        if (kind != JointKind.REVOLUTE && kind != JointKind.PRISMATIC) {
+            throw new IllegalArgumentException(
+                    field + " must be a revolute or prismatic joint, was " + kind);
+        }
+    }
+
+    /** The body that the first joint drives. */
+    @Override
+    public RigidBody a() {
+        return first.b();
+    }
+
+    /** The body that the second joint drives. */
+    @Override
+    public RigidBody b() {
+        return second.b();
+    }
+
+    @Override
+    public GearJoint with(JointSettings other) {
+        return new GearJoint(first, second, ratio, other);
+    }
+
+    @Override
+    public JointKind kind() {
+        return JointKind.GEAR;
+    }
+}

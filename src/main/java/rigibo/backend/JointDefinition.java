@@ -1,0 +1,74 @@
+package rigibo.backend;
+
+import rigibo.backend.setup.JointKind;
+import rigibo.backend.setup.JointLimits;
+import rigibo.backend.setup.JointMotor;
+import rigibo.backend.setup.JointSettings;
+import rigibo.backend.setup.JointSpring;
+
+/**
+ * What two bodies are joined by: handed to {@link Pool#join}, which makes a {@link Joint} of it.
+ * Immutable: what changes a definition answers another one. A joint to the world is one to a static
+ * body.
+ */
+public sealed interface JointDefinition
+        permits RevoluteJoint,
+                PrismaticJoint,
+                DistanceJoint,
+                WeldJoint,
+                WheelJoint,
+                MotorJoint,
+                MouseJoint,
+                GearJoint,
+                PulleyJoint,
+                FilterJoint {
+
+    /** The first body: the joint's axes turn with it. */
+    RigidBody a();
+
+    /** The second body: coordinates and speeds are its own, seen from the first. */
+    RigidBody b();
+
+    /** Limits, motor, spring, and from which loads on the joint breaks. */
+    JointSettings settings();
+
+    /**
+     * The same joint with other settings.
+     *
+     * @throws IllegalArgumentException when it has no use for one of them
+     */
+    JointDefinition with(JointSettings settings);
+
+    /** Of which kind the joint is. */
+    JointKind kind();
+
+    /** The same joint within limits, rad of a hinge, m of all others, that do not rebound. */
+    default JointDefinition limits(double lower, double upper) {
+        return limits(lower, upper, 0);
+    }
+
+    /** The same joint within limits that rebound with a share of the speed, 0 to 1. */
+    default JointDefinition limits(double lower, double upper, double elasticity) {
+        return with(settings().limits(new JointLimits(lower, upper, elasticity)));
+    }
+
+    /** The same joint driven to a speed (rad/s or m/s) with a most torque (N·m) or force (N). */
+    default JointDefinition motor(double speed, double most) {
+        return with(settings().motor(new JointMotor(speed, most)));
+    }
+
+    /** The same joint with a spring of a frequency in Hz and a damping ratio, 1 is critical. */
+    default JointDefinition spring(double hertz, double dampingRatio) {
+        return with(settings().spring(new JointSpring(hertz, dampingRatio)));
+    }
+
+    /** The same joint, whose bodies meet each other, or do not. */
+    default JointDefinition collideConnected(boolean meet) {
+        return with(settings().collideConnected(meet));
+    }
+
+    /** The same joint that breaks from a force (N) or a torque (N·m) on; ∞ is never. */
+    default JointDefinition breaking(double force, double torque) {
+        return with(settings().breaking(force, torque));
+    }
+}

@@ -1,0 +1,59 @@
+package rigibo.backend;
+
+import rigibo.backend.setup.JointFrame;
+import rigibo.backend.setup.JointKind;
+import rigibo.backend.setup.JointSettings;
+import rigibo.backend.setup.Require;
+
+/**
+ * A slide: B does not turn against A and its point stays on an axis of A. Its coordinate is the way
+ * of that point along the axis, m; a spring pulls it to 0.
+ *
+ * @param a the first body
+ * @param b the second body, whose coordinate is told
+ * @param frameA where the joint holds A, and its axis
+ * @param frameB where it holds B
+ * @param settings limits (m), motor (m/s, N), spring
+ */
+public record PrismaticJoint(
+        RigidBody a, RigidBody b, JointFrame frameA, JointFrame frameB, JointSettings settings)
+        implements JointDefinition {
+
+    /**
+     * Checks all parts.
+     *
+     * @throws IllegalArgumentException when one is missing or out of its range
+     */
+    public PrismaticJoint {
+        JointEnds.require("PrismaticJoint", a, b);
+        Require.present("PrismaticJoint.frameA", frameA);
+        Require.present("PrismaticJoint.frameB", frameB);
+        Require.present("PrismaticJoint.settings", settings)
+                .requireOnly(
+                        "PrismaticJoint",
+                        JointSettings.Part.LIMITS,
+                        JointSettings.Part.MOTOR,
+                        JointSettings.Part.SPRING);
+    }
+
+    /** A slide through a world point in m along an angle in rad, at 0 as the two are placed now. */
+    public static PrismaticJoint along(RigidBody a, RigidBody b, double x, double y, double angle) {
+        JointEnds.require("PrismaticJoint", a, b);
+        return new PrismaticJoint(
+                a,
+                b,
+                JointEnds.frame(a, x, y, angle),
+                JointEnds.frame(b, x, y, angle),
+                JointSettings.NONE);
+    }
+
+    @Override
+    public PrismaticJoint with(JointSettings other) {
+        return new PrismaticJoint(a, b, frameA, frameB, other);
+    }
+
+    @Override
+    public JointKind kind() {
+        return JointKind.PRISMATIC;
+    }
+}

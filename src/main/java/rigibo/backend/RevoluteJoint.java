@@ -1,0 +1,55 @@
+package rigibo.backend;
+
+import rigibo.backend.setup.JointFrame;
+import rigibo.backend.setup.JointKind;
+import rigibo.backend.setup.JointSettings;
+import rigibo.backend.setup.Require;
+
+/**
+ * A hinge: a point of A and a point of B stay together. Its coordinate is the angle from A's frame
+ * to B's, rad, counter-clockwise; a spring pulls it to 0.
+ *
+ * @param a the first body
+ * @param b the second body, whose coordinate is told
+ * @param frameA where the joint holds A, and its axis
+ * @param frameB where it holds B
+ * @param settings limits (rad), motor (rad/s, N·m), spring
+ */
+public record RevoluteJoint(
+        RigidBody a, RigidBody b, JointFrame frameA, JointFrame frameB, JointSettings settings)
+        implements JointDefinition {
+
+    /**
+     * Checks all parts.
+     *
+     * @throws IllegalArgumentException when one is missing or out of its range
+     */
+    public RevoluteJoint {
+        JointEnds.require("RevoluteJoint", a, b);
+        Require.present("RevoluteJoint.frameA", frameA);
+        Require.present("RevoluteJoint.frameB", frameB);
+        Require.present("RevoluteJoint.settings", settings)
+                .requireOnly(
+                        "RevoluteJoint",
+                        JointSettings.Part.LIMITS,
+                        JointSettings.Part.MOTOR,
+                        JointSettings.Part.SPRING);
+    }
+
+    /** A hinge at a world point in m, with an angle of 0 as the two are placed now. */
+    public static RevoluteJoint at(RigidBody a, RigidBody b, double x, double y) {
+        JointEnds.require("RevoluteJoint", a, b);
+        return new RevoluteJoint(
+                a, b, JointEnds.frame(a, x, y, 0), JointEnds.frame(b, x, y, 0), JointSettings.NONE);
+    }
+
+    @Override
+    public RevoluteJoint with(JointSettings other) {
+        return new RevoluteJoint(a, b, frameA, frameB, other);
+    }
+
+    @Override
+    public JointKind kind() {
+        return JointKind.REVOLUTE;
+    }
+}

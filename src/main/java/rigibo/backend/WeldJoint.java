@@ -1,0 +1,50 @@
+package rigibo.backend;
+
+import rigibo.backend.setup.JointFrame;
+import rigibo.backend.setup.JointKind;
+import rigibo.backend.setup.JointSettings;
+import rigibo.backend.setup.Require;
+
+/**
+ * Two bodies in one piece. With a spring the angle between them is soft, as in a fishing rod.
+ *
+ * @param a the first body
+ * @param b the second body, whose coordinate is told
+ * @param frameA where the joint holds A, and its axis
+ * @param frameB where it holds B
+ * @param settings spring
+ */
+public record WeldJoint(
+        RigidBody a, RigidBody b, JointFrame frameA, JointFrame frameB, JointSettings settings)
+        implements JointDefinition {
+
+    /**
+     * Checks all parts.
+     *
+     * @throws IllegalArgumentException when one is missing or out of its range
+     */
+    public WeldJoint {
+        JointEnds.require("WeldJoint", a, b);
+        Require.present("WeldJoint.frameA", frameA);
+        Require.present("WeldJoint.frameB", frameB);
+        Require.present("WeldJoint.settings", settings)
+                .requireOnly("WeldJoint", JointSettings.Part.SPRING);
+    }
+
+    /** A weld at a world point in m, of two bodies as they are placed now. */
+    public static WeldJoint at(RigidBody a, RigidBody b, double x, double y) {
+        JointEnds.require("WeldJoint", a, b);
+        return new WeldJoint(
+                a, b, JointEnds.frame(a, x, y, 0), JointEnds.frame(b, x, y, 0), JointSettings.NONE);
+    }
+
+    @Override
+    public WeldJoint with(JointSettings other) {
+        return new WeldJoint(a, b, frameA, frameB, other);
+    }
+
+    @Override
+    public JointKind kind() {
+        return JointKind.WELD;
+    }
+}

@@ -1,0 +1,63 @@
+package rigibo.backend;
+
+import rigibo.backend.setup.JointFrame;
+import rigibo.backend.setup.JointKind;
+import rigibo.backend.setup.JointSettings;
+import rigibo.backend.setup.Require;
+
+/**
+ * A wheel on a strut: a point of B stays on an axis of A, and B turns freely. Its coordinate is the
+ * way of that point along the axis, m, which limits and the spring are of; the motor turns B.
+ *
+ * @param a the first body
+ * @param b the second body, whose coordinate is told
+ * @param frameA where the joint holds A, and its axis
+ * @param frameB where it holds B
+ * @param settings limits (m), motor (rad/s, N·m), spring
+ */
+public record WheelJoint(
+        RigidBody a, RigidBody b, JointFrame frameA, JointFrame frameB, JointSettings settings)
+        implements JointDefinition {
+
+    /**
+     * Checks all parts.
+     *
+     * @throws IllegalArgumentException when one is missing or out of its range
+     */
+    public WheelJoint {
+        JointEnds.require("WheelJoint", a, b);
+        Require.present("WheelJoint.frameA", frameA);
+        Require.present("WheelJoint.frameB", frameB);
+        Require.present("WheelJoint.settings", settings)
+                .requireOnly(
+                        "WheelJoint",
+                        JointSettings.Part.LIMITS,
+                        JointSettings.Part.MOTOR,
+                        JointSettings.Part.SPRING);
+    }
+
+    /**
+     * A wheel on a chassis, through a world point in m along an angle in rad, at 0 as they are
+     * placed now.
+     */
+    public static WheelJoint at(
+            RigidBody chassis, RigidBody wheel, double x, double y, double angle) {
+        JointEnds.require("WheelJoint", chassis, wheel);
+        return new WheelJoint(
+                chassis,
+                wheel,
+                JointEnds.frame(chassis, x, y, angle),
+                JointEnds.frame(wheel, x, y, angle),
+                JointSettings.NONE);
+    }
+
+    @Override
+    public WheelJoint with(JointSettings other) {
+        return new WheelJoint(a, b, frameA, frameB, other);
+    }
+
+    @Override
+    public JointKind kind() {
+        return JointKind.WHEEL;
+    }
+}

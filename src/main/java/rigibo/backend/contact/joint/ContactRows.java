@@ -1,0 +1,125 @@
+package rigibo.backend.contact.joint;
+
+import static rigibo.backend.contact.row.PackedContacts.FRICTION;
+import static rigibo.backend.contact.row.PackedContacts.GIVE;
+import static rigibo.backend.contact.row.PackedContacts.IMPULSE0;
+import static rigibo.backend.contact.row.PackedContacts.IMPULSE_R;
+import static rigibo.backend.contact.row.PackedContacts.IMPULSE_T;
+import static rigibo.backend.contact.row.PackedContacts.LEVER_A0;
+import static rigibo.backend.contact.row.PackedContacts.LEVER_B0;
+import static rigibo.backend.contact.row.PackedContacts.LEVER_TA;
+import static rigibo.backend.contact.row.PackedContacts.LEVER_TB;
+import static rigibo.backend.contact.row.PackedContacts.NEARING;
+import static rigibo.backend.contact.row.PackedContacts.NX;
+import static rigibo.backend.contact.row.PackedContacts.NY;
+import static rigibo.backend.contact.row.PackedContacts.ROLLING;
+
+import rigibo.backend.contact.row.Motions;
+import rigibo.backend.contact.row.PackedContacts;
+
+/** The packed contacts of an island as neutral rows, and their impulses back. */
+final class ContactRows {
+
+    private final Motions motions;
+    private final PackedContacts contacts;
+    private final NeutralRows rows;
+
+    ContactRows(Motions motions, PackedContacts contacts, NeutralRows rows) {
+        this.motions = motions;
+        this.contacts = contacts;
+        this.rows = rows;
+    }
+
+    /** Adds the rows of all contacts that there are in a substep of h seconds. */
+    void write(double h, int substep) {
+        for (int row = 0; row < contacts.count; row++) {
+            if (contacts.firstSubstep[row] <= substep) {
+                write(row, h);
+            }
+        }
+    }
+
+    private void write(int contact, double h) {
+        double[] d = contacts.data;
+        int at = contact * PackedContacts.STRIDE;
+        int first = rows.count;
+        int points = contacts.points[contact];
+        for (int point = 0; point < points; point++) {
+            int row = begin(contact, IMPULSE0 + point);
+            double leverA = d[at + LEVER_A0 + 2 * point];
+            double leverB = d[at + LEVER_B0 + 2 * point];
+            derive(row, contact, d[at + NX], d[at + NY], leverA, leverB);
+            double gap = motions.gap(contacts, contact, point);
+            rows.place[row] = gap;
+            rows.target[row] = d[at + NEARING] - Math.max(0, gap) / h;
+            rows.give[row] = d[at + GIVE];
+            rows.lower[row] = 0;
+            end(row);
+        }
+        if (d[at + FRICTION] > 0 && rows.count > first) {
+            int row = begin(contact, IMPULSE_T);
+            derive(row, contact, -d[at + NY], d[at + NX], d[at + LEVER_TA], d[at + LEVER_TB]);
+            rows.target[row] = contacts.surface[contact];
+            bind(row, d[at + FRICTION], first, points);
+            rows.give[row] = PackedContacts.COMPLIANCE * rows.response[row];
+        }
+        if (d[at + ROLLING] > 0 && rows.count > first) {
+            int row = begin(contact, IMPULSE_R);
+            rows.derive(row, contacts.bodyA[contact], 0, 0, -1);
+            rows.derive(row, contacts.bodyB[contact], 0, 0, 1);
+            bind(row, d[at + ROLLING], first, points);
+        }
+    }
+
+    private int begin(int contact, int column) {
+        int row = rows.add();
+        rows.contact[row] = contact;
+        rows.part[row] = column;
+        rows.impulse[row] = contacts.data[contact * PackedContacts.STRIDE + column];
+        return row;
+    }
+
+    private void derive(int row, int contact, double nx, double ny, double leverA, double leverB) {
+        rows.derive(row, contacts.bodyA[contact], -nx, -ny, -leverA);
+        rows.derive(row, contacts.bodyB[contact], nx, ny, leverB);
+    }
+
+    private void bind(int row, double share, int load, int loads) {
+        rows.share[row] = share;
+        rows.load[row] = load;
+        rows.loads[row] = loads;
+        end(row);
+    }
+
+    private void end(int row) {
+        rows.finish(row);
+        if (!(rows.response[row] > 0)) {
+            rows.count--;
+        }
+    }
+
+    /** Whether there are contacts at all. */
+    boolean areAny() {
+        return contacts.count > 0;
+    }
+
+    /** Whether one of the contacts carries anything. */
+    boolean carry() {
+        for (int row = 0; row < rows.count; row++) {
+            if (rows.contact[row] != NeutralRows.NONE && rows.impulse[row] != 0) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Carries the impulses back to the contacts. */
+    void store() {
+        for (int row = 0; row < rows.count; row++) {
+            if (rows.contact[row] != NeutralRows.NONE) {
+                int at = rows.contact[row] * PackedContacts.STRIDE;
+                contacts.data[at + rows.part[row]] = rows.impulse[row];
+            }
+        }
+    }
+}

@@ -1,0 +1,154 @@
+package rigibo.backend.contact.joint;
+
+import rigibo.backend.contact.row.Motions;
+
+/**
+ * Finds the impulses with which what joints hold is held at the end of a drift, where rows have
+ * turned: Newton's method, with the matrix of the drift's start as long as that gains digits, else
+ * with that of its end. Where contacts carry, too, they may be next to contradicting the joints;
+ * then no more is asked than what does not make bodies faster, and errors are taken back by moving.
+ */
+final class HeldPlaces {
+
+    private static final int MOST_STEPS = 12;
+
+    /** The same where contacts carry, too; and the share of energy that they may add then. */
+    private static final int FEW_STEPS = 4;
+
+    private static final double GAINED = 1e-4;
+
+    /** What a step may leave of the error for the next one to be made alike. */
+    private static final double GAINS = 0.2;
+
+    private final Motions motions;
+    private final NeutralRows rows;
+    private final JointRows jointRows;
+    private final NeutralRows ahead;
+    private final JointRows rowsAhead;
+    private final Poses poses;
+    private final RowSolver solver;
+    private final RowElimination elimination;
+    private final ForeseenElimination foreseen;
+    private final RowMemory memory;
+    private final double tolerance;
+
+    /** Whether the matrix of the end is wanted in the island that is solved. */
+    private boolean isForeseen;
+
+    /** By row: how fast its place is to change besides, m/s. */
+    private double[] wanted = new double[64];
+
+    private final RowElimination.Asked change = row -> wanted[row];
+
+    /** The most by which a place is missed, as a multiple of what it may be. */
+    private double worst;
+
+    HeldPlaces(
+            Motions motions,
+            NeutralRows rows,
+            JointRows jointRows,
+            NeutralRows ahead,
+            JointRows rowsAhead,
+            Poses poses,
+            RowSolver solver,
+            RowElimination elimination,
+            ForeseenElimination foreseen,
+            double tolerance) {
+        this.motions = motions;
+        this.rows = rows;
+        this.jointRows = jointRows;
+        this.ahead = ahead;
+        this.rowsAhead = rowsAhead;
+        this.poses = poses;
+        this.solver = solver;
+        this.elimination = elimination;
+        this.foreseen = foreseen;
+        this.tolerance = tolerance;
+        memory = new RowMemory(motions, rows);
+    }
+
+    /** Begins an island. */
+    void begin() {
+        isForeseen = false;
+    }
+
+    /** Holds the places in a drift of h seconds; velocities count as solved but for so many m/s. */
+    void hold(double h, double settled, boolean areContacts) {
+        double energy = motions.energy(motions.data);
+        memory.keep();
+        double before = Double.POSITIVE_INFINITY;
+        measure(h);
+        boolean isFactored = false;
+        int most = areContacts ? FEW_STEPS : MOST_STEPS;
+        for (int i = 0; i < most && worst > 1; i++) {
+            if (!isForeseen && worst > GAINS * before && i > 0) {
+                isForeseen = true;
+                memory.recall();
+                measure(h);
+                before = Double.POSITIVE_INFINITY;
+            }
+            if (isForeseen && !(isFactored && worst <= GAINS * before)) {
+                foresee(h);
+                isFactored = true;
+            }
+            before = worst;
+            step();
+            if (areContacts) {
+                // Other rows may be in the set from here on.
+                solver.solve(settled);
+                isFactored = false;
+            }
+            measure(h);
+        }
+        if (areContacts && motions.energy(motions.data) > (1 + GAINED) * energy) {
+            memory.recall();
+        }
+    }
+
+    private void foresee(double h) {
+        ahead.clear();
+        rowsAhead.write(h, h);
+        foreseen.factorize();
+    }
+
+    private void step() {
+        if (isForeseen) {
+            foreseen.push(change);
+        } else {
+            elimination.solve(change);
+            for (int i = 0; i < elimination.size(); i++) {
+                rows.push(elimination.row(i), elimination.answer(i));
+            }
+        }
+        for (int i = 0; i < elimination.size(); i++) {
+            int row = elimination.row(i);
+            if (rows.holdsPlace[row]) {
+                rows.target[row] += rows.residual(row);
+            }
+        }
+    }
+
+    /** Measures by how much places would be missed after a drift, and what changes that. */
+    private void measure(double h) {
+        if (wanted.length < rows.count) {
+            wanted = new double[rows.bodies.length];
+        }
+        poses.take(h);
+        jointRows.measureAnew();
+        worst = 0;
+        for (int i = 0; i < elimination.size(); i++) {
+            int row = elimination.row(i);
+            if (rows.holdsPlace[row]) {
+                double place = rows.place[row];
+                double kept = rows.isEquation(row) ? place : Math.min(0, place);
+                double missed = jointRows.place(row) - kept;
+                double most =
+                        (JointSolver.MISSED * tolerance + JointSolver.ROUND_OFF) * jointRows.size();
+                worst = Math.max(worst, Math.abs(missed) / most);
+                wanted[row] = -missed / h;
+            } else {
+                wanted[row] = -rows.residual(row);
+            }
+        }
+    }
+}

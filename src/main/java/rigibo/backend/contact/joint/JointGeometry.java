@@ -1,0 +1,113 @@
+package rigibo.backend.contact.joint;
+
+import rigibo.backend.geometry.Angle;
+import rigibo.backend.setup.JointKind;
+import rigibo.backend.storage.Bodies;
+import rigibo.backend.storage.JointStore;
+
+/** Where a joint holds its bodies at poses that were taken: arms, axis, coordinate. */
+final class JointGeometry {
+
+    private static final int DISTANCE = JointKind.DISTANCE.ordinal();
+    private static final int REVOLUTE = JointKind.REVOLUTE.ordinal();
+
+    private final Bodies bodies;
+    private final JointStore joints;
+    private final Poses poses;
+
+    /** From the centres of mass to the anchors, and from A's anchor to B's, m. */
+    double armAX;
+
+    double armAY;
+    double armBX;
+    double armBY;
+    double dx;
+    double dy;
+
+    /** Unit axis: A's, or of a distance joint from anchor to anchor. */
+    double axisX;
+
+    double axisY;
+
+    /** Angle of B's axis against A's, rad, and the distance of the anchors along the axis, m. */
+    double angle;
+
+    double along;
+
+    JointGeometry(Bodies bodies, JointStore joints, Poses poses) {
+        this.bodies = bodies;
+        this.joints = joints;
+        this.poses = poses;
+    }
+
+    /** Measures a joint whose bodies have these offsets in the motions. */
+    void measure(int joint, int offsetA, int offsetB) {
+        int a = joints.bodyA[joint];
+        int b = joints.bodyB[joint];
+        double cosA = poses.cos(a, offsetA);
+        double sinA = poses.sin(a, offsetA);
+        double cosB = poses.cos(b, offsetB);
+        double sinB = poses.sin(b, offsetB);
+        armAX = cosA * joints.anchorAX[joint] - sinA * joints.anchorAY[joint];
+        armAY = sinA * joints.anchorAX[joint] + cosA * joints.anchorAY[joint];
+        armBX = cosB * joints.anchorBX[joint] - sinB * joints.anchorBY[joint];
+        armBY = sinB * joints.anchorBX[joint] + cosB * joints.anchorBY[joint];
+        double movedX = poses.movedX(offsetB) - poses.movedX(offsetA);
+        double movedY = poses.movedY(offsetB) - poses.movedY(offsetA);
+        dx = bodies.x[b] - bodies.x[a] + movedX + (armBX - armAX);
+        dy = bodies.y[b] - bodies.y[a] + movedY + (armBY - armAY);
+        angle =
+                poses.angle(b, offsetB)
+                        + joints.axisB[joint]
+                        - (poses.angle(a, offsetA) + joints.axisA[joint]);
+        if (joints.kind[joint] == DISTANCE) {
+            along = Math.sqrt(dx * dx + dy * dy);
+            // Of two anchors in one place any direction is as good.
+            axisX = along > 0 ? dx / along : 1;
+            axisY = along > 0 ? dy / along : 0;
+        } else {
+            // The axis stated, not the sum of two angles: that would lose digits of many turns.
+            double cos = Angle.cos(joints.axisA[joint]);
+            double sin = Angle.sin(joints.axisA[joint]);
+            axisX = cosA * cos - sinA * sin;
+            axisY = sinA * cos + cosA * sin;
+            along = dx * axisX + dy * axisY;
+        }
+    }
+
+    /** What the joint's limits, motor and spring are of: rad of a hinge, else m. */
+    double coordinate(int joint) {
+        return joints.kind[joint] == REVOLUTE ? angle : along;
+    }
+
+    /** How far B's anchor is off the axis, m. */
+    double across() {
+        return dy * axisX - dx * axisY;
+    }
+
+    /** How far B's anchor is from the target of a hand, m. */
+    double fromTargetX(int joint, int offsetB) {
+        double away = bodies.x[joints.bodyB[joint]] - joints.parameter[JointStore.TARGET_X][joint];
+        return away + poses.movedX(offsetB) + armBX;
+    }
+
+    double fromTargetY(int joint, int offsetB) {
+        double away = bodies.y[joints.bodyB[joint]] - joints.parameter[JointStore.TARGET_Y][joint];
+        return away + poses.movedY(offsetB) + armBY;
+    }
+
+    /** From the point over which a pulley's rope goes to A's anchor or to B's, m. */
+    double ropeX(int joint, int offset, boolean isOfA) {
+        int body = isOfA ? joints.bodyA[joint] : joints.bodyB[joint];
+        int ground = isOfA ? JointStore.GROUND_AX : JointStore.GROUND_BX;
+        double away = bodies.x[body] - joints.parameter[ground][joint];
+        return away + poses.movedX(offset) + (isOfA ? armAX : armBX);
+    }
+
+    double ropeY(int joint, int offset, boolean isOfA) {
+        int body = isOfA ? joints.bodyA[joint] : joints.bodyB[joint];
+        int ground = isOfA ? JointStore.GROUND_AY : JointStore.GROUND_BY;
+        double away = bodies.y[body] - joints.parameter[ground][joint];
+        return away + poses.movedY(offset) + (isOfA ? armAY : armBY);
+    }
+}

@@ -1,0 +1,415 @@
+package rigibo.backend.contact.joint;
+
+import rigibo.backend.setup.JointKind;
+import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.JointStore;
+
+/**
+ * Writes the rows of joints. With p the anchors, n a direction and r the arms, a row that keeps
+ * n·(p_b − p_a) has the derivatives n and r_b × n for B and −n and −r_a × n for A; where n turns
+ * with A the way between the anchors adds to A's arm (Catto, Modeling and solving constraints, GDC
+ * 2009).
+ */
+final class JointRows {
+
+    /** The rows that a joint can have. */
+    static final int X = 0;
+
+    static final int Y = 1;
+    static final int ANGLE = 2;
+    static final int LOWER = 3;
+    static final int UPPER = 4;
+    static final int MOTOR = 5;
+    static final int SPRING = 6;
+
+    private static final JointKind[] KINDS = JointKind.values();
+
+    private final JointStore joints;
+    private final NeutralRows rows;
+    private final PackedJoints packed;
+    private final JointGeometry geometry;
+    private final JointGeometry other;
+    private final SpringRows springs;
+
+    /** The joint whose rows are written: its number in the island, its slot, its offsets. */
+    private int joint;
+
+    private int slot;
+    private int a;
+    private int b;
+
+    /** How long the kick is that is solved for, and the drift after it, s. */
+    private double kick;
+
+    private double drift;
+
+    JointRows(DataStorage data, NeutralRows rows, PackedJoints packed, Poses poses) {
+        joints = data.joints;
+        this.rows = rows;
+        this.packed = packed;
+        geometry = new JointGeometry(data.bodies, joints, poses);
+        other = new JointGeometry(data.bodies, joints, poses);
+        springs = new SpringRows(joints, rows);
+    }
+
+    /**
+     * Writes the rows of all joints at the poses taken, before a kick of so many seconds that a
+     * drift follows.
+     */
+    void write(double kickLength, double driftLength) {
+        kick = kickLength;
+        drift = driftLength;
+        springs.begin(kickLength, driftLength);
+        for (joint = 0; joint < packed.count; joint++) {
+            slot = packed.slot[joint];
+            a = packed.offsetA[joint];
+            b = packed.offsetB[joint];
+            geometry.measure(slot, a, b);
+            writeJoint(KINDS[joints.kind[slot]]);
+        }
+    }
+
+    private void writeJoint(JointKind kind) {
+        switch (kind) {
+            case REVOLUTE -> {
+                point(X, 1, 0, geometry.dx);
+                point(Y, 0, 1, geometry.dy);
+                coordinate();
+            }
+            case PRISMATIC -> {
+                axis(X, -geometry.axisY, geometry.axisX, geometry.across());
+                angle(ANGLE, geometry.angle);
+                coordinate();
+            }
+            case WHEEL -> {
+                axis(X, -geometry.axisY, geometry.axisX, geometry.across());
+                coordinate();
+            }
+            case WELD -> {
+                point(X, 1, 0, geometry.dx);
+                point(Y, 0, 1, geometry.dy);
+                if (joints.stiffness[slot] > 0) {
+                    angle(SPRING, 0);
+                    springs.write(slot, geometry.angle);
+                    endSoft();
+                } else {
+                    angle(ANGLE, geometry.angle);
+                }
+            }
+            case DISTANCE -> distance();
+            case MOTOR -> motor();
+            case MOUSE -> mouse();
+            case GEAR -> gear();
+            case PULLEY -> pulley();
+            case FILTER -> throw new AssertionError("a filter has no rows");
+        }
+    }
+
+    /** Begins a row of the joint. */
+    private int row(int part) {
+        int row = rows.add();
+        rows.joint[row] = joint;
+        rows.part[row] = part;
+        return row;
+    }
+
+    /** Ends a row; one that moves nothing is no row. */
+    private int end(int row) {
+        rows.finish(row);
+        if (!(rows.response[row] > 0)) {
+            rows.count--;
+        }
+        return row;
+    }
+
+    private int equation(int row, double place) {
+        rows.place[row] = place;
+        rows.holdsPlace[row] = true;
+        return end(row);
+    }
+
+    /** n·(p_b − p_a) along an axis of the world. */
+    private void point(int part, double nx, double ny, double place) {
+        int row = row(part);
+        rows.derive(row, a, -nx, -ny, -(geometry.armAX * ny - geometry.armAY * nx));
+        rows.derive(row, b, nx, ny, geometry.armBX * ny - geometry.armBY * nx);
+        equation(row, place);
+    }
+
+    /** n·(p_b − p_a) along a direction that turns with A, or with the anchors. */
+    private void axis(int part, double nx, double ny, double place) {
+        int row = row(part);
+        deriveAlong(row, geometry, a, b, nx, ny, 1);
+        equation(row, place);
+    }
+
+    private void deriveAlong(
+            int row, JointGeometry g, int onA, int onB, double nx, double ny, double factor) {
+        double armX = g.armAX + g.dx;
+        double armY = g.armAY + g.dy;
+        rows.derive(row, onA, -factor * nx, -factor * ny, -factor * (armX * ny - armY * nx));
+        double lever = g.armBX * ny - g.armBY * nx;
+        rows.derive(row, onB, factor * nx, factor * ny, factor * lever);
+    }
+
+    /** The angle of B against A. */
+    private int angle(int part, double place) {
+        int row = row(part);
+        rows.derive(row, a, 0, 0, -1);
+        rows.derive(row, b, 0, 0, 1);
+        return part == ANGLE ? equation(row, place) : row;
+    }
+
+    /** A row of the joint's coordinate, or of its opposite. */
+    private int alongCoordinate(int part, double sign) {
+        int row = row(part);
+        deriveCoordinate(row, slot, geometry, a, b, sign);
+        return row;
+    }
+
+    private void deriveCoordinate(
+            int row, int of, JointGeometry g, int onA, int onB, double factor) {
+        if (joints.kind[of] == JointKind.REVOLUTE.ordinal()) {
+            rows.derive(row, onA, 0, 0, -factor);
+            rows.derive(row, onB, 0, 0, factor);
+        } else {
+            deriveAlong(row, g, onA, onB, g.axisX, g.axisY, factor);
+        }
+    }
+
+    /** Limits, motor and spring of the coordinate. */
+    private void coordinate() {
+        limits();
+        if (joints.motorMost[slot] > 0) {
+            boolean isWheel = joints.kind[slot] == JointKind.WHEEL.ordinal();
+            int row = isWheel ? angle(MOTOR, 0) : alongCoordinate(MOTOR, 1);
+            drive(row, joints.motorSpeed[slot], joints.motorMost[slot]);
+        }
+        if (joints.stiffness[slot] > 0) {
+            double rest = isDistance() ? joints.parameter[JointStore.LENGTH][slot] : 0;
+            alongCoordinate(SPRING, 1);
+            springs.write(slot, geometry.coordinate(slot) - rest);
+            endSoft();
+        }
+    }
+
+    private boolean isDistance() {
+        return joints.kind[slot] == JointKind.DISTANCE.ordinal();
+    }
+
+    private void endSoft() {
+        int row = rows.count - 1;
+        rows.finish(row);
+        if (rows.response[row] > 0) {
+            springs.finish(row);
+        } else {
+            rows.count--;
+        }
+    }
+
+    private void limits() {
+        double lower = joints.lower[slot];
+        double upper = joints.upper[slot];
+        double now = geometry.coordinate(slot);
+        if (lower == upper) {
+            equation(alongCoordinate(LOWER, 1), now - lower);
+            return;
+        }
+        if (lower > Double.NEGATIVE_INFINITY && !(isDistance() && lower == 0)) {
+            push(alongCoordinate(LOWER, 1), now - lower);
+        }
+        if (upper < Double.POSITIVE_INFINITY) {
+            push(alongCoordinate(UPPER, -1), upper - now);
+        }
+    }
+
+    /** A row whose gap must not close: it only pushes. */
+    private void push(int row, double gap) {
+        rows.place[row] = gap;
+        rows.holdsPlace[row] = true;
+        rows.lower[row] = 0;
+        rows.target[row] = -Math.max(0, gap) / drift;
+        if (drift < 0) {
+            // Far away, or the step would not go back: see Stages.
+            rows.upper[row] = 0;
+        }
+        rows.elasticity[row] = joints.elasticity[slot];
+        end(row);
+    }
+
+    private void drive(int row, double speed, double most) {
+        rows.target[row] = speed;
+        rows.upper[row] = most * Math.abs(kick);
+        rows.lower[row] = -rows.upper[row];
+        end(row);
+    }
+
+    private void distance() {
+        boolean isSoft = joints.stiffness[slot] > 0;
+        boolean isFree =
+                joints.motorMost[slot] > 0
+                        || joints.lower[slot] > Double.NEGATIVE_INFINITY
+                        || joints.upper[slot] < Double.POSITIVE_INFINITY;
+        if (!isSoft && !isFree) {
+            double rest = joints.parameter[JointStore.LENGTH][slot];
+            axis(X, geometry.axisX, geometry.axisY, geometry.along - rest);
+        } else {
+            coordinate();
+        }
+    }
+
+    private void motor() {
+        double[][] p = joints.parameter;
+        double force = p[JointStore.MOST_FORCE][slot];
+        if (force > 0) {
+            int x = row(X);
+            deriveAlong(x, geometry, a, b, geometry.axisX, geometry.axisY, 1);
+            drive(x, p[JointStore.VELOCITY_X][slot], force);
+            int y = row(Y);
+            deriveAlong(y, geometry, a, b, -geometry.axisY, geometry.axisX, 1);
+            drive(y, p[JointStore.VELOCITY_Y][slot], force);
+            disc(x, y, force);
+        }
+        if (p[JointStore.MOST_TORQUE][slot] > 0) {
+            int turn = angle(MOTOR, 0);
+            drive(turn, p[JointStore.ANGULAR_VELOCITY][slot], p[JointStore.MOST_TORQUE][slot]);
+        }
+    }
+
+    /** Bounds two rows by a force together, N. */
+    private void disc(int x, int y, double force) {
+        if (force < Double.POSITIVE_INFINITY) {
+            rows.twin[x] = y;
+            rows.twin[y] = x;
+            rows.share[x] = force * Math.abs(kick);
+            rows.share[y] = rows.share[x];
+        }
+    }
+
+    /** The target stands for A, which takes no reaction. */
+    private void mouse() {
+        double awayX = geometry.fromTargetX(slot, b);
+        double awayY = geometry.fromTargetY(slot, b);
+        int x = row(X);
+        rows.derive(x, b, 1, 0, -geometry.armBY);
+        springs.writeImplicit(slot, awayX);
+        rows.finish(x);
+        springs.finish(x);
+        int y = row(Y);
+        rows.derive(y, b, 0, 1, geometry.armBX);
+        springs.writeImplicit(slot, awayY);
+        rows.finish(y);
+        springs.finish(y);
+        disc(x, y, joints.parameter[JointStore.MOST_FORCE][slot]);
+    }
+
+    private void gear() {
+        int first = joints.firstGeared[slot];
+        int second = joints.secondGeared[slot];
+        double ratio = joints.parameter[JointStore.RATIO][slot];
+        int firstA = packed.offset(joints.bodyA[first]);
+        int secondA = packed.offset(joints.bodyA[second]);
+        geometry.measure(first, firstA, a);
+        other.measure(second, secondA, b);
+        int row = row(X);
+        deriveCoordinate(row, first, geometry, firstA, a, 1);
+        deriveCoordinate(row, second, other, secondA, b, ratio);
+        equation(row, gearError(first, second, ratio));
+    }
+
+    private double gearError(int first, int second, double ratio) {
+        return geometry.coordinate(first)
+                + ratio * other.coordinate(second)
+                - joints.parameter[JointStore.CONSTANT][slot];
+    }
+
+    private void pulley() {
+        double ratio = joints.parameter[JointStore.RATIO][slot];
+        int row = row(UPPER);
+        pull(row, a, true, 1);
+        pull(row, b, false, ratio);
+        push(row, ropeLeft(ratio));
+    }
+
+    private void pull(int row, int offset, boolean isOfA, double factor) {
+        double x = geometry.ropeX(slot, offset, isOfA);
+        double y = geometry.ropeY(slot, offset, isOfA);
+        double length = Math.sqrt(x * x + y * y);
+        if (length > 0) {
+            double nx = -factor * x / length;
+            double ny = -factor * y / length;
+            double armX = isOfA ? geometry.armAX : geometry.armBX;
+            double armY = isOfA ? geometry.armAY : geometry.armBY;
+            rows.derive(row, offset, nx, ny, armX * ny - armY * nx);
+        }
+    }
+
+    private double ropeLeft(double ratio) {
+        double ax = geometry.ropeX(slot, a, true);
+        double ay = geometry.ropeY(slot, a, true);
+        double bx = geometry.ropeX(slot, b, false);
+        double by = geometry.ropeY(slot, b, false);
+        return joints.parameter[JointStore.ROPE][slot]
+                - Math.sqrt(ax * ax + ay * ay)
+                - ratio * Math.sqrt(bx * bx + by * by);
+    }
+
+    /** Poses have been taken anew: what was measured is of others. */
+    void measureAnew() {
+        joint = NeutralRows.NONE;
+    }
+
+    /** Whether a spring is too stiff for its substep. */
+    boolean areAnyStiff() {
+        return springs.areAnyStiff;
+    }
+
+    /** The place that a row of a joint has at the poses taken, m or rad. */
+    double place(int row) {
+        if (joint != rows.joint[row]) {
+            joint = rows.joint[row];
+            slot = packed.slot[joint];
+            a = packed.offsetA[joint];
+            b = packed.offsetB[joint];
+            geometry.measure(slot, a, b);
+        }
+        return switch (rows.part[row]) {
+            case X -> placeOfX();
+            case Y -> geometry.dy;
+            case ANGLE -> geometry.angle;
+            case LOWER -> geometry.coordinate(slot) - joints.lower[slot];
+            default -> placeOfUpper();
+        };
+    }
+
+    private double placeOfX() {
+        return switch (KINDS[joints.kind[slot]]) {
+            case REVOLUTE, WELD -> geometry.dx;
+            case DISTANCE -> geometry.along - joints.parameter[JointStore.LENGTH][slot];
+            case GEAR -> placeOfGear();
+            default -> geometry.across();
+        };
+    }
+
+    private double placeOfGear() {
+        int first = joints.firstGeared[slot];
+        int second = joints.secondGeared[slot];
+        geometry.measure(first, packed.offset(joints.bodyA[first]), a);
+        other.measure(second, packed.offset(joints.bodyA[second]), b);
+        return gearError(first, second, joints.parameter[JointStore.RATIO][slot]);
+    }
+
+    private double placeOfUpper() {
+        return joints.kind[slot] == JointKind.PULLEY.ordinal()
+                ? ropeLeft(joints.parameter[JointStore.RATIO][slot])
+                : joints.upper[slot] - geometry.coordinate(slot);
+    }
+
+    /** How long the arms are of the joint that was measured last, m: errors are shares of it. */
+    double size() {
+        return Math.abs(geometry.armAX)
+                + Math.abs(geometry.armAY)
+                + Math.abs(geometry.armBX)
+                + Math.abs(geometry.armBY);
+    }
+}

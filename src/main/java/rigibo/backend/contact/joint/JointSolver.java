@@ -1,0 +1,303 @@
+package rigibo.backend.contact.joint;
+
+import rigibo.backend.contact.row.Motions;
+import rigibo.backend.contact.row.PackedContacts;
+import rigibo.backend.contact.row.Recovery;
+import rigibo.backend.contact.row.RowBuilder;
+import rigibo.backend.setup.Accuracy;
+import rigibo.backend.setup.SolveMethod;
+import rigibo.backend.storage.DataStorage;
+
+/**
+ * Solves the joints of an island, with its contacts, for one substep after the other: velocities in
+ * the middle of a substep are such that what joints hold is held at its end (J.-P. Ryckaert, G.
+ * Ciccotti and H. Berendsen, Numerical integration of the Cartesian equations of motion of a system
+ * with constraints, 1977), and after the last kick they are along what is held (H. C. Andersen,
+ * Rattle, 1983). Both are symmetric in time and symplectic, so that a swing keeps its energy.
+ */
+public final class JointSolver {
+
+    /** How far a place may be missed, as a share of the joint's arms and of the tolerance. */
+    static final double MISSED = 1e-5;
+
+    /** The same share at which round-off begins. */
+    static final double ROUND_OFF = 4e-16;
+
+    /** Share of the fastest speed that may be left unsolved, per metre of the tolerance. */
+    private static final double SETTLED = 1e-3;
+
+    /** Error that is taken back at once, m per metre of the joint's arms. */
+    private static final double SMALL = 1e-4;
+
+    /** Work of contacts and equations that is round-off, as a share of the energy of motion. */
+    private static final double MOST_WORK = 1e-6;
+
+    /** Multiplications that one elimination is worth, and from EXACT on. */
+    private static final double WORTH = 1e6;
+
+    private static final double WORTH_IF_EXACT = 1e8;
+
+    /** Rows up to which an island whose contacts may open and close is eliminated. */
+    private static final int MOST_ROWS = 400;
+
+    /** Passes over rows in a substep for each substep of a step; and over places. */
+    private static final int PASSES_PER_SUBSTEP = 5;
+
+    private static final int PASSES_OVER_PLACES = 6;
+
+    /** How many times its way in a step a gap is far from closing; and with what gain, m/s². */
+    private static final double FAR = 4;
+
+    private static final double FAR_GAINED = 100;
+
+    private final NeutralRows rows;
+    private final HeldPlaces places;
+    private final PackedJoints packed;
+    private final Poses poses;
+    private final JointRows jointRows;
+    private final ContactRows contactRows;
+    private final RowElimination elimination;
+    private final RowSolver solver;
+    private final JointResults results;
+    private final Motions motions;
+    private final RowWork work;
+    private final RowPasses passes;
+    private final int mostPasses;
+    private final double worth;
+
+    /** Whether the island is small enough to be eliminated. */
+    private boolean isWhole;
+
+    /** How long the last kick was, s, and the next one as a share of it. */
+    private double kicked;
+
+    private double share;
+    private final TautSubsteps taut;
+    private final double tolerance;
+
+    /** By row: how far it is to be moved, m or rad. */
+    private double[] wanted = new double[64];
+
+    private final RowElimination.Asked way = row -> wanted[row];
+
+    public JointSolver(
+            DataStorage data,
+            Motions motions,
+            PackedContacts contacts,
+            RowBuilder builder,
+            Accuracy accuracy) {
+        this.motions = motions;
+        rows = new NeutralRows(motions);
+        work = new RowWork(motions, rows);
+
+        packed = new PackedJoints(data, builder);
+        poses = new Poses(data.bodies, motions);
+        jointRows = new JointRows(data, rows, packed, poses);
+        contactRows = new ContactRows(motions, contacts, rows);
+        elimination = new RowElimination(motions, rows);
+        solver = new RowSolver(rows, elimination);
+        NeutralRows ahead = new NeutralRows(motions);
+        JointRows rowsAhead = new JointRows(data, ahead, packed, poses);
+        ForeseenElimination foreseen = new ForeseenElimination(motions, rows, ahead, elimination);
+        places =
+                new HeldPlaces(
+                        motions,
+                        rows,
+                        jointRows,
+                        ahead,
+                        rowsAhead,
+                        poses,
+                        solver,
+                        elimination,
+                        foreseen,
+                        accuracy.impactTolerance());
+        taut = new TautSubsteps(data);
+        results = new JointResults(data, packed, rows);
+        tolerance = accuracy.impactTolerance();
+        passes = new RowPasses(rows);
+        mostPasses = PASSES_PER_SUBSTEP * accuracy.substeps();
+        boolean isLimited = accuracy.substeps() < Accuracy.EXACT.substeps();
+        worth = isLimited ? WORTH : WORTH_IF_EXACT;
+    }
+
+    /** How many substeps an island needs for a step of dt seconds, usually as usual. */
+    public int substepsFor(int island, double dt, int usual) {
+        return taut.count(island, dt, usual);
+    }
+
+    /** Begins with the joints of an island whose bodies and contacts are packed. */
+    public void pack(int island, double firstKick) {
+        packed.pack(island, firstKick);
+        places.begin();
+        write(firstKick, 2 * firstKick);
+        contactRows.write(2 * firstKick, 0);
+        boolean isCrowd = rows.count > MOST_ROWS && contactRows.areAny();
+        isWhole = !isCrowd && elimination.isWorth(worth);
+        kicked = firstKick;
+    }
+
+    /** How the packed island is solved. */
+    public SolveMethod method() {
+        return isWhole ? SolveMethod.ELIMINATION : SolveMethod.PASSES;
+    }
+
+    /**
+     * Whether the packed joints hold by equations and soft springs alone in a step of dt seconds
+     * with substeps of h: no motor drives, and no limit is near.
+     */
+    public boolean areHeldByEquations(double h, double dt) {
+        write(h, h);
+        boolean areEquations = isWhole && !jointRows.areAnyStiff();
+        for (int row = 0; areEquations && row < rows.count; row++) {
+            areEquations =
+                    rows.isEquation(row)
+                            || rows.lower[row] == rows.upper[row]
+                            || rows.holdsPlace[row] && isFar(row, dt);
+        }
+        return areEquations;
+    }
+
+    /** Whether a gap cannot close in a step. */
+    private boolean isFar(int row, double dt) {
+        return rows.place[row] > FAR * dt * (Math.abs(rows.speed(row)) + FAR_GAINED * dt);
+    }
+
+    /**
+     * Writes the rows of the joints where bodies are now, before a kick of so many seconds after
+     * which they drift for h.
+     */
+    public void write(double kick, double h) {
+        share = kicked == 0 ? 0 : kick / kicked;
+        kicked = kick;
+        rows.clear();
+        poses.take(0);
+        jointRows.write(kick, h);
+        results.keepArms(poses);
+    }
+
+    /**
+     * Solves joints and contacts after the kick, so that places are held at the end of a drift of h
+     * seconds.
+     */
+    public void solve(double h, int substep, double fastest) {
+        contactRows.write(h, substep);
+        double settled = SETTLED * tolerance * fastest;
+        if (!isWhole) {
+            pass(settled);
+            return;
+        }
+        work.begin();
+        solver.begin();
+        boolean isSolved = solver.solve(settled);
+        places.hold(h, settled, contactRows.carry());
+        secure(isSolved, settled);
+        finish();
+    }
+
+    /**
+     * What could not be solved, or would do work, is solved by passes from nothing on, which never
+     * do, and then held by the joints.
+     */
+    private void secure(boolean isSolved, double settled) {
+        if (contactRows.areAny() && !(isSolved && work.sum() <= MOST_WORK * energy())) {
+            work.takeBack();
+            work.rest();
+            passes.run(mostPasses, settled);
+            solver.holdEquations();
+        }
+    }
+
+    private double energy() {
+        return motions.energy(motions.data);
+    }
+
+    private void pass(double settled) {
+        work.begin();
+        for (int row = 0; row < rows.count; row++) {
+            boolean isJoint = rows.joint[row] != NeutralRows.NONE;
+            if (isJoint && rows.lower[row] < rows.upper[row]) {
+                rows.push(row, share * packed.impulseOf(rows.joint[row], rows.part[row]));
+            }
+        }
+        passes.run(mostPasses, settled);
+        if (!(work.sum() <= MOST_WORK * energy())) {
+            work.takeBack();
+            work.rest();
+            passes.run(mostPasses, settled);
+        }
+        finish();
+    }
+
+    /** Solves them at the end of the last kick, after which nothing drifts. */
+    public void solveAtRest(double h, int substep, double fastest) {
+        contactRows.write(h, substep);
+        for (int row = 0; row < rows.count; row++) {
+            if (rows.holdsPlace[row] && !rows.isEquation(row)) {
+                rows.target[row] = -Math.max(0, rows.place[row]) / h;
+            }
+        }
+        double settled = SETTLED * tolerance * fastest;
+        if (!isWhole) {
+            pass(settled);
+            return;
+        }
+        work.begin();
+        solver.begin();
+        secure(solver.solve(settled), settled);
+        finish();
+    }
+
+    private void finish() {
+        contactRows.store();
+        results.add();
+    }
+
+    /** Takes back what joints are off their places, by moving bodies, in a substep of h seconds. */
+    public void correct(double h) {
+        poses.take(0);
+        jointRows.measureAnew();
+        if (wanted.length < rows.count) {
+            wanted = new double[rows.bodies.length];
+        }
+        boolean isAny = false;
+        for (int row = 0; row < rows.count; row++) {
+            wanted[row] = 0;
+            if (rows.holdsPlace[row] && (!isWhole || elimination.isIn(row))) {
+                double place = jointRows.place(row);
+                double off = rows.isEquation(row) ? place : Math.min(0, place);
+                double size = jointRows.size();
+                double most = Math.max(SMALL, Recovery.MOST_PUSH * Math.abs(h)) * size;
+                wanted[row] = -Math.max(-most, Math.min(most, off));
+                isAny |= Math.abs(off) > (MISSED * tolerance + 2 * ROUND_OFF) * size;
+            }
+        }
+        if (isAny && !isWhole) {
+            passes.move(PASSES_OVER_PLACES, wanted);
+        } else if (isAny) {
+            // Contacts might contradict: what is moved into them is taken back by itself.
+            leaveContactsOut();
+            elimination.solve(way);
+            for (int i = 0; i < elimination.size(); i++) {
+                rows.move(elimination.row(i), elimination.answer(i), Motions.DX);
+            }
+        }
+    }
+
+    private void leaveContactsOut() {
+        for (int row = 0; row < rows.count; row++) {
+            if (rows.joint[row] == NeutralRows.NONE) {
+                elimination.put(row, false);
+            }
+        }
+    }
+
+    /** Tells what joints gave their bodies in a step of dt seconds. */
+    public void tell(double dt) {
+        results.tell(dt);
+    }
+
+    /** Stores what joints carried in the last kick, which was so many seconds long. */
+    public void store(double lastKick) {
+        results.store(lastKick);
+    }
+}

@@ -1,0 +1,74 @@
+package rigibo.backend.contact.joint;
+
+import rigibo.backend.contact.row.RowBuilder;
+import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.Islands;
+import rigibo.backend.storage.JointStore;
+
+import java.util.Arrays;
+
+/** The joints of one island: their slots, and the offsets of their bodies in the motions. */
+final class PackedJoints {
+
+    private final JointStore joints;
+    private final Islands islands;
+    private final RowBuilder builder;
+
+    int count;
+    int[] slot = new int[16];
+    int[] offsetA = new int[16];
+    int[] offsetB = new int[16];
+
+    /** By joint and row: impulse of the last kick and of the step, N·s or N·m·s. */
+    double[] impulse = new double[16 * JointStore.ROWS];
+
+    /** By joint: what it gave B in the step, N·s, and about its anchor, N·m·s. */
+    double[] givenX = new double[16];
+
+    double[] givenY = new double[16];
+    double[] givenTurn = new double[16];
+
+    PackedJoints(DataStorage data, RowBuilder builder) {
+        joints = data.joints;
+        islands = data.islands;
+        this.builder = builder;
+    }
+
+    /** Packs the joints of an island whose bodies are packed, for a first kick of so many s. */
+    void pack(int island, double firstKick) {
+        int from = islands.jointStart[island];
+        count = islands.jointStart[island + 1] - from;
+        if (slot.length < count) {
+            int capacity = 2 * count;
+            slot = new int[capacity];
+            offsetA = new int[capacity];
+            offsetB = new int[capacity];
+            impulse = new double[capacity * JointStore.ROWS];
+            givenX = new double[capacity];
+            givenY = new double[capacity];
+            givenTurn = new double[capacity];
+        }
+        for (int i = 0; i < count; i++) {
+            int joint = islands.joints[from + i];
+            slot[i] = joint;
+            offsetA[i] = builder.offset(joints.bodyA[joint]);
+            offsetB[i] = builder.offset(joints.bodyB[joint]);
+            for (int row = 0; row < JointStore.ROWS; row++) {
+                impulse[i * JointStore.ROWS + row] = firstKick * joints.force[row][joint];
+            }
+        }
+        Arrays.fill(givenX, 0, count, 0);
+        Arrays.fill(givenY, 0, count, 0);
+        Arrays.fill(givenTurn, 0, count, 0);
+    }
+
+    /** What a joint's row gave in the last kick, N·s or N·m·s. */
+    double impulseOf(int joint, int row) {
+        return impulse[joint * JointStore.ROWS + row];
+    }
+
+    /** The offset of a body in the motions. */
+    int offset(int body) {
+        return builder.offset(body);
+    }
+}

@@ -1,0 +1,70 @@
+package rigibo.backend.contact.joint;
+
+import rigibo.backend.contact.row.Motions;
+import rigibo.backend.geometry.Angle;
+import rigibo.backend.storage.Bodies;
+
+/** Where the bodies of a packed island are, now or after some seconds at their velocities. */
+final class Poses {
+
+    private final Bodies bodies;
+    private final Motions motions;
+
+    /** By entry: how far from where the step began, m; the angle in rad, its cosine and sine. */
+    private double[] x = new double[16];
+
+    private double[] y = new double[16];
+    private double[] angle = new double[16];
+    private double[] cos = new double[16];
+    private double[] sin = new double[16];
+
+    Poses(Bodies bodies, Motions motions) {
+        this.bodies = bodies;
+        this.motions = motions;
+    }
+
+    /** Takes the poses after some seconds at the present velocities. */
+    void take(double ahead) {
+        if (x.length < motions.count) {
+            int capacity = motions.slots.length;
+            x = new double[capacity];
+            y = new double[capacity];
+            angle = new double[capacity];
+            cos = new double[capacity];
+            sin = new double[capacity];
+        }
+        double[] m = motions.data;
+        for (int entry = 1; entry < motions.count; entry++) {
+            int at = entry * Motions.STRIDE;
+            int slot = motions.slots[entry];
+            x[entry] = m[at + Motions.DX] + ahead * m[at + Motions.VX];
+            y[entry] = m[at + Motions.DY] + ahead * m[at + Motions.VY];
+            double turn = m[at + Motions.TURN] + ahead * m[at + Motions.SPIN];
+            angle[entry] = bodies.angle[slot] + turn;
+            cos[entry] = turn == 0 ? bodies.cos[slot] : Angle.cos(angle[entry]);
+            sin[entry] = turn == 0 ? bodies.sin[slot] : Angle.sin(angle[entry]);
+        }
+    }
+
+    /** How far a body is from where the step began, m; 0 for what is not packed. */
+    double movedX(int offset) {
+        return offset == 0 ? 0 : x[offset / Motions.STRIDE];
+    }
+
+    double movedY(int offset) {
+        return offset == 0 ? 0 : y[offset / Motions.STRIDE];
+    }
+
+    /** rad. */
+    double angle(int slot, int offset) {
+        return offset == 0 ? bodies.angle[slot] : angle[offset / Motions.STRIDE];
+    }
+
+    double cos(int slot, int offset) {
+        return offset == 0 ? bodies.cos[slot] : cos[offset / Motions.STRIDE];
+    }
+
+    double sin(int slot, int offset) {
+        return offset == 0 ? bodies.sin[slot] : sin[offset / Motions.STRIDE];
+    }
+}

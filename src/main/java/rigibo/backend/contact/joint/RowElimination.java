@@ -1,0 +1,253 @@
+package rigibo.backend.contact.joint;
+
+import rigibo.backend.contact.row.Motions;
+
+import java.util.Arrays;
+
+/**
+ * K = J·M⁻¹·Jᵀ of a set of rows, with what they give way on its diagonal, factored as L·D·Lᵀ within
+ * its envelope. D may be negative: within a composition of steps some go back in time.
+ */
+final class RowElimination {
+
+    /** Share of its own response under which the pivot of a row is round-off. */
+    private static final double SINGULAR = 1e-13;
+
+    private static final int NONE = -1;
+
+    private final Motions motions;
+    private final NeutralRows rows;
+    private final RowOrder order;
+
+    /** The rows of the set, in their order. */
+    private int[] set = new int[64];
+
+    private int size;
+
+    /** Whether a row is in the set. */
+    private boolean[] isIn = new boolean[64];
+
+    /** Lower triangle by rows, each from its first entry on; where each starts; and D. */
+    private double[] lower = new double[1024];
+
+    int[] start = new int[65];
+    int[] first = new int[64];
+    private double[] pivot = new double[64];
+    private double[] unknown = new double[64];
+
+    /** By entry of the motions the first row of the set with it, and the last derivative. */
+    private int[] firstOf = new int[16];
+
+    private int[] lastOf = new int[16];
+
+    /** By derivative the one before it with the same body, and by row its number in the set. */
+    private int[] before = new int[256];
+
+    private int[] number = new int[64];
+
+    private boolean isFactored;
+
+    /** Multiplications made since they were counted last. */
+    double work;
+
+    RowElimination(Motions motions, NeutralRows rows) {
+        this.motions = motions;
+        this.rows = rows;
+        order = new RowOrder(motions, rows);
+    }
+
+    /** Begins with rows that were just written; none is in the set. */
+    void begin() {
+        order.find();
+        int capacity = rows.bodies.length;
+        if (set.length < rows.count) {
+            set = new int[capacity];
+            isIn = new boolean[capacity];
+            start = new int[capacity + 1];
+            first = new int[capacity];
+            pivot = new double[capacity];
+            unknown = new double[capacity];
+            number = new int[capacity];
+            before = new int[capacity * NeutralRows.BODIES];
+        }
+        if (firstOf.length < motions.count) {
+            firstOf = new int[motions.slots.length];
+            lastOf = new int[motions.slots.length];
+        }
+        Arrays.fill(isIn, 0, rows.count, false);
+        isFactored = false;
+    }
+
+    /** Rows have changed, but not who is in the set. */
+    void forget() {
+        isFactored = false;
+    }
+
+    boolean isIn(int row) {
+        return isIn[row];
+    }
+
+    /** Takes a row into the set or out of it. */
+    void put(int row, boolean isInSet) {
+        isFactored &= isIn[row] == isInSet;
+        isIn[row] = isInSet;
+    }
+
+    /** Whether factoring all rows takes no more than so many multiplications. */
+    boolean isWorth(double most) {
+        begin();
+        listSet(true);
+        layFirsts();
+        double all = 0;
+        for (int i = 0; i < size; i++) {
+            double width = i - first[i] + 1;
+            all += width * width / 2;
+        }
+        return all <= most;
+    }
+
+    /** Factors the set, unless it is factored. */
+    void factorize() {
+        if (isFactored) {
+            return;
+        }
+        listSet(false);
+        layEnvelope();
+        Arrays.fill(lastOf, 0, motions.count, NONE);
+        for (int i = 0; i < size; i++) {
+            assemble(i);
+            eliminate(i);
+        }
+        isFactored = true;
+    }
+
+    private void listSet(boolean all) {
+        size = 0;
+        for (int i = 0; i < rows.count; i++) {
+            int row = order.order[i];
+            if (all || isIn[row]) {
+                number[row] = size;
+                set[size++] = row;
+            }
+        }
+    }
+
+    private void layEnvelope() {
+        int length = layFirsts();
+        if (lower.length < length) {
+            lower = new double[2 * length];
+        }
+    }
+
+    private int layFirsts() {
+        Arrays.fill(firstOf, 0, motions.count, NONE);
+        int length = 0;
+        for (int i = 0; i < size; i++) {
+            int row = set[i];
+            first[i] = i;
+            for (int k = 0; k < rows.bodies[row]; k++) {
+                int entry = rows.body[row * NeutralRows.BODIES + k] / Motions.STRIDE;
+                if (firstOf[entry] == NONE) {
+                    firstOf[entry] = i;
+                }
+                first[i] = Math.min(first[i], firstOf[entry]);
+            }
+            start[i] = length;
+            length += i - first[i];
+        }
+        return length;
+    }
+
+    /** Writes a row of K: over each body it shares with the rows before it, and with itself. */
+    private void assemble(int i) {
+        int row = set[i];
+        Arrays.fill(lower, start[i], start[i] + i - first[i], 0);
+        for (int k = 0; k < rows.bodies[row]; k++) {
+            int at = row * NeutralRows.BODIES + k;
+            int entry = rows.body[at] / Motions.STRIDE;
+            for (int other = lastOf[entry]; other != NONE; other = before[other]) {
+                int otherRow = other / NeutralRows.BODIES;
+                if (otherRow != row) {
+                    lower[start[i] + number[otherRow] - first[i]] +=
+                            rows.through(row, k, otherRow, other % NeutralRows.BODIES);
+                }
+            }
+            before[at] = lastOf[entry];
+            lastOf[entry] = at;
+        }
+        pivot[i] = rows.response[row] * (1 + NeutralRows.REGULAR) + rows.give[row];
+    }
+
+    /** With c = L·D of the row: cⱼ = Kⱼ − Σ cₖ·Lⱼₖ, then Lⱼ = cⱼ/Dⱼ and D = K − Σ cⱼ·Lⱼ. */
+    private void eliminate(int i) {
+        int at = start[i] - first[i];
+        for (int j = first[i]; j < i; j++) {
+            int from = Math.max(first[i], first[j]);
+            int to = start[j] - first[j];
+            double sum = lower[at + j];
+            for (int k = from; k < j; k++) {
+                sum -= lower[at + k] * lower[to + k];
+            }
+            lower[at + j] = sum;
+            work += j - from;
+        }
+        double left = pivot[i];
+        for (int j = first[i]; j < i; j++) {
+            double c = lower[at + j];
+            lower[at + j] = c / pivot[j];
+            left -= c * lower[at + j];
+        }
+        double least = SINGULAR * Math.max(rows.response[set[i]], Double.MIN_NORMAL);
+        pivot[i] = Math.abs(left) > least ? left : Math.copySign(least, left);
+    }
+
+    /** What the set's rows are to be pushed by for their speeds to change by what is asked. */
+    interface Asked {
+
+        /** The change of a row's speed, m/s. */
+        double of(int row);
+    }
+
+    /** Finds the pushes of the set for what is asked of its rows; {@link #answer} tells them. */
+    void solve(Asked asked) {
+        factorize();
+        for (int i = 0; i < size; i++) {
+            double sum = asked.of(set[i]);
+            int at = start[i] - first[i];
+            for (int k = first[i]; k < i; k++) {
+                sum -= lower[at + k] * unknown[k];
+            }
+            unknown[i] = sum;
+        }
+        for (int i = 0; i < size; i++) {
+            unknown[i] /= pivot[i];
+        }
+        for (int i = size - 1; i >= 0; i--) {
+            double x = unknown[i];
+            int at = start[i] - first[i];
+            for (int k = first[i]; k < i; k++) {
+                unknown[k] -= lower[at + k] * x;
+            }
+        }
+    }
+
+    /** How many rows the set has. */
+    int size() {
+        return size;
+    }
+
+    /** Which of the set's rows a row is. */
+    int numberOf(int row) {
+        return number[row];
+    }
+
+    /** A row of the set. */
+    int row(int i) {
+        return set[i];
+    }
+
+    /** What a row of the set is to be pushed by. */
+    double answer(int i) {
+        return unknown[i];
+    }
+}

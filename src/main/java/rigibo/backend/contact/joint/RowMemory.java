@@ -1,0 +1,34 @@
+package rigibo.backend.contact.joint;
+
+import rigibo.backend.contact.row.Motions;
+
+/** Velocities and impulses of an island, kept to be gone back to. */
+final class RowMemory {
+
+    private final Motions motions;
+    private final NeutralRows rows;
+    private double[] bodies = new double[64];
+    private double[] impulses = new double[64];
+
+    RowMemory(Motions motions, NeutralRows rows) {
+        this.motions = motions;
+        this.rows = rows;
+    }
+
+    void keep() {
+        int length = motions.count * Motions.STRIDE;
+        if (bodies.length < length) {
+            bodies = new double[motions.data.length];
+        }
+        if (impulses.length < rows.count) {
+            impulses = new double[rows.bodies.length];
+        }
+        System.arraycopy(motions.data, 0, bodies, 0, length);
+        System.arraycopy(rows.impulse, 0, impulses, 0, rows.count);
+    }
+
+    void recall() {
+        System.arraycopy(bodies, 0, motions.data, 0, motions.count * Motions.STRIDE);
+        System.arraycopy(impulses, 0, rows.impulse, 0, rows.count);
+    }
+}

@@ -1,0 +1,227 @@
+package rigibo.backend.contact.joint;
+
+/**
+ * Solves the rows of an island to the end. Equations are always eliminated; of the rows with bounds
+ * those are that are within them. Rows that leave their bounds leave the set and rows that are
+ * driven off their bounds enter it, all at once as long as they get fewer, else one at a time by
+ * the last index, which ends (Júdice and Pires, Basic-set algorithm for a generalized linear
+ * complementarity problem, 1994). Bounds that follow from loads follow between two such solutions.
+ */
+final class RowSolver {
+
+    /** Exchanges of all rows at once that may fail to make them fewer, before single ones. */
+    private static final int PATIENCE = 5;
+
+    /** Exchanges in one solution, and how often bounds follow loads. */
+    private static final int MOST_EXCHANGES = 60;
+
+    private static final int MOST_ROUNDS = 20;
+
+    /** Solutions with the same set that take back what elimination lost of digits. */
+    private static final int REFINEMENTS = 3;
+
+    /** Share of the strongest answer below which a speed is round-off. */
+    private static final double ROUND_OFF = 2e-15;
+
+    private final NeutralRows rows;
+    private final RowElimination elimination;
+    private final RowElimination.Asked residual;
+
+    /** By row: at which bound it is while it is out of the set, −1 or 1. */
+    private int[] side = new int[64];
+
+    /** Rows to be exchanged, and the last of them. */
+    private int wrong;
+
+    private int lastWrong;
+
+    /** What counts as solved, m/s. */
+    private double settled;
+
+    RowSolver(NeutralRows rows, RowElimination elimination) {
+        this.rows = rows;
+        this.elimination = elimination;
+        residual = row -> -rows.residual(row);
+    }
+
+    /**
+     * Begins with rows that were just written, with impulses that bodies have got already; of what
+     * is beyond its bounds they get the difference.
+     */
+    void begin() {
+        elimination.begin();
+        if (side.length < rows.count) {
+            side = new int[rows.bodies.length];
+        }
+        rows.bound();
+        clampAll();
+        for (int row = 0; row < rows.count; row++) {
+            double wish = rows.wish(row);
+            boolean isWithin = wish > rows.lower[row] && wish < rows.upper[row];
+            side[row] = wish >= rows.upper[row] ? 1 : -1;
+            elimination.put(row, rows.isEquation(row) || isWithin);
+            if (!elimination.isIn(row)) {
+                toBound(row);
+            }
+        }
+    }
+
+    private void clampAll() {
+        for (int row = 0; row < rows.count; row++) {
+            double within = within(row, rows.impulse[row]);
+            if (within != rows.impulse[row]) {
+                rows.push(row, within - rows.impulse[row]);
+            }
+        }
+    }
+
+    private double within(int row, double impulse) {
+        return Math.max(rows.lower[row], Math.min(rows.upper[row], impulse));
+    }
+
+    /** Solves but for so many m/s, and answers whether it could. */
+    boolean solve(double most) {
+        settled = Math.max(most, ROUND_OFF * strongest());
+        for (int round = 0; round < MOST_ROUNDS; round++) {
+            if (!exchange()) {
+                break;
+            }
+            if (!follow()) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private double strongest() {
+        double most = 0;
+        for (int row = 0; row < rows.count; row++) {
+            most = Math.max(most, Math.abs(rows.impulse[row]) * rows.response[row]);
+        }
+        return most;
+    }
+
+    /** Solves with the bounds as they are; whether it came to an end. */
+    private boolean exchange() {
+        int fewest = Integer.MAX_VALUE;
+        int patience = PATIENCE;
+        for (int i = 0; i < MOST_EXCHANGES; i++) {
+            eliminate();
+            find();
+            if (wrong == 0) {
+                return true;
+            }
+            if (wrong < fewest) {
+                fewest = wrong;
+                patience = PATIENCE;
+            } else {
+                patience--;
+            }
+            if (patience > 0) {
+                exchangeAll();
+            } else {
+                exchange(lastWrong);
+            }
+        }
+        return false;
+    }
+
+    /** Brings the set's rows to what they ask for. */
+    private void eliminate() {
+        for (int i = 0; i < REFINEMENTS; i++) {
+            elimination.solve(residual);
+            for (int k = 0; k < elimination.size(); k++) {
+                rows.push(elimination.row(k), elimination.answer(k));
+            }
+            if (i > 0 && worst() <= settled) {
+                return;
+            }
+        }
+    }
+
+    private double worst() {
+        double worst = 0;
+        for (int k = 0; k < elimination.size(); k++) {
+            worst = Math.max(worst, Math.abs(rows.residual(elimination.row(k))));
+        }
+        return worst;
+    }
+
+    /** Counts the rows that are in the set beyond their bounds, or out of it wrongly. */
+    private void find() {
+        wrong = 0;
+        for (int row = 0; row < rows.count; row++) {
+            if (isWrong(row)) {
+                wrong++;
+                lastWrong = row;
+            }
+        }
+    }
+
+    private boolean isWrong(int row) {
+        if (rows.isEquation(row)) {
+            return false;
+        }
+        double slack = settled / rows.response[row];
+        double impulse = rows.impulse[row];
+        if (elimination.isIn(row)) {
+            return impulse < rows.lower[row] - slack || impulse > rows.upper[row] + slack;
+        }
+        return rows.upper[row] - rows.lower[row] > 2 * slack
+                && side[row] * rows.residual(row) > settled;
+    }
+
+    private void exchangeAll() {
+        for (int row = 0; row < rows.count; row++) {
+            if (isWrong(row)) {
+                exchange(row);
+            }
+        }
+    }
+
+    private void exchange(int row) {
+        if (elimination.isIn(row)) {
+            side[row] = rows.impulse[row] > rows.upper[row] ? 1 : -1;
+            elimination.put(row, false);
+            toBound(row);
+        } else {
+            elimination.put(row, true);
+        }
+    }
+
+    private void toBound(int row) {
+        double bound = side[row] > 0 ? rows.upper[row] : rows.lower[row];
+        rows.push(row, bound - rows.impulse[row]);
+    }
+
+    /** Lets bounds follow the loads; whether any of them has moved. */
+    private boolean follow() {
+        rows.bound();
+        boolean isAny = false;
+        for (int row = 0; row < rows.count; row++) {
+            if (rows.load[row] != NeutralRows.NONE || rows.twin[row] != NeutralRows.NONE) {
+                boolean isOut = !elimination.isIn(row);
+                double bound = side[row] > 0 ? rows.upper[row] : rows.lower[row];
+                double wanted = isOut ? bound : within(row, rows.impulse[row]);
+                double change = wanted - rows.impulse[row];
+                if (Math.abs(change) * rows.response[row] > settled) {
+                    isAny = true;
+                    if (isOut) {
+                        rows.push(row, change);
+                    } else {
+                        exchange(row);
+                    }
+                }
+            }
+        }
+        return isAny;
+    }
+
+    /** Brings equations to what they ask for, whatever the other rows do. */
+    void holdEquations() {
+        for (int row = 0; row < rows.count; row++) {
+            elimination.put(row, rows.isEquation(row));
+        }
+        eliminate();
+    }
+}

@@ -1,0 +1,78 @@
+package rigibo.backend.contact.joint;
+
+import rigibo.backend.contact.row.Motions;
+
+import java.util.Arrays;
+
+/**
+ * Keeps contacts and what joints hold from adding energy: the work of an impulse j is j·(w₀ + w₁)/2
+ * with the speeds along its row without any impulse and with all of them. Springs and motors may do
+ * work; all other rows together may not.
+ */
+final class RowWork {
+
+    private final NeutralRows rows;
+
+    /** By row: its speed without impulses, m/s. */
+    private double[] before = new double[64];
+
+    /** All bodies as they would move without impulses, laid out as the motions. */
+    private double[] free = new double[64];
+
+    private final Motions motions;
+
+    RowWork(Motions motions, NeutralRows rows) {
+        this.motions = motions;
+        this.rows = rows;
+    }
+
+    /** Notes the speeds that there would be without impulses. */
+    void begin() {
+        if (before.length < rows.count) {
+            before = new double[rows.bodies.length];
+        }
+        for (int row = 0; row < rows.count; row++) {
+            rows.apply(row, -rows.impulse[row]);
+        }
+        for (int row = 0; row < rows.count; row++) {
+            before[row] = rows.speed(row);
+        }
+        int length = motions.count * Motions.STRIDE;
+        if (free.length < length) {
+            free = new double[motions.data.length];
+        }
+        System.arraycopy(motions.data, 0, free, 0, length);
+        for (int row = 0; row < rows.count; row++) {
+            rows.apply(row, rows.impulse[row]);
+        }
+    }
+
+    /** J that rows which may do no work have done since. */
+    double sum() {
+        double sum = 0;
+        for (int row = 0; row < rows.count; row++) {
+            if (rows.holdsPlace[row] || rows.contact[row] != NeutralRows.NONE) {
+                sum += rows.impulse[row] * (before[row] + rows.speed(row)) / 2;
+            }
+        }
+        return sum;
+    }
+
+    /** Takes all impulses back, to the last digit: some may have been beyond all bounds. */
+    void takeBack() {
+        System.arraycopy(free, 0, motions.data, 0, motions.count * Motions.STRIDE);
+        Arrays.fill(rows.impulse, 0, rows.count, 0);
+    }
+
+    /** Asks contacts and what joints hold for no speed of their own, which could do work. */
+    void rest() {
+        for (int row = 0; row < rows.count; row++) {
+            if (rows.holdsPlace[row] || rows.contact[row] != NeutralRows.NONE) {
+                rows.target[row] = Math.min(0, rows.target[row]);
+                if (rows.isEquation(row)) {
+                    rows.target[row] = 0;
+                }
+            }
+        }
+    }
+}

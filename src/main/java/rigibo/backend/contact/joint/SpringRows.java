@@ -1,0 +1,79 @@
+package rigibo.backend.contact.joint;
+
+import rigibo.backend.storage.JointStore;
+
+/**
+ * Springs and dampers as rows that give way. What swings slowly against the substep is kicked by
+ * the force of where it is, j = −L·(k·x + c·(w₀ + w₁)/2), which is symmetric in time and keeps the
+ * energy of a leapfrog. What is stiffer is asked for the force at the end of the drift, j = −L·(k·
+ * (x + h·w₁) + c·w₁), which is stable at any stiffness, rests at the same place and only loses
+ * energy (Baraff and Witkin, Large steps in cloth simulation, 1998).
+ */
+final class SpringRows {
+
+    /** rad of the spring's phase in a substep, from which on it is stiff. */
+    private static final double STIFF = 0.7;
+
+    private final JointStore joints;
+    private final NeutralRows rows;
+
+    /** The kick and the drift after it, s. */
+    private double kick;
+
+    private double drift;
+
+    /** The joint of the row that was written last, how far it is from rest, and how. */
+    private int slot;
+
+    private double away;
+    private boolean isImplicit;
+
+    SpringRows(JointStore joints, NeutralRows rows) {
+        this.joints = joints;
+        this.rows = rows;
+    }
+
+    /** Whether one of the rows written since is stiff. */
+    boolean areAnyStiff;
+
+    void begin(double kickLength, double driftLength) {
+        kick = kickLength;
+        drift = driftLength;
+        areAnyStiff = false;
+    }
+
+    /** Notes the joint of the next row, so far (m or rad) from where it would rest. */
+    void write(int joint, double fromRest) {
+        slot = joint;
+        away = fromRest;
+        isImplicit = false;
+    }
+
+    /** The same of a row that is taken for stiff. */
+    void writeImplicit(int joint, double fromRest) {
+        write(joint, fromRest);
+        isImplicit = true;
+    }
+
+    /** Writes what a finished row asks for, before velocities are kicked. */
+    void finish(int row) {
+        double k = joints.stiffness[slot];
+        double c = joints.damping[slot];
+        double phase = drift * drift * k * rows.response[row];
+        if (isImplicit || phase > STIFF * STIFF) {
+            double length = Math.abs(drift);
+            areAnyStiff = true;
+            rows.give[row] = 1 / (kick * (c + length * k));
+            rows.target[row] = -k * away / (c + length * k);
+        } else if (c > 0) {
+            // Where nothing else acts this is the exact decay, and not only near it.
+            double decay = kick * c * rows.response[row] / 2;
+            double half = decay == 0 ? 0 : StrictMath.tanh(decay) / rows.response[row];
+            rows.give[row] = 1 / half;
+            rows.target[row] = -rows.speed(row) - kick * k * away / half;
+        } else {
+            rows.lower[row] = -kick * k * away;
+            rows.upper[row] = rows.lower[row];
+        }
+    }
+}

@@ -1,0 +1,84 @@
+package rigibo.backend.contact.joint;
+
+import rigibo.backend.storage.Bodies;
+import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.Islands;
+import rigibo.backend.storage.JointStore;
+
+/**
+ * How many substeps what is taut needs. A load F at an arm r of a body of inertia I turns it back
+ * by F·r for each radian, so that it trembles at ω² = ΣF·r/I: a light link between a hook and a
+ * heavy weight a thousand times a second. Kicks along the rows of a substep's start follow that as
+ * long as ω·h is below 2.
+ */
+final class TautSubsteps {
+
+    /** rad of the trembling in a substep. */
+    private static final double MOST_PHASE = 0.8;
+
+    /** Times as many substeps as usual, at most. */
+    private static final int MOST_MORE = 32;
+
+    /** Bodies of the largest island that is given more: one wild joint of a crowd costs all. */
+    private static final int MOST_BODIES = 64;
+
+    private final Bodies bodies;
+    private final JointStore joints;
+    private final Islands islands;
+
+    /** By slot: the square of what it trembles at, 1/s². */
+    private double[] square = new double[16];
+
+    TautSubsteps(DataStorage data) {
+        bodies = data.bodies;
+        joints = data.joints;
+        islands = data.islands;
+    }
+
+    /** Substeps for an island in a step of dt seconds, by what its joints carried in the last. */
+    int count(int island, double dt, int usual) {
+        boolean areMany = islands.bodyStart[island + 1] - islands.bodyStart[island] > MOST_BODIES;
+        boolean meetOthers = islands.pairStart[island + 1] > islands.pairStart[island];
+        // What is struck carries a blow, not a load that lasts.
+        if (!bodies.turns() || areMany || meetOthers) {
+            return usual;
+        }
+        if (square.length < bodies.type.length) {
+            square = new double[bodies.type.length];
+        }
+        for (int i = islands.bodyStart[island]; i < islands.bodyStart[island + 1]; i++) {
+            square[islands.bodies[i]] = 0;
+        }
+        double most = 0;
+        for (int i = islands.jointStart[island]; i < islands.jointStart[island + 1]; i++) {
+            most = Math.max(most, add(islands.joints[i]));
+        }
+        double wanted = Math.sqrt(most) * dt / MOST_PHASE;
+        return (int) Math.ceil(Math.max(usual, Math.min(MOST_MORE * usual, wanted)));
+    }
+
+    private double add(int joint) {
+        double x = joints.reactionX[joint];
+        double y = joints.reactionY[joint];
+        double force = Math.sqrt(x * x + y * y);
+        int a = joints.bodyA[joint];
+        int b = joints.bodyB[joint];
+        double armA = length(joints.anchorAX[joint], joints.anchorAY[joint]);
+        double armB = length(joints.anchorBX[joint], joints.anchorBY[joint]);
+        double onA = bodies.isDynamic(a) ? force * armA * bodies.inverseInertia[a] : 0;
+        double onB = bodies.isDynamic(b) ? force * armB * bodies.inverseInertia[b] : 0;
+        if (bodies.isDynamic(a)) {
+            square[a] += onA;
+            onA = square[a];
+        }
+        if (bodies.isDynamic(b)) {
+            square[b] += onB;
+            onB = square[b];
+        }
+        return Math.max(onA, onB);
+    }
+
+    private static double length(double x, double y) {
+        return Math.sqrt(x * x + y * y);
+    }
+}

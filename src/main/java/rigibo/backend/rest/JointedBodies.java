@@ -1,0 +1,58 @@
+package rigibo.backend.rest;
+
+import rigibo.backend.storage.Bodies;
+import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.Found;
+import rigibo.backend.storage.JointStore;
+import rigibo.backend.storage.Roster;
+import rigibo.backend.storage.Waking;
+
+/**
+ * Makes every joined body that is awake part of a pile, whether it touches anything or not: what a
+ * joint holds follows no path of its own.
+ */
+public final class JointedBodies {
+
+    private final Bodies bodies;
+    private final Roster roster;
+    private final JointStore joints;
+    private final Waking waking;
+
+    /** Over the bodies and joints of a storage, in which joints are declared. */
+    public JointedBodies(DataStorage data) {
+        bodies = data.bodies;
+        roster = data.roster;
+        joints = data.joints;
+        waking = new Waking(data);
+    }
+
+    /** Lists the joints that a step looks at. Who sleeps beside somebody awake wakes. */
+    public void pile(double dt) {
+        Found active = joints.active;
+        active.clear();
+        // The list grows while it is read: who wakes has joints as well.
+        for (int i = 0; i < roster.awakeCount; i++) {
+            pile(roster.awake[i], active);
+        }
+        active.sort();
+    }
+
+    private void pile(int slot, Found active) {
+        if (!bodies.isDynamic(slot)) {
+            return;
+        }
+        for (int j = joints.firstOf(slot); j != JointStore.NONE; j = joints.nextOf(j, slot)) {
+            if (joints.hasRows(bodies, j)) {
+                bodies.piled[slot] = true;
+                int other = joints.other(j, slot);
+                boolean isPassive = !bodies.isDynamic(other);
+                if (!isPassive && !bodies.awake[other]) {
+                    waking.wakeIntoPile(other);
+                }
+                if (isPassive || joints.bodyA[j] == slot) {
+                    active.add(j);
+                }
+            }
+        }
+    }
+}
