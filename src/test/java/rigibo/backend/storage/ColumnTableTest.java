@@ -63,6 +63,7 @@ public class ColumnTableTest {
                     Map.entry("Pairs.step", "counts steps from anywhere"),
                     Map.entry("DataStorage.bodies", "a table"),
                     Map.entry("DataStorage.pairs", "a table"),
+                    Map.entry("DataStorage.joints", "a table, null where none are declared"),
                     Map.entry("DataStorage.thrusting", "follows from forces; BodyEditor.derive"),
                     Map.entry("DataStorage.time", OF_A_STEP),
                     Map.entry("DataStorage.visits", "saved beside the tables; State.visitVisits"),
