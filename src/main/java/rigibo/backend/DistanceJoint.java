@@ -11,6 +11,12 @@ import rigibo.backend.setup.Require;
  * rod of a length; with limits a rope, or a strut that stays within them; with a spring one whose
  * length without load is that length.
  *
+ * <pre>{@code
+ * RigidBody wall = pool.add(BodyDefinition.fixed(Polygon.box(0.2, 3)));
+ * pool.join(DistanceJoint.rod(wall, 0, 1, crate, 2, 1));
+ * pool.join(DistanceJoint.rope(wall, 0, 1, crate, 2, 1, 2.5)); // slack below 2.5 m
+ * }</pre>
+ *
  * @param a the first body
  * @param b the second body, whose coordinate is told
  * @param frameA where the joint holds A, and its axis

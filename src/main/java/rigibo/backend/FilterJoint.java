@@ -6,6 +6,10 @@ import rigibo.backend.setup.JointSettings;
 /**
  * Two bodies that never meet, and are free otherwise.
  *
+ * <pre>{@code
+ * pool.join(new FilterJoint(crate, door)); // pass through each other
+ * }</pre>
+ *
  * @param a the first body
  * @param b the second body
  */

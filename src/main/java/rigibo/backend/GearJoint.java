@@ -8,6 +8,15 @@ import rigibo.backend.setup.Require;
  * Couples the coordinates of two hinges or slides: q₁ + ratio·q₂ stays what it is when they are
  * coupled. The bodies that carry them take the reaction. It ends with either of the two.
  *
+ * <pre>{@code
+ * RigidBody frame = pool.add(BodyDefinition.fixed(Polygon.box(4, 0.1)));
+ * RigidBody small = pool.add(BodyDefinition.dynamic(new Circle(0.5)).at(-1, 0));
+ * RigidBody large = pool.add(BodyDefinition.dynamic(new Circle(1)).at(1, 0));
+ * Joint first = pool.join(RevoluteJoint.at(frame, small, -1, 0).motor(2, 5));
+ * Joint second = pool.join(RevoluteJoint.at(frame, large, 1, 0));
+ * pool.join(GearJoint.of(first, second, 2)); // the large one turns back at half the speed
+ * }</pre>
+ *
  * @param first a revolute or prismatic joint
  * @param second another one
  * @param ratio not 0; −1 turns both alike, 1 against each other

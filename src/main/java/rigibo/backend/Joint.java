@@ -12,6 +12,12 @@ import rigibo.backend.storage.JointStore;
  * A handle on one joint of a {@link Pool}. Readers tell its state now; verbs change it between
  * steps and wake both bodies. Once the joint is removed or broken, everything but {@link #isAlive},
  * {@link #tag()} and {@link #toString} throws {@link IllegalStateException}.
+ *
+ * <pre>{@code
+ * Joint joint = pool.join(RevoluteJoint.at(door, crate, 0, 2));
+ * pool.step(1 / 60.0);
+ * System.out.println(joint.reactionForce() + " N, off by " + joint.error() + " m");
+ * }</pre>
  */
 public final class Joint {
 

@@ -1,7 +1,14 @@
 package rigibo.backend;
 
 /**
- * A joint that broke in the last step: its mean load was over what it bears, blows included.
+ * A joint that broke in the last step: its mean load was over what it bears, impacts included.
+ *
+ * <pre>{@code
+ * pool.step(1 / 60.0);
+ * for (JointBreak broken : pool.brokenJoints()) {
+ *     System.out.println(broken.definition().kind() + " gave way at " + broken.force() + " N");
+ * }
+ * }</pre>
  *
  * @param joint is no longer in its pool
  * @param definition as it was

@@ -10,6 +10,12 @@ import rigibo.backend.setup.JointSpring;
  * What two bodies are joined by: handed to {@link Pool#join}, which makes a {@link Joint} of it.
  * Immutable: what changes a definition answers another one. A joint to the world is one to a static
  * body.
+ *
+ * <pre>{@code
+ * JointDefinition hinge = RevoluteJoint.at(door, crate, 0, 2).limits(-1, 1);
+ * Joint first = pool.join(hinge);
+ * Joint second = pool.join(hinge.breaking(5000, Double.POSITIVE_INFINITY));
+ * }</pre>
  */
 public sealed interface JointDefinition
         permits RevoluteJoint,

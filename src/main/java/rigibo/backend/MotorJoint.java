@@ -8,6 +8,11 @@ import rigibo.backend.setup.Require;
  * Drives B against A to a velocity, with no more than a force and a torque: a motor without an
  * axle, or, at rest, the friction of a floor that is looked at from above.
  *
+ * <pre>{@code
+ * RigidBody ground = pool.add(BodyDefinition.fixed(Polygon.box(40, 40)).at(100, 0));
+ * pool.join(MotorJoint.friction(ground, crate, 50, 10)); // N, N·m
+ * }</pre>
+ *
  * @param a the first body
  * @param b the second body
  * @param velocityX of B's centre of mass against A's point there, along A's first axis, m/s

@@ -10,6 +10,12 @@ import rigibo.backend.setup.Require;
  * Pulls a point of B to a point of the world by a damped spring, with no more than a force: what a
  * hand does.
  *
+ * <pre>{@code
+ * RigidBody ground = pool.add(BodyDefinition.fixed(Polygon.box(40, 1)));
+ * Joint hand = pool.join(MouseJoint.of(ground, crate, crate.x(), crate.y()));
+ * hand.target(3, 4);
+ * }</pre>
+ *
  * @param a any other body, mostly the ground; it takes no reaction
  * @param b the body that is pulled
  * @param frameB where it is held

@@ -9,6 +9,12 @@ import rigibo.backend.setup.Require;
  * A slide: B does not turn against A and its point stays on an axis of A. Its coordinate is the way
  * of that point along the axis, m; a spring pulls it to 0.
  *
+ * <pre>{@code
+ * RigidBody wall = pool.add(BodyDefinition.fixed(Polygon.box(0.2, 3)));
+ * double upwards = Math.PI / 2;
+ * pool.join(PrismaticJoint.along(wall, crate, 0, 2, upwards).limits(0, 3).motor(1, 500));
+ * }</pre>
+ *
  * @param a the first body
  * @param b the second body, whose coordinate is told
  * @param frameA where the joint holds A, and its axis

@@ -10,6 +10,10 @@ import rigibo.backend.setup.Require;
  * never pushes: its coordinate is the length on A's side plus {@code ratio} times that on B's, m,
  * and never more than {@code length}. A ratio other than 1 is a block and tackle.
  *
+ * <pre>{@code
+ * pool.join(PulleyJoint.over(crate, door, 10)); // over two points, 10 m above the bodies
+ * }</pre>
+ *
  * @param a the first body
  * @param b the second body
  * @param frameA where the rope holds A

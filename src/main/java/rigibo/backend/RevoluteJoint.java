@@ -9,6 +9,13 @@ import rigibo.backend.setup.Require;
  * A hinge: a point of A and a point of B stay together. Its coordinate is the angle from A's frame
  * to B's, rad, counter-clockwise; a spring pulls it to 0.
  *
+ * <pre>{@code
+ * RigidBody wall = pool.add(BodyDefinition.fixed(Polygon.box(0.2, 3)));
+ * Joint hinge = pool.join(RevoluteJoint.at(wall, door, 0, 2).limits(-1.5, 1.5).motor(0, 4));
+ * pool.step(1 / 60.0);
+ * System.out.println(hinge.angle());
+ * }</pre>
+ *
  * @param a the first body
  * @param b the second body, whose coordinate is told
  * @param frameA where the joint holds A, and its axis

@@ -8,6 +8,10 @@ import rigibo.backend.setup.Require;
 /**
  * Two bodies in one piece. With a spring the angle between them is soft, as in a fishing rod.
  *
+ * <pre>{@code
+ * pool.join(WeldJoint.at(crate, door, 0, 1).spring(4, 0.5)); // bends by 4 Hz
+ * }</pre>
+ *
  * @param a the first body
  * @param b the second body, whose coordinate is told
  * @param frameA where the joint holds A, and its axis

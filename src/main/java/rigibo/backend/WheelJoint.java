@@ -9,6 +9,12 @@ import rigibo.backend.setup.Require;
  * A wheel on a strut: a point of B stays on an axis of A, and B turns freely. Its coordinate is the
  * way of that point along the axis, m, which limits and the spring are of; the motor turns B.
  *
+ * <pre>{@code
+ * double upwards = Math.PI / 2;
+ * RigidBody wheel = pool.add(BodyDefinition.dynamic(new Circle(0.3)).at(-1, -0.5));
+ * pool.join(WheelJoint.at(crate, wheel, -1, -0.5, upwards).spring(4, 0.7).motor(-10, 30));
+ * }</pre>
+ *
  * @param a the first body
  * @param b the second body, whose coordinate is told
  * @param frameA where the joint holds A, and its axis

@@ -1,4 +1,14 @@
 package rigibo.backend.effect;
 
-/** Bodies are joined by hinges, rods, springs and the like; left out, nobody can be. */
+/**
+ * Bodies are joined by hinges, rods, springs and the like; left out, nobody can be.
+ *
+ * <pre>{@code
+ * Pool pool = new Pool(Effects.usual().with(new Joints()), Accuracy.GAME);
+ * RigidBody hook = pool.add(BodyDefinition.fixed(Polygon.box(0.1, 0.1)));
+ * RigidBody bob = pool.add(BodyDefinition.dynamic(new Circle(0.2)).at(1, 0));
+ * pool.join(DistanceJoint.rod(hook, 0, 0, bob, 1, 0));
+ * pool.step(1 / 60.0);
+ * }</pre>
+ */
 public record Joints() implements Effect {}

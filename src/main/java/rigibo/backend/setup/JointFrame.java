@@ -3,6 +3,11 @@ package rigibo.backend.setup;
 /**
  * Where a joint holds a body, in the body's own frame, whose origin is its centre of mass.
  *
+ * <pre>{@code
+ * JointFrame corner = new JointFrame(0.5, 0.5, 0);
+ * pool.join(new RevoluteJoint(door, crate, corner, JointFrame.CENTRE, JointSettings.NONE));
+ * }</pre>
+ *
  * @param x m, along the body's first axis
  * @param y m, along its second axis
  * @param angle of the joint's axis against the body's first one, rad, counter-clockwise

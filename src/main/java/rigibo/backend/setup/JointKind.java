@@ -1,6 +1,16 @@
 package rigibo.backend.setup;
 
-/** The kinds of joints, each of which has a definition of its own. */
+/**
+ * The kinds of joints, each of which has a definition of its own.
+ *
+ * <pre>{@code
+ * for (Joint joint : pool.joints()) {
+ *     if (joint.kind() == JointKind.REVOLUTE) {
+ *         System.out.println(joint.angle());
+ *     }
+ * }
+ * }</pre>
+ */
 public enum JointKind {
     REVOLUTE,
     PRISMATIC,

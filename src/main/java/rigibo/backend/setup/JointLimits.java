@@ -3,6 +3,11 @@ package rigibo.backend.setup;
 /**
  * Between which values a joint's coordinate stays, and how it rebounds from them.
  *
+ * <pre>{@code
+ * JointLimits stop = new JointLimits(-0.5, 0.5, 0); // half a radian either way
+ * pool.join(RevoluteJoint.at(door, crate, 0, 2).with(JointSettings.NONE.limits(stop)));
+ * }</pre>
+ *
  * @param lower rad of a hinge, m of all others; may be −∞
  * @param upper not below {@code lower}; may be ∞
  * @param elasticity 0 to 1: the share of its speed with which the coordinate rebounds

@@ -3,6 +3,11 @@ package rigibo.backend.setup;
 /**
  * What drives a joint's coordinate. At speed 0 it is a brake, or dry friction.
  *
+ * <pre>{@code
+ * JointMotor brake = new JointMotor(0, 20); // N·m
+ * pool.join(RevoluteJoint.at(door, crate, 0, 2).with(JointSettings.NONE.motor(brake)));
+ * }</pre>
+ *
  * @param speed that it drives to: rad/s of what turns, m/s of what slides
  * @param most that it drives with, N·m of what turns, N of what slides; may be ∞
  */

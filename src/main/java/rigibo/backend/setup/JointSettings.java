@@ -5,6 +5,11 @@ import java.util.List;
 /**
  * What may be set on joints of several kinds, and changed while they hold.
  *
+ * <pre>{@code
+ * JointSettings sprung = JointSettings.NONE.spring(new JointSpring(3, 0.7));
+ * pool.join(RevoluteJoint.at(door, crate, 0, 2).with(sprung));
+ * }</pre>
+ *
  * @param limits of the joint's coordinate
  * @param motor that drives it
  * @param spring that pulls it to where it belongs

@@ -5,6 +5,11 @@ package rigibo.backend.setup;
  * mass m = mₐ·m_b/(mₐ + m_b) of the two bodies, or their reduced inertia where it turns them; c =
  * 2·ζ·m·2πf. It stays what it is when masses change later.
  *
+ * <pre>{@code
+ * JointSpring soft = new JointSpring(2, 0.5);
+ * pool.join(WeldJoint.at(door, crate, 0, 2).with(JointSettings.NONE.spring(soft)));
+ * }</pre>
+ *
  * @param hertz 0 to 100,000 Hz; 0 is no spring
  * @param dampingRatio ζ, 0 to 100; 1 is critical
  */

@@ -39,7 +39,7 @@ final class TautSubsteps {
     int count(int island, double dt, int usual) {
         boolean areMany = islands.bodyStart[island + 1] - islands.bodyStart[island] > MOST_BODIES;
         boolean meetOthers = islands.pairStart[island + 1] > islands.pairStart[island];
-        // What is struck carries a blow, not a load that lasts.
+        // What is struck carries an impact, not a load that lasts.
         if (!bodies.turns() || areMany || meetOthers) {
             return usual;
         }
