@@ -96,6 +96,8 @@ final class JointedIslands {
             advance(island, dt, wanted);
             joints.tell(dt);
         }
+        contacts.work.multiplications += joints.multiplications();
+        contacts.work.contactSolves += joints.rowSolves();
         contacts.work.solve(joints.method(), declared.rowCount() + contacts.count);
         results.store(2 * kicked, dt);
         declared.store(2 * kicked);
@@ -113,7 +115,7 @@ final class JointedIslands {
         int substeps = usual;
         double h = dt / substeps;
         builder.build(island, h / 2);
-        joints.pack(island, h / 2);
+        joints.pack(island, h / 2, substeps);
         declared.begin(h, 0);
         declared.foresee(dt);
         warmStart.prepare();

@@ -113,6 +113,7 @@ final class ForeseenElimination {
         for (int j = first; j < i; j++) {
             int from = Math.max(first, elimination.first[j]);
             int to = elimination.start[j] - elimination.first[j];
+            elimination.count(2.0 * (j - from));
             double left = lower[at + j];
             double right = upper[at + j];
             for (int k = from; k < j; k++) {

@@ -80,7 +80,7 @@ final class HeldPlaces {
         measure(h);
         boolean isFactored = false;
         int most = areContacts ? FEW_STEPS : MOST_STEPS;
-        for (int i = 0; i < most && worst > 1; i++) {
+        for (int i = 0; i < most && worst > 1 && !elimination.isSpent(); i++) {
             if (!isForeseen && worst > GAINS * before && i > 0) {
                 isForeseen = true;
                 memory.recall();

@@ -37,11 +37,25 @@ public final class JointSolver {
 
     private static final double WORTH_IF_EXACT = 1e8;
 
+    /**
+     * Eliminations of all rows that an island is worth in a substep, and of the largest size in a
+     * step; what takes more is left to passes. Newton's steps take some ten; what takes fifty tries
+     * sets of rows that contradict each other.
+     */
+    private static final double ELIMINATIONS = 64;
+
+    private static final double LARGEST_ELIMINATIONS = 32;
+
+    /** Rows that passes solve in a step, unless that leaves a substep fewer than so many passes. */
+    private static final int SOLVES = 1_000_000;
+
+    private static final int LEAST_PASSES = 8;
+
     /** Rows up to which an island whose contacts may open and close is eliminated. */
     private static final int MOST_ROWS = 400;
 
     /** Passes over rows in a substep for each substep of a step; and over places. */
-    private static final int PASSES_PER_SUBSTEP = 5;
+    private static final int PASSES_PER_SUBSTEP = 20;
 
     private static final int PASSES_OVER_PLACES = 6;
 
@@ -62,7 +76,11 @@ public final class JointSolver {
     private final Motions motions;
     private final RowWork work;
     private final RowPasses passes;
-    private final int mostPasses;
+    private final int substeps;
+
+    /** Passes over the island's rows in a substep. */
+    private int mostPasses;
+
     private final double worth;
 
     /** Whether the island is small enough to be eliminated. */
@@ -115,8 +133,8 @@ public final class JointSolver {
         results = new JointResults(data, packed, rows);
         tolerance = accuracy.impactTolerance();
         passes = new RowPasses(rows);
-        mostPasses = PASSES_PER_SUBSTEP * accuracy.substeps();
-        boolean isLimited = accuracy.substeps() < Accuracy.EXACT.substeps();
+        substeps = accuracy.substeps();
+        boolean isLimited = substeps < Accuracy.EXACT.substeps();
         worth = isLimited ? WORTH : WORTH_IF_EXACT;
     }
 
@@ -126,14 +144,30 @@ public final class JointSolver {
     }
 
     /** Begins with the joints of an island whose bodies and contacts are packed. */
-    public void pack(int island, double firstKick) {
+    public void pack(int island, double firstKick, int substepsOfIsland) {
         packed.pack(island, firstKick);
         places.begin();
         write(firstKick, 2 * firstKick);
         contactRows.write(2 * firstKick, 0);
         boolean isCrowd = rows.count > MOST_ROWS && contactRows.areAny();
-        isWhole = !isCrowd && elimination.isWorth(worth);
+        double one = elimination.workOfAll();
+        isWhole = !isCrowd && one <= worth;
+        double most = Math.min(LARGEST_ELIMINATIONS * worth, ELIMINATIONS * one * substepsOfIsland);
+        elimination.beginIsland(most);
+        passes.begin();
+        int affordable = SOLVES / (substepsOfIsland * Math.max(1, rows.count));
+        mostPasses = Math.max(LEAST_PASSES, Math.min(PASSES_PER_SUBSTEP * substeps, affordable));
         kicked = firstKick;
+    }
+
+    /** Multiplications that eliminations of the packed island took. */
+    public double multiplications() {
+        return elimination.work();
+    }
+
+    /** Rows of the packed island that passes solved, each as often as they did. */
+    public long rowSolves() {
+        return passes.solves();
     }
 
     /** How the packed island is solved. */
@@ -182,6 +216,7 @@ public final class JointSolver {
     public void solve(double h, int substep, double fastest) {
         contactRows.write(h, substep);
         double settled = SETTLED * tolerance * fastest;
+        isWhole &= !elimination.isSpent();
         if (!isWhole) {
             pass(settled);
             return;
@@ -199,7 +234,8 @@ public final class JointSolver {
      * do, and then held by the joints.
      */
     private void secure(boolean isSolved, double settled) {
-        if (contactRows.areAny() && !(isSolved && work.sum() <= MOST_WORK * energy())) {
+        boolean mayDoWork = contactRows.areAny() || elimination.isSpent();
+        if (mayDoWork && !(isSolved && work.sum() <= MOST_WORK * energy())) {
             work.takeBack();
             work.rest();
             passes.run(mostPasses, settled);
@@ -237,6 +273,7 @@ public final class JointSolver {
             }
         }
         double settled = SETTLED * tolerance * fastest;
+        isWhole &= !elimination.isSpent();
         if (!isWhole) {
             pass(settled);
             return;

@@ -47,13 +47,36 @@ final class RowElimination {
 
     private boolean isFactored;
 
-    /** Multiplications made since they were counted last. */
-    double work;
+    /** Multiplications made in the island, and how many it is worth in a step. */
+    private double work;
+
+    private double worth;
 
     RowElimination(Motions motions, NeutralRows rows) {
         this.motions = motions;
         this.rows = rows;
         order = new RowOrder(motions, rows);
+    }
+
+    /** Begins an island that is worth so many multiplications. */
+    void beginIsland(double most) {
+        work = 0;
+        worth = most;
+    }
+
+    /** Multiplications made in the island. */
+    double work() {
+        return work;
+    }
+
+    /** Counts multiplications that another elimination of the island's rows took. */
+    void count(double multiplications) {
+        work += multiplications;
+    }
+
+    /** Whether the island has taken all the work that it is worth. */
+    boolean isSpent() {
+        return work > worth;
     }
 
     /** Begins with rows that were just written; none is in the set. */
@@ -93,8 +116,8 @@ final class RowElimination {
         isIn[row] = isInSet;
     }
 
-    /** Whether factoring all rows takes no more than so many multiplications. */
-    boolean isWorth(double most) {
+    /** Multiplications that factoring all rows takes. */
+    double workOfAll() {
         begin();
         listSet(true);
         layFirsts();
@@ -103,7 +126,7 @@ final class RowElimination {
             double width = i - first[i] + 1;
             all += width * width / 2;
         }
-        return all <= most;
+        return all;
     }
 
     /** Factors the set, unless it is factored. */
@@ -211,6 +234,7 @@ final class RowElimination {
     /** Finds the pushes of the set for what is asked of its rows; {@link #answer} tells them. */
     void solve(Asked asked) {
         factorize();
+        work += size == 0 ? 0 : 2.0 * (start[size - 1] + size);
         for (int i = 0; i < size; i++) {
             double sum = asked.of(set[i]);
             int at = start[i] - first[i];

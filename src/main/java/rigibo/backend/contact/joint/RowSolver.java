@@ -82,7 +82,7 @@ final class RowSolver {
     /** Solves but for so many m/s, and answers whether it could. */
     boolean solve(double most) {
         settled = Math.max(most, ROUND_OFF * strongest());
-        for (int round = 0; round < MOST_ROUNDS; round++) {
+        for (int round = 0; round < MOST_ROUNDS && !elimination.isSpent(); round++) {
             if (!exchange()) {
                 break;
             }
@@ -105,7 +105,7 @@ final class RowSolver {
     private boolean exchange() {
         int fewest = Integer.MAX_VALUE;
         int patience = PATIENCE;
-        for (int i = 0; i < MOST_EXCHANGES; i++) {
+        for (int i = 0; i < MOST_EXCHANGES && !elimination.isSpent(); i++) {
             eliminate();
             find();
             if (wrong == 0) {

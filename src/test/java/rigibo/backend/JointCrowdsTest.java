@@ -1,0 +1,138 @@
+package rigibo.backend;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.Test;
+
+import rigibo.backend.effect.Contacts;
+import rigibo.backend.effect.Effects;
+import rigibo.backend.effect.Friction;
+import rigibo.backend.effect.Gravity;
+import rigibo.backend.effect.Joints;
+import rigibo.backend.effect.Restitution;
+import rigibo.backend.effect.Rotation;
+import rigibo.backend.effect.Sleep;
+import rigibo.backend.geometry.Circle;
+import rigibo.backend.geometry.Polygon;
+import rigibo.backend.setup.Accuracy;
+import rigibo.backend.setup.BodyDefinition;
+
+/** Islands of many joints: they may drift, and tell it, but neither gain energy nor work on. */
+class JointCrowdsTest {
+
+    private static final double DT = 1.0 / 60;
+
+    /** Share of the start's energy that sums over all bodies may lose to rounding. */
+    private static final double ROUND_OFF = 1e-9;
+
+    private static final Effects EARTH =
+            Effects.of(
+                    new Contacts(),
+                    new Rotation(),
+                    new Friction(),
+                    new Restitution(),
+                    new Sleep(),
+                    new Gravity(0, -9.81),
+                    new Joints());
+
+    /**
+     * Multiplications of a step: of twenty ragdolls each may take 64 eliminations of its rows, of
+     * some 12,000 multiplications, in each of 5 kicks.
+     */
+    private static final double MOST_MULTIPLICATIONS = 1e8;
+
+    /** Rows that passes solve in a step: a million, made twice at most, in 5 kicks for 4. */
+    private static final long MOST_SOLVES = 2_500_000;
+
+    private static RigidBody bone(Pool pool, double x, double y, double width, double height) {
+        return pool.add(BodyDefinition.dynamic(Polygon.box(width, height)).at(x, y));
+    }
+
+    private static void bend(Pool pool, RigidBody a, RigidBody b, double x, double y) {
+        pool.join(RevoluteJoint.at(a, b, x, y).limits(-0.8, 0.8).motor(0, 1));
+    }
+
+    /** Eleven bodies, ten hinges with limits and a motor that only brakes. */
+    private static void addRagdoll(Pool pool, double x, double y) {
+        RigidBody chest = bone(pool, x, y, 0.4, 0.3);
+        RigidBody belly = bone(pool, x, y - 0.3, 0.35, 0.3);
+        bend(pool, chest, belly, x, y - 0.15);
+        RigidBody head = pool.add(BodyDefinition.dynamic(new Circle(0.15)).at(x, y + 0.3));
+        bend(pool, chest, head, x, y + 0.15);
+        for (int side = -1; side <= 1; side += 2) {
+            RigidBody arm = bone(pool, x + side * 0.35, y + 0.1, 0.3, 0.1);
+            bend(pool, chest, arm, x + side * 0.2, y + 0.1);
+            RigidBody hand = bone(pool, x + side * 0.65, y + 0.1, 0.3, 0.09);
+            bend(pool, arm, hand, x + side * 0.5, y + 0.1);
+            RigidBody thigh = bone(pool, x + side * 0.1, y - 0.65, 0.14, 0.4);
+            bend(pool, belly, thigh, x + side * 0.1, y - 0.45);
+            RigidBody shin = bone(pool, x + side * 0.1, y - 1.05, 0.12, 0.4);
+            bend(pool, thigh, shin, x + side * 0.1, y - 0.85);
+        }
+    }
+
+    private static double energy(Pool pool) {
+        double springs = pool.joints().stream().mapToDouble(Joint::energy).sum();
+        return pool.kineticEnergy() + pool.potentialEnergy() + springs;
+    }
+
+    private static double worstError(Pool pool) {
+        return pool.joints().stream().mapToDouble(Joint::error).max().orElse(0);
+    }
+
+    /** Runs so many steps and holds what every step owes; answers the worst error seen, m. */
+    private static double run(Pool pool, int steps) {
+        double start = energy(pool);
+        double worst = 0;
+        for (int i = 0; i < steps; i++) {
+            StepReport report = pool.step(DT);
+            assertThat(energy(pool))
+                    .as("J after step %d", i)
+                    .isLessThanOrEqualTo(start * (1 + ROUND_OFF));
+            assertThat(report.multiplications()).isLessThan(MOST_MULTIPLICATIONS);
+            assertThat(report.contactSolves()).isLessThan(MOST_SOLVES);
+            assertThat(report.quarantined()).isZero();
+            worst = Math.max(worst, worstError(pool));
+        }
+        return worst;
+    }
+
+    /** The worst error was 1.4 mm; the limit is twice that. */
+    @Test
+    void ragdollsFallInAPile() {
+        Pool pool = new Pool(EARTH, Accuracy.GAME);
+        pool.add(BodyDefinition.fixed(Polygon.box(40, 1)).at(0, -0.5));
+        for (int i = 0; i < 20; i++) {
+            addRagdoll(pool, 2 * (i % 5) - 4 + 0.3 * (i / 5), 2 + 2.2 * (i / 5));
+        }
+        assertThat(run(pool, 180)).isLessThan(3e-3);
+        assertThat(pool.bodies()).allSatisfy(body -> assertThat(body.x() + body.y()).isFinite());
+    }
+
+    /** A net of 30 × 30 discs that hangs by its upper corners: passes let it drift, by 0.33 m. */
+    @Test
+    void netHangsByItsCorners() {
+        Pool pool = new Pool(EARTH, Accuracy.GAME);
+        int side = 30;
+        RigidBody[][] knots = new RigidBody[side][side];
+        for (int row = 0; row < side; row++) {
+            for (int column = 0; column < side; column++) {
+                BodyDefinition knot =
+                        row == 0 && column % (side - 1) == 0
+                                ? BodyDefinition.fixed(new Circle(0.1))
+                                : BodyDefinition.dynamic(new Circle(0.1));
+                knots[row][column] = pool.add(knot.at(0.5 * column, 20 - 0.5 * row).group(1));
+                RigidBody here = knots[row][column];
+                if (column > 0) {
+                    RigidBody left = knots[row][column - 1];
+                    pool.join(RevoluteJoint.at(left, here, here.x() - 0.25, here.y()));
+                }
+                if (row > 0) {
+                    RigidBody above = knots[row - 1][column];
+                    pool.join(RevoluteJoint.at(above, here, here.x(), here.y() + 0.25));
+                }
+            }
+        }
+        assertThat(run(pool, 60)).isLessThan(0.5);
+    }
+}
