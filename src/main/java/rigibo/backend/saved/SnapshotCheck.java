@@ -40,6 +40,9 @@ final class SnapshotCheck {
         check.requireOrder();
         PairLinks.require(snapshot.data);
         check.requireVisits(snapshot.data.visits);
+        if (snapshot.data.joints != null) {
+            JointLinks.require(check.bodies, snapshot.data.joints, snapshot.jointOrder);
+        }
         for (SavedContact contact : snapshot.ended) {
             contact.require(check.bodies);
         }
