@@ -19,6 +19,7 @@ import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Field;
 import rigibo.backend.effect.Friction;
 import rigibo.backend.effect.Gravity;
+import rigibo.backend.effect.Joints;
 import rigibo.backend.effect.Restitution;
 import rigibo.backend.effect.RollingResistance;
 import rigibo.backend.effect.Rotation;
@@ -51,6 +52,7 @@ class NeutralEffectsTest {
                                         neutral(accuracy, usual, MATERIAL.drag(0), new Drag()),
                                         neutral(accuracy, usual, MATERIAL, new RollingResistance()),
                                         neutral(accuracy, usual, MATERIAL, new SurfaceSpeed()),
+                                        neutral(accuracy, usual, MATERIAL, new Joints()),
                                         neutral(accuracy, usual, MATERIAL, new Sensors()),
                                         neutral(accuracy, usual, MATERIAL, new Thrust()),
                                         neutral(accuracy, usual, MATERIAL, new AirDrag(0, 1)),
@@ -172,6 +174,7 @@ class NeutralEffectsTest {
                 Arguments.of(contacts, new Sleep(), 4 * 64),
                 Arguments.of(contacts, new RollingResistance(), 64),
                 Arguments.of(contacts, new ContinuousImpacts(), 0),
+                Arguments.of(contacts, new Joints(), 0),
                 Arguments.of(contacts, new Sensors(), 0),
                 Arguments.of(contacts.with(new Friction()), new SurfaceSpeed(), 64),
                 Arguments.of(contacts, new Thrust(), 3 * 64),

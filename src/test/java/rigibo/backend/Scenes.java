@@ -10,6 +10,7 @@ import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Field;
 import rigibo.backend.effect.Friction;
 import rigibo.backend.effect.Gravity;
+import rigibo.backend.effect.Joints;
 import rigibo.backend.effect.Restitution;
 import rigibo.backend.effect.Rotation;
 import rigibo.backend.effect.SurfaceSpeed;
@@ -117,6 +118,33 @@ enum Scenes {
             addTray(pool);
             addMixture(pool, 30);
             pool.bodies().get(0).material(new Material(1, 0.5, 0.3).surfaceSpeed(1));
+            return pool;
+        }
+    },
+    /** A chain of ten links that swings, and a car on springs that a motor drives. */
+    JOINTED {
+        @Override
+        Pool build() {
+            Pool pool = new Pool(usualWithoutSleep().with(new Joints()), Accuracy.GAME);
+            RigidBody before = addFloor(pool);
+            for (int i = 0; i < 10; i++) {
+                BodyDefinition link = BodyDefinition.dynamic(Polygon.box(0.4, 0.1));
+                RigidBody next = pool.add(link.at(0.4 * i - 9.8, 8));
+                pool.join(RevoluteJoint.at(before, next, 0.4 * i - 10, 8));
+                before = next;
+            }
+            RigidBody chassis =
+                    pool.add(BodyDefinition.dynamic(Polygon.box(2, 0.5)).at(3, 1).mass(10));
+            for (int side = -1; side <= 1; side += 2) {
+                double x = 3 + 0.8 * side;
+                BodyDefinition wheel = BodyDefinition.dynamic(new Circle(0.3));
+                RigidBody added = pool.add(wheel.at(x, 0.5).mass(1));
+                pool.join(
+                        WheelJoint.at(chassis, added, x, 0.5, Math.PI / 2)
+                                .limits(-0.2, 0.2)
+                                .spring(4, 0.7)
+                                .motor(side, 20));
+            }
             return pool;
         }
     };

@@ -26,9 +26,9 @@ final class ChipLayout {
     private static final double MARGIN = 10;
 
     /** The same where there is a crowd. */
-    private static final double CROWDED_MARGIN = 2;
+    private static final double CROWDED_MARGIN = 1;
 
-    private static final double CROWDED_GAP = 4;
+    private static final double CROWDED_GAP = 2;
 
     private final Words words;
     private final Canvas canvas;

@@ -11,6 +11,7 @@ import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Field;
 import rigibo.backend.effect.Friction;
 import rigibo.backend.effect.Gravity;
+import rigibo.backend.effect.Joints;
 import rigibo.backend.effect.Restitution;
 import rigibo.backend.effect.RollingResistance;
 import rigibo.backend.effect.Rotation;
@@ -42,6 +43,7 @@ enum KnownEffect {
     CENTRAL_FORCE(CentralForce.class),
     FIELD(Field.class),
     THRUST(Thrust.class),
+    JOINTS(Joints.class),
     SENSORS(Sensors.class),
     CONTINUOUS_IMPACTS(new ContinuousImpacts()),
     SLEEP(new Sleep()),

@@ -17,6 +17,7 @@ import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Field;
 import rigibo.backend.effect.Friction;
 import rigibo.backend.effect.Gravity;
+import rigibo.backend.effect.Joints;
 import rigibo.backend.effect.Restitution;
 import rigibo.backend.effect.RollingResistance;
 import rigibo.backend.effect.Rotation;
@@ -47,6 +48,7 @@ class EffectsBarTest {
                     new Restitution(),
                     new RollingResistance(),
                     new SurfaceSpeed(),
+                    new Joints(),
                     new Sensors(),
                     new Drag(),
                     new AirDrag(1.2, 1.1),
