@@ -11,6 +11,7 @@ import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Field;
 import rigibo.backend.effect.Friction;
 import rigibo.backend.effect.Gravity;
+import rigibo.backend.effect.Joints;
 import rigibo.backend.effect.Restitution;
 import rigibo.backend.effect.RollingResistance;
 import rigibo.backend.effect.Rotation;
@@ -117,6 +118,11 @@ record OwnClasses(List<Class<? extends Effect>> owners, List<String> classes) {
                             "flight.ImpactQueue"),
                     ofAny(List.of(Restitution.class, ContinuousImpacts.class), "impact.*"),
                     of(Sensors.class, "sense.*"),
+                    of(
+                            Joints.class,
+                            "contact.joint.*",
+                            "contact.JointedIslands",
+                            "rest.JointedBodies"),
                     of(Sleep.class, "rest.Sleeping"));
 
     private static OwnClasses of(Class<? extends Effect> owner, String... classes) {

@@ -13,6 +13,7 @@ import rigibo.backend.effect.Field;
 import rigibo.backend.effect.FieldPoint;
 import rigibo.backend.effect.Friction;
 import rigibo.backend.effect.Gravity;
+import rigibo.backend.effect.Joints;
 import rigibo.backend.effect.Restitution;
 import rigibo.backend.effect.RollingResistance;
 import rigibo.backend.effect.Rotation;
@@ -120,6 +121,7 @@ final class UseList {
                         same()),
                 thrust(),
                 sensors(),
+                joints(),
                 onPlates(
                         WEIGHT.with(new Contacts()).with(new Restitution()),
                         new ContinuousImpacts(),
@@ -231,6 +233,26 @@ final class UseList {
                 share -> new Sensors(),
                 "it is inside of a sensor that flies along",
                 body -> List.of(body, along.apply(body)),
+                alone(same()),
+                Use.NO_PUSH,
+                EVERY_SHARE);
+    }
+
+    /** Users have a partner that flies along, and where joints are declared a rod between them. */
+    private static Use joints() {
+        UnaryOperator<BodyDefinition> beside =
+                body ->
+                        BodyDefinition.dynamic(new Circle(0.1))
+                                .mass(1)
+                                .at(body.x(), body.y() + UsedScene.ROD)
+                                .velocity(body.velocityX(), body.velocityY())
+                                .group(1);
+        return new Use(
+                ROW,
+                WEIGHT.with(new Contacts()),
+                share -> new Joints(),
+                "a rod holds it to a body that flies along",
+                body -> List.of(body.group(1), beside.apply(body)),
                 alone(same()),
                 Use.NO_PUSH,
                 EVERY_SHARE);

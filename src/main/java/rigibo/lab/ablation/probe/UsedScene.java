@@ -1,8 +1,10 @@
 package rigibo.lab.ablation.probe;
 
+import rigibo.backend.DistanceJoint;
 import rigibo.backend.Pool;
 import rigibo.backend.RigidBody;
 import rigibo.backend.effect.Effects;
+import rigibo.backend.effect.Joints;
 import rigibo.backend.effect.Sensors;
 import rigibo.backend.effect.Thrust;
 import rigibo.backend.setup.BodyDefinition;
@@ -14,6 +16,9 @@ import java.util.function.Consumer;
 /** A scene in which a share of the dynamic bodies use an effect: the first ones. */
 final class UsedScene implements Workload {
 
+    /** Length of the rod between a user of joints and its partner, m. */
+    static final double ROD = 0.3;
+
     private final Use use;
     private final Share share;
     private final Effects effects;
@@ -21,6 +26,10 @@ final class UsedScene implements Workload {
     private final int users;
     private final boolean isDriven;
     private final int pushed;
+    private final int joined;
+
+    /** The pool whose users are joined. */
+    private Pool joinedIn;
 
     UsedScene(Use use, Share share, Effects effects, Consumer<RigidBody> push) {
         this.use = use;
@@ -30,6 +39,7 @@ final class UsedScene implements Workload {
         users = use.users(share);
         isDriven = effects.declares(Thrust.class);
         pushed = push == Use.NO_PUSH ? 0 : users;
+        joined = effects.declares(Joints.class) ? users : 0;
     }
 
     @Override
@@ -84,6 +94,21 @@ final class UsedScene implements Workload {
         }
         for (int i = 0; i < pushed; i++) {
             push.accept(pool.bodies().get(i));
+        }
+        if (joined > 0 && joinedIn != pool) {
+            join(pool);
+        }
+    }
+
+    /** Joins every user with its partner, who comes after it. */
+    private void join(Pool pool) {
+        joinedIn = pool;
+        List<RigidBody> bodies = pool.bodies();
+        for (int i = 0; i < joined; i++) {
+            RigidBody user = bodies.get(2 * i);
+            RigidBody partner = bodies.get(2 * i + 1);
+            pool.join(
+                    DistanceJoint.rod(user, user.x(), user.y(), partner, partner.x(), partner.y()));
         }
     }
 }
