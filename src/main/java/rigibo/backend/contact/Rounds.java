@@ -126,8 +126,9 @@ public final class Rounds {
         share = SETTLED * accuracy.impactTolerance();
         // From EXACT on elimination is worth any work.
         boolean isLimited = substeps < Accuracy.EXACT.substeps();
+        double fewer = Math.max(1, Accuracy.GAME.substeps() / substeps);
         double coarser = Math.min(1, substeps / (double) Accuracy.GAME.substeps());
-        worth = isLimited ? WORTH * coarser * WORK_OF_PASSES : Double.POSITIVE_INFINITY;
+        worth = isLimited ? WORTH * fewer * WORK_OF_PASSES : Double.POSITIVE_INFINITY;
         worthIfCalm =
                 isLimited ? WORTH_IF_CALM * coarser * WORK_OF_PASSES : Double.POSITIVE_INFINITY;
     }

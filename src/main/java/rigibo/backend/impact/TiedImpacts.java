@@ -50,7 +50,6 @@ public final class TiedImpacts {
     private int count;
     private double fastest;
     private int passes;
-    private int solves;
 
     /** How many solutions have changed something so far. */
     private int changes;
@@ -127,7 +126,7 @@ public final class TiedImpacts {
         row[at + SPEED_BEFORE] = speed(count - 1);
     }
 
-    /** How many rows there are: a pass solves no more. */
+    /** How many rows a pass goes over. */
     public int rows() {
         return count;
     }
@@ -135,11 +134,6 @@ public final class TiedImpacts {
     /** How many passes the last impacts took after the first. */
     public int passes() {
         return passes;
-    }
-
-    /** How many times a row was solved for the last impacts. */
-    public int solves() {
-        return solves;
     }
 
     /**
@@ -156,7 +150,6 @@ public final class TiedImpacts {
     public boolean solve(int mostPasses) {
         double settled = ROUND_OFF * fastest;
         passes = 0;
-        solves = 0;
         while (pass() > settled && passes < mostPasses) {
             passes++;
         }
@@ -228,7 +221,6 @@ public final class TiedImpacts {
             int b = pairs.bodyB[pairOf[i]];
             if (Math.max(movedBy[a], movedBy[b]) > answered[i]) {
                 most = Math.max(most, solveRow(i, a, b));
-                solves++;
             }
         }
         return most;

@@ -213,7 +213,7 @@ final class SimultaneousImpacts {
         double affordable = Math.ceil(left / workOfPass);
         int most = (int) Math.min(TiedImpacts.MOST_PASSES, affordable);
         boolean isAnswered = together.solve(most);
-        double work = WORK_OF_ROW * together.solves();
+        double work = (1 + together.passes()) * workOfPass;
         left -= work;
         contacts.work.multiplications += work;
         if (isAnswered || left > 0) {
