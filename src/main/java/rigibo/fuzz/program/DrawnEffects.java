@@ -16,9 +16,11 @@ import rigibo.backend.effect.FieldFunction;
 import rigibo.backend.effect.Friction;
 import rigibo.backend.effect.Gravity;
 import rigibo.backend.effect.Gusts;
+import rigibo.backend.effect.Joints;
 import rigibo.backend.effect.Restitution;
 import rigibo.backend.effect.RollingResistance;
 import rigibo.backend.effect.Rotation;
+import rigibo.backend.effect.Sensors;
 import rigibo.backend.effect.Sleep;
 import rigibo.backend.effect.SurfaceSpeed;
 import rigibo.backend.effect.Thrust;
@@ -92,6 +94,8 @@ final class DrawnEffects {
         if (chance.happens(0.5)) {
             two("Sleep", temper.factor(chance, 1e9), 1e-3 * temper.factor(chance, 1e9), Sleep::new);
         }
+        plain(0.2, new Sensors());
+        plain(0.2, new Joints());
     }
 
     private void drawGravity() {
