@@ -73,7 +73,7 @@ public record DistanceJoint(
         return rod.with(rod.settings.limits(new JointLimits(0, most, 0)));
     }
 
-    /** The same of another length without load, m. */
+    /** A copy with another length without load, m. */
     public DistanceJoint length(double metres) {
         return new DistanceJoint(a, b, frameA, frameB, metres, settings);
     }

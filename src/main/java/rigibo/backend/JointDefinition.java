@@ -39,7 +39,7 @@ public sealed interface JointDefinition
     JointSettings settings();
 
     /**
-     * The same joint with other settings.
+     * A copy of this joint with other settings.
      *
      * @throws IllegalArgumentException when it has no use for one of them
      */
@@ -48,32 +48,32 @@ public sealed interface JointDefinition
     /** Of which kind the joint is. */
     JointKind kind();
 
-    /** The same joint within limits, rad of a hinge, m of all others, that do not rebound. */
+    /** A copy within limits that do not rebound: rad for a hinge, m for all other kinds. */
     default JointDefinition limits(double lower, double upper) {
         return limits(lower, upper, 0);
     }
 
-    /** The same joint within limits that rebound with a share of the speed, 0 to 1. */
+    /** A copy within limits that rebound with a share of the speed, 0 to 1. */
     default JointDefinition limits(double lower, double upper, double elasticity) {
         return with(settings().limits(new JointLimits(lower, upper, elasticity)));
     }
 
-    /** The same joint driven to a speed (rad/s or m/s) with a most torque (N·m) or force (N). */
+    /** A copy driven to a speed (rad/s or m/s) by at most a torque (N·m) or a force (N). */
     default JointDefinition motor(double speed, double most) {
         return with(settings().motor(new JointMotor(speed, most)));
     }
 
-    /** The same joint with a spring of a frequency in Hz and a damping ratio, 1 is critical. */
+    /** A copy with a spring of a frequency in Hz and a damping ratio, of which 1 is critical. */
     default JointDefinition spring(double hertz, double dampingRatio) {
         return with(settings().spring(new JointSpring(hertz, dampingRatio)));
     }
 
-    /** The same joint, whose bodies meet each other, or do not. */
+    /** A copy whose bodies collide with each other, or do not. */
     default JointDefinition collideConnected(boolean meet) {
         return with(settings().collideConnected(meet));
     }
 
-    /** The same joint that breaks from a force (N) or a torque (N·m) on; ∞ is never. */
+    /** A copy that breaks from a force (N) or a torque (N·m) on; at ∞ it never does. */
     default JointDefinition breaking(double force, double torque) {
         return with(settings().breaking(force, torque));
     }

@@ -6,7 +6,7 @@ import rigibo.backend.setup.BodyDefinition;
 import rigibo.frontend.gallery.Exhibit;
 import rigibo.frontend.gallery.View;
 
-/** The same barrel full of boxes. */
+/** A barrel full of boxes. */
 public final class BarrelOfBoxes implements Exhibit {
     @Override
     public void build(Pool pool) {

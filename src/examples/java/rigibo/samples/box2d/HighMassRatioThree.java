@@ -8,7 +8,7 @@ import rigibo.backend.setup.Material;
 import rigibo.frontend.gallery.Exhibit;
 import rigibo.frontend.gallery.View;
 
-/** The same with a rounded slab that falls on them. */
+/** A rounded slab falls on two small discs. */
 public final class HighMassRatioThree implements Exhibit {
     @Override
     public void build(Pool pool) {

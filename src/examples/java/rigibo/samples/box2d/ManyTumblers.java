@@ -2,9 +2,6 @@ package rigibo.samples.box2d;
 
 import rigibo.backend.Pool;
 import rigibo.backend.geometry.Capsule;
-import rigibo.backend.geometry.Compound;
-import rigibo.backend.geometry.Part;
-import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.frontend.gallery.Exhibit;
 import rigibo.frontend.gallery.View;
@@ -17,23 +14,13 @@ public final class ManyTumblers implements Exhibit {
         for (int drum = 0; drum < 9; drum++) {
             double x = 2.8 * (drum % 3 - 1);
             double y = 4 + 2.8 * (drum / 3 - 1);
-            pool.add(BodyDefinition.kinematic(drum(1.6)).at(x, y).spin(0.8));
+            pool.add(BodyDefinition.kinematic(Tumbler.drum(1.6)).at(x, y).spin(0.8));
             for (int i = 0; i < 12; i++) {
                 pool.add(
                         BodyDefinition.dynamic(new Capsule(0.12, 0.07))
                                 .at(x - 0.5 + 0.4 * (i % 4), y - 0.4 + 0.3 * (i / 4)));
             }
         }
-    }
-
-    /** Four walls round a space of so many metres. */
-    private static Compound drum(double inner) {
-        double at = inner / 2 + 0.1;
-        return Compound.of(
-                Part.of(Polygon.box(inner + 0.4, 0.2)).at(0, at),
-                Part.of(Polygon.box(inner + 0.4, 0.2)).at(0, -at),
-                Part.of(Polygon.box(0.2, inner)).at(at, 0),
-                Part.of(Polygon.box(0.2, inner)).at(-at, 0));
     }
 
     @Override

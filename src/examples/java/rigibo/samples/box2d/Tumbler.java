@@ -22,7 +22,7 @@ public final class Tumbler implements Exhibit {
     }
 
     /** Four walls round a space of so many metres. */
-    private static Compound drum(double inner) {
+    static Compound drum(double inner) {
         double at = inner / 2 + 0.1;
         return Compound.of(
                 Part.of(Polygon.box(inner + 0.4, 0.2)).at(0, at),

@@ -221,12 +221,7 @@ public final class Compound implements Shape {
 
     @Override
     public void bounds(double x, double y, double cos, double sin, Aabb out) {
-        Aabb one = new Aabb();
-        outlines[0].bounds(x, y, cos, sin, out);
-        for (int i = 1; i < outlines.length; i++) {
-            outlines[i].bounds(x, y, cos, sin, one);
-            out.enclose(one);
-        }
+        Outline.bounds(outlines, x, y, cos, sin, out);
     }
 
     @Override

@@ -346,4 +346,14 @@ public final class Outline {
     public String toString() {
         return "Outline[" + cornerX.length + " corners, radius " + radius + " m]";
     }
+
+    /** Writes the bounds of all outlines of one body, of which there is at least one. */
+    static void bounds(Outline[] outlines, double x, double y, double cos, double sin, Aabb out) {
+        Aabb one = new Aabb();
+        outlines[0].bounds(x, y, cos, sin, out);
+        for (int i = 1; i < outlines.length; i++) {
+            outlines[i].bounds(x, y, cos, sin, one);
+            out.enclose(one);
+        }
+    }
 }
