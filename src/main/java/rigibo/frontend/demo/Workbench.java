@@ -1,6 +1,8 @@
 package rigibo.frontend.demo;
 
 import rigibo.backend.ContactView;
+import rigibo.backend.Joint;
+import rigibo.backend.JointDefinition;
 import rigibo.backend.Pool;
 import rigibo.backend.RigidBody;
 import rigibo.backend.effect.Effects;
@@ -8,6 +10,7 @@ import rigibo.backend.geometry.Aabb;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.BodyType;
+import rigibo.frontend.scene.Bench;
 import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
@@ -17,13 +20,14 @@ import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Skin;
 import rigibo.frontend.scene.Sounds;
 import rigibo.frontend.scene.ghost.Ghost;
+import rigibo.frontend.scene.joint.JointPicture;
 
 import java.util.IdentityHashMap;
 import java.util.Map;
 import java.util.function.Consumer;
 
 /** A pool that is looked at: bodies with skins, a camera, a hand that drags and flings. */
-final class Workbench {
+final class Workbench implements Bench {
 
     private static final double NORMAL_LENGTH_PX = 22;
 
@@ -50,7 +54,8 @@ final class Workbench {
         pool.clock(System::nanoTime);
     }
 
-    Pool pool() {
+    @Override
+    public Pool pool() {
         return pool;
     }
 
@@ -68,10 +73,37 @@ final class Workbench {
     }
 
     /** Does something to a body, and to its ghost, if there is one. */
-    void act(RigidBody body, Consumer<RigidBody> verb) {
+    @Override
+    public void act(RigidBody body, Consumer<RigidBody> verb) {
         verb.accept(body);
         if (ghost != null) {
             ghost.act(body, verb);
+        }
+    }
+
+    /** Does something to a joint, and to its ghost, if there is one. */
+    @Override
+    public void act(Joint joint, Consumer<Joint> verb) {
+        verb.accept(joint);
+        if (ghost != null) {
+            ghost.act(joint, verb);
+        }
+    }
+
+    @Override
+    public Joint join(JointDefinition definition) {
+        Joint joint = pool.join(definition);
+        if (ghost != null) {
+            ghost.joined(joint, definition);
+        }
+        return joint;
+    }
+
+    @Override
+    public void part(Joint joint) {
+        pool.remove(joint);
+        if (ghost != null) {
+            ghost.parted(joint);
         }
     }
 
@@ -94,11 +126,16 @@ final class Workbench {
 
     /** Takes hold of a dynamic body under a point, world m; returns whether there is one. */
     boolean grab(double x, double y) {
-        return grip.grab(pool, x, y);
+        return grip.grab(this, x, y);
     }
 
     void letGo() {
         grip.letGo();
+    }
+
+    /** Whether the hand holds something. */
+    boolean isHeld() {
+        return grip.held().isPresent();
     }
 
     /** Where the pointer is, world m. */
@@ -116,7 +153,7 @@ final class Workbench {
 
     /** Pulls what is held towards the pointer: it keeps its speed when it is let go. */
     void pull() {
-        grip.held().ifPresent(body -> act(body, grip::pull));
+        grip.pull();
     }
 
     /** Advances the scene, and its ghost, by a step of {@code dt} seconds. */
@@ -175,6 +212,7 @@ final class Workbench {
                 canvas.body(body.shape(), body.x(), body.y(), body.angle(), skins.get(body), mood);
             }
         }
+        JointPicture.draw(canvas, camera, pool.joints());
         if (ghost != null) {
             ghost.draw(canvas);
         }

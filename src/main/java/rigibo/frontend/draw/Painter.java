@@ -122,6 +122,18 @@ public final class Painter implements Canvas {
     }
 
     @Override
+    public void curve(double[] xy, int points, double width, Color color) {
+        for (int i = 1; i < points; i++) {
+            double left = Math.min(xy[2 * i - 2], xy[2 * i]);
+            double top = Math.min(xy[2 * i - 1], xy[2 * i + 1]);
+            double right = Math.max(xy[2 * i - 2], xy[2 * i]);
+            double bottom = Math.max(xy[2 * i - 1], xy[2 * i + 1]);
+            marks.add(left, top, right, bottom);
+        }
+        pen.curve(xy, points, width, color);
+    }
+
+    @Override
     public void disc(double x, double y, double radius, Color color) {
         marks.add(x - radius, y - radius, x + radius, y + radius);
         pen.disc(x, y, radius, color);

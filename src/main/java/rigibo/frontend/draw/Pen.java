@@ -53,6 +53,17 @@ final class Pen {
         stroke(width, color);
     }
 
+    void curve(double[] xy, int points, double width, Color color) {
+        nvgBeginPath(context);
+        nvgMoveTo(context, (float) xy[0], (float) xy[1]);
+        for (int i = 1; i < points; i++) {
+            nvgLineTo(context, (float) xy[2 * i], (float) xy[2 * i + 1]);
+        }
+        nvgLineJoin(context, NVG_ROUND);
+        stroke(width, color);
+        nvgLineJoin(context, NVG_MITER);
+    }
+
     void disc(double x, double y, double radius, Color color) {
         nvgBeginPath(context);
         nvgCircle(context, (float) x, (float) y, (float) radius);

@@ -9,6 +9,7 @@ import rigibo.backend.geometry.Shape;
 import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.ChainBand;
+import rigibo.frontend.scene.joint.JointPicture;
 
 /** An exhibit as small as a card; what lies half outside is cut at the card's edge. */
 final class ExhibitPicture {
@@ -45,6 +46,7 @@ final class ExhibitPicture {
         for (RigidBody body : showing.pool().bodies()) {
             draw(canvas, body);
         }
+        JointPicture.drawInside(canvas, camera, showing.pool().joints(), window);
         Sketch sketch = new PictureSketch(new CanvasSketch(canvas, camera, FINE), window);
         showing.exhibit().sketch(showing.pool(), sketch);
     }

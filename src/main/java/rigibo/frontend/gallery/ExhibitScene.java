@@ -10,6 +10,7 @@ import rigibo.frontend.scene.Key;
 import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.accuracy.Preset;
+import rigibo.frontend.scene.joint.JointPicture;
 
 import java.util.Optional;
 
@@ -38,11 +39,11 @@ final class ExhibitScene implements Scene {
     }
 
     private void restart() {
+        grip.letGo();
         showing = new Showing(found.make().get());
         View view = showing.exhibit().view();
         camera = new Camera(view.x(), view.y(), HEIGHT / view.height());
         impacts = new Impacts();
-        grip.letGo();
     }
 
     @Override
@@ -58,7 +59,7 @@ final class ExhibitScene implements Scene {
     }
 
     private void advance() {
-        grip.held().ifPresent(grip::pull);
+        grip.pull();
         showing.step();
         if (director.sounds().isHeard()) {
             impacts.tell(showing.pool(), Looks::of, director.sounds());
@@ -80,6 +81,7 @@ final class ExhibitScene implements Scene {
                         Showing.mood(body));
             }
         }
+        JointPicture.draw(canvas, camera, showing.pool().joints());
         CanvasSketch sketch = new CanvasSketch(canvas, camera, 1);
         showing.exhibit().sketch(showing.pool(), sketch);
         plates.draw(canvas, showing.pool(), sketch.figure(), isPaused);
@@ -106,7 +108,7 @@ final class ExhibitScene implements Scene {
     public void pointerPressed(PointerButton button, double x, double y) {
         pointerMoved(x, y);
         if (button == PointerButton.LEFT) {
-            grip.grab(showing.pool(), grip.pointerX(), grip.pointerY());
+            grip.grab(showing, grip.pointerX(), grip.pointerY());
         } else if (button == PointerButton.RIGHT) {
             isPanning = true;
             showing.exhibit().act(showing.pool(), grip.pointerX(), grip.pointerY());

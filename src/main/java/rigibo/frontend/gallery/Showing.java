@@ -3,11 +3,12 @@ package rigibo.frontend.gallery;
 import rigibo.backend.Pool;
 import rigibo.backend.RigidBody;
 import rigibo.backend.setup.BodyType;
+import rigibo.frontend.scene.Bench;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Scene;
 
 /** An exhibit that goes on: itself and its pool. */
-final class Showing {
+final class Showing implements Bench {
 
     private final Exhibit exhibit;
     private final Pool pool;
@@ -21,7 +22,8 @@ final class Showing {
         return exhibit;
     }
 
-    Pool pool() {
+    @Override
+    public Pool pool() {
         return pool;
     }
 

@@ -60,6 +60,9 @@ public interface Canvas {
     /** A straight line on the screen. */
     void line(double x1, double y1, double x2, double y2, double width, Color color);
 
+    /** A line through so many points x₀, y₀, x₁, y₁, … of the screen, round at its corners. */
+    void curve(double[] xy, int points, double width, Color color);
+
     /** A filled disc on the screen. */
     void disc(double x, double y, double radius, Color color);
 

@@ -1,12 +1,19 @@
 package rigibo.frontend.scene;
 
+import rigibo.backend.Joint;
+import rigibo.backend.MouseJoint;
 import rigibo.backend.Pool;
 import rigibo.backend.RigidBody;
+import rigibo.backend.effect.Joints;
 import rigibo.backend.setup.BodyType;
 
 import java.util.Optional;
 
-/** A hand that takes hold of a body of a pool and pulls it along: let go, it flies on. */
+/**
+ * A hand that takes hold of a body of a pool and pulls it along: let go, it flies on. Where joints
+ * are declared it is a joint, which holds the body where it was grabbed; elsewhere the body's
+ * velocity is set, so that it comes with its middle.
+ */
 public final class Grip {
 
     /** Share of the way to the pointer that a held body makes up per second. */
@@ -16,19 +23,42 @@ public final class Grip {
     private static final double MOST_FLING = 30;
 
     private RigidBody held;
+    private Bench bench;
+    private Joint hand;
     private double pointerX;
     private double pointerY;
 
     /** Takes hold of a dynamic body under a point, world m; returns whether there is one. */
-    public boolean grab(Pool pool, double x, double y) {
+    public boolean grab(Bench from, double x, double y) {
+        letGo();
+        bench = from;
+        Pool pool = from.pool();
         held = pool.bodyAt(x, y).filter(body -> body.type() == BodyType.DYNAMIC).orElse(null);
         point(x, y);
+        if (held != null && pool.effects().declares(Joints.class)) {
+            carrier(pool).ifPresent(any -> hand = from.join(MouseJoint.of(any, held, x, y)));
+        }
         return held != null;
+    }
+
+    /** Who carries the joint and feels nothing of it: what stands still, if anything does. */
+    private Optional<RigidBody> carrier(Pool pool) {
+        Optional<RigidBody> still =
+                pool.bodies().stream().filter(body -> body.type() == BodyType.STATIC).findFirst();
+        return still.or(() -> pool.bodies().stream().filter(body -> body != held).findFirst());
     }
 
     /** Lets go of what is held. */
     public void letGo() {
+        if (isHand()) {
+            bench.part(hand);
+        }
         held = null;
+        hand = null;
+    }
+
+    private boolean isHand() {
+        return hand != null && hand.isAlive();
     }
 
     /** Where the pointer is, world m. */
@@ -52,10 +82,20 @@ public final class Grip {
         return Optional.ofNullable(held).filter(RigidBody::isAlive);
     }
 
-    /** Pulls a body towards the pointer: it keeps its speed when it is let go. */
-    public void pull(RigidBody body) {
-        double vx = PULL * (pointerX - body.x());
-        double vy = PULL * (pointerY - body.y());
+    /** Pulls what is held towards the pointer: it keeps its speed when it is let go. */
+    public void pull() {
+        double x = pointerX;
+        double y = pointerY;
+        if (isHand()) {
+            bench.act(hand, any -> any.target(x, y));
+        } else {
+            held().ifPresent(body -> bench.act(body, any -> pull(any, x, y)));
+        }
+    }
+
+    private static void pull(RigidBody body, double x, double y) {
+        double vx = PULL * (x - body.x());
+        double vy = PULL * (y - body.y());
         double speed = Math.max(1, Math.sqrt(vx * vx + vy * vy) / MOST_FLING);
         body.velocity(vx / speed, vy / speed);
     }

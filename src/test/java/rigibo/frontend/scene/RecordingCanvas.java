@@ -3,6 +3,7 @@ package rigibo.frontend.scene;
 import rigibo.backend.geometry.Shape;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 
 /** Keeps what a scene draws, so that a test can tell whether it can be read. */
@@ -51,6 +52,9 @@ public final class RecordingCanvas implements Canvas {
     /** A line on the screen, logical pixels. */
     public record Line(double x1, double y1, double x2, double y2, Color color) {}
 
+    /** A line through points x₀, y₀, x₁, y₁, … of the screen, logical pixels. */
+    public record Curve(double[] xy, Color color) {}
+
     /** Part of a ring on the screen, logical pixels. */
     public record Ring(double x, double y, double radius, double fraction, Color color) {}
 
@@ -61,6 +65,7 @@ public final class RecordingCanvas implements Canvas {
     private final List<Plate> plates = new ArrayList<>();
     private final List<Mark> frames = new ArrayList<>();
     private final List<Line> lines = new ArrayList<>();
+    private final List<Curve> curves = new ArrayList<>();
     private final List<Ring> rings = new ArrayList<>();
     private final List<Mood> moods = new ArrayList<>();
     private Camera camera = Camera.ofPuzzle();
@@ -156,6 +161,11 @@ public final class RecordingCanvas implements Canvas {
         return lines;
     }
 
+    /** The curves of a frame. */
+    public List<Curve> curves() {
+        return curves;
+    }
+
     /** The rings of a frame. */
     public List<Ring> rings() {
         return rings;
@@ -220,6 +230,11 @@ public final class RecordingCanvas implements Canvas {
     @Override
     public void line(double x1, double y1, double x2, double y2, double width, Color color) {
         lines.add(new Line(x1, y1, x2, y2, color));
+    }
+
+    @Override
+    public void curve(double[] xy, int points, double width, Color color) {
+        curves.add(new Curve(Arrays.copyOf(xy, 2 * points), color));
     }
 
     @Override

@@ -1,5 +1,7 @@
 package rigibo.frontend.scene.ghost;
 
+import rigibo.backend.Joint;
+import rigibo.backend.JointDefinition;
 import rigibo.backend.Pool;
 import rigibo.backend.RigidBody;
 import rigibo.backend.setup.BodyDefinition;
@@ -8,9 +10,6 @@ import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Skin;
 import rigibo.frontend.scene.accuracy.Preset;
 
-import java.util.IdentityHashMap;
-import java.util.Iterator;
-import java.util.Map;
 import java.util.function.Consumer;
 
 /**
@@ -23,7 +22,7 @@ public final class Ghost {
     private final Pool original;
     private final Pool copy;
     private final Preset preset;
-    private final Map<RigidBody, RigidBody> twins = new IdentityHashMap<>();
+    private final Twins twins;
     private final Divergence divergence = new Divergence();
 
     /**
@@ -42,8 +41,7 @@ public final class Ghost {
         this.preset = preset;
         copy = Pool.restore(original.snapshot(), original.effects());
         copy.accuracy(preset.accuracy());
-        Iterator<RigidBody> copies = copy.bodies().iterator();
-        original.bodies().forEach(body -> twins.put(body, copies.next()));
+        twins = new Twins(original, copy);
     }
 
     /** Its accuracy. */
@@ -63,21 +61,52 @@ public final class Ghost {
 
     /** A body was taken out of the scene. */
     public void removed(RigidBody body) {
-        copy.remove(twins.remove(body));
+        copy.remove(twins.drop(body));
+    }
+
+    /** A joint was made in the scene. */
+    public void joined(Joint joint, JointDefinition definition) {
+        followEffects();
+        twins.put(joint, copy.join(twins.of(definition)));
+    }
+
+    /** A joint was ended in the scene; in the copy it may have broken before. */
+    public void parted(Joint joint) {
+        Joint twin = twins.drop(joint);
+        if (twin.isAlive()) {
+            copy.remove(twin);
+        }
+    }
+
+    /** Does to a joint's twin what was done to the joint, where it has not broken. */
+    public void act(Joint joint, Consumer<Joint> verb) {
+        Joint twin = twins.of(joint);
+        if (twin.isAlive()) {
+            verb.accept(twin);
+        }
+    }
+
+    /** Where a body of the scene is in the copy. */
+    public RigidBody twin(RigidBody body) {
+        return twins.of(body);
     }
 
     /** Does to a body's twin what was done to the body. */
     public void act(RigidBody body, Consumer<RigidBody> verb) {
-        verb.accept(twins.get(body));
+        verb.accept(twins.of(body));
     }
 
     /** Follows a step of the scene of {@code dt} seconds. */
     public void step(double dt) {
+        followEffects();
+        copy.step(dt);
+        divergence.step(original, copy);
+    }
+
+    private void followEffects() {
         if (!copy.effects().equals(original.effects())) {
             copy.effects(original.effects());
         }
-        copy.step(dt);
-        divergence.step(original, copy);
     }
 
     /** Draws the outlines of what can move. */
