@@ -30,6 +30,11 @@ interface Demo {
     /** Controls and readouts, from above. */
     List<Widget> widgets();
 
+    /** Whether its point is how it differs at another accuracy: then the ghost's side turns up. */
+    default boolean wantsGhost() {
+        return false;
+    }
+
     /** Before each step. */
     default void beforeStep(Workbench bench) {}
 

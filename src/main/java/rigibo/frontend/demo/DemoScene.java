@@ -79,7 +79,7 @@ final class DemoScene implements Scene {
     }
 
     private void advance() {
-        side.keepGhost();
+        side.keepGhost(demo.wantsGhost());
         bench.pull();
         demo.beforeStep(bench);
         side.beforeStep();

@@ -18,7 +18,12 @@ public final class Demos {
     /** An entry each. */
     public static List<SceneEntry> entries() {
         return List.of(
-                CrateDemo.entry(), WheelDemo.entry(), FrictionDemo.entry(), FloodDemo.entry());
+                CrateDemo.entry(),
+                WheelDemo.entry(),
+                FrictionDemo.entry(),
+                FloodDemo.entry(),
+                PendulumDemo.entry(),
+                CarDemo.entry());
     }
 
     /** What each of them declares, by its English name. */
@@ -30,7 +35,9 @@ public final class Demos {
                         new CrateDemo(words),
                         new WheelDemo(words),
                         new FrictionDemo(words),
-                        new FloodDemo(words))) {
+                        new FloodDemo(words),
+                        new PendulumDemo(words),
+                        new CarDemo(words))) {
             effects.put(demo.title(), demo.effects());
         }
         return effects;

@@ -42,6 +42,7 @@ final class SidePlate {
     private final EnergyPlate energy;
     private final GhostPlate ghost;
     private Side shown = Side.FRAME;
+    private boolean wasWanted;
 
     /** A plate with its upper left corner at (x, y), px, its first side up. */
     SidePlate(Workbench bench, Words words, double x, double y) {
@@ -121,9 +122,20 @@ final class SidePlate {
     }
 
     /**
+     * Turns up the ghost's side when the demo begins to want it, and away when it no longer does.
+     */
+    void keepGhost(boolean isWanted) {
+        if (isWanted != wasWanted) {
+            wasWanted = isWanted;
+            show(isWanted ? Side.GHOST : Side.FRAME);
+        }
+        keepGhost();
+    }
+
+    /**
      * Sees to it that there is a ghost while its side is up, and that it is not the scene's like.
      */
-    void keepGhost() {
+    private void keepGhost() {
         bench.haunt(shown == Side.GHOST);
     }
 

@@ -30,9 +30,10 @@ public final class MenuScene implements Scene {
     private static final double PLAY_HEIGHT = 84;
     private static final double ROW_TOP = PLAY_TOP + PLAY_HEIGHT + GAP;
     private static final double ROW_HEIGHT = 48;
-    private static final double HEADING = 374;
-    private static final double CARDS_TOP = 396;
-    private static final double CARD_HEIGHT = 58;
+    private static final double HEADING = 368;
+    private static final double CARDS_TOP = 386;
+    private static final double CARD_HEIGHT = 46;
+    private static final double CARD_GAP = 6;
     private static final double CARD_WIDTH = 320;
     private static final double CARDS_LEFT = (WIDTH - 2 * CARD_WIDTH - GAP) / 2;
     private static final double FOOT = HEIGHT - 20;
@@ -130,7 +131,7 @@ public final class MenuScene implements Scene {
             cards.add(
                     new Tile(
                             CARDS_LEFT + column * (CARD_WIDTH + GAP),
-                            CARDS_TOP + row * (CARD_HEIGHT + GAP),
+                            CARDS_TOP + row * (CARD_HEIGHT + CARD_GAP),
                             CARD_WIDTH,
                             CARD_HEIGHT,
                             (canvas, tile, isChosen) -> drawCard(canvas, tile, entry, isChosen),
@@ -143,10 +144,10 @@ public final class MenuScene implements Scene {
         Print.plate(canvas, tile, isChosen);
         double left = tile.x() + 16;
         double width = tile.width() - 32;
-        Print.left(canvas, entry.title().apply(words), left, tile.y() + 20, 20, Color.TEXT);
+        Print.left(canvas, entry.title().apply(words), left, tile.y() + 15, 20, Color.TEXT);
         String about =
                 Lines.shortened(canvas, entry.words().apply(words), 16, Canvas.Font.WORDS, width);
-        Print.left(canvas, about, left, tile.y() + 42, 16, Color.TEXT_DIM);
+        Print.left(canvas, about, left, tile.y() + 34, 16, Color.TEXT_DIM);
     }
 
     private Runnable pressing(Runnable action) {

@@ -33,7 +33,7 @@ class DemoControlsTest {
     }
 
     @ParameterizedTest
-    @ValueSource(ints = {0, 1, 2, 3})
+    @ValueSource(ints = {0, 1, 2, 3, 4, 5})
     void dialIsTurnedByMouseAndKeysAndAlwaysThere(int demo) {
         Scene scene = open(demo);
         assertThat(RecordingCanvas.of(scene).plateOf("GAME")).isEqualTo(Color.BRASS);
@@ -47,7 +47,7 @@ class DemoControlsTest {
 
     /** The energy has a side of its own, which N and its tab turn up. */
     @ParameterizedTest
-    @ValueSource(ints = {0, 1, 2, 3})
+    @ValueSource(ints = {0, 1, 2, 3, 4, 5})
     void energyUnfoldsByKeyAndTabAndCanBeRead(int demo) {
         Scene scene = open(demo);
         assertThat(RecordingCanvas.of(scene).texts()).doesNotContain("potential");
@@ -75,7 +75,7 @@ class DemoControlsTest {
         Scene last = director.shown.get(0);
         last.keyPressed(Key.RIGHT_BRACKET);
 
-        assertThat(last.title()).isEqualTo("RigiBo – " + "Flood");
+        assertThat(last.title()).isEqualTo("RigiBo – " + "Car");
         assertThat(director.shown.get(1).title()).isEqualTo(first.title());
     }
 }

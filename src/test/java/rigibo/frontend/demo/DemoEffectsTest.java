@@ -33,13 +33,20 @@ class DemoEffectsTest {
                     "rolling-resistance",
                     "surface-speed",
                     "thrust",
+                    "joints",
                     "continuous-impacts",
                     "sleep",
                     "air-drag",
                     "wind");
 
     static Stream<Function<Words, Demo>> demos() {
-        return Stream.of(CrateDemo::new, WheelDemo::new, FrictionDemo::new, FloodDemo::new);
+        return Stream.of(
+                CrateDemo::new,
+                WheelDemo::new,
+                FrictionDemo::new,
+                FloodDemo::new,
+                PendulumDemo::new,
+                CarDemo::new);
     }
 
     private static Scene open(Function<Words, Demo> maker) {

@@ -28,7 +28,13 @@ class GhostInDemosTest {
     private static final int STEPS = 300;
 
     static Stream<Function<Words, Demo>> demos() {
-        return Stream.of(CrateDemo::new, WheelDemo::new, FrictionDemo::new, FloodDemo::new);
+        return Stream.of(
+                CrateDemo::new,
+                WheelDemo::new,
+                FrictionDemo::new,
+                FloodDemo::new,
+                PendulumDemo::new,
+                CarDemo::new);
     }
 
     /**

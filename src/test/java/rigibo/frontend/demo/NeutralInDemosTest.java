@@ -14,6 +14,7 @@ import rigibo.backend.effect.Effect;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Field;
 import rigibo.backend.effect.Friction;
+import rigibo.backend.effect.Joints;
 import rigibo.backend.effect.Sleep;
 import rigibo.backend.effect.SurfaceSpeed;
 import rigibo.backend.effect.Thrust;
@@ -41,14 +42,27 @@ class NeutralInDemosTest {
                     new Field(at -> at.push(0, 0)));
 
     static Stream<Function<Words, Demo>> demos() {
-        return Stream.of(CrateDemo::new, WheelDemo::new, FrictionDemo::new, FloodDemo::new);
+        return Stream.of(
+                CrateDemo::new,
+                WheelDemo::new,
+                FrictionDemo::new,
+                FloodDemo::new,
+                PendulumDemo::new,
+                CarDemo::new);
     }
 
-    /** Nothing sleeps where a function of the caller's is declared: it may change with time. */
+    /**
+     * Nothing sleeps where a function of the caller's is declared: it may change with time. Under
+     * forces that change along the way what joints hold is integrated in plain substeps.
+     */
     private static boolean isForeign(Effect effect, Effects called) {
         boolean keepsAwake = effect.holdsFunction() && called.declares(Sleep.class);
         boolean lacksFriction = effect instanceof SurfaceSpeed && !called.declares(Friction.class);
-        return !called.declares(effect.getClass()) && !keepsAwake && !lacksFriction;
+        boolean isPlain = called.declares(Joints.class) && !(effect instanceof Thrust);
+        return !called.declares(effect.getClass())
+                && !keepsAwake
+                && !lacksFriction
+                && (!isPlain || effect instanceof SurfaceSpeed);
     }
 
     /** The crate's floor runs for whoever switches that on. */

@@ -1,0 +1,325 @@
+package rigibo.frontend.demo;
+
+import rigibo.backend.RigidBody;
+import rigibo.backend.effect.Contacts;
+import rigibo.backend.effect.ContinuousImpacts;
+import rigibo.backend.effect.Effects;
+import rigibo.backend.effect.Friction;
+import rigibo.backend.effect.Gravity;
+import rigibo.backend.effect.Joints;
+import rigibo.backend.effect.Restitution;
+import rigibo.backend.effect.Rotation;
+import rigibo.frontend.scene.Camera;
+import rigibo.frontend.scene.Canvas;
+import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Key;
+import rigibo.frontend.scene.SceneEntry;
+import rigibo.frontend.scene.Words;
+import rigibo.frontend.scene.effects.EffectReason;
+import rigibo.frontend.scene.ghost.Metres;
+import rigibo.frontend.scene.widget.Button;
+import rigibo.frontend.scene.widget.Readout;
+import rigibo.frontend.scene.widget.Slider;
+import rigibo.frontend.scene.widget.Toggle;
+import rigibo.frontend.scene.widget.Widget;
+
+import java.util.List;
+import java.util.Locale;
+
+/** Joints at work: a car on springs crosses a hill, a bridge and a see-saw. */
+final class CarDemo implements Demo {
+
+    private static final String NOTHING = "–";
+
+    /** Where the car is in the window, m from the middle at the first scale. */
+    private static final double AHEAD = 2.6;
+
+    private static final double BELOW = 1.6;
+    private static final double SCALE = 52;
+
+    /** A key's worth of speed, and the fastest, rad/s. */
+    private static final double NOTCH = 2;
+
+    private static final double FASTEST = 20;
+
+    /** An arrow is so long for each N, px, and so far beside the other. */
+    private static final double PX_PER_NEWTON = 0.03;
+
+    private static final double BESIDE = 5;
+
+    private final Words words;
+    private final Car.Settings settings = new Car.Settings();
+    private Workbench bench;
+    private Track track;
+    private Car car;
+    private boolean isFollowed = true;
+
+    CarDemo(Words words) {
+        this.words = words;
+    }
+
+    /** How the menu lists it. */
+    static SceneEntry entry() {
+        return SceneEntry.of("car", director -> new DemoScene(director, CarDemo::new));
+    }
+
+    @Override
+    public String title() {
+        return words.of("scene.car");
+    }
+
+    @Override
+    public Effects effects() {
+        return Effects.of(
+                new Gravity(0, -Car.G),
+                new Contacts(),
+                new Rotation(),
+                new Friction(),
+                new Joints(),
+                new ContinuousImpacts());
+    }
+
+    @Override
+    public List<EffectReason> reasons() {
+        return List.of(
+                new EffectReason(new Gravity(0, -Car.G), words.of("car.gravity")),
+                new EffectReason(new Contacts(), words.of("car.contacts")),
+                new EffectReason(new Rotation(), words.of("car.rotation")),
+                new EffectReason(new Friction(), words.of("car.friction")),
+                new EffectReason(new Joints(), words.of("car.joints")),
+                new EffectReason(new ContinuousImpacts(), words.of("car.impacts")),
+                new EffectReason(new Restitution(), words.of("car.restitution")));
+    }
+
+    @Override
+    public Camera camera() {
+        return new Camera(-AHEAD, BELOW, SCALE);
+    }
+
+    @Override
+    public void build(Workbench on) {
+        bench = on;
+        lay();
+    }
+
+    private void lay() {
+        if (track != null) {
+            car.remove();
+            track.remove();
+        }
+        track = new Track(bench);
+        place();
+    }
+
+    private void again() {
+        car.remove();
+        place();
+    }
+
+    private void place() {
+        car = new Car(bench, 0, 0, settings);
+    }
+
+    @Override
+    public List<Widget> widgets() {
+        return List.of(
+                new Slider(
+                        words.of("car.speed"),
+                        "%.0f rad/s",
+                        -FASTEST,
+                        FASTEST,
+                        NOTCH,
+                        () -> settings.speed,
+                        this::drive),
+                new Slider(
+                        words.of("car.torque"),
+                        "%.0f Nm",
+                        0,
+                        800,
+                        20,
+                        () -> settings.torque,
+                        this::push),
+                new Slider(
+                        words.of("car.springs"),
+                        "%.0f Hz",
+                        4,
+                        16,
+                        1,
+                        () -> settings.hertz,
+                        this::spring),
+                new Slider(
+                        words.of("car.damping"),
+                        "%.1f",
+                        0,
+                        1.5,
+                        0.1,
+                        () -> settings.damping,
+                        this::damp),
+                new Slider(
+                        words.of("car.load"),
+                        "%.0f kg",
+                        10,
+                        300,
+                        10,
+                        () -> settings.load,
+                        this::load),
+                new Slider(
+                        words.of("car.place"),
+                        "%.1f m",
+                        -0.5,
+                        0.3,
+                        0.1,
+                        () -> settings.place,
+                        this::shift),
+                new Toggle(words.of("car.all"), () -> settings.isAllDriven, this::flip),
+                new Toggle(
+                        words.of("car.follow"), () -> isFollowed, () -> isFollowed = !isFollowed),
+                new Button(words.of("car.again"), this::again),
+                new Readout(words.of("car.rear"), () -> pair(rear())),
+                new Readout(words.of("car.front"), () -> pair(front())),
+                new Readout(words.of("car.velocity"), () -> metresPerSecond(car.speed())),
+                new Readout(words.of("car.slip"), () -> metresPerSecond(car.slip())),
+                new Readout(words.of("car.sag"), () -> Metres.words(track.sag())),
+                new Readout(words.of("car.pull"), this::pull),
+                new Readout(words.of("car.gap"), () -> Metres.words(track.gap())));
+    }
+
+    private void drive(double speed) {
+        settings.speed = speed;
+        apply();
+    }
+
+    private void push(double torque) {
+        settings.torque = torque;
+        apply();
+    }
+
+    private void spring(double hertz) {
+        settings.hertz = hertz;
+        apply();
+    }
+
+    private void damp(double ratio) {
+        settings.damping = ratio;
+        apply();
+    }
+
+    private void flip() {
+        settings.isAllDriven = !settings.isAllDriven;
+        apply();
+    }
+
+    private void apply() {
+        if (car.isWhole()) {
+            car.drive();
+        }
+    }
+
+    private void load(double mass) {
+        settings.load = mass;
+        again();
+    }
+
+    private void shift(double place) {
+        settings.place = place;
+        again();
+    }
+
+    /** On the rear wheel by statics and as measured, N. */
+    double[] rear() {
+        return new double[] {car.predictedRear(), car.measuredRear()};
+    }
+
+    /** On the front wheel, N. */
+    double[] front() {
+        return new double[] {car.predictedFront(), car.measuredFront()};
+    }
+
+    Car car() {
+        return car;
+    }
+
+    Track track() {
+        return track;
+    }
+
+    private static String pair(double[] predictedAndMeasured) {
+        return String.format(
+                Locale.ROOT, "%.0f %.0f N", predictedAndMeasured[0], predictedAndMeasured[1]);
+    }
+
+    private static String metresPerSecond(double value) {
+        return String.format(Locale.ROOT, "%.2f m/s", value);
+    }
+
+    private String pull() {
+        return track.isWhole() ? String.format(Locale.ROOT, "%.0f N", track.pull()) : NOTHING;
+    }
+
+    /** Joints that were switched off come back with the effect. */
+    @Override
+    public void beforeStep(Workbench on) {
+        boolean isWhole = car.isWhole() && track.isWhole();
+        if (!isWhole && on.pool().effects().declares(Joints.class)) {
+            lay();
+        } else if (car.chassis.y() < -30) {
+            again();
+        }
+    }
+
+    @Override
+    public void afterStep(Workbench on) {
+        car.afterStep();
+        if (isFollowed && !on.isHeld()) {
+            Camera camera = on.camera();
+            double scale = camera.scale();
+            double share = SCALE / scale;
+            camera.look(car.chassis.x() - share * AHEAD, car.chassis.y() + share * BELOW, scale);
+        }
+    }
+
+    @Override
+    public void key(Workbench on, Key key) {
+        if (key == Key.LEFT) {
+            drive(Math.max(-FASTEST, settings.speed - NOTCH));
+        } else if (key == Key.RIGHT) {
+            drive(Math.min(FASTEST, settings.speed + NOTCH));
+        }
+    }
+
+    @Override
+    public void draw(Workbench on, Canvas canvas) {
+        draw(on.camera(), canvas, car.wheels[0], rear());
+        draw(on.camera(), canvas, car.wheels[1], front());
+    }
+
+    /** From under the ground upwards: what statics says in brass, what is measured in green. */
+    private void draw(Camera camera, Canvas canvas, RigidBody wheel, double[] loads) {
+        double angle = car.slope();
+        for (int i = 0; i < 2; i++) {
+            double aside = i == 0 ? -BESIDE : BESIDE;
+            double length = PX_PER_NEWTON * loads[i];
+            double rootX = camera.screenX(wheel.x() + Car.WHEEL * Math.sin(angle)) + aside;
+            double rootY = camera.screenY(wheel.y() - Car.WHEEL * Math.cos(angle)) + 4;
+            double tailX = rootX + length * Math.sin(angle);
+            double tailY = rootY + length * Math.cos(angle);
+            Color color = i == 0 ? Color.BRASS : Color.GOOD;
+            canvas.line(tailX, tailY, rootX, rootY, 4, color);
+            head(canvas, rootX, rootY, angle, color);
+        }
+    }
+
+    private static void head(Canvas canvas, double x, double y, double angle, Color color) {
+        double cos = Math.cos(angle);
+        double sin = Math.sin(angle);
+        double[] xy = {
+            x - 5 * cos + 8 * sin,
+            y + 5 * sin + 8 * cos,
+            x,
+            y,
+            x + 5 * cos + 8 * sin,
+            y - 5 * sin + 8 * cos
+        };
+        canvas.curve(xy, 3, 3.5, color);
+    }
+}

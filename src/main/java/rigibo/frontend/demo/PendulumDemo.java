@@ -1,0 +1,324 @@
+package rigibo.frontend.demo;
+
+import rigibo.backend.Joint;
+import rigibo.backend.RigidBody;
+import rigibo.backend.effect.Contacts;
+import rigibo.backend.effect.Effects;
+import rigibo.backend.effect.Friction;
+import rigibo.backend.effect.Gravity;
+import rigibo.backend.effect.Joints;
+import rigibo.backend.effect.Rotation;
+import rigibo.frontend.scene.Camera;
+import rigibo.frontend.scene.Canvas;
+import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.SceneEntry;
+import rigibo.frontend.scene.Words;
+import rigibo.frontend.scene.effects.EffectReason;
+import rigibo.frontend.scene.ghost.Metres;
+import rigibo.frontend.scene.joint.JointPen;
+import rigibo.frontend.scene.widget.Button;
+import rigibo.frontend.scene.widget.Choice;
+import rigibo.frontend.scene.widget.Readout;
+import rigibo.frontend.scene.widget.Slider;
+import rigibo.frontend.scene.widget.Widget;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.OptionalDouble;
+
+/** Joints: a pendulum whose period is known, two in chaos, a chain that must not stretch. */
+final class PendulumDemo implements Demo {
+
+    private static final String NOTHING = "–";
+
+    /** Slower than this a chain hangs at rest, J for each J of its weight times its length. */
+    private static final double STILL = 1e-6;
+
+    /** Of the arc that the bob is expected to reach, px and pieces. */
+    private static final int ARC_PIECES = 48;
+
+    /** Radius of what ends a rod, m. */
+    private static final double PIN = 0.06;
+
+    private final Words words;
+    private final Trail trail = new Trail();
+    private final Trail ghostTrail = new Trail();
+    private Workbench bench;
+    private Hang hang;
+    private Swing swing;
+    private Hang.Kind kind = Hang.Kind.SINGLE;
+    private double length = 1.6;
+    private double degrees = 60;
+    private double power = 2;
+    private double energyAtFirst;
+
+    PendulumDemo(Words words) {
+        this.words = words;
+    }
+
+    /** How the menu lists it. */
+    static SceneEntry entry() {
+        return SceneEntry.of("pendulum", director -> new DemoScene(director, PendulumDemo::new));
+    }
+
+    @Override
+    public String title() {
+        return words.of("scene.pendulum");
+    }
+
+    @Override
+    public Effects effects() {
+        return Effects.of(new Gravity(0, -Hang.G), new Contacts(), new Rotation(), new Joints());
+    }
+
+    @Override
+    public List<EffectReason> reasons() {
+        return List.of(
+                new EffectReason(new Gravity(0, -Hang.G), words.of("pendulum.gravity")),
+                new EffectReason(new Contacts(), words.of("pendulum.contacts")),
+                new EffectReason(new Rotation(), words.of("pendulum.rotation")),
+                new EffectReason(new Joints(), words.of("pendulum.joints")),
+                new EffectReason(new Friction(), words.of("pendulum.friction")));
+    }
+
+    @Override
+    public Camera camera() {
+        return new Camera(-1.42, 0.58, 95);
+    }
+
+    @Override
+    public void build(Workbench on) {
+        bench = on;
+        lay();
+    }
+
+    private void lay() {
+        if (hang != null) {
+            hang.remove();
+        }
+        double ratio = Math.pow(10, power);
+        hang = new Hang(bench, kind, length, Math.toRadians(degrees), ratio);
+        swing = new Swing(hang.last(), length);
+        trail.clear();
+        ghostTrail.clear();
+        energyAtFirst = hang.energy();
+    }
+
+    @Override
+    public List<Widget> widgets() {
+        return List.of(
+                new Choice(
+                        words.of("pendulum.what"),
+                        Arrays.stream(Hang.Kind.values()).map(any -> words.of(any.key)).toList(),
+                        () -> kind.ordinal(),
+                        this::choose),
+                new Slider(
+                        words.of("pendulum.amplitude"),
+                        "%.0f°",
+                        0,
+                        179,
+                        1,
+                        () -> degrees,
+                        this::turn),
+                new Slider(
+                        words.of("pendulum.length"),
+                        "%.1f m",
+                        0.4,
+                        2,
+                        0.1,
+                        () -> length,
+                        this::size),
+                new Slider(
+                        words.of("pendulum.ratio"), "10^%.1f", 0, 4, 0.5, () -> power, this::weigh),
+                new Button(words.of("pendulum.again"), this::lay),
+                new Readout(words.of("pendulum.predicted"), () -> seconds(predicted())),
+                new Readout(words.of("pendulum.measured"), () -> seconds(measured())),
+                new Readout(words.of("pendulum.error"), this::error),
+                new Readout(words.of("pendulum.pull"), () -> newtons(pull())),
+                new Readout(words.of("pendulum.tension"), () -> newtons(tension())),
+                new Readout(words.of("pendulum.energy"), this::energy),
+                new Readout(words.of("pendulum.drift"), this::drift),
+                new Readout(words.of("pendulum.stretch"), this::stretch));
+    }
+
+    private void choose(int number) {
+        kind = Hang.Kind.values()[number];
+        lay();
+    }
+
+    private void turn(double wanted) {
+        degrees = wanted;
+        lay();
+    }
+
+    private void size(double wanted) {
+        length = wanted;
+        lay();
+    }
+
+    private void weigh(double wanted) {
+        power = wanted;
+        lay();
+    }
+
+    @Override
+    public boolean wantsGhost() {
+        return kind == Hang.Kind.DOUBLE;
+    }
+
+    private boolean isFree() {
+        return hang.isWhole() && !bench.isHeld() && bench.pool().effects().declares(Gravity.class);
+    }
+
+    private boolean isSwing() {
+        return kind == Hang.Kind.SINGLE && isFree();
+    }
+
+    /** By the elliptic integral, s, where there is one pendulum and nothing holds it. */
+    OptionalDouble predicted() {
+        boolean moves = isSwing() && swing.share() > 0 && swing.share() != 1;
+        return moves ? OptionalDouble.of(swing.predicted()) : OptionalDouble.empty();
+    }
+
+    /** Between two passages, s. */
+    OptionalDouble measured() {
+        return isSwing() ? swing.measured() : OptionalDouble.empty();
+    }
+
+    /** What the pin must carry, N: a swinging bob's pull, or all that hangs at rest. */
+    OptionalDouble pull() {
+        if (isSwing()) {
+            return OptionalDouble.of(swing.pull());
+        }
+        boolean hangs =
+                isFree()
+                        && kind == Hang.Kind.CHAIN
+                        && hang.energy() < STILL * hang.weight() * hang.length;
+        return hangs ? OptionalDouble.of(hang.weight()) : OptionalDouble.empty();
+    }
+
+    OptionalDouble tension() {
+        return hang.isWhole() ? OptionalDouble.of(hang.tension()) : OptionalDouble.empty();
+    }
+
+    /** What hangs. */
+    Hang hang() {
+        return hang;
+    }
+
+    /** Of the energy at first, relative to it. */
+    double energyDrift() {
+        double least = STILL * hang.weight() * hang.length;
+        return (hang.energy() - energyAtFirst) / Math.max(least, energyAtFirst);
+    }
+
+    private String error() {
+        OptionalDouble predicted = predicted();
+        OptionalDouble measured = measured();
+        if (predicted.isEmpty() || measured.isEmpty()) {
+            return NOTHING;
+        }
+        return power(Math.abs(measured.getAsDouble() / predicted.getAsDouble() - 1));
+    }
+
+    private static String seconds(OptionalDouble value) {
+        return words(value, "%.6f s");
+    }
+
+    private static String newtons(OptionalDouble value) {
+        return words(value, "%.3f N");
+    }
+
+    private static String words(OptionalDouble value, String format) {
+        return value.isPresent()
+                ? String.format(Locale.ROOT, format, value.getAsDouble())
+                : NOTHING;
+    }
+
+    private static String power(double value) {
+        return String.format(Locale.ROOT, "%.1e", value);
+    }
+
+    private String energy() {
+        return String.format(Locale.ROOT, "%.4f J", hang.energy());
+    }
+
+    private String drift() {
+        return isFree() ? String.format(Locale.ROOT, "%+.1e", energyDrift()) : NOTHING;
+    }
+
+    private String stretch() {
+        return hang.isWhole() ? Metres.words(hang.stretch() * hang.length) : NOTHING;
+    }
+
+    /** Joints that were switched off come back with the effect. */
+    @Override
+    public void beforeStep(Workbench on) {
+        if (!hang.isWhole() && on.pool().effects().declares(Joints.class)) {
+            lay();
+        }
+    }
+
+    @Override
+    public void afterStep(Workbench on) {
+        swing.afterStep();
+        if (!isFree()) {
+            swing.begin();
+            energyAtFirst = hang.energy();
+        }
+        RigidBody last = hang.last();
+        trail.add(last.x(), last.y());
+        if (on.ghost() == null) {
+            ghostTrail.clear();
+        } else {
+            RigidBody twin = on.ghost().twin(last);
+            ghostTrail.add(twin.x(), twin.y());
+        }
+    }
+
+    @Override
+    public void draw(Workbench on, Canvas canvas) {
+        if (kind == Hang.Kind.DOUBLE) {
+            ghostTrail.draw(on.camera(), canvas, Color.TEXT);
+            trail.draw(on.camera(), canvas, Color.BRASS);
+        } else if (isSwing()) {
+            drawReach(on.camera(), canvas);
+        }
+        if (kind != Hang.Kind.CHAIN && hang.isWhole()) {
+            drawRods(new JointPen(canvas, on.camera()));
+        }
+    }
+
+    /** What is stiff between a hinge and a bob has no body of its own. */
+    private void drawRods(JointPen pen) {
+        for (int i = 0; i < hang.bodies.size(); i++) {
+            RigidBody bob = hang.bodies.get(i);
+            Joint hinge = hang.joints.get(i);
+            pen.rod(hinge.xB(), hinge.yB(), bob.x(), bob.y());
+        }
+        for (int i = 0; i < hang.bodies.size(); i++) {
+            RigidBody bob = hang.bodies.get(i);
+            Joint hinge = hang.joints.get(i);
+            pen.pin(hinge.xB(), hinge.yB(), PIN, bob.angle());
+            pen.pin(bob.x(), bob.y(), PIN, bob.angle());
+        }
+    }
+
+    /** How far the bob will come, by its energy. */
+    private void drawReach(Camera camera, Canvas canvas) {
+        double reach = swing.amplitude();
+        double radius = hang.length;
+        double[] arc = new double[2 * (ARC_PIECES + 1)];
+        for (int i = 0; i <= ARC_PIECES; i++) {
+            double angle = reach * (2.0 * i / ARC_PIECES - 1);
+            arc[2 * i] = camera.screenX(radius * Math.sin(angle));
+            arc[2 * i + 1] = camera.screenY(-radius * Math.cos(angle));
+        }
+        canvas.curve(arc, ARC_PIECES + 1, 1.5, Color.BRASS.alpha(0.45));
+        if (reach < Math.PI) {
+            canvas.disc(arc[0], arc[1], 4, Color.BRASS);
+            canvas.disc(arc[2 * ARC_PIECES], arc[2 * ARC_PIECES + 1], 4, Color.BRASS);
+        }
+    }
+}

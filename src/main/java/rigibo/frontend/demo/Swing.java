@@ -1,0 +1,168 @@
+package rigibo.frontend.demo;
+
+import rigibo.backend.RigidBody;
+import rigibo.frontend.scene.Scene;
+
+import java.util.OptionalDouble;
+
+/**
+ * A bob on a stiff rod that swings about the origin: the period that its energy calls for, and the
+ * one that is seen. I is its inertia about the origin, L the way from there to its middle.
+ */
+final class Swing {
+
+    /** The mean of two numbers is nearer than this after some turns, relative. */
+    private static final double MEAN_TOLERANCE = 1e-15;
+
+    private static final int BISECTIONS = 50;
+
+    private final RigidBody bob;
+    private final double length;
+    private int steps;
+    private double lastAngle;
+    private double lastRate;
+    private double lastPull;
+
+    /** When it last passed below to the left and to the right, s; NaN before. */
+    private final double[] passed = {Double.NaN, Double.NaN};
+
+    private double measured = Double.NaN;
+    private double pull;
+
+    Swing(RigidBody bob, double length) {
+        this.bob = bob;
+        this.length = length;
+        begin();
+    }
+
+    /** Forgets what was measured. */
+    void begin() {
+        passed[0] = Double.NaN;
+        passed[1] = Double.NaN;
+        measured = Double.NaN;
+        lastAngle = angle();
+        lastRate = rate();
+        lastPull = pullNow();
+        pull = lastPull;
+    }
+
+    /** From the vertical, rad, to the right. */
+    private double angle() {
+        return Math.atan2(bob.x(), -bob.y());
+    }
+
+    private double rate() {
+        double square = bob.x() * bob.x() + bob.y() * bob.y();
+        return (bob.x() * bob.velocityY() - bob.y() * bob.velocityX()) / square;
+    }
+
+    /** I, kg·m². */
+    private double inertia() {
+        return bob.inertia() + bob.mass() * length * length;
+    }
+
+    /** E/(2·m·g·L): below 1 it swings to and fro, above it goes round. */
+    double share() {
+        double rate = rate();
+        double motion = inertia() * rate * rate / 2;
+        double most = 2 * bob.mass() * Hang.G * length;
+        return motion / most + (1 - Math.cos(angle())) / 2;
+    }
+
+    /** The largest angle from the vertical, rad. */
+    double amplitude() {
+        return share() >= 1 ? Math.PI : 2 * Math.asin(Math.sqrt(share()));
+    }
+
+    /**
+     * The period of a mathematical pendulum, s. To and fro it takes 4·√(L/g)·K(k) with k =
+     * sin(θ₀/2), and once round 2·√(L/g)·K(1/k)/k with k² = E/(2·m·g·L), where K(k) is π/(2·agm(1,
+     * √(1 − k²))) (Abramowitz and Stegun, "Handbook of Mathematical Functions", 17.6.3).
+     */
+    double predicted() {
+        double share = share();
+        double small = 2 * Math.PI * Math.sqrt(inertia() / (bob.mass() * Hang.G * length));
+        if (share < 1) {
+            return small / mean(1, Math.sqrt(1 - share));
+        }
+        return small / 2 / (Math.sqrt(share) * mean(1, Math.sqrt(1 - 1 / share)));
+    }
+
+    /** Gauss's arithmetic-geometric mean. */
+    private static double mean(double one, double other) {
+        double a = one;
+        double b = other;
+        while (Math.abs(a - b) > MEAN_TOLERANCE * a) {
+            double middle = (a + b) / 2;
+            b = Math.sqrt(a * b);
+            a = middle;
+        }
+        return a;
+    }
+
+    /** Between the last two passages in one direction, s. */
+    OptionalDouble measured() {
+        return Double.isNaN(measured) ? OptionalDouble.empty() : OptionalDouble.of(measured);
+    }
+
+    /** What the pin must bear, N, as the mean over the last step. */
+    double pull() {
+        return pull;
+    }
+
+    /**
+     * Along the rod m·(g·cos θ + L·θ̇²); across it what of the weight turns the bob itself, m·g·sin
+     * θ·(I − m·L²)/I.
+     */
+    private double pullNow() {
+        double rate = rate();
+        double along = bob.mass() * (Hang.G * Math.cos(angle()) + length * rate * rate);
+        double across = bob.mass() * Hang.G * Math.sin(angle()) * bob.inertia() / inertia();
+        return Math.hypot(along, across);
+    }
+
+    void afterStep() {
+        double angle = angle();
+        double rate = rate();
+        steps++;
+        boolean isBelow = Math.abs(angle) + Math.abs(lastAngle) < Math.PI;
+        if (isBelow && (lastAngle < 0) != (angle < 0)) {
+            pass(angle < 0 ? 0 : 1, (steps - 1 + passage(angle, rate)) * Scene.STEP);
+        }
+        pull = (lastPull + pullNow()) / 2;
+        lastPull = pullNow();
+        lastAngle = angle;
+        lastRate = rate;
+    }
+
+    private void pass(int way, double time) {
+        if (!Double.isNaN(passed[way])) {
+            measured = time - passed[way];
+        }
+        passed[way] = time;
+    }
+
+    /**
+     * When within the last step it passed, 0 to 1: where the cubic through both angles with both
+     * rates is 0. It is off by some 1e-8 of a step.
+     */
+    private double passage(double angle, double rate) {
+        double low = 0;
+        double high = 1;
+        for (int i = 0; i < BISECTIONS; i++) {
+            double t = (low + high) / 2;
+            double left = 1 - t;
+            double now =
+                    left * left * (1 + 2 * t) * lastAngle
+                            + left * left * t * lastRate * Scene.STEP
+                            + t * t * (3 - 2 * t) * angle
+                            - t * t * left * rate * Scene.STEP;
+            if (now < 0 == lastAngle < 0) {
+                low = t;
+            } else {
+                high = t;
+            }
+        }
+        return (low + high) / 2;
+    }
+}
