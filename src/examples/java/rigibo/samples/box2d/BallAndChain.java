@@ -48,6 +48,6 @@ public final class BallAndChain implements Exhibit {
 
     @Override
     public View view() {
-        return new View(0, 4, 14);
+        return new View(0, 3.5, 16);
     }
 }

@@ -24,8 +24,8 @@ public final class Cantilever implements Exhibit {
     public void build(Pool pool) {
         RigidBody wall = pool.add(BodyDefinition.fixed(Polygon.box(0.4, 7)).at(-4, 3.5));
         beam(pool, wall, 5.5, 0);
-        beam(pool, wall, 3.5, 20);
-        beam(pool, wall, 1.5, 8);
+        beam(pool, wall, 3.5, 45);
+        beam(pool, wall, 1.8, 30);
     }
 
     /** Springs of a frequency in Hz, or none. */

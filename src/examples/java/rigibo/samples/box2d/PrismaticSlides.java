@@ -26,7 +26,8 @@ public final class PrismaticSlides implements Exhibit {
         RigidBody floor = pool.add(BodyDefinition.fixed(Polygon.box(12, 1)).at(0, -0.5));
         double up = Math.PI / 2;
         RigidBody sprung = pool.add(BodyDefinition.dynamic(Polygon.box(1, 0.6)).at(-2.6, 4.5));
-        pool.join(PrismaticJoint.along(floor, sprung, -2.6, 3, up).limits(-2, 2).spring(1.5, 0.05));
+        pool.join(
+                PrismaticJoint.along(floor, sprung, -2.6, 4.5, up).limits(-2, 2).spring(1.5, 0.05));
         RigidBody loose = pool.add(BodyDefinition.dynamic(Polygon.box(1, 0.6)).at(0, 4));
         pool.join(PrismaticJoint.along(floor, loose, 0, 4, up - 0.4).limits(-2.5, 1));
         RigidBody table = pool.add(BodyDefinition.dynamic(Polygon.box(1.4, 0.3)).at(2.6, 1));

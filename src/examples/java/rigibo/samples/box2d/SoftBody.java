@@ -26,6 +26,7 @@ public final class SoftBody implements Exhibit {
     public void build(Pool pool) {
         pool.add(BodyDefinition.fixed(Polygon.box(14, 1)).at(0, -0.5));
         pool.add(BodyDefinition.fixed(Polygon.box(4, 0.4)).at(-1.5, 2.2).angle(-0.4));
+        pool.add(BodyDefinition.fixed(Polygon.box(0.4, 2)).at(4, 1));
         double radius = 1;
         double half = radius * Math.sin(Math.PI / SIDES);
         RigidBody[] ring = new RigidBody[SIDES];
@@ -43,7 +44,7 @@ public final class SoftBody implements Exhibit {
             double angle = 2 * Math.PI * (i + 0.5) / SIDES;
             double x = -2 + corner * Math.cos(angle);
             double y = 5 + corner * Math.sin(angle);
-            pool.join(WeldJoint.at(ring[i], ring[(i + 1) % SIDES], x, y).spring(5, 0.3));
+            pool.join(WeldJoint.at(ring[i], ring[(i + 1) % SIDES], x, y).spring(15, 0.3));
         }
     }
 

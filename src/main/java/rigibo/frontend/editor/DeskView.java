@@ -9,11 +9,16 @@ import rigibo.frontend.editor.draft.Item;
 import rigibo.frontend.editor.draft.Point;
 import rigibo.frontend.editor.pane.ProblemPane;
 import rigibo.frontend.editor.tool.Outlines;
+import rigibo.frontend.puzzle.JointSketch;
 import rigibo.frontend.puzzle.Skins;
+import rigibo.frontend.puzzle.level.LevelJoint;
 import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Skin;
+import rigibo.frontend.scene.joint.JointPen;
+
+import tools.jackson.databind.JsonNode;
 
 import java.util.HashMap;
 import java.util.List;
@@ -44,6 +49,7 @@ final class DeskView {
         DeskView view = new DeskView(canvas, desk);
         canvas.camera(view.camera);
         view.drawItems();
+        view.drawJoints();
         view.drawWorld();
         view.drawMarks(findings);
     }
@@ -62,6 +68,13 @@ final class DeskView {
                                     canvas.body(
                                             shape, at.x(), at.y(), angle, skin, Canvas.Mood.PLAIN),
                             () -> Outlines.draw(canvas, camera, item, skin.color));
+        }
+    }
+
+    private void drawJoints() {
+        JointPen pen = new JointPen(canvas, camera);
+        for (JsonNode node : desk.draft().at("/joints")) {
+            LevelJoint.of(node).ifPresent(joint -> JointSketch.draw(pen, joint));
         }
     }
 

@@ -6,11 +6,13 @@ import rigibo.backend.geometry.Polygon;
 import rigibo.backend.geometry.Shape;
 import rigibo.frontend.puzzle.level.Ball;
 import rigibo.frontend.puzzle.level.Level;
+import rigibo.frontend.puzzle.level.LevelJoint;
 import rigibo.frontend.puzzle.level.Platform;
 import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.SceneEntry;
 import rigibo.frontend.scene.Skin;
+import rigibo.frontend.scene.joint.JointPen;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -22,6 +24,7 @@ final class LevelPicture implements SceneEntry.Picture {
     private static final double MOST_SCALE = 22;
 
     private final List<Part> parts = new ArrayList<>();
+    private final List<LevelJoint> joints;
 
     /** Whom the faces look at. */
     private final Ball first;
@@ -38,6 +41,7 @@ final class LevelPicture implements SceneEntry.Picture {
 
     LevelPicture(Level level) {
         first = level.balls().get(0);
+        joints = level.joints();
         Platform platform = level.platform();
         Polygon plank = Polygon.box(platform.width(), platform.height());
         parts.add(new Part(plank, platform.x(), platform.y(), platform.angle(), Skin.WOOD));
@@ -71,11 +75,14 @@ final class LevelPicture implements SceneEntry.Picture {
 
     @Override
     public void draw(Canvas canvas, double x, double y, double width, double height) {
-        canvas.camera(camera(x, y, width, height));
+        Camera camera = camera(x, y, width, height);
+        canvas.camera(camera);
         canvas.gaze(first.x(), first.y());
         for (Part part : parts) {
             canvas.body(part.shape, part.x, part.y, part.angle, part.skin, Canvas.Mood.PLAIN);
         }
+        JointPen pen = new JointPen(canvas, camera);
+        joints.forEach(joint -> JointSketch.draw(pen, joint));
     }
 
     /** Has the middle of the level in the middle of a rectangle, px. */

@@ -2,6 +2,7 @@ package rigibo.frontend.puzzle;
 
 import rigibo.backend.RigidBody;
 import rigibo.backend.geometry.Aabb;
+import rigibo.backend.geometry.Placement;
 import rigibo.backend.geometry.Shape;
 import rigibo.backend.setup.Material;
 import rigibo.frontend.puzzle.level.LevelPath;
@@ -12,6 +13,7 @@ import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Skin;
+import rigibo.frontend.scene.joint.JointPicture;
 
 import java.util.Optional;
 
@@ -67,6 +69,7 @@ final class Stage {
         for (RigidBody each : game.balls()) {
             body(canvas, each, Skin.BALL, Canvas.Mood.PLAIN);
         }
+        JointPicture.draw(canvas, camera, game.pool().joints(), this::placement);
         for (Piece piece : game.pieces()) {
             if (piece.body().isAlive()) {
                 piece.definition().path().ifPresent(path -> drawPath(canvas, piece, path));
@@ -74,6 +77,11 @@ final class Stage {
             }
         }
         game.level().world().waterLevel().ifPresent(level -> drawWater(canvas, level));
+    }
+
+    private Placement placement(RigidBody body) {
+        Pose pose = session.pose(body);
+        return new Placement(pose.x(), pose.y(), pose.angle());
     }
 
     /** Dots along the way of a driven body, and a ring at each of its stops. */

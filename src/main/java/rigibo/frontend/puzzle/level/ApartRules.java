@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
+import java.util.Set;
 
 /** E120 two bodies overlap at the start. Sweeps from left to right, so that far ones never meet. */
 final class ApartRules {
@@ -18,6 +19,9 @@ final class ApartRules {
 
     private final Document json;
 
+    /** Who are joined never meet. */
+    private final Set<String> joined;
+
     /** Those that the sweep has reached and not passed yet. */
     private final List<Placed> present = new ArrayList<>();
 
@@ -26,9 +30,10 @@ final class ApartRules {
      *
      * @param order in which problems name two of them
      * @param pointer of it in the file
+     * @param end what joints call it
      * @param print what it covers
      */
-    private record Placed(int order, String pointer, Footprint print) {
+    private record Placed(int order, String pointer, String end, Footprint print) {
 
         double left() {
             return print.bounds().minX;
@@ -39,12 +44,13 @@ final class ApartRules {
         }
     }
 
-    private ApartRules(Document json) {
-        this.json = json;
+    private ApartRules(LevelSketch sketch) {
+        json = sketch.json();
+        joined = JointRules.pairs(sketch.joints());
     }
 
     static void check(LevelSketch sketch) {
-        ApartRules rules = new ApartRules(sketch.json());
+        ApartRules rules = new ApartRules(sketch);
         placed(sketch).stream()
                 .sorted(Comparator.comparingDouble(Placed::left))
                 .forEach(rules::reach);
@@ -52,14 +58,20 @@ final class ApartRules {
 
     private static List<Placed> placed(LevelSketch sketch) {
         List<Placed> placed = new ArrayList<>();
-        sketch.platform().ifPresent(p -> add(placed, p.pointer(), p.part().definition()));
-        sketch.balls().forEach(b -> add(placed, b.pointer(), b.part().definition()));
-        sketch.bodies().forEach(b -> add(placed, b.pointer(), b.part().definition()));
+        sketch.platform()
+                .ifPresent(
+                        p -> add(placed, p.pointer(), LevelJoint.PLATFORM, p.part().definition()));
+        for (int i = 0; i < sketch.balls().size(); i++) {
+            Located<Ball> ball = sketch.balls().get(i);
+            add(placed, ball.pointer(), LevelJoint.ball(i), ball.part().definition());
+        }
+        sketch.bodies()
+                .forEach(b -> add(placed, b.pointer(), b.part().id(), b.part().definition()));
         return placed;
     }
 
-    private static void add(List<Placed> placed, String pointer, BodyDefinition body) {
-        placed.add(new Placed(placed.size(), pointer, Footprint.of(body)));
+    private static void add(List<Placed> placed, String pointer, String end, BodyDefinition body) {
+        placed.add(new Placed(placed.size(), pointer, end, Footprint.of(body)));
     }
 
     private void reach(Placed next) {
@@ -80,7 +92,8 @@ final class ApartRules {
         // Walls may be built of parts that overlap, and lifts start within them; whatever starts
         // within a shelf passes it.
         boolean mayOverlap = a.isUnmoved() && b.isUnmoved() || a.isOneWay() || b.isOneWay();
-        if (mayOverlap || !a.bounds().overlaps(b.bounds())) {
+        boolean areJoined = joined.contains(first.end() + " " + second.end());
+        if (mayOverlap || areJoined || !a.bounds().overlaps(b.bounds())) {
             return;
         }
         double depth = Overlap.depth(a, b);

@@ -6,6 +6,7 @@ import rigibo.backend.effect.Effect;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Friction;
 import rigibo.backend.effect.Gravity;
+import rigibo.backend.effect.Joints;
 import rigibo.backend.effect.Restitution;
 import rigibo.backend.effect.RollingResistance;
 import rigibo.backend.effect.Rotation;
@@ -53,6 +54,9 @@ final class EffectRules {
         stated("surfaceSpeed", SurfaceSpeed.class, Material::surfaceSpeed);
         stated("drag", Drag.class, Material::drag);
         stated("spin", Rotation.class, material -> 1);
+        if (declared.declares(Joints.class) && sketch.joints().isEmpty()) {
+            unused("joints");
+        }
         if (declared.declares(Thrust.class)) {
             unused("thrust");
         }

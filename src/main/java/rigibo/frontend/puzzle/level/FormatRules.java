@@ -19,6 +19,14 @@ final class FormatRules {
         if (json.node("/format").asInt(LevelLoader.FORMAT) >= LevelLoader.FORMAT) {
             return;
         }
+        if (!json.node("/joints").isMissingNode()) {
+            tell(json, "/joints", "\"joints\"");
+        }
+        for (JsonNode effect : json.node("/world/effects")) {
+            if (effect.asString("").equals("joints")) {
+                tell(json, "/world/effects", "the effect \"joints\"");
+            }
+        }
         for (int i = 0; i < json.node("/bodies").size(); i++) {
             String body = "/bodies/" + i;
             JsonNode shape = json.node(body + "/shape");

@@ -14,6 +14,7 @@ import java.util.function.DoubleSupplier;
  * @param balls what must reach the platform, all of them; at least one
  * @param platform where it must stay
  * @param bodies everything else, in the file's order
+ * @param joints between them, in the file's order
  * @param solutions clicks known to win
  */
 public record Level(
@@ -25,11 +26,13 @@ public record Level(
         List<Ball> balls,
         Platform platform,
         List<LevelBody> bodies,
+        List<LevelJoint> joints,
         List<Solution> solutions) {
 
     public Level {
         balls = List.copyOf(balls);
         bodies = List.copyOf(bodies);
+        joints = List.copyOf(joints);
         solutions = List.copyOf(solutions);
     }
 
@@ -57,6 +60,7 @@ public record Level(
                 balls.stream().map(ball -> ball.shifted(metres.getAsDouble())).toList(),
                 platform,
                 shifted,
+                joints,
                 solutions);
     }
 }

@@ -10,6 +10,7 @@ import rigibo.backend.geometry.Compound;
 import rigibo.backend.geometry.Part;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.geometry.Shape;
+import rigibo.backend.setup.JointSettings;
 import rigibo.backend.setup.Material;
 
 /**
@@ -33,6 +34,7 @@ final class LevelHash {
         level.balls().forEach(hashing::ball);
         hashing.platform(level.platform());
         level.bodies().forEach(hashing::body);
+        level.joints().forEach(hashing::joint);
         return hashing.hash;
     }
 
@@ -74,6 +76,18 @@ final class LevelHash {
         text(body.mobility().name());
         numbers(body.deletable() ? 1 : 0);
         body.path().ifPresent(this::path);
+    }
+
+    private void joint(LevelJoint joint) {
+        text(joint.type().name());
+        text(joint.a());
+        text(joint.b());
+        numbers(joint.x(), joint.y(), joint.toX(), joint.toY(), joint.axis(), joint.length());
+        JointSettings settings = joint.settings();
+        numbers(settings.limits().lower(), settings.limits().upper());
+        numbers(settings.motor().speed(), settings.motor().most());
+        numbers(settings.spring().hertz(), settings.spring().dampingRatio());
+        numbers(settings.breakForce());
     }
 
     private void path(LevelPath path) {

@@ -54,6 +54,7 @@ public final class LevelLoader {
         ApartRules.check(sketch);
         PieceRules.check(sketch);
         PathRules.check(sketch);
+        JointRules.check(sketch);
         EffectRules.check(sketch);
         SolutionRules.check(sketch);
         return document.hasErrors() ? Optional.empty() : Optional.of(sketch.level());

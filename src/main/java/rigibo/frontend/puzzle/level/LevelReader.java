@@ -8,6 +8,7 @@ import rigibo.backend.effect.Effect;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Friction;
 import rigibo.backend.effect.Gravity;
+import rigibo.backend.effect.Joints;
 import rigibo.backend.effect.Restitution;
 import rigibo.backend.effect.RollingResistance;
 import rigibo.backend.effect.Rotation;
@@ -73,6 +74,7 @@ final class LevelReader {
             case "drag" -> new Drag();
             case WATER -> water(world.path("water"));
             case "thrust" -> new Thrust();
+            case "joints" -> new Joints();
             case "continuous-impacts" -> new ContinuousImpacts();
             case "sleep" -> new Sleep();
             default -> throw new IllegalArgumentException("no effect is called " + title);

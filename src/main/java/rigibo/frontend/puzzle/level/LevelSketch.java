@@ -19,6 +19,7 @@ import java.util.function.Function;
  * @param balls the sound ones
  * @param platform where it is sound
  * @param bodies the sound ones, in the file's order
+ * @param joints the sound ones, in the file's order
  * @param solutions the sound ones, in the file's order
  */
 record LevelSketch(
@@ -28,6 +29,7 @@ record LevelSketch(
         List<Located<Ball>> balls,
         Optional<Located<Platform>> platform,
         List<Located<LevelBody>> bodies,
+        List<Located<LevelJoint>> joints,
         List<Located<Solution>> solutions) {
 
     /** Reads what the schema found sound; the readers tell what they find. */
@@ -39,6 +41,7 @@ record LevelSketch(
                 balls(json),
                 part(json, "/platform", LevelReader::platform),
                 bodies(json),
+                joints(json),
                 solutions(json));
     }
 
@@ -54,6 +57,7 @@ record LevelSketch(
                 balls.stream().map(Located::part).toList(),
                 platform.orElseThrow().part(),
                 bodies.stream().map(Located::part).toList(),
+                joints.stream().map(Located::part).toList(),
                 solutions.stream().map(Located::part).toList());
     }
 
@@ -95,6 +99,14 @@ record LevelSketch(
             }
         }
         return bodies;
+    }
+
+    private static List<Located<LevelJoint>> joints(Document json) {
+        List<Located<LevelJoint>> joints = new ArrayList<>();
+        for (int i = 0; i < json.node("/joints").size(); i++) {
+            part(json, "/joints/" + i, JointReader::joint).ifPresent(joints::add);
+        }
+        return joints;
     }
 
     private static List<Located<Solution>> solutions(Document json) {

@@ -1,6 +1,6 @@
 package rigibo.frontend.puzzle.level;
 
-/** E130 nothing to delete; E131 something that never moves can be deleted. */
+/** E130 nothing to delete; E131 something that never moves, and holds nothing, can be deleted. */
 final class PieceRules {
 
     private PieceRules() {}
@@ -13,7 +13,8 @@ final class PieceRules {
             sketch.json().error(pointer, () -> "E130 no body can be deleted");
         }
         for (Located<LevelBody> body : sketch.bodies()) {
-            if (body.part().deletable() && body.part().mobility() == LevelBody.Mobility.STATIC) {
+            boolean isStill = body.part().mobility() == LevelBody.Mobility.STATIC;
+            if (body.part().deletable() && isStill && !holds(sketch, body.part().id())) {
                 sketch.json()
                         .warning(
                                 body.pointer(),
@@ -23,5 +24,12 @@ final class PieceRules {
                                                 + "\" never moves but can be deleted");
             }
         }
+    }
+
+    /** What hangs on it is let go with it. */
+    private static boolean holds(LevelSketch sketch, String id) {
+        return sketch.joints().stream()
+                .map(Located::part)
+                .anyMatch(joint -> joint.a().equals(id) || joint.b().equals(id));
     }
 }

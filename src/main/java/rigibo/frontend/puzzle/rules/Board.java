@@ -4,6 +4,7 @@ import rigibo.backend.Pool;
 import rigibo.backend.RigidBody;
 import rigibo.backend.setup.Accuracy;
 import rigibo.frontend.puzzle.level.Level;
+import rigibo.frontend.puzzle.level.LevelJoint;
 import rigibo.frontend.puzzle.level.World;
 
 import java.util.List;
@@ -33,7 +34,19 @@ record Board(
                         .toList();
         List<RigidBody> balls =
                 level.balls().stream().map(ball -> pool.add(ball.definition())).toList();
-        return new Board(level.world(), pool, platform, pieces, balls);
+        Board board = new Board(level.world(), pool, platform, pieces, balls);
+        for (LevelJoint joint : level.joints()) {
+            pool.join(joint.definition(board.end(joint.a()), board.end(joint.b())));
+        }
+        return board;
+    }
+
+    /** What a joint calls by a name; ids come before the names of balls and platform. */
+    private RigidBody end(String name) {
+        return piece(name)
+                .map(Piece::body)
+                .or(() -> LevelJoint.ball(name).map(balls::get))
+                .orElse(platform);
     }
 
     Optional<Piece> pieceAt(double x, double y) {

@@ -1,0 +1,115 @@
+package rigibo.frontend.puzzle.level;
+
+import rigibo.backend.effect.Joints;
+import rigibo.frontend.document.Suggestion;
+
+import tools.jackson.databind.JsonNode;
+
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Set;
+
+/**
+ * Of joints: E102 an end that nothing is called; E118 both ends on one thing, or on two that do not
+ * move by forces; E119 no effect {@code joints}; E122 a rope shorter than its ends are apart; E123
+ * limits that do not hold the start.
+ */
+final class JointRules {
+
+    /** What a rounded coordinate may cost a rope, m. */
+    private static final double ROUNDED = 1e-3;
+
+    private final LevelSketch sketch;
+
+    /** What can be joined, and whether forces move it. */
+    private final Map<String, Boolean> ends = new LinkedHashMap<>();
+
+    private JointRules(LevelSketch sketch) {
+        this.sketch = sketch;
+        for (int i = 0; i < sketch.json().node("/bodies").size(); i++) {
+            JsonNode body = sketch.json().node("/bodies/" + i);
+            boolean moves = !body.has("path") && body.path("dynamic").asBoolean(true);
+            ends.put(body.path("id").asString(""), moves);
+        }
+        ends.putIfAbsent(LevelJoint.PLATFORM, false);
+        for (int i = 0; i <= sketch.json().node("/moreBalls").size(); i++) {
+            ends.putIfAbsent(LevelJoint.ball(i), true);
+        }
+    }
+
+    static void check(LevelSketch sketch) {
+        new JointRules(sketch).check();
+    }
+
+    private void check() {
+        boolean isDeclared =
+                sketch.world().map(at -> at.part().effects().declares(Joints.class)).orElse(true);
+        if (!isDeclared && !sketch.joints().isEmpty()) {
+            String words = "E119 joints need the effect \"joints\" among /world/effects";
+            sketch.json().error(sketch.joints().get(0).pointer(), () -> words);
+        }
+        sketch.joints().forEach(this::check);
+    }
+
+    private void check(Located<LevelJoint> at) {
+        LevelJoint joint = at.part();
+        boolean areKnown = isKnown(at.pointer() + "/a", joint.a());
+        areKnown &= isKnown(at.pointer() + "/b", joint.b());
+        if (areKnown && joint.a().equals(joint.b())) {
+            tell(at.pointer(), "E118 joins \"" + joint.a() + "\" with itself");
+        } else if (areKnown && !ends.get(joint.a()) && !ends.get(joint.b())) {
+            tell(at.pointer(), "E118 joins two bodies that forces do not move");
+        }
+        if (joint.type() == LevelJoint.Type.ROPE && joint.length() < joint.span() - ROUNDED) {
+            String words = "E122 a rope of %.3f m between ends that are %.3f m apart";
+            double span = joint.span();
+            tell(at.pointer() + "/length", String.format(Locale.ROOT, words, joint.length(), span));
+        }
+        limits(at);
+    }
+
+    private boolean isKnown(String pointer, String end) {
+        boolean isKnown = ends.containsKey(end);
+        if (!isKnown) {
+            tell(
+                    pointer,
+                    "E102 nothing is called \""
+                            + end
+                            + "\""
+                            + Suggestion.among(ends.keySet(), end));
+        }
+        return isKnown;
+    }
+
+    /** Hinges, slides and wheels begin at 0, distances at what they are. */
+    private void limits(Located<LevelJoint> at) {
+        JsonNode limits = sketch.json().node(at.pointer() + "/limits");
+        if (!limits.isArray()) {
+            return;
+        }
+        double lower = limits.path(0).asDouble();
+        double upper = limits.path(1).asDouble();
+        double start = at.part().type().hasTwoPoints() ? at.part().span() : 0;
+        if (!(lower <= start && start <= upper)) {
+            String words = "E123 begins at %s, outside of its limits %s to %s";
+            tell(at.pointer() + "/limits", String.format(words, start, lower, upper));
+        }
+    }
+
+    private void tell(String pointer, String words) {
+        sketch.json().error(pointer, () -> words);
+    }
+
+    /** Pairs of ends that never meet, each in both orders, with a blank between them. */
+    static Set<String> pairs(List<Located<LevelJoint>> joints) {
+        Set<String> pairs = new HashSet<>();
+        for (Located<LevelJoint> at : joints) {
+            pairs.add(at.part().a() + " " + at.part().b());
+            pairs.add(at.part().b() + " " + at.part().a());
+        }
+        return pairs;
+    }
+}

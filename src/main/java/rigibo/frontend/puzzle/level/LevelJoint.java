@@ -1,0 +1,108 @@
+package rigibo.frontend.puzzle.level;
+
+import rigibo.backend.DistanceJoint;
+import rigibo.backend.JointDefinition;
+import rigibo.backend.PrismaticJoint;
+import rigibo.backend.RevoluteJoint;
+import rigibo.backend.RigidBody;
+import rigibo.backend.WeldJoint;
+import rigibo.backend.WheelJoint;
+import rigibo.backend.setup.JointSettings;
+
+import tools.jackson.databind.JsonNode;
+
+import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/**
+ * What joins two things of a level.
+ *
+ * @param type of which kind it is
+ * @param a id of a body, {@code ball}, {@code ball2} … or {@code platform}
+ * @param b another one; it is what a motor drives
+ * @param x where it holds A, or both, world m
+ * @param y world m, up
+ * @param toX where it holds B, world m; x of a joint at one point
+ * @param toY world m, up
+ * @param axis rad, of a slide and a wheel
+ * @param length m, of a spring without load
+ * @param settings limits, motor, spring, and from which force on it breaks
+ */
+public record LevelJoint(
+        Type type,
+        String a,
+        String b,
+        double x,
+        double y,
+        double toX,
+        double toY,
+        double axis,
+        double length,
+        JointSettings settings) {
+
+    private static final Pattern BALL = Pattern.compile("ball([2-4])");
+
+    /** The kinds, by what a file calls them. */
+    public enum Type {
+        HINGE,
+        WELD,
+        WHEEL,
+        SLIDE,
+        ROD,
+        ROPE,
+        SPRING;
+
+        /** Whether it is between two points, not at one. */
+        public boolean hasTwoPoints() {
+            return this == ROD || this == ROPE || this == SPRING;
+        }
+    }
+
+    /** What a file's node states; nothing where it cannot be a joint. */
+    public static Optional<LevelJoint> of(JsonNode node) {
+        try {
+            return Optional.of(JointReader.joint(node));
+        } catch (IllegalArgumentException refused) {
+            return Optional.empty();
+        }
+    }
+
+    /** What joints call the platform. */
+    static final String PLATFORM = "platform";
+
+    /** What joints call a ball, from 0. */
+    static String ball(int index) {
+        return index == 0 ? "ball" : "ball" + (index + 1);
+    }
+
+    /** Which ball a name is of, from 0; none where it is the platform's or a body's. */
+    public static Optional<Integer> ball(String name) {
+        if (name.equals(ball(0))) {
+            return Optional.of(0);
+        }
+        Matcher number = BALL.matcher(name);
+        return number.matches()
+                ? Optional.of(Integer.parseInt(number.group(1)) - 1)
+                : Optional.empty();
+    }
+
+    /** From end to end, m. */
+    double span() {
+        return Math.hypot(toX - x, toY - y);
+    }
+
+    /** What the engine is told, with the bodies where the level puts them. */
+    public JointDefinition definition(RigidBody one, RigidBody other) {
+        JointDefinition plain =
+                switch (type) {
+                    case HINGE -> RevoluteJoint.at(one, other, x, y);
+                    case WELD -> WeldJoint.at(one, other, x, y);
+                    case WHEEL -> WheelJoint.at(one, other, x, y, axis);
+                    case SLIDE -> PrismaticJoint.along(one, other, x, y, axis);
+                    case ROD, ROPE -> DistanceJoint.rod(one, x, y, other, toX, toY);
+                    case SPRING -> DistanceJoint.rod(one, x, y, other, toX, toY).length(length);
+                };
+        return plain.with(settings);
+    }
+}
