@@ -37,7 +37,7 @@ final class Car {
 
     /** What is set by the controls. */
     static final class Settings {
-        double speed = 6;
+        double speed = 12;
         double torque = 500;
         double hertz = 8;
         double damping = 0.7;

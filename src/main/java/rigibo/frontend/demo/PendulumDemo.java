@@ -38,6 +38,9 @@ final class PendulumDemo implements Demo {
     /** Of the arc that the bob is expected to reach, px and pieces. */
     private static final int ARC_PIECES = 48;
 
+    /** A chain begins with a weight of 10³ links, two bobs are alike. */
+    private static final double HEAVY = 3;
+
     /** Radius of what ends a rod, m. */
     private static final double PIN = 0.06;
 
@@ -50,7 +53,7 @@ final class PendulumDemo implements Demo {
     private Hang.Kind kind = Hang.Kind.SINGLE;
     private double length = 1.6;
     private double degrees = 60;
-    private double power = 2;
+    private double power;
     private double energyAtFirst;
 
     PendulumDemo(Words words) {
@@ -144,6 +147,7 @@ final class PendulumDemo implements Demo {
 
     private void choose(int number) {
         kind = Hang.Kind.values()[number];
+        power = kind == Hang.Kind.CHAIN ? HEAVY : 0;
         lay();
     }
 
