@@ -35,8 +35,14 @@ final class Balance {
         scale = 0;
     }
 
-    void begin(List<RigidBody> bodies) {
+    /**
+     * Opens the books of a step.
+     *
+     * @param springs energy in springs, J, which counts as that of height
+     */
+    void begin(List<RigidBody> bodies, double springs) {
         sum(bodies);
+        potential += springs;
         double start = scale == 0 ? Math.abs(kinetic + potential) : 0;
         scale = Math.max(Math.max(scale, start), Math.max(kinetic, lift));
     }
@@ -44,14 +50,16 @@ final class Balance {
     /**
      * Closes the books of a step.
      *
+     * @param springs energy in springs, J
      * @return how many bodies are not finite
      */
-    int end(List<RigidBody> bodies, double dt) {
+    int end(List<RigidBody> bodies, double springs, double dt) {
         double energyBefore = kinetic + potential;
         double expectedX = momentumX + mass * gravity.x() * dt;
         double expectedY = momentumY + mass * gravity.y() * dt;
         double before = allMomentum;
         int broken = sum(bodies);
+        potential += springs;
         gain = kinetic + potential - energyBefore;
         lost = Math.hypot(momentumX - expectedX, momentumY - expectedY);
         allMomentum = Math.max(before, allMomentum);

@@ -18,10 +18,14 @@ final class EnergyGuard {
     private double lowest = Double.POSITIVE_INFINITY;
     private double work;
 
-    /** Begins with what there is now. */
-    EnergyGuard(List<RigidBody> bodies, Gravity gravity) {
+    /**
+     * Begins with what there is now.
+     *
+     * @param springs energy in springs, J
+     */
+    EnergyGuard(List<RigidBody> bodies, Gravity gravity, double springs) {
         this.gravity = gravity;
-        start = energy(bodies);
+        start = energy(bodies) + springs;
     }
 
     /** Adds work that was done to the scene, J; less than 0 where it was taken from it. */
@@ -33,8 +37,8 @@ final class EnergyGuard {
      * Energy beyond the start and the work, as a share of what could be released by now: the motion
      * at the start, and a fall from there to the lowest point that anything has reached.
      */
-    double beyond(List<RigidBody> bodies) {
-        double excess = energy(bodies) - start - work;
+    double beyond(List<RigidBody> bodies, double springs) {
+        double excess = energy(bodies) + springs - start - work;
         double could = start - mass * lowest + Math.max(0, work);
         return could > 0 ? Math.max(0, excess) / could : Math.max(0, excess);
     }

@@ -68,12 +68,16 @@ public final class HardCases {
                     new BornInOverlap());
 
     private static final List<HardCase> HELD =
-            Stream.concat(NUMBERED.stream(), MovingPiles.held().stream()).toList();
+            Stream.of(NUMBERED, MovingPiles.held(), JointCases.held())
+                    .flatMap(List::stream)
+                    .toList();
 
     private static final List<HardCase> OPEN =
-            Stream.concat(
-                            Stream.of(new ManyCornered(), new Dominoes(), new CardHouse()),
-                            MovingPiles.open().stream())
+            Stream.of(
+                            List.of(new ManyCornered(), new Dominoes(), new CardHouse()),
+                            MovingPiles.open(),
+                            JointCases.open())
+                    .flatMap(List::stream)
                     .toList();
 
     private static final List<HardCase> LONG =

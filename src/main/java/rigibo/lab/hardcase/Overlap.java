@@ -7,14 +7,17 @@ import rigibo.lab.truth.Outline;
 import rigibo.lab.truth.OutlineSweep;
 
 import java.util.ArrayList;
+import java.util.IdentityHashMap;
 import java.util.List;
+import java.util.Map;
 
 /** How deep bodies overlap, apart from the engine's own measure. */
 final class Overlap {
 
     private final List<RigidBody> known = new ArrayList<>();
     private final List<Outline> outlines = new ArrayList<>();
-    private OutlineSweep sweep = new OutlineSweep(Shape::smallestWidth);
+    private final Map<Outline, RigidBody> bodyOf = new IdentityHashMap<>();
+    private OutlineSweep sweep = sweep();
 
     /** Deepest overlap of all pairs as a share of the smaller width of the two, 0 without any. */
     double deepestShare(List<RigidBody> bodies) {
@@ -26,6 +29,17 @@ final class Overlap {
             outlines.get(i).place(body.x(), body.y(), body.angle());
         }
         return sweep.deepest();
+    }
+
+    private OutlineSweep sweep() {
+        return new OutlineSweep(Shape::smallestWidth, (a, b) -> meet(bodyOf.get(a), bodyOf.get(b)));
+    }
+
+    private static boolean meet(RigidBody a, RigidBody b) {
+        return a.filter().meets(b.filter())
+                && a.joints().stream()
+                        .filter(joint -> joint.a() == b || joint.b() == b)
+                        .allMatch(joint -> joint.definition().settings().collideConnected());
     }
 
     private boolean isKnown(List<RigidBody> bodies) {
@@ -44,10 +58,12 @@ final class Overlap {
         known.clear();
         known.addAll(bodies);
         outlines.clear();
-        sweep = new OutlineSweep(Shape::smallestWidth);
+        sweep = sweep();
+        bodyOf.clear();
         for (RigidBody body : bodies) {
             Outline outline = new Outline(body.shape());
             outlines.add(outline);
+            bodyOf.put(outline, body);
             sweep.add(outline, body.type() == BodyType.DYNAMIC);
         }
     }

@@ -1,6 +1,8 @@
 package rigibo.lab.hardcase;
 
 import rigibo.backend.ContactEvent;
+import rigibo.backend.Joint;
+import rigibo.backend.JointDefinition;
 import rigibo.backend.Pool;
 import rigibo.backend.RigidBody;
 import rigibo.backend.StepReport;
@@ -74,6 +76,33 @@ final class WatchedPool {
         return pool.add(definition);
     }
 
+    /** Joins two bodies; the energy of its spring counts, the work of its motor does not. */
+    Joint join(JointDefinition definition) {
+        isMomentumKept = false;
+        changed();
+        return pool.join(definition);
+    }
+
+    /** For scenes whose limit of energy is their own, as that of a swing. */
+    WatchedPool withEnergyOfItsOwn() {
+        isEnergyKept = false;
+        return this;
+    }
+
+    /** Most that the joints are off from what they hold now, m. */
+    double jointError() {
+        return pool.joints().stream().mapToDouble(Joint::error).max().orElse(0);
+    }
+
+    /** Of motion, height and springs, J. */
+    double energy() {
+        return pool.kineticEnergy() + pool.potentialEnergy() + springs();
+    }
+
+    private double springs() {
+        return pool.joints().stream().mapToDouble(Joint::energy).sum();
+    }
+
     /** For scenes that begin in overlap or are crushed: how deep is not judged at every step. */
     WatchedPool allowingOverlap() {
         mayOverlap = true;
@@ -124,9 +153,9 @@ final class WatchedPool {
     }
 
     StepReport step(double dt) {
-        balance.begin(pool.bodies());
+        balance.begin(pool.bodies(), springs());
         if (guard == null && (isEnergyKept || isWorkKnown)) {
-            guard = new EnergyGuard(pool.bodies(), gravity);
+            guard = new EnergyGuard(pool.bodies(), gravity, springs());
         }
         long before = Heap.allocated();
         StepReport report = pool.step(dt);
@@ -185,13 +214,13 @@ final class WatchedPool {
 
     private void watch(double dt) {
         String where = variant + " step " + steps;
-        trial.notFinite(balance.end(pool.bodies(), dt), where);
+        trial.notFinite(balance.end(pool.bodies(), springs(), dt), where);
         if (isEnergyKept) {
             trial.energyGain(balance.energyGainShare(), where);
         }
         if (guard != null) {
             guard.add(workOfStep.getAsDouble());
-            trial.energyBeyondStart(guard.beyond(pool.bodies()), where);
+            trial.energyBeyondStart(guard.beyond(pool.bodies(), springs()), where);
         }
         if (isMomentumKept) {
             trial.momentumError(balance.momentumErrorShare(), where);

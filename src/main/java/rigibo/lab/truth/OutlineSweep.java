@@ -5,6 +5,7 @@ import rigibo.backend.geometry.Shape;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.function.BiPredicate;
 import java.util.function.ToDoubleFunction;
 
 /**
@@ -21,15 +22,19 @@ public final class OutlineSweep {
     }
 
     private final ToDoubleFunction<Shape> unit;
+    private final BiPredicate<Outline, Outline> meet;
     private final List<Entry> entries = new ArrayList<>();
 
     /**
      * A sweep of nothing yet.
      *
      * @param unit of overlap by shape, m; of two shapes the lesser counts
+     * @param meet whether two that overlap are not allowed to: those of a group are, and those that
+     *     are joined
      */
-    public OutlineSweep(ToDoubleFunction<Shape> unit) {
+    public OutlineSweep(ToDoubleFunction<Shape> unit, BiPredicate<Outline, Outline> meet) {
         this.unit = unit;
+        this.meet = meet;
     }
 
     /**
@@ -56,8 +61,9 @@ public final class OutlineSweep {
         return deepest;
     }
 
-    private static double depth(Entry a, Entry b) {
+    private double depth(Entry a, Entry b) {
         boolean isAsked = (a.givesWay || b.givesWay) && a.outline.isNear(b.outline);
-        return isAsked ? -a.outline.separation(b.outline) / Math.min(a.unit, b.unit) : 0;
+        double depth = isAsked ? -a.outline.separation(b.outline) / Math.min(a.unit, b.unit) : 0;
+        return depth > 0 && meet.test(a.outline, b.outline) ? depth : 0;
     }
 }

@@ -82,14 +82,14 @@ class InstrumentsTest {
         Pool flight = new Pool(Effects.of(new Gravity(0, -9.81)), Preset.GAME.accuracy());
         RigidBody disc = flight.add(BodyDefinition.dynamic(new Circle(1)).at(0, 10));
         Balance balance = new Balance(new Gravity(0, -9.81));
-        balance.begin(flight.bodies());
+        balance.begin(flight.bodies(), 0);
         flight.step(Trial.DT);
-        assertThat(balance.end(flight.bodies(), Trial.DT)).isZero();
+        assertThat(balance.end(flight.bodies(), 0, Trial.DT)).isZero();
         assertThat(balance.energyGainShare()).isLessThan(1e-12);
         assertThat(balance.momentumErrorShare()).isLessThan(1e-12);
-        balance.begin(flight.bodies());
+        balance.begin(flight.bodies(), 0);
         disc.velocity(3, 0);
-        balance.end(flight.bodies(), Trial.DT);
+        balance.end(flight.bodies(), 0, Trial.DT);
         assertThat(balance.energyGainShare()).isGreaterThan(0.01);
         assertThat(balance.momentumErrorShare()).isGreaterThan(0.5);
     }

@@ -57,16 +57,16 @@ class MovingInstrumentsTest {
     @Test
     void energyBeyondStartAndWorkIsAShareOfWhatCouldBeReleased() {
         RigidBody body = pool.add(BodyDefinition.dynamic(new Circle(0.5)).mass(1).at(0, 12));
-        EnergyGuard guard = new EnergyGuard(pool.bodies(), new Gravity(0, -1));
-        assertThat(guard.beyond(pool.bodies())).isZero();
+        EnergyGuard guard = new EnergyGuard(pool.bodies(), new Gravity(0, -1), 0);
+        assertThat(guard.beyond(pool.bodies(), 0)).isZero();
         body.moveTo(0, 2.5, 0);
-        assertThat(guard.beyond(pool.bodies())).as("lost").isZero();
+        assertThat(guard.beyond(pool.bodies(), 0)).as("lost").isZero();
         body.moveTo(0, 13, 0);
-        assertThat(guard.beyond(pool.bodies())).isCloseTo(0.1, within(CLOSE));
+        assertThat(guard.beyond(pool.bodies(), 0)).isCloseTo(0.1, within(CLOSE));
         guard.add(1);
-        assertThat(guard.beyond(pool.bodies())).as("by work").isCloseTo(0, within(CLOSE));
+        assertThat(guard.beyond(pool.bodies(), 0)).as("by work").isCloseTo(0, within(CLOSE));
         guard.add(-1);
-        assertThat(guard.beyond(pool.bodies())).as("work undone").isCloseTo(0.1, within(CLOSE));
+        assertThat(guard.beyond(pool.bodies(), 0)).as("work undone").isCloseTo(0.1, within(CLOSE));
     }
 
     /**

@@ -27,7 +27,7 @@ public final class DeepestOverlap {
     }
 
     private static double deepest(Scene scene, World world, ToDoubleFunction<Shape> unit) {
-        OutlineSweep sweep = new OutlineSweep(unit);
+        OutlineSweep sweep = new OutlineSweep(unit, (a, b) -> true);
         List<BodyDefinition> bodies = scene.bodies();
         for (int i = 0; i < bodies.size(); i++) {
             if (i != scene.loss().body()) {

@@ -1,0 +1,279 @@
+package rigibo.lab.hardcase;
+
+import rigibo.backend.Joint;
+import rigibo.backend.RevoluteJoint;
+import rigibo.backend.RigidBody;
+import rigibo.backend.WeldJoint;
+import rigibo.backend.geometry.Circle;
+import rigibo.backend.geometry.Polygon;
+import rigibo.backend.setup.BodyDefinition;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+
+/**
+ * J4, J5 and J12: links in a row. A link that carries W at its centre between a pull of H to either
+ * side and V₋ and V₊ = V₋ − W upwards and downwards is in balance at tan θ = (V₋ + V₊)/2H: moments
+ * about its centre. Links laid so are at rest, and what holds the ends pulls with √(H² + V²). What
+ * hangs straight pulls by its weight, and a cantilever turns its wall by weight times lever.
+ */
+final class HangingChains {
+
+    private static final Limits STRETCH = Limits.of(1e-3, 1e-6);
+    private static final Limits REACTION = Limits.of(1e-2, 1e-6);
+    private static final Limits MOMENT = Limits.of(2e-2, 1e-4);
+
+    private HangingChains() {}
+
+    static HardCase catenary() {
+        String title = "a chain that is laid in its catenary stays there";
+        return new JointCase("J4", title, HangingChains::catenaries);
+    }
+
+    static HardCase heavyBob() {
+        String title = "light links carry ten thousand times their mass";
+        return new JointCase("J5", title, HangingChains::heavyBobs);
+    }
+
+    static HardCase bridge() {
+        String title = "a bridge stands under its load, and a cantilever at its wall";
+        return new JointCase("J12", title, HangingChains::bridges);
+    }
+
+    private static void catenaries(Trial trial) {
+        int count = trial.sampling().count(3, 20);
+        for (int i = 0; i < count; i++) {
+            SplittableRandom random = trial.sampling().random(i);
+            int links = 50;
+            double length = 0.1 + 0.4 * random.nextDouble();
+            double mass = mass(length, length / 4);
+            double pull = links * mass * Trial.GRAVITY * (0.3 + 2 * random.nextDouble());
+            trial.variant(links + " links of " + length + " m, pulled by " + pull + " N");
+            WatchedPool pool = JointCase.earth(trial);
+            Laid chain = new Laid(pool, length, length / 4, pull);
+            for (int k = 0; k < links; k++) {
+                chain.add(links * mass * Trial.GRAVITY / 2, mass * Trial.GRAVITY, k);
+            }
+            chain.end();
+            chain.stays(trial, 10, JointCase.FORCE);
+        }
+    }
+
+    /** At a density of 1, kg. */
+    private static double mass(double length, double height) {
+        return length * height;
+    }
+
+    /** Links in balance, laid from the origin to the right, fixed at both ends. */
+    private static final class Laid {
+
+        private final WatchedPool pool;
+        private final double length;
+        private final double height;
+        private final double pull;
+        private final List<RigidBody> links = new ArrayList<>();
+        private double carried;
+        private double first;
+        private double x;
+        private double y;
+        private Joint left;
+        private Joint right;
+
+        Laid(WatchedPool pool, double length, double height, double pull) {
+            this.pool = pool;
+            this.length = length;
+            this.height = height;
+            this.pull = pull;
+        }
+
+        /**
+         * Lays the next link.
+         *
+         * @param up force on the left end of the first link, N
+         * @param weight that this one carries, N
+         */
+        void add(double up, double weight, int k) {
+            first = up;
+            double before = up - carried;
+            carried += weight;
+            double angle = -Math.atan((before + up - carried) / (2 * pull));
+            double dx = length * Math.cos(angle);
+            double dy = length * Math.sin(angle);
+            RigidBody link =
+                    pool.add(
+                            BodyDefinition.dynamic(Polygon.box(length, height))
+                                    .at(x + dx / 2, y + dy / 2)
+                                    .angle(angle)
+                                    .material(Surroundings.matter(1, 0)));
+            RigidBody held = k == 0 ? JointCase.hook(pool, x, y) : links.get(k - 1);
+            Joint joint = pool.join(RevoluteJoint.at(held, link, x, y));
+            left = k == 0 ? joint : left;
+            links.add(link);
+            x += dx;
+            y += dy;
+        }
+
+        void end() {
+            RigidBody last = links.get(links.size() - 1);
+            right = pool.join(RevoluteJoint.at(last, JointCase.hook(pool, x, y), x, y));
+        }
+
+        /** Puts a box on a link so that its weight goes through the link's centre. */
+        void load(int k, double side, double mass) {
+            RigidBody link = links.get(k);
+            double up = (height + side) / 2;
+            double along = Math.tan(link.angle()) * up;
+            pool.add(
+                    BodyDefinition.dynamic(Polygon.box(side, side))
+                            .at(link.worldX(along, up), link.worldY(along, up))
+                            .angle(link.angle())
+                            .mass(mass)
+                            .material(Surroundings.matter(1, 0)));
+        }
+
+        void stays(Trial trial, double seconds, Limits forces) {
+            double[] places = links.stream().mapToDouble(RigidBody::y).toArray();
+            while (pool.time() < seconds) {
+                pool.step();
+                JointCase.measureErrors(trial, pool);
+            }
+            for (int k = 0; k < places.length; k++) {
+                double off = Math.abs(links.get(k).y() - places[k]) / length;
+                trial.measure("moved", off, "of a link", JointCase.PLACE);
+            }
+            double leftTruth = Math.hypot(pull, first);
+            double rightTruth = Math.hypot(pull, carried - first);
+            double off = Math.abs(left.reactionForce() / leftTruth - 1);
+            trial.measure("tension, left", off, "of truth", forces);
+            off = Math.abs(right.reactionForce() / rightTruth - 1);
+            trial.measure("tension, right", off, "of truth", forces);
+        }
+    }
+
+    private static void heavyBobs(Trial trial) {
+        int count = trial.sampling().count(3, 15);
+        for (int i = 0; i < count; i++) {
+            SplittableRandom random = trial.sampling().random(i);
+            double length = 0.1 + 0.3 * random.nextDouble();
+            double ratio = i == 0 ? 1e4 : Math.pow(10, 4 * random.nextDouble());
+            double angle = 0.3 + random.nextDouble();
+            trial.variant("links of " + length + " m, 1:" + ratio + ", at rest");
+            hang(trial, length, ratio, 0);
+            trial.variant("links of " + length + " m, 1:" + ratio + ", from " + angle + " rad");
+            hang(trial, length, ratio, angle);
+        }
+    }
+
+    /** Thirty links in a straight line, with a bob of so many times a link's mass at the end. */
+    private static void hang(Trial trial, double length, double ratio, double angle) {
+        int links = 30;
+        WatchedPool pool = JointCase.earth(trial).withEnergyOfItsOwn();
+        RigidBody hook = JointCase.hook(pool, 0, 0);
+        RigidBody before = hook;
+        double dx = length * Math.sin(angle);
+        double dy = -length * Math.cos(angle);
+        for (int k = 0; k < links; k++) {
+            RigidBody link =
+                    pool.add(
+                            BodyDefinition.dynamic(Polygon.box(length / 4, length))
+                                    .at((k + 0.5) * dx, (k + 0.5) * dy)
+                                    .angle(angle)
+                                    .group(1));
+            pool.join(RevoluteJoint.at(before, link, k * dx, k * dy));
+            before = link;
+        }
+        double mass = before.mass();
+        RigidBody bob =
+                pool.add(
+                        BodyDefinition.dynamic(new Circle(length / 2))
+                                .at(links * dx, links * dy)
+                                .mass(ratio * mass)
+                                .group(1));
+        pool.join(RevoluteJoint.at(before, bob, bob.x(), bob.y()));
+        while (pool.time() < 3) {
+            pool.step();
+            double stretch = Math.hypot(bob.x(), bob.y()) / (links * length) - 1;
+            trial.measure("stretch", Math.max(0, stretch), "of length", STRETCH);
+            JointCase.measureErrors(trial, pool);
+        }
+        if (angle == 0) {
+            double truth = (ratio + links) * mass * Trial.GRAVITY;
+            double off = Math.abs(pool.pool().joints().get(0).reactionForce() / truth - 1);
+            trial.measure("reaction", off, "of truth", REACTION);
+        }
+    }
+
+    private static void bridges(Trial trial) {
+        int count = trial.sampling().count(2, 15);
+        for (int i = 0; i < count; i++) {
+            SplittableRandom random = trial.sampling().random(i);
+            double length = 0.4 + 0.6 * random.nextDouble();
+            int at = 10 + random.nextInt(20);
+            double heavier = 1 + 10 * random.nextDouble();
+            trial.variant("planks of " + length + " m, " + heavier + " planks on the " + at + "th");
+            stand(trial, length, at, heavier);
+            trial.variant("planks of " + length + " m, a disc rolls over them");
+            roll(trial, length, 0.1 + 0.4 * random.nextDouble());
+            trial.variant("20 pieces of " + length + " m");
+            reachOut(trial, length, length * (0.1 + random.nextDouble()));
+        }
+    }
+
+    private static void stand(Trial trial, double length, int at, double heavier) {
+        int planks = 40;
+        double mass = mass(length, length / 5);
+        double weight = mass * Trial.GRAVITY;
+        double all = (planks + heavier) * weight;
+        WatchedPool pool = JointCase.earth(trial);
+        Laid bridge = new Laid(pool, length, length / 5, 1.5 * all);
+        for (int k = 0; k < planks; k++) {
+            bridge.add(all / 2, k == at ? (1 + heavier) * weight : weight, k);
+        }
+        bridge.end();
+        bridge.load(at, length / 2, heavier * mass);
+        bridge.stays(trial, 5, MOMENT);
+    }
+
+    /** Planks without slack; the guard holds the energy. */
+    private static void roll(Trial trial, double length, double radius) {
+        int planks = 40;
+        WatchedPool pool = JointCase.earth(trial);
+        double weight = mass(length, length / 5) * Trial.GRAVITY;
+        Laid bridge = new Laid(pool, length, length / 5, planks * weight * 2);
+        for (int k = 0; k < planks; k++) {
+            bridge.add(planks * weight / 2, weight, k);
+        }
+        bridge.end();
+        RigidBody first = bridge.links.get(2);
+        double up = length / 10 + radius;
+        pool.add(
+                BodyDefinition.dynamic(new Circle(radius))
+                        .at(first.worldX(0, up), first.worldY(0, up))
+                        .material(Surroundings.matter(1, 0)));
+        while (pool.time() < 8) {
+            pool.step();
+            JointCase.measureErrors(trial, pool);
+        }
+    }
+
+    private static void reachOut(Trial trial, double length, double height) {
+        int pieces = 20;
+        WatchedPool pool = JointCase.earth(trial);
+        RigidBody before = JointCase.hook(pool, 0, 0);
+        for (int k = 0; k < pieces; k++) {
+            RigidBody piece =
+                    pool.add(
+                            BodyDefinition.dynamic(Polygon.box(length, height))
+                                    .at((k + 0.5) * length, 0));
+            pool.join(WeldJoint.at(before, piece, k * length, 0));
+            before = piece;
+        }
+        pool.run(3);
+        double weight = pieces * before.mass() * Trial.GRAVITY;
+        Joint wall = pool.pool().joints().get(0);
+        double off = Math.abs(wall.reactionTorque() / (weight * pieces * length / 2) - 1);
+        trial.measure("moment at the wall", off, "of truth", MOMENT);
+        JointCase.measureErrors(trial, pool);
+    }
+}
