@@ -3,6 +3,8 @@ package rigibo.peers;
 import rigibo.backend.geometry.Chain;
 import rigibo.backend.geometry.Outline;
 import rigibo.backend.setup.BodyDefinition;
+import rigibo.backend.setup.JointKind;
+import rigibo.lab.engine.Link;
 
 import java.util.function.IntToDoubleFunction;
 
@@ -76,5 +78,20 @@ public final class Box2dFamily {
             throw new UnsupportedOperationException("groups other than 0 to " + Short.MAX_VALUE);
         }
         return (short) -body.group();
+    }
+
+    /**
+     * Refuses what its joints cannot have.
+     *
+     * @throws UnsupportedOperationException naming it
+     */
+    public static void requireKnown(Link link) {
+        boolean isPivot = link.kind() == JointKind.REVOLUTE || link.kind() == JointKind.PRISMATIC;
+        if (isPivot && link.settings().spring().isThere()) {
+            throw new UnsupportedOperationException("hinges and slides on springs");
+        }
+        if (!isPivot && link.settings().limits().areAny()) {
+            throw new UnsupportedOperationException("limits of rods and wheels");
+        }
     }
 }

@@ -14,6 +14,7 @@ import rigibo.backend.effect.FieldPoint;
 import rigibo.backend.geometry.MassProperties;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.BodyType;
+import rigibo.lab.engine.Link;
 import rigibo.lab.engine.Setting;
 import rigibo.lab.engine.Work;
 import rigibo.lab.engine.World;
@@ -104,6 +105,11 @@ final class Dyn4jWorld implements World {
         body.setAngularDamping(0);
         body.setAtRestDetectionEnabled(called.hasSleep());
         body.setAtRest(!stated.awake());
+    }
+
+    @Override
+    public void join(Link link) {
+        world.addJoint(Connections.of(link, bodies.get(link.a()), bodies.get(link.b())));
     }
 
     @Override

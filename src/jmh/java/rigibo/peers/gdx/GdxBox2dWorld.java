@@ -12,6 +12,7 @@ import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.FieldPoint;
 import rigibo.backend.geometry.MassProperties;
 import rigibo.backend.setup.BodyDefinition;
+import rigibo.lab.engine.Link;
 import rigibo.lab.engine.Setting;
 import rigibo.lab.engine.Work;
 import rigibo.lab.engine.World;
@@ -99,6 +100,11 @@ final class GdxBox2dWorld implements World {
         mass.mass = (float) stated.mass();
         mass.I = (float) stated.inertia();
         return mass;
+    }
+
+    @Override
+    public void join(Link link) {
+        world.createJoint(Connections.of(link, bodies.get(link.a()), bodies.get(link.b())));
     }
 
     @Override

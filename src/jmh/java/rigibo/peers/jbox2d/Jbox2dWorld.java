@@ -12,6 +12,7 @@ import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.FieldPoint;
 import rigibo.backend.geometry.MassProperties;
 import rigibo.backend.setup.BodyDefinition;
+import rigibo.lab.engine.Link;
 import rigibo.lab.engine.Setting;
 import rigibo.lab.engine.Work;
 import rigibo.lab.engine.World;
@@ -104,6 +105,11 @@ final class Jbox2dWorld implements World {
 
     private static Vec2 vector(double x, double y) {
         return new Vec2((float) x, (float) y);
+    }
+
+    @Override
+    public void join(Link link) {
+        world.createJoint(Connections.of(link, bodies.get(link.a()), bodies.get(link.b())));
     }
 
     @Override

@@ -27,6 +27,11 @@ final class RigiBoWorld implements World {
     }
 
     @Override
+    public void join(Link link) {
+        pool.join(link.between(bodies.get(link.a()), bodies.get(link.b())));
+    }
+
+    @Override
     public void remove(int body) {
         pool.remove(bodies.get(body));
     }

@@ -8,6 +8,13 @@ public interface World extends AutoCloseable {
     /** Adds a body and returns its number. */
     int add(BodyDefinition body);
 
+    /**
+     * Joins two bodies.
+     *
+     * @throws UnsupportedOperationException naming what the engine's joint cannot have
+     */
+    void join(Link link);
+
     /** Takes a body out, which nothing is asked about any more; the others keep their numbers. */
     void remove(int body);
 

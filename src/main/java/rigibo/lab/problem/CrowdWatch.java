@@ -21,7 +21,7 @@ final class CrowdWatch {
         this.bench = bench;
         this.scene = scene;
         world = bench.world(scene.effects());
-        scene.bodies().forEach(world::add);
+        scene.build(world);
         start = Look.at(scene, world).energy();
     }
 

@@ -3,6 +3,7 @@ package rigibo.lab.problem;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.lab.engine.Engine;
+import rigibo.lab.engine.Link;
 import rigibo.lab.engine.RigiBoEngine;
 import rigibo.lab.engine.Setting;
 import rigibo.lab.engine.Work;
@@ -33,6 +34,11 @@ record Exaggerating(double factor) implements Engine {
         @Override
         public int add(BodyDefinition body) {
             return world.add(body);
+        }
+
+        @Override
+        public void join(Link link) {
+            world.join(link);
         }
 
         @Override

@@ -17,6 +17,7 @@ import java.util.stream.DoubleStream;
  * @param gain greatest energy beyond the start's, as a share of it, while nothing is driven; NaN
  *     where something is
  * @param bytes allocated in a step, median
+ * @param jointError the most that a joint was off after any step, m
  */
 record Course(
         double[] nanos,
@@ -25,11 +26,12 @@ record Course(
         double deepest,
         double left,
         double gain,
-        double bytes) {
+        double bytes,
+        double jointError) {
 
     private static final String BETWEEN = "\t";
     private static final String BETWEEN_STEPS = " ";
-    private static final int FIELDS = 7;
+    private static final int FIELDS = 8;
 
     /** In one line, for a process to print. */
     String line() {
@@ -41,7 +43,8 @@ record Course(
                 "" + deepest,
                 "" + left,
                 "" + gain,
-                "" + bytes);
+                "" + bytes,
+                "" + jointError);
     }
 
     private static String words(double[] values) {
@@ -67,7 +70,8 @@ record Course(
                 Double.parseDouble(field[3]),
                 Double.parseDouble(field[4]),
                 Double.parseDouble(field[5]),
-                Double.parseDouble(field[6]));
+                Double.parseDouble(field[6]),
+                Double.parseDouble(field[7]));
     }
 
     private static double[] values(String words) {

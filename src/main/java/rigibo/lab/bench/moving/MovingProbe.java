@@ -11,6 +11,7 @@ import rigibo.lab.bench.scene.BenchScene;
 import rigibo.lab.bench.scene.Driver;
 import rigibo.lab.bench.scene.MovingScenes;
 import rigibo.lab.bench.scene.Scene;
+import rigibo.lab.engine.LinkErrors;
 import rigibo.lab.engine.World;
 
 import java.util.Arrays;
@@ -32,6 +33,7 @@ public final class MovingProbe {
     private double deepest;
     private double left;
     private double gain;
+    private double jointError;
     private int lastMoving = -1;
 
     private MovingProbe(Contestant contestant, Scene scene, int steps) {
@@ -71,7 +73,8 @@ public final class MovingProbe {
                 probe.deepest,
                 probe.left,
                 probe.gain,
-                median(bytes));
+                median(bytes),
+                probe.jointError);
     }
 
     private static double median(double[] values) {
@@ -82,6 +85,7 @@ public final class MovingProbe {
         boolean isDriven = !scene.driver().equals(Driver.NONE);
         try (Stage stage = contestant.stage(scene)) {
             World world = stage.world();
+            LinkErrors joints = new LinkErrors(scene.bodies(), scene.links());
             double start = Look.at(scene, world).energy();
             for (int i = 0; i < steps; i++) {
                 stage.drive();
@@ -89,6 +93,7 @@ public final class MovingProbe {
                 contacts[i] = stage.lastStep().contacts();
                 left = DeepestOverlap.inWidths(scene, world);
                 deepest = Math.max(deepest, left);
+                jointError = Math.max(jointError, joints.worst(world));
                 double energy = Look.at(scene, world).energy();
                 gain = isDriven ? Double.NaN : Math.max(gain, energy / start - 1);
                 lastMoving = isStill(world) ? lastMoving : i;

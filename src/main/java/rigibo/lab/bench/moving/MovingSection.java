@@ -31,6 +31,7 @@ final class MovingSection {
                     "deepest overlap in widths",
                     "at the end",
                     "energy gained",
+                    "joints off by",
                     "at rest after");
 
     private final String title;
@@ -73,6 +74,7 @@ final class MovingSection {
                 widths(course.deepest()),
                 widths(course.left()),
                 Double.isNaN(course.gain()) ? "driven" : Amount.scientific(course.gain()),
+                course.jointError() == 0 ? "" : Amount.scientific(course.jointError()) + " m",
                 rest(course));
     }
 

@@ -8,7 +8,9 @@ import rigibo.lab.engine.World;
 import rigibo.lab.truth.Outline;
 import rigibo.lab.truth.OutlineSweep;
 
+import java.util.IdentityHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.function.ToDoubleFunction;
 
 /** The deepest overlap of two bodies of a scene, from where they are, whatever the engine says. */
@@ -27,11 +29,14 @@ public final class DeepestOverlap {
     }
 
     private static double deepest(Scene scene, World world, ToDoubleFunction<Shape> unit) {
-        OutlineSweep sweep = new OutlineSweep(unit, (a, b) -> true);
+        Map<Outline, Integer> numberOf = new IdentityHashMap<>();
+        OutlineSweep sweep =
+                new OutlineSweep(unit, (a, b) -> scene.meet(numberOf.get(a), numberOf.get(b)));
         List<BodyDefinition> bodies = scene.bodies();
         for (int i = 0; i < bodies.size(); i++) {
             if (i != scene.loss().body()) {
                 Outline outline = new Outline(bodies.get(i).shape());
+                numberOf.put(outline, i);
                 outline.place(world.x(i), world.y(i), world.angle(i));
                 sweep.add(outline, bodies.get(i).type() == BodyType.DYNAMIC);
             }

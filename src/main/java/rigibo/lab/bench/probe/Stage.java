@@ -1,6 +1,5 @@
 package rigibo.lab.bench.probe;
 
-import rigibo.backend.setup.BodyDefinition;
 import rigibo.lab.bench.scene.Scene;
 import rigibo.lab.engine.Engine;
 import rigibo.lab.engine.Setting;
@@ -18,9 +17,7 @@ public final class Stage implements AutoCloseable {
     public Stage(Engine engine, Setting setting, Scene scene) {
         this.scene = scene;
         world = engine.world(scene.effects(), setting);
-        for (BodyDefinition body : scene.bodies()) {
-            world.add(body);
-        }
+        scene.build(world);
     }
 
     /** Where to look at what became of the bodies; its steps are made here alone. */

@@ -63,6 +63,7 @@ public final class MovingScenes {
                         "300 rods, a hundred times as long as thick, that fall crosswise",
                         () -> Commotions.rods(300)));
         addShapes(scenes);
+        addAssemblies(scenes);
         return scenes;
     }
 
@@ -82,6 +83,34 @@ public final class MovingScenes {
                         "cave",
                         "500 boxes and discs that fall in a cave of 2000 edges",
                         () -> ShapeCrowds.cave(500, 2000, SEED)));
+    }
+
+    private static void addAssemblies(List<BenchScene> scenes) {
+        scenes.add(
+                scene(
+                        "joint-grid",
+                        "900 discs in a net of hinges that hangs by its corners",
+                        () -> Assemblies.grid(30)));
+        scenes.add(
+                scene(
+                        "ragdolls",
+                        "100 ragdolls of 11 bodies that fall on each other",
+                        () -> Assemblies.ragdolls(100)));
+        scenes.add(
+                scene(
+                        "bridge",
+                        "5 bridges of 40 planks, on each of which 10 discs fall",
+                        () -> Assemblies.bridges(5, 40)));
+        scenes.add(
+                scene(
+                        "doors",
+                        "50 doors, thrown open, that damped springs pull shut",
+                        () -> Assemblies.doors(50)));
+        scenes.add(
+                scene(
+                        "cars",
+                        "30 cars on springs that drive over bumps",
+                        () -> Assemblies.cars(30)));
     }
 
     /**

@@ -3,6 +3,8 @@ package rigibo.lab.bench.scene;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.BodyType;
+import rigibo.lab.engine.Link;
+import rigibo.lab.engine.World;
 
 import java.util.List;
 import java.util.Objects;
@@ -12,16 +14,19 @@ import java.util.Objects;
  *
  * @param effects what it calls for
  * @param bodies in the order they are added
+ * @param links joints of them, joined before the first step
  * @param driver what is done to some of them before each step
  * @param loss of one of the bodies; {@link Loss#NONE} where all stay
  */
-public record Scene(Effects effects, List<BodyDefinition> bodies, Driver driver, Loss loss) {
+public record Scene(
+        Effects effects, List<BodyDefinition> bodies, List<Link> links, Driver driver, Loss loss) {
 
     /** s, of every scene and engine. */
     public static final double STEP = 1.0 / 60;
 
     public Scene {
         bodies = List.copyOf(bodies);
+        links = List.copyOf(links);
     }
 
     /** A scene in which nothing is driven. */
@@ -34,11 +39,37 @@ public record Scene(Effects effects, List<BodyDefinition> bodies, Driver driver,
         this(effects, bodies, driver, Loss.NONE);
     }
 
+    /** A scene without joints. */
+    public Scene(Effects effects, List<BodyDefinition> bodies, Driver driver, Loss loss) {
+        this(effects, bodies, List.of(), driver, loss);
+    }
+
+    /** A scene of joined bodies in which nothing is driven but by motors. */
+    public Scene(Effects effects, List<BodyDefinition> bodies, List<Link> links) {
+        this(effects, bodies, links, Driver.NONE, Loss.NONE);
+    }
+
+    /** Adds all bodies to a world and joins them. */
+    public void build(World world) {
+        bodies.forEach(world::add);
+        links.forEach(world::join);
+    }
+
+    /** Whether two of its bodies meet, as far as groups and joints say. */
+    public boolean meet(int a, int b) {
+        int group = bodies.get(a).group();
+        return (group == 0 || group != bodies.get(b).group())
+                && links.stream().noneMatch(link -> link.isOf(a, b));
+    }
+
     /** The same for equal scenes, hardly ever for others: a level's file may change, or a flood. */
     public int fingerprint() {
         int mark = Objects.hash(effects.toString(), driver, loss);
         for (BodyDefinition body : bodies) {
             mark = 31 * mark + fingerprint(body);
+        }
+        for (Link link : links) {
+            mark = 31 * mark + link.fingerprint();
         }
         return mark;
     }

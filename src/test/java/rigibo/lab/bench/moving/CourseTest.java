@@ -17,7 +17,8 @@ class CourseTest {
                     0.25,
                     0.125,
                     Double.NaN,
-                    0);
+                    0,
+                    1e-3);
 
     @Test
     void lineSaysAllOfIt() {
@@ -26,7 +27,7 @@ class CourseTest {
 
     @Test
     void contactsThatNobodyToldStayUntold() {
-        Course untold = new Course(new double[] {1}, new double[0], -1, 0, 0, 0, 0);
+        Course untold = new Course(new double[] {1}, new double[0], -1, 0, 0, 0, 0, 0);
         assertThat(Course.parse(untold.line()).contacts()).isEmpty();
     }
 

@@ -19,7 +19,7 @@ class MovingSectionTest {
         nanos[50] = worst;
         double[] contacts = new double[200];
         Arrays.fill(contacts, 5);
-        return new Course(nanos, contacts, lastMoving, 0.1, 0, 0, 0);
+        return new Course(nanos, contacts, lastMoving, 0.1, 0, 0, 0, 0);
     }
 
     private static MovingSection section(Course ours, Course theirs) {

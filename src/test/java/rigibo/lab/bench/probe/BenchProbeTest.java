@@ -32,7 +32,7 @@ class BenchProbeTest {
     private static double overlap(BodyDefinition... bodies) {
         Scene scene = new Scene(FALLING, List.of(bodies));
         try (World world = RigiBoEngine.world(FALLING, Accuracy.GAME)) {
-            scene.bodies().forEach(world::add);
+            scene.build(world);
             return DeepestOverlap.in(scene, world);
         }
     }
@@ -51,7 +51,7 @@ class BenchProbeTest {
     void heightAndEnergyCountFromTheGroundBelow() {
         Scene scene = new Scene(FALLING, List.of(FLOOR, BOX.at(0, 3).velocity(3, 4).spin(6)));
         try (World world = RigiBoEngine.world(FALLING.with(new Rotation()), Accuracy.GAME)) {
-            scene.bodies().forEach(world::add);
+            scene.build(world);
             Look look = Look.at(scene, world);
             assertThat(look.height()).isEqualTo(2);
             assertThat(look.energy()).isCloseTo(12.5 + 20 + 3, within(1e-12));

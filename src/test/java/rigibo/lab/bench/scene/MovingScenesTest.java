@@ -46,7 +46,12 @@ class MovingScenesTest {
         "rods, 300",
         "compounds, 1500",
         "capsules, 1500",
-        "cave, 500"
+        "cave, 500",
+        "joint-grid, 898",
+        "ragdolls, 1100",
+        "bridge, 250",
+        "doors, 50",
+        "cars, 90"
     })
     void sceneHasAsManyBodiesAsItSays(String name, int bodies) {
         assertThat(MovingScenes.named(name).scene().get().dynamic()).isEqualTo(bodies);
@@ -60,7 +65,7 @@ class MovingScenesTest {
             Scene scene = moving.scene().get();
             assertThat(scene.effects().declares(Sleep.class)).as(moving.name()).isFalse();
             try (World world = world(ours, scene.effects())) {
-                scene.bodies().forEach(world::add);
+                scene.build(world);
                 assertThat(DeepestOverlap.inWidths(scene, world))
                         .as(moving.name())
                         // Round-off of places of some 100 m, in widths of 0.02 m and more.

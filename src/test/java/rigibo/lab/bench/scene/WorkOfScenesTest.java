@@ -22,7 +22,7 @@ class WorkOfScenesTest {
 
     private static Work afterSteps(Scene scene, int steps) {
         try (World world = RigiBoEngine.world(scene.effects(), Accuracy.GAME)) {
-            scene.bodies().forEach(world::add);
+            scene.build(world);
             for (int i = 0; i < steps; i++) {
                 scene.driver().drive(world, i);
                 scene.loss().befall(world, i);

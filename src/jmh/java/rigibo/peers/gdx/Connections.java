@@ -1,0 +1,92 @@
+package rigibo.peers.gdx;
+
+import com.badlogic.gdx.math.Vector2;
+import com.badlogic.gdx.physics.box2d.Body;
+import com.badlogic.gdx.physics.box2d.JointDef;
+import com.badlogic.gdx.physics.box2d.joints.DistanceJointDef;
+import com.badlogic.gdx.physics.box2d.joints.PrismaticJointDef;
+import com.badlogic.gdx.physics.box2d.joints.RevoluteJointDef;
+import com.badlogic.gdx.physics.box2d.joints.WeldJointDef;
+import com.badlogic.gdx.physics.box2d.joints.WheelJointDef;
+
+import rigibo.backend.setup.JointSettings;
+import rigibo.lab.engine.Link;
+import rigibo.peers.Box2dFamily;
+
+/** Our joints as Box2D's. */
+final class Connections {
+
+    private Connections() {}
+
+    /**
+     * A joint as Box2D is told it.
+     *
+     * @throws UnsupportedOperationException naming what it has not
+     */
+    static JointDef of(Link link, Body a, Body b) {
+        Vector2 at = new Vector2((float) link.x(), (float) link.y());
+        Vector2 to = new Vector2((float) link.toX(), (float) link.toY());
+        Box2dFamily.requireKnown(link);
+        return switch (link.kind()) {
+            case REVOLUTE -> hinge(link.settings(), a, b, at);
+            case DISTANCE -> rod(link.settings(), a, b, at, to);
+            case WHEEL -> wheel(link.settings(), a, b, at, to.sub(at).nor());
+            case PRISMATIC -> slide(link.settings(), a, b, at, to.sub(at).nor());
+            case WELD -> weld(link.settings(), a, b, at);
+            case MOTOR, MOUSE, GEAR, PULLEY, FILTER -> throw link.unknown();
+        };
+    }
+
+    private static JointDef hinge(JointSettings settings, Body a, Body b, Vector2 at) {
+        RevoluteJointDef hinge = new RevoluteJointDef();
+        hinge.initialize(a, b, at);
+        hinge.enableLimit = settings.limits().areAny();
+        hinge.lowerAngle = (float) settings.limits().lower();
+        hinge.upperAngle = (float) settings.limits().upper();
+        hinge.enableMotor = settings.motor().drives();
+        hinge.motorSpeed = (float) settings.motor().speed();
+        hinge.maxMotorTorque = (float) settings.motor().most();
+        return hinge;
+    }
+
+    private static JointDef rod(JointSettings settings, Body a, Body b, Vector2 at, Vector2 to) {
+        DistanceJointDef rod = new DistanceJointDef();
+        rod.initialize(a, b, at, to);
+        rod.frequencyHz = (float) settings.spring().hertz();
+        rod.dampingRatio = (float) settings.spring().dampingRatio();
+        return rod;
+    }
+
+    private static JointDef wheel(
+            JointSettings settings, Body a, Body b, Vector2 at, Vector2 axis) {
+        WheelJointDef wheel = new WheelJointDef();
+        wheel.initialize(a, b, at, axis);
+        wheel.frequencyHz = (float) settings.spring().hertz();
+        wheel.dampingRatio = (float) settings.spring().dampingRatio();
+        wheel.enableMotor = settings.motor().drives();
+        wheel.motorSpeed = (float) settings.motor().speed();
+        wheel.maxMotorTorque = (float) settings.motor().most();
+        return wheel;
+    }
+
+    private static JointDef slide(
+            JointSettings settings, Body a, Body b, Vector2 at, Vector2 axis) {
+        PrismaticJointDef slide = new PrismaticJointDef();
+        slide.initialize(a, b, at, axis);
+        slide.enableLimit = settings.limits().areAny();
+        slide.lowerTranslation = (float) settings.limits().lower();
+        slide.upperTranslation = (float) settings.limits().upper();
+        slide.enableMotor = settings.motor().drives();
+        slide.motorSpeed = (float) settings.motor().speed();
+        slide.maxMotorForce = (float) settings.motor().most();
+        return slide;
+    }
+
+    private static JointDef weld(JointSettings settings, Body a, Body b, Vector2 at) {
+        WeldJointDef weld = new WeldJointDef();
+        weld.initialize(a, b, at);
+        weld.frequencyHz = (float) settings.spring().hertz();
+        weld.dampingRatio = (float) settings.spring().dampingRatio();
+        return weld;
+    }
+}
