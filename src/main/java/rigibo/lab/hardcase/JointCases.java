@@ -1,5 +1,7 @@
 package rigibo.lab.hardcase;
 
+import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 
 /** Cases of joints, J1 to J17. */
@@ -26,13 +28,17 @@ final class JointCases {
 
     /** Those whose truth is not yet reached in every figure. */
     static List<HardCase> open() {
-        return List.of(
+        List<HardCase> cases = new ArrayList<>(JointCrowd.each());
+        Collections.addAll(
+                cases,
                 Swings.pendulum(),
                 SpringJoints.all(),
                 HangingChains.bridge(),
                 JointImpacts.cradle(IMPACTS),
                 DrivenJoints.limit(IMPACTS),
                 JointImpacts.rope(IMPACTS),
+                JointLaws.all(),
                 JointImpacts.struck(IMPACTS));
+        return cases;
     }
 }

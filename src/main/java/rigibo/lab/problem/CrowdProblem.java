@@ -1,5 +1,6 @@
 package rigibo.lab.problem;
 
+import rigibo.lab.bench.scene.Assemblies;
 import rigibo.lab.bench.scene.Commotions;
 import rigibo.lab.bench.scene.Crowd;
 import rigibo.lab.bench.scene.Scene;
@@ -14,9 +15,9 @@ import java.util.stream.Stream;
 
 /**
  * Hundreds of boxes that rain into a trough, a pyramid that falls together, a pyramid that is
- * struck. Where the boxes are in the end nobody can say, but they are rigid: no two ever overlap,
- * and all energy is that of the start and of the strikes. The phases differ a little, and since
- * every run is chaotic, the median over them counts.
+ * struck, ragdolls on stairs. Where the boxes are in the end nobody can say, but they are rigid: no
+ * two ever overlap, and all energy is that of the start and of the strikes. The phases differ a
+ * little, and since every run is chaotic, the median over them counts.
  */
 final class CrowdProblem implements Problem {
 
@@ -41,8 +42,12 @@ final class CrowdProblem implements Problem {
         }
     }
 
+    /** Row J15. */
+    private static final double JOINT_ERROR = 1e-3;
+
     private final String id;
     private final String title;
+    private final boolean isOfJoints;
     private final double equalBelow;
     private final double seconds;
     private final List<Phase> phases;
@@ -51,6 +56,7 @@ final class CrowdProblem implements Problem {
             String id, String title, double equalBelow, double seconds, Stream<Phase> phases) {
         this.id = id;
         this.title = title;
+        isOfJoints = equalBelow == JOINT_ERROR;
         this.equalBelow = equalBelow;
         this.seconds = seconds;
         this.phases = phases.toList();
@@ -92,6 +98,18 @@ final class CrowdProblem implements Problem {
                 DoubleStream.of(9.7, 10, 10.3).mapToObj(speed -> new Phase(scene, speed * mass)));
     }
 
+    /** The phases are heights from which they fall, m. */
+    static CrowdProblem ragdolls(int count) {
+        return new CrowdProblem(
+                "R20",
+                count + " ragdolls that fall down stairs",
+                JOINT_ERROR,
+                10,
+                DoubleStream.of(0, 0.05, 0.1)
+                        .mapToObj(higher -> Assemblies.stairs(count, higher))
+                        .map(Phase::new));
+    }
+
     @Override
     public String id() {
         return id;
@@ -104,7 +122,7 @@ final class CrowdProblem implements Problem {
 
     @Override
     public String error() {
-        return "deepest overlap / width";
+        return isOfJoints ? "error of the joints, m" : "deepest overlap / width";
     }
 
     @Override
@@ -138,8 +156,14 @@ final class CrowdProblem implements Problem {
                 return Errors.failed("something fell through the floor in phase " + i);
             }
         }
-        return Errors.of(median(crowds, CrowdWatch::deepest))
-                .with("energy gained / start", median(crowds, CrowdWatch::gain))
+        Errors errors =
+                isOfJoints
+                        ? Errors.of(median(crowds, CrowdWatch::jointError))
+                                .with(
+                                        "deepest overlap / width",
+                                        median(crowds, CrowdWatch::deepest))
+                        : Errors.of(median(crowds, CrowdWatch::deepest));
+        return errors.with("energy gained / start", median(crowds, CrowdWatch::gain))
                 .with("speed left, m/s", median(crowds, CrowdWatch::fastest))
                 .with("sinking of the last body, m", median(crowds, CrowdWatch::sinkingOfLast));
     }

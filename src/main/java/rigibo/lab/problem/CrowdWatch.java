@@ -4,6 +4,7 @@ import rigibo.backend.setup.BodyType;
 import rigibo.lab.bench.probe.DeepestOverlap;
 import rigibo.lab.bench.probe.Look;
 import rigibo.lab.bench.scene.Scene;
+import rigibo.lab.engine.LinkErrors;
 import rigibo.lab.engine.World;
 
 /** A crowd in a world of its own, looked at after every step that is not only timed. */
@@ -14,7 +15,9 @@ final class CrowdWatch {
     private final World world;
     private final double start;
     private double work;
+    private final LinkErrors joints;
     private double deepest;
+    private double jointError;
     private double gain;
 
     CrowdWatch(Bench bench, Scene scene) {
@@ -22,6 +25,7 @@ final class CrowdWatch {
         this.scene = scene;
         world = bench.world(scene.effects());
         scene.build(world);
+        joints = new LinkErrors(scene.bodies(), scene.links());
         start = Look.at(scene, world).energy();
     }
 
@@ -41,6 +45,7 @@ final class CrowdWatch {
         bench.step(world);
         if (bench.isCounting()) {
             deepest = Math.max(deepest, DeepestOverlap.inWidths(scene, world));
+            jointError = Math.max(jointError, joints.worst(world));
             double energy = Look.at(scene, world).energy();
             gain = Math.max(gain, (energy - start - work) / start);
         }
@@ -49,6 +54,11 @@ final class CrowdWatch {
     /** Deepest overlap after any step up to now, in widths of the smaller body. */
     double deepest() {
         return deepest;
+    }
+
+    /** The most that a joint was off after any step up to now, m. */
+    double jointError() {
+        return jointError;
     }
 
     /** Most energy beyond the start and all strikes, as a share of the start's. */

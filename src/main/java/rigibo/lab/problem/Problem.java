@@ -7,7 +7,7 @@ import java.util.List;
 /** A scene whose truth is known, and how far from it a run ends. */
 public interface Problem {
 
-    /** R1 to R16. */
+    /** R1 to R20. */
     String id();
 
     /** What happens, in a few words. */

@@ -23,7 +23,11 @@ public final class Problems {
                     new Demos(),
                     CrowdProblem.rain(400),
                     CrowdProblem.settling(30),
-                    CrowdProblem.struck(40));
+                    CrowdProblem.struck(40),
+                    Assembled.pendulum(),
+                    Assembled.chain(),
+                    Assembled.springs(),
+                    CrowdProblem.ragdolls(20));
 
     private Problems() {}
 

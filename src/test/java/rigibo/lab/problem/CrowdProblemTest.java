@@ -47,6 +47,14 @@ class CrowdProblemTest {
         assertThat(errors(new Exaggerating(0.99), problem, "GAME").main()).isGreaterThan(0.01);
     }
 
+    /** Places that are 1 % nearer to each other are off by 1 % of the arms, of 20 cm, or more. */
+    @Test
+    void jointsThatComeApartAreSeen() {
+        Problem ragdoll = CrowdProblem.ragdolls(1);
+        assertThat(errors(new RigiBoEngine(), ragdoll, "GAME").main()).isLessThan(1e-3);
+        assertThat(errors(new Exaggerating(0.99), ragdoll, "GAME").main()).isGreaterThan(2e-3);
+    }
+
     /** Half of what falls is soon motion, and 1 % more speed is 2 % more of it, height but 1 %. */
     @Test
     void energyThatNobodyPutInIsSeen() {

@@ -95,15 +95,19 @@ public final class Assemblies {
         return pile.scene();
     }
 
-    /** So many ragdolls that fall down stairs of as many steps as it takes. */
-    public static Scene stairs(int count) {
+    /**
+     * So many ragdolls that fall down eight stairs.
+     *
+     * @param higher by how much they begin higher, m
+     */
+    public static Scene stairs(int count, double higher) {
         Assemblies fall = new Assemblies();
         fall.ground(60);
         for (int step = 0; step < 8; step++) {
             fall.add(BodyDefinition.fixed(Polygon.box(1, 8 - step)).at(step - 4, (8 - step) / 2.0));
         }
         for (int i = 0; i < count; i++) {
-            fall.ragdoll(-3.5 + BESIDE * (i % 4), 11 - i % 4 + ABOVE * (i / 4));
+            fall.ragdoll(-3.5 + BESIDE * (i % 4), higher + 11 - i % 4 + ABOVE * (i / 4));
         }
         return fall.scene();
     }

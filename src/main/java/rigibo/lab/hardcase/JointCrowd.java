@@ -1,0 +1,114 @@
+package rigibo.lab.hardcase;
+
+import rigibo.backend.RigidBody;
+import rigibo.backend.effect.Sleep;
+import rigibo.backend.setup.BodyType;
+import rigibo.lab.bench.scene.Assemblies;
+import rigibo.lab.bench.scene.Scene;
+import rigibo.lab.engine.Link;
+
+import java.util.List;
+import java.util.function.IntFunction;
+
+/**
+ * J15: a pile of ragdolls, a net of hinges and sprung doors. Joints hold to within 1 mm at any
+ * time, and no energy comes from nothing. Ragdolls rub in their hinges and on each other, doors are
+ * damped: they are at rest within 15 s and then sleep. Nothing damps a net.
+ */
+final class JointCrowd implements HardCase {
+
+    /** Speed below which a body is at rest, m/s. */
+    private static final double REST = 1e-3;
+
+    private static final double HORIZON = 15;
+    private static final double JOINT_ERROR = 1e-3;
+
+    private final String row;
+    private final String title;
+    private final int few;
+    private final int all;
+    private final boolean rests;
+    private final IntFunction<Scene> scene;
+
+    private JointCrowd(
+            String row, String title, int few, int all, boolean rests, IntFunction<Scene> scene) {
+        this.row = row;
+        this.title = title;
+        this.few = few;
+        this.all = all;
+        this.rests = rests;
+        this.scene = scene;
+    }
+
+    static List<HardCase> each() {
+        return List.of(
+                new JointCrowd(
+                        "J15/ragdolls",
+                        "ragdolls that fall on each other come to rest in one piece",
+                        2,
+                        100,
+                        true,
+                        Assemblies::ragdolls),
+                new JointCrowd(
+                        "J15/grid",
+                        "a net of hinges hangs together",
+                        8,
+                        30,
+                        false,
+                        Assemblies::grid),
+                new JointCrowd(
+                        "J15/doors",
+                        "sprung doors fall shut and rest",
+                        10,
+                        50,
+                        true,
+                        Assemblies::doors));
+    }
+
+    @Override
+    public String row() {
+        return row;
+    }
+
+    @Override
+    public String title() {
+        return title;
+    }
+
+    @Override
+    public Preset limitedFrom() {
+        return Preset.GAME;
+    }
+
+    @Override
+    public String finding() {
+        return "Crowds of joints that are beyond the budget of elimination are passed over, and"
+                + " their joints drift.";
+    }
+
+    @Override
+    public void run(Trial trial) {
+        int count = trial.sampling().count(few, all);
+        trial.variant(count + " of them");
+        Scene crowd = scene.apply(count);
+        WatchedPool pool = trial.pool(crowd.effects().with(new Sleep()));
+        List<RigidBody> bodies = crowd.bodies().stream().map(pool::add).toList();
+        for (Link link : crowd.links()) {
+            pool.join(link.between(bodies.get(link.a()), bodies.get(link.b())));
+        }
+        double fastest = 0;
+        while (pool.time() < HORIZON) {
+            pool.step();
+            trial.measure("error of joints", pool.jointError(), "m", JOINT_ERROR);
+            fastest = pool.fastest();
+        }
+        if (rests) {
+            trial.measure("speed left", fastest, "m/s", REST);
+            long awake =
+                    bodies.stream()
+                            .filter(body -> body.type() == BodyType.DYNAMIC && body.isAwake())
+                            .count();
+            trial.measure("bodies awake", awake, "bodies", 0);
+        }
+    }
+}
