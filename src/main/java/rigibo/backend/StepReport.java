@@ -28,7 +28,7 @@ public final class StepReport {
 
     /** Bodies in the pool. */
     public int bodies() {
-        return data.bodies.slots.inUse();
+        return data.bodies.count();
     }
 
     /** Dynamic and kinematic bodies that were simulated. */

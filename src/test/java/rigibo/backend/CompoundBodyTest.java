@@ -13,6 +13,7 @@ import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Gravity;
 import rigibo.backend.effect.Sleep;
 import rigibo.backend.geometry.Aabb;
+import rigibo.backend.geometry.Chain;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Compound;
 import rigibo.backend.geometry.Part;
@@ -223,6 +224,17 @@ class CompoundBodyTest {
     }
 
     /** What is exchanged, removed, retyped or restored leaves nothing of its parts behind. */
+    @Test
+    void aReportCountsBodiesAndNotTheirParts() {
+        Pool pool = new Pool();
+        pool.add(BodyDefinition.fixed(Chain.open(3, 0, 2, 0, 1, 0, 0, 0)).at(0, -5));
+        pool.add(
+                BodyDefinition.dynamic(
+                        Compound.of(Part.of(new Circle(0.2)), Part.of(new Circle(0.2)).at(1, 0))));
+        assertThat(pool.step(1 / 60.0).bodies()).isEqualTo(2);
+        assertThat(pool.report().awake()).isEqualTo(1);
+    }
+
     @Test
     void partsComeAndGoWithTheirBody() {
         Pool pool = new Pool(Effects.usual(), Accuracy.GAME);

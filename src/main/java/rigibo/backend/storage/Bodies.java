@@ -333,6 +333,18 @@ public final class Bodies {
         return type[slot] != null && bodyOf(slot) == slot;
     }
 
+    /** How many bodies there are, each once, of however many shapes it is. */
+    public int count() {
+        if (owner == null) {
+            return slots.inUse();
+        }
+        int count = 0;
+        for (int slot = 0; slot < slots.high; slot++) {
+            count += isBody(slot) ? 1 : 0;
+        }
+        return count;
+    }
+
     /** Makes room for so many slots. */
     public void reserve(int slotCount) {
         room.reserve(slotCount);

@@ -9,7 +9,10 @@ import rigibo.backend.geometry.Aabb;
 import java.util.List;
 import java.util.Optional;
 
-/** Holds answers against a search through all bodies; what round-off decides is left open. */
+/**
+ * Holds answers against a search through all discs and plain polygons; what round-off decides is
+ * left open.
+ */
 final class Answers {
 
     private static final String AT = "bodyAt is the last added of those at the point";
@@ -21,6 +24,9 @@ final class Answers {
         List<RigidBody> bodies = pool.bodies();
         int place = found.map(bodies::indexOf).orElse(-1);
         for (int i = 0; i < bodies.size(); i++) {
+            if (!Outline.isKnown(bodies.get(i))) {
+                continue;
+            }
             Outline outline = new Outline(bodies.get(i));
             double depth = outline.depth(x, y);
             double slack = outline.slack(x, y);
@@ -47,6 +53,9 @@ final class Answers {
     static void requireIn(Pool pool, Aabb box, List<RigidBody> found) {
         unless(found.stream().distinct().count() == found.size(), IN, "twice in %s", found);
         for (RigidBody body : pool.bodies()) {
+            if (!Outline.isKnown(body)) {
+                continue;
+            }
             Outline outline = new Outline(body);
             double overlap = outline.overlap(box);
             double slack = outline.slack(box.minX, box.minY, box.maxX, box.maxY);

@@ -10,6 +10,7 @@ import rigibo.backend.RigidBody;
 import java.util.HashSet;
 import java.util.Set;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /**
  * Of any two bodies the steps tell BEGIN, PERSIST in every further step, END, and so on, whatever
@@ -46,12 +47,15 @@ final class ContactStream {
     /** It has no handle on who was removed before, and cannot tell of an end. */
     void restored(Pool pool) {
         Set<String> names = pool.bodies().stream().map(RigidBody::name).collect(Collectors.toSet());
-        touching.removeIf(pair -> !names.containsAll(Set.of(pair.split("-"))));
+        touching.removeIf(
+                pair ->
+                        !Stream.of(pair.split("-"))
+                                .allMatch(one -> names.contains(one.split("/")[0])));
     }
 
     private static String pair(ContactEvent event) {
-        String a = event.a().name();
-        String b = event.b().name();
+        String a = event.a().name() + "/" + event.partA();
+        String b = event.b().name() + "/" + event.partB();
         return a.compareTo(b) < 0 ? a + "-" + b : b + "-" + a;
     }
 
@@ -67,7 +71,15 @@ final class ContactStream {
         if (event.bothAlive()) {
             boolean touch = pool.touching(event.a(), event.b());
             unless(touch == pool.touching(event.b(), event.a()), FORM, "one way: %s", event);
-            unless(!touch || !isEnd, FORM, "they touch and have ended: %s", event);
+            unless(!touch || !isEnd || !areWhole(event), FORM, "touch and have ended: %s", event);
         }
+    }
+
+    /**
+     * Whether no other pair of parts of the two may touch still, nor an outline they had before.
+     */
+    private static boolean areWhole(ContactEvent event) {
+        return event.a().shape().parts() + event.b().shape().parts() == 2
+                && event.partA() + event.partB() == 0;
     }
 }

@@ -2,6 +2,7 @@ package rigibo.fuzz.judge;
 
 import rigibo.backend.RigidBody;
 import rigibo.backend.geometry.Aabb;
+import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
 
 /**
@@ -45,6 +46,14 @@ final class Outline {
             normalX[i] = cos * p.normalX(i) - sin * p.normalY(i);
             normalY[i] = sin * p.normalX(i) + cos * p.normalY(i);
         }
+    }
+
+    /** Whether it is of a body that queries answer with, and of a shape known here. */
+    static boolean isKnown(RigidBody body) {
+        boolean isPlain =
+                body.shape() instanceof Circle
+                        || body.shape() instanceof Polygon polygon && polygon.radius() == 0;
+        return isPlain && !body.isSensor();
     }
 
     boolean isDisc() {

@@ -17,10 +17,13 @@ record Ray(double fromX, double fromY, double toX, double toY) {
     private static final double CLEARLY = 10;
 
     void requireHit(Pool pool, Optional<RayHit> hit) {
-        hit.ifPresent(this::requireOnOutline);
+        hit.filter(met -> Outline.isKnown(met.body())).ifPresent(this::requireOnOutline);
         double first = hit.map(RayHit::fraction).orElse(Double.POSITIVE_INFINITY);
         for (RigidBody body : pool.bodies()) {
-            double enters = clearlyEnters(new Outline(body));
+            double enters =
+                    Outline.isKnown(body)
+                            ? clearlyEnters(new Outline(body))
+                            : Double.POSITIVE_INFINITY;
             unless(
                     enters >= Math.min(first, 1),
                     FIRST,

@@ -3,7 +3,11 @@ package rigibo.fuzz.program;
 import static rigibo.fuzz.program.Stated.call;
 import static rigibo.fuzz.program.Stated.numbers;
 
+import rigibo.backend.geometry.Capsule;
+import rigibo.backend.geometry.Chain;
 import rigibo.backend.geometry.Circle;
+import rigibo.backend.geometry.Compound;
+import rigibo.backend.geometry.Part;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.geometry.Shape;
 import rigibo.backend.setup.BodyDefinition;
@@ -19,7 +23,7 @@ record Bodies(Chance chance, Temper temper) {
 
     /** A definition that a pool takes, unless its mass is beyond all bounds. */
     Stated<BodyDefinition> definition(int number) {
-        Stated<BodyDefinition> body = ofType(shape());
+        Stated<BodyDefinition> body = ofType();
         double x = temper.placeX(chance);
         double y = temper.placeY(chance);
         body = body.then(call("at", x, y), b -> b.at(x, y));
@@ -30,9 +34,11 @@ record Bodies(Chance chance, Temper temper) {
         return options(body, number);
     }
 
-    private Stated<BodyDefinition> ofType(Stated<Shape> shape) {
+    private Stated<BodyDefinition> ofType() {
         String maker =
                 chance.oneOf("dynamic", "dynamic", "dynamic", "dynamic", "fixed", "kinematic");
+        boolean isChain = !maker.equals("dynamic") && chance.happens(0.2);
+        Stated<Shape> shape = isChain ? chain() : shape();
         Stated<BodyDefinition> body =
                 new Stated<>(
                         "BodyDefinition." + maker + "(" + shape.java() + ")",
@@ -73,17 +79,81 @@ record Bodies(Chance chance, Temper temper) {
             int group = chance.oneOf(1, 2, -1, Integer.MAX_VALUE, Integer.MIN_VALUE);
             body = body.then("group(" + group + ")", b -> b.group(group));
         }
+        if (chance.happens(0.05)) {
+            body = body.then("lockRotation()", BodyDefinition::lockRotation);
+        }
+        if (chance.happens(0.05)) {
+            body = body.then("sensor()", BodyDefinition::sensor);
+        }
         return chance.happens(0.1) ? body.then("awake(false)", b -> b.awake(false)) : body;
     }
 
     Stated<Shape> shape() {
         double width = temper.length(chance);
+        return chance.happens(0.3) ? newer(width) : plain(width);
+    }
+
+    private Stated<Shape> plain(double width) {
         return switch (chance.whole(0, 4)) {
             case 0, 1 -> new Stated<>(call("new Circle", width / 2), () -> new Circle(width / 2));
             case 2 -> box(width, temper.length(chance));
             case 3 -> regular(chance.happens(0.05) ? 256 : chance.whole(3, 12), width / 2);
             default -> ragged(width / 2);
         };
+    }
+
+    /** Capsules, polygons with round corners, and compounds of two boxes or a box and a disc. */
+    private Stated<Shape> newer(double width) {
+        double length = temper.length(chance);
+        double round = 0.1 * Math.min(width, length);
+        double aside = temper.length(chance);
+        return switch (chance.whole(0, 3)) {
+            case 0 ->
+                    new Stated<>(
+                            call("new Capsule", length / 2, width / 2),
+                            () -> new Capsule(length / 2, width / 2));
+            case 1 ->
+                    new Stated<>(
+                            call("Polygon.box", width, length) + call(".rounded", round),
+                            () -> Polygon.box(width, length).rounded(round));
+            case 2 ->
+                    new Stated<>(
+                            "Compound.of(Part.of("
+                                    + call("Polygon.box", width, length)
+                                    + "), Part.of("
+                                    + call("Polygon.box", length, width)
+                                    + ")"
+                                    + call(".at", aside, 0)
+                                    + ")",
+                            () ->
+                                    Compound.of(
+                                            Part.of(Polygon.box(width, length)),
+                                            Part.of(Polygon.box(length, width)).at(aside, 0)));
+            default ->
+                    new Stated<>(
+                            "Compound.of(Part.of("
+                                    + call("Polygon.box", width, length)
+                                    + "), Part.of("
+                                    + call("new Circle", width)
+                                    + ")"
+                                    + call(".at", 0, aside)
+                                    + ")",
+                            () ->
+                                    Compound.of(
+                                            Part.of(Polygon.box(width, length)),
+                                            Part.of(new Circle(width)).at(0, aside)));
+        };
+    }
+
+    /** Ground that goes up and down from right to left, so that what is solid is below. */
+    private Stated<Shape> chain() {
+        double[] xy = new double[2 * chance.whole(2, 20)];
+        double edge = temper.length(chance);
+        for (int i = 0; i < xy.length; i += 2) {
+            xy[i] = -edge * i / 2;
+            xy[i + 1] = edge * chance.between(-0.5, 0.5);
+        }
+        return new Stated<>("Chain.open(" + numbers(xy) + ")", () -> Chain.open(xy));
     }
 
     private Stated<Shape> box(double width, double height) {
@@ -121,9 +191,14 @@ record Bodies(Chance chance, Temper temper) {
         double rolling = seldom(temper.size() * temper.factor(chance, 1e100));
         double surface = seldom(temper.speed() * temper.factor(chance, 1e100));
         double drag = seldom(temper.factor(chance, 1e100));
-        return new Stated<>(
-                call("new Material", density, friction, elasticity, rolling, surface, drag),
-                () -> new Material(density, friction, elasticity, rolling, surface, drag));
+        Stated<Material> material =
+                new Stated<>(
+                        call("new Material", density, friction, elasticity, rolling, surface, drag),
+                        () -> new Material(density, friction, elasticity, rolling, surface, drag));
+        double normal = chance.between(-1, 1);
+        return chance.happens(0.1)
+                ? material.then(call("oneWay", normal, 1), m -> m.oneWay(normal, 1))
+                : material;
     }
 
     private double seldom(double number) {

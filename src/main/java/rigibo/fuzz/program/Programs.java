@@ -21,6 +21,7 @@ public final class Programs {
     private final Chance chance;
     private final Temper temper;
     private final Verbs verbs;
+    private final Connections connections;
     private final Questions questions;
     private final Refusals refusals;
     private int bodies;
@@ -32,6 +33,7 @@ public final class Programs {
         temper = Temper.draw(chance, expected);
         Bodies drawnBodies = new Bodies(chance, temper);
         verbs = new Verbs(chance, temper, drawnBodies);
+        connections = new Connections(chance, temper);
         questions = new Questions(chance, temper);
         refusals = new Refusals(chance);
         bodies = expected;
@@ -58,7 +60,9 @@ public final class Programs {
         List<Share> shares =
                 List.of(
                         new Share(0.35, verbs::steps),
-                        new Share(0.30, () -> verbs.ofBody(body())),
+                        new Share(0.24, () -> verbs.ofBody(body())),
+                        new Share(0.04, () -> connections.join(body(), body())),
+                        new Share(0.02, connections::change),
                         new Share(0.05, verbs::ofPool),
                         new Share(0.06, this::add),
                         new Share(0.10, () -> questions.ask(body(), body())),
