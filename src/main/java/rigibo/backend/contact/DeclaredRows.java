@@ -118,6 +118,27 @@ final class DeclaredRows {
         return isAny;
     }
 
+    /** Whether the packed island has contacts. */
+    boolean areAnyContacts() {
+        return contacts.count > 0;
+    }
+
+    /** Whether nothing joins the packed island in a substep or after it. */
+    boolean haveAllJoined(int substep) {
+        return contacts.lastJoining <= substep;
+    }
+
+    /**
+     * Measures before a part of so many seconds of a substep of an island with joints, which has
+     * {@code left} seconds of the step to go.
+     */
+    void measureJointed(int substep, boolean isFirst, double time, double left, double part) {
+        if (contacts.count > 0) {
+            measureAnew(substep, isFirst, time, left);
+            bend(part, part);
+        }
+    }
+
     /**
      * Foresees how far all bodies go in what is left of the step, s, for {@link #measureStrays}.
      */

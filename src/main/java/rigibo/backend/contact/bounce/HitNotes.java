@@ -9,7 +9,7 @@ import rigibo.backend.storage.Hits;
 import rigibo.backend.storage.Pairs;
 
 /** Notes the impacts within an island that flight has not told of before. */
-final class HitNotes {
+public final class HitNotes {
 
     private final Bodies bodies;
     private final Pairs pairs;
@@ -18,9 +18,9 @@ final class HitNotes {
     private final PackedContacts contacts;
 
     /** When the present part of a substep began, s after the step did. */
-    double start;
+    public double start;
 
-    HitNotes(DataStorage data, Motions motions, PackedContacts contacts) {
+    public HitNotes(DataStorage data, Motions motions, PackedContacts contacts) {
         bodies = data.bodies;
         pairs = data.pairs;
         hits = data.noteHits();
@@ -32,7 +32,7 @@ final class HitNotes {
      * Notes an impact of a row whose points are loaded, with the speed in m/s at which they close,
      * {@code ahead} seconds after the present part began.
      */
-    void note(int row, Impact impact, double closing, double ahead) {
+    public void note(int row, Impact impact, double closing, double ahead) {
         int pair = contacts.pair[row];
         if (impact.points == 0 || hits.wasForetold(pair)) {
             return;

@@ -23,8 +23,10 @@ final class ContactRows {
     private final Motions motions;
     private final PackedContacts contacts;
     private final NeutralRows rows;
+    private final RowStates states;
 
-    ContactRows(Motions motions, PackedContacts contacts, NeutralRows rows) {
+    ContactRows(Motions motions, PackedContacts contacts, NeutralRows rows, RowStates states) {
+        this.states = states;
         this.motions = motions;
         this.contacts = contacts;
         this.rows = rows;
@@ -54,6 +56,9 @@ final class ContactRows {
             rows.target[row] = d[at + NEARING] - Math.max(0, gap) / h;
             rows.give[row] = d[at + GIVE];
             rows.lower[row] = 0;
+            if (states.ofContact(contact, point) == RowStates.OPEN) {
+                rows.upper[row] = 0;
+            }
             end(row);
         }
         if (d[at + FRICTION] > 0 && rows.count > first) {

@@ -17,6 +17,9 @@ final class HeldPlaces {
 
     private static final double GAINED = 1e-4;
 
+    /** The same in a small island whose places are held: going round takes and gives in turn. */
+    private static final double GAINED_AT_MOST = 1e-2;
+
     /** What a step may leave of the error for the next one to be made alike. */
     private static final double GAINS = 0.2;
 
@@ -73,7 +76,7 @@ final class HeldPlaces {
     }
 
     /** Holds the places in a drift of h seconds; velocities count as solved but for so many m/s. */
-    void hold(double h, double settled, boolean areContacts) {
+    void hold(double h, double settled, boolean areContacts, boolean isSmall) {
         double energy = motions.energy(motions.data);
         memory.keep();
         double before = Double.POSITIVE_INFINITY;
@@ -100,7 +103,9 @@ final class HeldPlaces {
             }
             measure(h);
         }
-        if (areContacts && motions.energy(motions.data) > (1 + GAINED) * energy) {
+        double gained = motions.energy(motions.data) / energy - 1;
+        double allowed = isSmall && worst <= 1 ? GAINED_AT_MOST : GAINED;
+        if (areContacts && gained > allowed) {
             memory.recall();
         }
     }
@@ -143,7 +148,7 @@ final class HeldPlaces {
                 double kept = rows.isEquation(row) ? place : Math.min(0, place);
                 double missed = jointRows.place(row) - kept;
                 double most =
-                        (JointSolver.MISSED * tolerance + JointSolver.ROUND_OFF) * jointRows.size();
+                        JointSolver.MISSED * tolerance * jointRows.size() + jointRows.roundOff();
                 worst = Math.max(worst, Math.abs(missed) / most);
                 wanted[row] = -missed / h;
             } else {

@@ -66,6 +66,15 @@ final class JointResults {
         }
     }
 
+    /** Adds the impulses of an impact to those of the step. */
+    void addImpact() {
+        for (int row = 0; row < rows.count; row++) {
+            if (rows.joint[row] != NeutralRows.NONE) {
+                add(row, rows.joint[row]);
+            }
+        }
+    }
+
     /** What B is given: where it cannot be moved, what A is given the other way. */
     private void add(int row, int joint) {
         int b = packed.offsetB[joint];

@@ -1,8 +1,10 @@
 package rigibo.backend.contact.joint;
 
 import rigibo.backend.setup.JointKind;
+import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.JointStore;
+import rigibo.backend.storage.PairTolerances;
 
 /**
  * Writes the rows of joints. With p the anchors, n a direction and r the arms, a row that keeps
@@ -24,9 +26,11 @@ final class JointRows {
 
     private static final JointKind[] KINDS = JointKind.values();
 
+    private final Bodies bodies;
     private final JointStore joints;
     private final NeutralRows rows;
     private final PackedJoints packed;
+    private final RowStates states;
     private final JointGeometry geometry;
     private final JointGeometry other;
     private final SpringRows springs;
@@ -43,10 +47,20 @@ final class JointRows {
 
     private double drift;
 
-    JointRows(DataStorage data, NeutralRows rows, PackedJoints packed, Poses poses) {
+    /** Whether rows are written for an impact, in which no force of bounds does anything. */
+    private boolean isAtOnce;
+
+    JointRows(
+            DataStorage data,
+            NeutralRows rows,
+            PackedJoints packed,
+            Poses poses,
+            RowStates states) {
+        bodies = data.bodies;
         joints = data.joints;
         this.rows = rows;
         this.packed = packed;
+        this.states = states;
         geometry = new JointGeometry(data.bodies, joints, poses);
         other = new JointGeometry(data.bodies, joints, poses);
         springs = new SpringRows(joints, rows);
@@ -57,6 +71,19 @@ final class JointRows {
      * drift follows.
      */
     void write(double kickLength, double driftLength) {
+        isAtOnce = false;
+        writeAll(kickLength, driftLength);
+    }
+
+    /**
+     * Writes the rows of all joints for an impact: without springs and what drives with a force.
+     */
+    void writeAtOnce() {
+        isAtOnce = true;
+        writeAll(1, 1);
+    }
+
+    private void writeAll(double kickLength, double driftLength) {
         kick = kickLength;
         drift = driftLength;
         springs.begin(kickLength, driftLength);
@@ -88,12 +115,12 @@ final class JointRows {
             case WELD -> {
                 point(X, 1, 0, geometry.dx);
                 point(Y, 0, 1, geometry.dy);
-                if (joints.stiffness[slot] > 0) {
+                if (!(joints.stiffness[slot] > 0)) {
+                    angle(ANGLE, geometry.angle);
+                } else if (!isAtOnce) {
                     angle(SPRING, 0);
                     springs.write(slot, geometry.angle);
                     endSoft();
-                } else {
-                    angle(ANGLE, geometry.angle);
                 }
             }
             case DISTANCE -> distance();
@@ -180,17 +207,22 @@ final class JointRows {
     /** Limits, motor and spring of the coordinate. */
     private void coordinate() {
         limits();
-        if (joints.motorMost[slot] > 0) {
+        if (drives(joints.motorMost[slot])) {
             boolean isWheel = joints.kind[slot] == JointKind.WHEEL.ordinal();
             int row = isWheel ? angle(MOTOR, 0) : alongCoordinate(MOTOR, 1);
             drive(row, joints.motorSpeed[slot], joints.motorMost[slot]);
         }
-        if (joints.stiffness[slot] > 0) {
+        if (joints.stiffness[slot] > 0 && !isAtOnce) {
             double rest = isDistance() ? joints.parameter[JointStore.LENGTH][slot] : 0;
             alongCoordinate(SPRING, 1);
             springs.write(slot, geometry.coordinate(slot) - rest);
             endSoft();
         }
+    }
+
+    /** Whether what drives with a force, N or N·m, does anything. */
+    private boolean drives(double most) {
+        return isAtOnce ? most == Double.POSITIVE_INFINITY : most > 0;
     }
 
     private boolean isDistance() {
@@ -225,13 +257,13 @@ final class JointRows {
 
     /** A row whose gap must not close: it only pushes. */
     private void push(int row, double gap) {
+        int state = states.ofJoint(joint, rows.part[row]);
         rows.place[row] = gap;
         rows.holdsPlace[row] = true;
-        rows.lower[row] = 0;
-        rows.target[row] = -Math.max(0, gap) / drift;
-        if (drift < 0) {
-            // Far away, or the step would not go back: see Stages.
-            rows.upper[row] = 0;
+        if (state != RowStates.HELD) {
+            rows.lower[row] = 0;
+            rows.upper[row] = state == RowStates.OPEN ? 0 : Double.POSITIVE_INFINITY;
+            rows.target[row] = -Math.max(0, gap) / drift;
         }
         rows.elasticity[row] = joints.elasticity[slot];
         end(row);
@@ -261,7 +293,7 @@ final class JointRows {
     private void motor() {
         double[][] p = joints.parameter;
         double force = p[JointStore.MOST_FORCE][slot];
-        if (force > 0) {
+        if (drives(force)) {
             int x = row(X);
             deriveAlong(x, geometry, a, b, geometry.axisX, geometry.axisY, 1);
             drive(x, p[JointStore.VELOCITY_X][slot], force);
@@ -270,7 +302,7 @@ final class JointRows {
             drive(y, p[JointStore.VELOCITY_Y][slot], force);
             disc(x, y, force);
         }
-        if (p[JointStore.MOST_TORQUE][slot] > 0) {
+        if (drives(p[JointStore.MOST_TORQUE][slot])) {
             int turn = angle(MOTOR, 0);
             drive(turn, p[JointStore.ANGULAR_VELOCITY][slot], p[JointStore.MOST_TORQUE][slot]);
         }
@@ -288,6 +320,9 @@ final class JointRows {
 
     /** The target stands for A, which takes no reaction. */
     private void mouse() {
+        if (isAtOnce) {
+            return;
+        }
         double awayX = geometry.fromTargetX(slot, b);
         double awayY = geometry.fromTargetY(slot, b);
         int x = row(X);
@@ -405,11 +440,29 @@ final class JointRows {
                 : joints.upper[slot] - geometry.coordinate(slot);
     }
 
-    /** How long the arms are of the joint that was measured last, m: errors are shares of it. */
+    /**
+     * How large the joint is that was measured last, m: errors are shares of it. The arms of what
+     * can be moved count, and the way between the anchors, but no less than what a body is wide: a
+     * wheel is held at its centre. How far away the centre of a fixed body lies is no matter.
+     */
     double size() {
-        return Math.abs(geometry.armAX)
-                + Math.abs(geometry.armAY)
-                + Math.abs(geometry.armBX)
-                + Math.abs(geometry.armBY);
+        double size = Math.abs(geometry.dx) + Math.abs(geometry.dy);
+        if (a != 0) {
+            size += Math.abs(geometry.armAX) + Math.abs(geometry.armAY);
+        }
+        if (b != 0) {
+            size += Math.abs(geometry.armBX) + Math.abs(geometry.armBY);
+        }
+        return Math.max(size, PairTolerances.width(bodies, joints.bodyA[slot], joints.bodyB[slot]));
+    }
+
+    /** Round-off of the place of the joint that was measured last, m. */
+    double roundOff() {
+        return JointSolver.ROUND_OFF
+                * (size()
+                        + Math.abs(geometry.armAX)
+                        + Math.abs(geometry.armAY)
+                        + Math.abs(geometry.armBX)
+                        + Math.abs(geometry.armBY));
     }
 }

@@ -1,5 +1,6 @@
 package rigibo.backend.contact.joint;
 
+import rigibo.backend.contact.row.FreshRows;
 import rigibo.backend.contact.row.Motions;
 import rigibo.backend.contact.row.PackedContacts;
 import rigibo.backend.contact.row.Recovery;
@@ -46,6 +47,9 @@ public final class JointSolver {
 
     private static final double LARGEST_ELIMINATIONS = 32;
 
+    /** Multiplications in a step that a small island is worth, whatever one elimination takes. */
+    private static final double LEAST_WORTH = 1e6;
+
     /** Rows that passes solve in a step, unless that leaves a substep fewer than so many passes. */
     private static final int SOLVES = 1_000_000;
 
@@ -54,15 +58,26 @@ public final class JointSolver {
     /** Rows up to which an island whose contacts may open and close is eliminated. */
     private static final int MOST_ROWS = 400;
 
+    /**
+     * Rows of an island that is small: its impacts are at their time, and what its equations do in
+     * a kick is not held against it. In larger ones rows that contradict each other are common.
+     */
+    private static final int FEW_ROWS = 150;
+
+    /** Rows times impacts that an island is worth in a substep. */
+    private static final int STRUCK_ROWS = 1000;
+
     /** Passes over rows in a substep for each substep of a step; and over places. */
     private static final int PASSES_PER_SUBSTEP = 20;
 
     private static final int PASSES_OVER_PLACES = 6;
 
-    /** How many times its way in a step a gap is far from closing; and with what gain, m/s². */
-    private static final double FAR = 4;
+    /** What stops are there, which of them are watched, and what happens when they are reached. */
+    private final Stops stops;
 
-    private static final double FAR_GAINED = 100;
+    public final Strikes strikes;
+    public final JointImpacts impacts;
+    private final RowStates states = new RowStates();
 
     private final NeutralRows rows;
     private final HeldPlaces places;
@@ -78,6 +93,13 @@ public final class JointSolver {
     private final RowPasses passes;
     private final int substeps;
 
+    /** Whether the packed island has anything that only pushes. */
+    private boolean haveStops;
+
+    private int mostStrikes;
+
+    private boolean isSmall;
+
     /** Passes over the island's rows in a substep. */
     private int mostPasses;
 
@@ -90,6 +112,10 @@ public final class JointSolver {
     private double kicked;
 
     private double share;
+
+    /** The last kick when it was kept, s. */
+    private double keptKick;
+
     private final TautSubsteps taut;
     private final double tolerance;
 
@@ -103,6 +129,7 @@ public final class JointSolver {
             Motions motions,
             PackedContacts contacts,
             RowBuilder builder,
+            FreshRows fresh,
             Accuracy accuracy) {
         this.motions = motions;
         rows = new NeutralRows(motions);
@@ -110,12 +137,12 @@ public final class JointSolver {
 
         packed = new PackedJoints(data, builder);
         poses = new Poses(data.bodies, motions);
-        jointRows = new JointRows(data, rows, packed, poses);
-        contactRows = new ContactRows(motions, contacts, rows);
+        jointRows = new JointRows(data, rows, packed, poses, states);
+        contactRows = new ContactRows(motions, contacts, rows, states);
         elimination = new RowElimination(motions, rows);
         solver = new RowSolver(rows, elimination);
         NeutralRows ahead = new NeutralRows(motions);
-        JointRows rowsAhead = new JointRows(data, ahead, packed, poses);
+        JointRows rowsAhead = new JointRows(data, ahead, packed, poses, states);
         ForeseenElimination foreseen = new ForeseenElimination(motions, rows, ahead, elimination);
         places =
                 new HeldPlaces(
@@ -133,6 +160,25 @@ public final class JointSolver {
         results = new JointResults(data, packed, rows);
         tolerance = accuracy.impactTolerance();
         passes = new RowPasses(rows);
+        stops = new Stops(data, motions, contacts, rows, jointRows, packed, tolerance);
+        strikes =
+                new Strikes(
+                        motions, contacts, rows, jointRows, packed, poses, states, stops, fresh);
+        impacts =
+                new JointImpacts(
+                        data,
+                        motions,
+                        contacts,
+                        rows,
+                        jointRows,
+                        contactRows,
+                        packed,
+                        poses,
+                        states,
+                        stops,
+                        elimination,
+                        solver,
+                        results);
         substeps = accuracy.substeps();
         boolean isLimited = substeps < Accuracy.EXACT.substeps();
         worth = isLimited ? WORTH : WORTH_IF_EXACT;
@@ -146,13 +192,23 @@ public final class JointSolver {
     /** Begins with the joints of an island whose bodies and contacts are packed. */
     public void pack(int island, double firstKick, int substepsOfIsland) {
         packed.pack(island, firstKick);
+        strikes.watchNothing();
+        stops.begin(2 * firstKick);
         places.begin();
         write(firstKick, 2 * firstKick);
+        haveStops = contactRows.areAny();
+        for (int row = 0; row < rows.count; row++) {
+            haveStops |= stops.isStop(row);
+        }
         contactRows.write(2 * firstKick, 0);
+        isSmall = rows.count <= FEW_ROWS;
+        mostStrikes = isSmall ? STRUCK_ROWS / Math.max(1, rows.count) : 0;
         boolean isCrowd = rows.count > MOST_ROWS && contactRows.areAny();
         double one = elimination.workOfAll();
         isWhole = !isCrowd && one <= worth;
-        double most = Math.min(LARGEST_ELIMINATIONS * worth, ELIMINATIONS * one * substepsOfIsland);
+        double eliminations = ELIMINATIONS * one * substepsOfIsland;
+        double least = isSmall ? LEAST_WORTH : 0;
+        double most = Math.min(LARGEST_ELIMINATIONS * worth, Math.max(least, eliminations));
         elimination.beginIsland(most);
         passes.begin();
         int affordable = SOLVES / (substepsOfIsland * Math.max(1, rows.count));
@@ -175,25 +231,77 @@ public final class JointSolver {
         return isWhole ? SolveMethod.ELIMINATION : SolveMethod.PASSES;
     }
 
+    /** Whether the packed island is eliminated, not passed over. */
+    public boolean isWhole() {
+        return isWhole && !elimination.isSpent();
+    }
+
     /**
-     * Whether the packed joints hold by equations and soft springs alone in a step of dt seconds
-     * with substeps of h: no motor drives, and no limit is near.
+     * Whether the packed joints hold by equations, soft springs and stops alone in substeps of h
+     * seconds: no motor drives.
      */
-    public boolean areHeldByEquations(double h, double dt) {
+    public boolean areHeldByEquations(double h) {
         write(h, h);
         boolean areEquations = isWhole && !jointRows.areAnyStiff();
         for (int row = 0; areEquations && row < rows.count; row++) {
             areEquations =
-                    rows.isEquation(row)
-                            || rows.lower[row] == rows.upper[row]
-                            || rows.holdsPlace[row] && isFar(row, dt);
+                    rows.isEquation(row) || rows.lower[row] == rows.upper[row] || stops.isStop(row);
         }
         return areEquations;
     }
 
-    /** Whether a gap cannot close in a step. */
-    private boolean isFar(int row, double dt) {
-        return rows.place[row] > FAR * dt * (Math.abs(rows.speed(row)) + FAR_GAINED * dt);
+    /**
+     * How many parts of a substep of the packed island may end early: as many as its size allows,
+     * none in a crowd, whose stops are solved as they are reached.
+     */
+    public int mostStrikes() {
+        return mostStrikes;
+    }
+
+    /** Whether there is anything that only pushes: a limit, a rope, a contact. */
+    public boolean haveStops() {
+        return haveStops;
+    }
+
+    /**
+     * Looks for what strikes in a part of h seconds, before its kick; the last one was so many
+     * seconds long, and velocities are those of its middle or of now.
+     */
+    public void findStrikes(
+            double h, double lastKick, int substep, boolean areOfNow, boolean isComposed) {
+        strikes.watchNothing();
+        rows.clear();
+        poses.take(0);
+        jointRows.measureAnew();
+        jointRows.write(h, h);
+        contactRows.write(h, substep);
+        stops.ask(lastKick);
+        strikes.find(h, areOfNow, isComposed);
+    }
+
+    /** Whether a stop that is held would have to be pulled at, by the last kick. */
+    public boolean isAnyPulled() {
+        for (int row = 0; states.areAny && row < rows.count; row++) {
+            int joint = rows.joint[row];
+            if (joint != NeutralRows.NONE
+                    && states.ofJoint(joint, rows.part[row]) == RowStates.HELD
+                    && rows.impulse[row] < 0) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Keeps what joints carried, to be gone back to. */
+    public void keep() {
+        packed.keep();
+        keptKick = kicked;
+    }
+
+    /** Goes back to what was kept last. */
+    public void recall() {
+        packed.recall();
+        kicked = keptKick;
     }
 
     /**
@@ -224,7 +332,7 @@ public final class JointSolver {
         work.begin();
         solver.begin();
         boolean isSolved = solver.solve(settled);
-        places.hold(h, settled, contactRows.carry());
+        places.hold(h, settled, contactRows.carry(), isSmall);
         secure(isSolved, settled);
         finish();
     }
@@ -235,7 +343,8 @@ public final class JointSolver {
      */
     private void secure(boolean isSolved, double settled) {
         boolean mayDoWork = contactRows.areAny() || elimination.isSpent();
-        if (mayDoWork && !(isSolved && work.sum() <= MOST_WORK * energy())) {
+        double done = isSmall ? Math.min(work.sum(), work.sumOfStops()) : work.sum();
+        if (mayDoWork && !(isSolved && done <= MOST_WORK * energy())) {
             work.takeBack();
             work.rest();
             passes.run(mostPasses, settled);
@@ -269,7 +378,8 @@ public final class JointSolver {
         contactRows.write(h, substep);
         for (int row = 0; row < rows.count; row++) {
             if (rows.holdsPlace[row] && !rows.isEquation(row)) {
-                rows.target[row] = -Math.max(0, rows.place[row]) / h;
+                // What carried a load carries on, whatever gap of round-off is left.
+                rows.target[row] = stops.load(row) > 0 ? 0 : -Math.max(0, rows.place[row]) / h;
             }
         }
         double settled = SETTLED * tolerance * fastest;
@@ -305,7 +415,7 @@ public final class JointSolver {
                 double size = jointRows.size();
                 double most = Math.max(SMALL, Recovery.MOST_PUSH * Math.abs(h)) * size;
                 wanted[row] = -Math.max(-most, Math.min(most, off));
-                isAny |= Math.abs(off) > (MISSED * tolerance + 2 * ROUND_OFF) * size;
+                isAny |= Math.abs(off) > MISSED * tolerance * size + 2 * jointRows.roundOff();
             }
         }
         if (isAny && !isWhole) {

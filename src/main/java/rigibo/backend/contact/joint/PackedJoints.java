@@ -28,6 +28,9 @@ final class PackedJoints {
     double[] givenY = new double[16];
     double[] givenTurn = new double[16];
 
+    /** All of that when it was kept. */
+    private double[] kept = new double[16];
+
     PackedJoints(DataStorage data, RowBuilder builder) {
         joints = data.joints;
         islands = data.islands;
@@ -60,6 +63,27 @@ final class PackedJoints {
         Arrays.fill(givenX, 0, count, 0);
         Arrays.fill(givenY, 0, count, 0);
         Arrays.fill(givenTurn, 0, count, 0);
+    }
+
+    /** Keeps what was carried, to be gone back to. */
+    void keep() {
+        if (kept.length < slot.length * (JointStore.ROWS + 3)) {
+            kept = new double[slot.length * (JointStore.ROWS + 3)];
+        }
+        int at = count * JointStore.ROWS;
+        System.arraycopy(impulse, 0, kept, 0, at);
+        System.arraycopy(givenX, 0, kept, at, count);
+        System.arraycopy(givenY, 0, kept, at + count, count);
+        System.arraycopy(givenTurn, 0, kept, at + 2 * count, count);
+    }
+
+    /** Goes back to what was kept last. */
+    void recall() {
+        int at = count * JointStore.ROWS;
+        System.arraycopy(kept, 0, impulse, 0, at);
+        System.arraycopy(kept, at, givenX, 0, count);
+        System.arraycopy(kept, at + count, givenY, 0, count);
+        System.arraycopy(kept, at + 2 * count, givenTurn, 0, count);
     }
 
     /** What a joint's row gave in the last kick, N·s or N·m·s. */

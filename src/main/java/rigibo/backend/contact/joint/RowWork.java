@@ -49,13 +49,28 @@ final class RowWork {
 
     /** J that rows which may do no work have done since. */
     double sum() {
-        double sum = 0;
+        double sum = sumOfStops();
         for (int row = 0; row < rows.count; row++) {
-            if (rows.holdsPlace[row] || rows.contact[row] != NeutralRows.NONE) {
-                sum += rows.impulse[row] * (before[row] + rows.speed(row)) / 2;
-            }
+            sum += rows.holdsPlace[row] && rows.isEquation(row) ? of(row) : 0;
         }
         return sum;
+    }
+
+    /**
+     * J that contacts, limits and ropes have done since. What equations do in a kick is undone by
+     * the next one, as far as bodies go round in the drift between them.
+     */
+    double sumOfStops() {
+        double sum = 0;
+        for (int row = 0; row < rows.count; row++) {
+            boolean isStop = rows.holdsPlace[row] && !rows.isEquation(row);
+            sum += isStop || rows.contact[row] != NeutralRows.NONE ? of(row) : 0;
+        }
+        return sum;
+    }
+
+    private double of(int row) {
+        return rows.impulse[row] * (before[row] + rows.speed(row)) / 2;
     }
 
     /** Takes all impulses back, to the last digit: some may have been beyond all bounds. */

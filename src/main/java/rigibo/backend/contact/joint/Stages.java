@@ -47,6 +47,11 @@ public final class Stages {
         return mayCompose ? (substeps + 1) / 2 : substeps;
     }
 
+    /** Whether islands that allow it are composed at all. */
+    public boolean mayCompose() {
+        return mayCompose;
+    }
+
     /** How many parts a substep has. */
     public int count() {
         return shares.length;

@@ -61,6 +61,43 @@ public final class LateJoiners {
         }
     }
 
+    /**
+     * Delays those of the packed island to the start of the substep of h seconds in which they
+     * join, back on their parabola: from there on they are moved as all others are, so that what
+     * they meet in that substep they meet at their own speed.
+     */
+    public void delayToSubsteps(double h) {
+        double[] m = motions.data;
+        boolean isAny = false;
+        if (joinsIn.length < motions.count) {
+            joinsIn = new int[motions.slots.length];
+        }
+        Arrays.fill(joinsIn, 0, motions.count, PackedContacts.ALWAYS);
+        for (int entry = 1; entry < motions.count; entry++) {
+            int at = entry * Motions.STRIDE;
+            int slot = motions.slots[entry];
+            double late = bodies.pileTime[slot];
+            if (!bodies.isDriven(slot) && late > 0) {
+                joinsIn[entry] = (int) (late / h);
+                double since = late - joinsIn[entry] * h;
+                m[at + Motions.VX] -= since * bodies.accelerationX[slot];
+                m[at + Motions.VY] -= since * bodies.accelerationY[slot];
+                if (motions.turns) {
+                    m[at + Motions.SPIN] -= since * bodies.angularAcceleration[slot];
+                    m[at + Motions.TURN] -= since * since / 2 * bodies.angularAcceleration[slot];
+                }
+                motions.drift(at, -late);
+                m[at + Motions.DX] -= since * since / 2 * bodies.accelerationX[slot];
+                m[at + Motions.DY] -= since * since / 2 * bodies.accelerationY[slot];
+                bodies.pileTime[slot] = joinsIn[entry] * h;
+                isAny = true;
+            }
+        }
+        if (isAny) {
+            delayRows();
+        }
+    }
+
     private void delayRows() {
         for (int row = 0; row < contacts.count; row++) {
             int joinsA = joinsIn[contacts.bodyA[row] / Motions.STRIDE];

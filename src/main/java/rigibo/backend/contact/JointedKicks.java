@@ -1,0 +1,171 @@
+package rigibo.backend.contact;
+
+import rigibo.backend.contact.joint.JointSolver;
+import rigibo.backend.contact.joint.Stages;
+import rigibo.backend.contact.row.Kick;
+import rigibo.backend.contact.row.Motions;
+import rigibo.backend.contact.row.PackedContacts;
+import rigibo.backend.contact.row.WarmStart;
+import rigibo.backend.contact.solve.OverlapSolver;
+
+/**
+ * Kicks and drifts of an island with joints. Between two kicks velocities are those of the middle
+ * of a part; after the second half of a kick they are those of now.
+ */
+final class JointedKicks {
+
+    /** Share of a substep that counts as an instant, but lets a gap of round-off stay open. */
+    private static final double NO_TIME = 1e-3;
+
+    /** Passes in which overlap is taken back in a substep; the next one goes on. */
+    private static final int PASSES_OVER_OVERLAP = 6;
+
+    private final Motions motions;
+    private final PackedContacts contacts;
+    private final Kick kick;
+    private final WarmStart warmStart;
+    private final JointSolver joints;
+    private final Stages stages;
+    private final JointedMoment moment;
+
+    /** What takes overlap back, or null where nobody wants that. */
+    private final OverlapSolver overlap;
+
+    /** When the last kick ended, s after the step's start, and how long it was, s. */
+    private double middle;
+
+    private double kicked;
+
+    /** How long the last part was, s; 0 where velocities are those of now. */
+    private double last;
+
+    /** How long bodies have drifted since without a kick, s. */
+    private double slipped;
+
+    /** The same when the moment was kept. */
+    private double keptMiddle;
+
+    private double keptKicked;
+    private double keptLast;
+    private double keptSlipped;
+
+    JointedKicks(
+            Motions motions,
+            PackedContacts contacts,
+            Kick kick,
+            WarmStart warmStart,
+            OverlapSolver overlap,
+            JointSolver joints,
+            Stages stages) {
+        this.motions = motions;
+        this.contacts = contacts;
+        this.kick = kick;
+        this.warmStart = warmStart;
+        this.overlap = overlap;
+        this.joints = joints;
+        this.stages = stages;
+        moment = new JointedMoment(motions, contacts, joints);
+    }
+
+    /** Begins a step whose first kick would be so many seconds long. */
+    void begin(double firstKick) {
+        middle = 0;
+        kicked = firstKick;
+        last = 0;
+        slipped = 0;
+    }
+
+    /** How long the last kick was, s. */
+    double kicked() {
+        return kicked;
+    }
+
+    /** Whether velocities are those of now. */
+    boolean areVelocitiesOfNow() {
+        return last == 0;
+    }
+
+    /** Keeps this moment, to be gone back to. */
+    void keep() {
+        moment.keep();
+        keptMiddle = middle;
+        keptKicked = kicked;
+        keptLast = last;
+        keptSlipped = slipped;
+    }
+
+    /** Goes back to the moment that was kept last. */
+    void recall() {
+        moment.recall();
+        middle = keptMiddle;
+        kicked = keptKicked;
+        last = keptLast;
+        slipped = keptSlipped;
+    }
+
+    /** All stages of a part of h seconds that begins at a time in s. */
+    void advance(double time, double h, int substep) {
+        double now = time;
+        for (int i = 0; i < stages.count(); i++) {
+            advanceStage(now, stages.length(i, h), substep);
+            now += stages.length(i, h);
+        }
+    }
+
+    private void advanceStage(double time, double h, int substep) {
+        double length = (last + h) / 2 + slipped;
+        joints.write(length, h);
+        accelerate(time + h / 2);
+        double fastest = motions.fastest();
+        warmStart.apply(length / kicked, substep);
+        kicked = length;
+        joints.solve(h, substep, fastest);
+        contacts.addUpImpulses(1);
+        motions.drift(h);
+        if (overlap != null) {
+            if (contacts.count > 0 && !stages.areComposed()) {
+                overlap.correctInPasses(h, substep, PASSES_OVER_OVERLAP);
+            }
+            joints.correct(h);
+        }
+        last = h;
+        slipped = 0;
+    }
+
+    private void accelerate(double until) {
+        kick.remember();
+        if (stages.areComposed()) {
+            // Back in time, too; nobody joins meanwhile.
+            stages.accelerate(until - middle);
+        } else {
+            kick.accelerate(middle, until);
+        }
+        middle = until;
+    }
+
+    /** Lets bodies drift as they move, for a time too short for a kick of its own, s. */
+    void slip(double length) {
+        motions.drift(length);
+        slipped += length;
+    }
+
+    /**
+     * The second half of the last kick, up to a time in s, after which velocities are those of now;
+     * substeps are h seconds long.
+     */
+    void end(double time, double h, int substep) {
+        double length = last / 2 + slipped;
+        if (length == 0) {
+            return;
+        }
+        joints.write(length, h);
+        accelerate(time);
+        double fastest = motions.fastest();
+        warmStart.apply(length / kicked, substep);
+        kicked = length;
+        joints.solveAtRest(NO_TIME * h, substep, fastest);
+        contacts.addUpImpulses(1);
+        last = 0;
+        slipped = 0;
+    }
+}
