@@ -20,6 +20,9 @@ final class JointedKicks {
     /** Passes in which overlap is taken back in a substep; the next one goes on. */
     private static final int PASSES_OVER_OVERLAP = 6;
 
+    /** Energy that contacts may add, as a share of what a kick gives to bodies at rest. */
+    private static final double NOISE = 0.1;
+
     private final Motions motions;
     private final PackedContacts contacts;
     private final Kick kick;
@@ -115,11 +118,13 @@ final class JointedKicks {
     private void advanceStage(double time, double h, int substep) {
         double length = (last + h) / 2 + slipped;
         joints.write(length, h);
+        joints.begin(h);
         accelerate(time + h / 2);
+        joints.takeFree();
         double fastest = motions.fastest();
         warmStart.apply(length / kicked, substep);
         kicked = length;
-        joints.solve(h, substep, fastest);
+        joints.solve(h, substep, fastest, NOISE * kick.energy(h));
         contacts.addUpImpulses(1);
         motions.drift(h);
         if (overlap != null) {
@@ -159,11 +164,13 @@ final class JointedKicks {
             return;
         }
         joints.write(length, h);
+        joints.begin(h);
         accelerate(time);
+        joints.takeFree();
         double fastest = motions.fastest();
         warmStart.apply(length / kicked, substep);
         kicked = length;
-        joints.solveAtRest(NO_TIME * h, substep, fastest);
+        joints.solveAtRest(NO_TIME * h, substep, fastest, NOISE * kick.energy(h));
         contacts.addUpImpulses(1);
         last = 0;
         slipped = 0;

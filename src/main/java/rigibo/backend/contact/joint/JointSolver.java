@@ -5,6 +5,7 @@ import rigibo.backend.contact.row.Motions;
 import rigibo.backend.contact.row.PackedContacts;
 import rigibo.backend.contact.row.Recovery;
 import rigibo.backend.contact.row.RowBuilder;
+import rigibo.backend.contact.solve.ContactSweep;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.SolveMethod;
 import rigibo.backend.storage.DataStorage;
@@ -56,7 +57,7 @@ public final class JointSolver {
     private static final int LEAST_PASSES = 8;
 
     /** Rows up to which an island whose contacts may open and close is eliminated. */
-    private static final int MOST_ROWS = 400;
+    private static final int MOST_ROWS = 60;
 
     /**
      * Rows of an island that is small: its impacts are at their time, and what its equations do in
@@ -91,6 +92,11 @@ public final class JointSolver {
     private final Motions motions;
     private final RowWork work;
     private final RowPasses passes;
+    private final CrowdSolver crowd;
+
+    /** Whether equations alone are eliminated, and the rest is passed over. */
+    private boolean isCrowd;
+
     private final int substeps;
 
     /** Whether the packed island has anything that only pushes. */
@@ -130,6 +136,7 @@ public final class JointSolver {
             PackedContacts contacts,
             RowBuilder builder,
             FreshRows fresh,
+            ContactSweep sweep,
             Accuracy accuracy) {
         this.motions = motions;
         rows = new NeutralRows(motions);
@@ -159,6 +166,9 @@ public final class JointSolver {
         taut = new TautSubsteps(data);
         results = new JointResults(data, packed, rows);
         tolerance = accuracy.impactTolerance();
+        crowd =
+                new CrowdSolver(
+                        motions, contacts, rows, jointRows, poses, packed, sweep, tolerance);
         passes = new RowPasses(rows);
         stops = new Stops(data, motions, contacts, rows, jointRows, packed, tolerance);
         strikes =
@@ -203,9 +213,10 @@ public final class JointSolver {
         contactRows.write(2 * firstKick, 0);
         isSmall = rows.count <= FEW_ROWS;
         mostStrikes = isSmall ? STRUCK_ROWS / Math.max(1, rows.count) : 0;
-        boolean isCrowd = rows.count > MOST_ROWS && contactRows.areAny();
+        boolean areMany = rows.count > MOST_ROWS && contactRows.areAny();
         double one = elimination.workOfAll();
-        isWhole = !isCrowd && one <= worth;
+        isWhole = !areMany && one <= worth;
+        isCrowd = true;
         double eliminations = ELIMINATIONS * one * substepsOfIsland;
         double least = isSmall ? LEAST_WORTH : 0;
         double most = Math.min(LARGEST_ELIMINATIONS * worth, Math.max(least, eliminations));
@@ -218,12 +229,12 @@ public final class JointSolver {
 
     /** Multiplications that eliminations of the packed island took. */
     public double multiplications() {
-        return elimination.work();
+        return elimination.work() + crowd.takeWork();
     }
 
     /** Rows of the packed island that passes solved, each as often as they did. */
     public long rowSolves() {
-        return passes.solves();
+        return passes.solves() + crowd.takeSolves();
     }
 
     /** How the packed island is solved. */
@@ -317,14 +328,34 @@ public final class JointSolver {
         results.keepArms(poses);
     }
 
+    /** Begins a part of h seconds whose rows are written, before its kick. */
+    public void begin(double h) {
+        isWhole &= !elimination.isSpent();
+        if (!isWhole && isCrowd) {
+            crowd.begin(h);
+        }
+    }
+
+    /** Notes how bodies move after the kick, before they get what contacts carried. */
+    public void takeFree() {
+        if (!isWhole && isCrowd) {
+            crowd.takeFree();
+        }
+    }
+
     /**
      * Solves joints and contacts after the kick, so that places are held at the end of a drift of h
      * seconds.
      */
-    public void solve(double h, int substep, double fastest) {
+    public void solve(double h, int substep, double fastest, double noise) {
+        if (!isWhole && isCrowd) {
+            crowd.solve(h, kicked, substep, fastest, share, noise);
+            crowd.holdPlaces(h);
+            results.add();
+            return;
+        }
         contactRows.write(h, substep);
         double settled = SETTLED * tolerance * fastest;
-        isWhole &= !elimination.isSpent();
         if (!isWhole) {
             pass(settled);
             return;
@@ -374,16 +405,22 @@ public final class JointSolver {
     }
 
     /** Solves them at the end of the last kick, after which nothing drifts. */
-    public void solveAtRest(double h, int substep, double fastest) {
-        contactRows.write(h, substep);
+    public void solveAtRest(double h, int substep, double fastest, double noise) {
+        if (isWhole || !isCrowd) {
+            contactRows.write(h, substep);
+        }
         for (int row = 0; row < rows.count; row++) {
             if (rows.holdsPlace[row] && !rows.isEquation(row)) {
                 // What carried a load carries on, whatever gap of round-off is left.
                 rows.target[row] = stops.load(row) > 0 ? 0 : -Math.max(0, rows.place[row]) / h;
             }
         }
+        if (!isWhole && isCrowd) {
+            crowd.solve(h, kicked, substep, fastest, share, noise);
+            results.add();
+            return;
+        }
         double settled = SETTLED * tolerance * fastest;
-        isWhole &= !elimination.isSpent();
         if (!isWhole) {
             pass(settled);
             return;
@@ -401,6 +438,9 @@ public final class JointSolver {
 
     /** Takes back what joints are off their places, by moving bodies, in a substep of h seconds. */
     public void correct(double h) {
+        if (!isWhole && isCrowd) {
+            return;
+        }
         poses.take(0);
         jointRows.measureAnew();
         if (wanted.length < rows.count) {

@@ -1,0 +1,256 @@
+package rigibo.backend.contact.joint;
+
+import java.util.Arrays;
+
+/**
+ * In which order equations are eliminated: bodies are put together, two assemblies at a time, until
+ * each group of joined bodies is one. What holds two assemblies together is eliminated as they
+ * become one (R. Featherstone, A divide-and-conquer articulated-body algorithm, 1999); what is left
+ * are equations that hold it to others, its border. In each round every assembly goes together with
+ * the neighbour with which its border gets smallest. So chains and trees take work that grows with
+ * their bodies, and a net of n bodies n·√n, as by nested dissection (George 1973).
+ */
+final class AssemblyTree {
+
+    static final int NONE = -1;
+
+    private final EquationList equations;
+
+    /** Assemblies in an order in which parts come before wholes; single bodies come first. */
+    int count;
+
+    /** By assembly: the two that it was made of, or {@link #NONE} and the body it is. */
+    int[] first = new int[32];
+
+    int[] second = new int[32];
+
+    /**
+     * By assembly where its equations start: those that it eliminates, then its border; and how
+     * many it eliminates.
+     */
+    int[] start = new int[33];
+
+    int[] own = new int[32];
+
+    /** By assembly and place the equation. */
+    int[] equation = new int[256];
+
+    /** Sum of the squares of the numbers of equations of all assemblies. */
+    long room;
+
+    /** By body the assembly it is in, by assembly in which it went up, and when it was made. */
+    private int[] of = new int[16];
+
+    private int[] whole = new int[32];
+    private int[] madeIn = new int[32];
+
+    /** Assemblies that are in no other one yet. */
+    private int[] alive = new int[16];
+
+    private int aliveCount;
+
+    /** By equation: of how many assemblies its bodies are. */
+    private int[] spread = new int[64];
+
+    /** By assembly: what it shares with the one that looks for a neighbour, and who looked last. */
+    private int[] shared = new int[32];
+
+    private int[] lookedFrom = new int[32];
+    private int[] neighbours = new int[32];
+    private int[] takenBy = new int[64];
+
+    AssemblyTree(EquationList equations) {
+        this.equations = equations;
+    }
+
+    /** Puts all bodies of the equations together. */
+    void build() {
+        reserve();
+        count = 0;
+        room = 0;
+        aliveCount = 0;
+        for (int e = 0; e < equations.count; e++) {
+            spread[e] = equations.bodyEnd(e) - equations.bodyStart(e);
+            takenBy[e] = NONE;
+        }
+        for (int body = 0; body < equations.bodyCount; body++) {
+            addBody(body);
+        }
+        boolean isAny = true;
+        for (int round = 1; isAny; round++) {
+            isAny = putTogether(round);
+        }
+    }
+
+    private void reserve() {
+        int most = 2 * equations.bodyCount + 1;
+        if (first.length < most) {
+            first = new int[2 * most];
+            second = new int[2 * most];
+            start = new int[2 * most + 1];
+            own = new int[2 * most];
+            whole = new int[2 * most];
+            madeIn = new int[2 * most];
+            shared = new int[2 * most];
+            lookedFrom = new int[2 * most];
+            neighbours = new int[2 * most];
+            of = new int[2 * most];
+            alive = new int[2 * most];
+        }
+        if (spread.length < equations.count) {
+            spread = new int[2 * equations.count];
+            takenBy = new int[2 * equations.count];
+        }
+    }
+
+    private void addBody(int body) {
+        int assembly = begin(NONE, body, 0);
+        of[body] = assembly;
+        int from = equations.equationStart(body);
+        int to = equations.equationEnd(body);
+        room(to - from);
+        int at = start[assembly];
+        for (int i = from; i < to; i++) {
+            int e = equations.equationOf(i);
+            if (spread[e] == 1) {
+                equation[at++] = e;
+            }
+        }
+        own[assembly] = at - start[assembly];
+        for (int i = from; i < to; i++) {
+            int e = equations.equationOf(i);
+            if (spread[e] > 1) {
+                equation[at++] = e;
+            }
+        }
+        end(assembly, at);
+    }
+
+    private int begin(int a, int b, int round) {
+        int assembly = count++;
+        first[assembly] = a;
+        second[assembly] = b;
+        whole[assembly] = NONE;
+        madeIn[assembly] = round;
+        lookedFrom[assembly] = NONE;
+        if (assembly == 0) {
+            start[0] = 0;
+        }
+        return assembly;
+    }
+
+    private void room(int more) {
+        int needed = start[count - 1] + more;
+        if (equation.length < needed) {
+            equation = Arrays.copyOf(equation, 2 * needed);
+        }
+    }
+
+    private void end(int assembly, int at) {
+        start[assembly + 1] = at;
+        long size = at - start[assembly];
+        room += size * size;
+        if (size > own[assembly]) {
+            alive[aliveCount++] = assembly;
+        }
+    }
+
+    /** How many equations hold an assembly to others. */
+    int border(int assembly) {
+        return start[assembly + 1] - start[assembly] - own[assembly];
+    }
+
+    /** The assembly that a body is in by now. */
+    private int assemblyOf(int body) {
+        int at = of[body];
+        while (whole[at] != NONE) {
+            at = whole[at];
+        }
+        of[body] = at;
+        return at;
+    }
+
+    /** Puts each assembly together with one other at most; whether there were any. */
+    private boolean putTogether(int round) {
+        boolean isAny = false;
+        int before = aliveCount;
+        aliveCount = 0;
+        for (int i = 0; i < before; i++) {
+            int assembly = alive[i];
+            if (whole[assembly] == NONE && madeIn[assembly] < round) {
+                int other = neighbour(assembly, round);
+                if (other == NONE) {
+                    alive[aliveCount++] = assembly;
+                } else {
+                    // Places up to here have been read: what is made is listed behind them.
+                    unite(assembly, other, round);
+                    isAny = true;
+                }
+            }
+        }
+        return isAny;
+    }
+
+    /** The neighbour with which it has the smallest border, of those not just put together. */
+    private int neighbour(int assembly, int round) {
+        int found = 0;
+        for (int i = start[assembly] + own[assembly]; i < start[assembly + 1]; i++) {
+            int e = equation[i];
+            for (int k = equations.bodyStart(e); k < equations.bodyEnd(e); k++) {
+                int other = assemblyOf(equations.bodyOf(k));
+                if (other != assembly && madeIn[other] < round) {
+                    if (lookedFrom[other] != assembly) {
+                        lookedFrom[other] = assembly;
+                        shared[other] = 0;
+                        neighbours[found++] = other;
+                    }
+                    shared[other]++;
+                }
+            }
+        }
+        int best = NONE;
+        int least = Integer.MAX_VALUE;
+        for (int i = 0; i < found; i++) {
+            int left = border(neighbours[i]) - 2 * shared[neighbours[i]];
+            if (left < least) {
+                least = left;
+                best = neighbours[i];
+            }
+        }
+        return best;
+    }
+
+    private void unite(int a, int b, int round) {
+        int made = begin(a, b, round);
+        whole[a] = made;
+        whole[b] = made;
+        room(border(a) + border(b));
+        int at = start[made];
+        // What both have: it is of one assembly fewer from now on.
+        for (int i = start[a] + own[a]; i < start[a + 1]; i++) {
+            takenBy[equation[i]] = made;
+        }
+        for (int i = start[b] + own[b]; i < start[b + 1]; i++) {
+            int e = equation[i];
+            if (takenBy[e] == made && --spread[e] == 1) {
+                equation[at++] = e;
+            }
+        }
+        own[made] = at - start[made];
+        at = addBorder(a, at, made, false);
+        at = addBorder(b, at, made, true);
+        end(made, at);
+    }
+
+    private int addBorder(int part, int from, int made, boolean isSecond) {
+        int at = from;
+        for (int i = start[part] + own[part]; i < start[part + 1]; i++) {
+            int e = equation[i];
+            boolean isListed = isSecond && takenBy[e] == made;
+            if (spread[e] > 1 && !isListed) {
+                equation[at++] = e;
+            }
+        }
+        return at;
+    }
+}

@@ -1,0 +1,249 @@
+package rigibo.backend.contact.joint;
+
+import rigibo.backend.contact.row.Motions;
+
+import java.util.Arrays;
+
+/**
+ * K = J·M⁻¹·Jᵀ of all equations of an island, with what they give way on its diagonal, factored
+ * along an {@link AssemblyTree}: a body says what speeds impulses of its equations give them, two
+ * assemblies add up what they say, and what holds them together is eliminated (I. Duff and J. Reid,
+ * The multifrontal solution of indefinite sparse symmetric linear equations, 1983).
+ */
+final class EquationFactor {
+
+    /** Share of its own response under which the pivot of a row is round-off. */
+    private static final double SINGULAR = 1e-13;
+
+    private final Motions motions;
+    private final NeutralRows rows;
+    private final EquationList equations;
+    private final AssemblyTree tree;
+
+    /**
+     * By assembly, from {@link #at} on, a square: of what is eliminated the rows D·Lᵀ with 1/D on
+     * the diagonal, of the border what speeds its impulses give it. Only right of the diagonal.
+     */
+    private double[] square = new double[1024];
+
+    private int[] at = new int[32];
+
+    /** By equation its place in the assembly that is put together. */
+    private int[] place = new int[64];
+
+    /** By place the derivatives of a body's equations. */
+    private double[] alongX = new double[32];
+
+    private double[] alongY = new double[32];
+    private double[] turning = new double[32];
+
+    /** By equation: what is asked of it, then what it is to be pushed by. */
+    private double[] unknown = new double[64];
+
+    /** Multiplications made since it was asked for last. */
+    private double work;
+
+    EquationFactor(Motions motions, NeutralRows rows) {
+        this.motions = motions;
+        this.rows = rows;
+        equations = new EquationList(motions, rows);
+        tree = new AssemblyTree(equations);
+    }
+
+    /** Multiplications that one elimination of the rows as they are now takes, at most. */
+    double workOfAll() {
+        layOut();
+        double sum = 0;
+        for (int n = 0; n < tree.count; n++) {
+            double size = tree.start[n + 1] - tree.start[n];
+            sum += size * size * (1 + tree.own[n] / 2.0);
+        }
+        return sum;
+    }
+
+    /** How many numbers its squares hold. */
+    long room() {
+        return tree.room;
+    }
+
+    /** Multiplications made since it was asked for last. */
+    double takeWork() {
+        double sum = work;
+        work = 0;
+        return sum;
+    }
+
+    int count() {
+        return equations.count;
+    }
+
+    /** The row of an equation. */
+    int row(int equation) {
+        return equations.row[equation];
+    }
+
+    private void layOut() {
+        if (equations.list()) {
+            tree.build();
+        }
+    }
+
+    /** Factors the equations of the rows as they are now. */
+    void factorize() {
+        layOut();
+        reserve();
+        int from = 0;
+        for (int n = 0; n < tree.count; n++) {
+            at[n] = from;
+            int size = tree.start[n + 1] - tree.start[n];
+            if (tree.first[n] == AssemblyTree.NONE) {
+                assembleBody(n, size);
+            } else {
+                Arrays.fill(square, from, from + size * size, 0);
+                for (int i = 0; i < size; i++) {
+                    place[tree.equation[tree.start[n] + i]] = i;
+                }
+                add(tree.first[n], from, size);
+                add(tree.second[n], from, size);
+            }
+            eliminate(n, size);
+            from += size * size;
+        }
+    }
+
+    private void reserve() {
+        if (square.length < tree.room) {
+            square = new double[(int) (2 * tree.room)];
+        }
+        if (at.length < tree.count) {
+            at = new int[2 * tree.count];
+        }
+        if (place.length < equations.count) {
+            place = new int[2 * equations.count];
+            unknown = new double[2 * equations.count];
+            alongX = new double[2 * equations.count];
+            alongY = new double[2 * equations.count];
+            turning = new double[2 * equations.count];
+        }
+    }
+
+    /** What impulses of a body's equations give them through the body. */
+    private void assembleBody(int n, int size) {
+        int entry = equations.entry[tree.second[n]];
+        double mass = motions.data[entry * Motions.STRIDE + Motions.INVERSE_MASS];
+        double inertia = motions.data[entry * Motions.STRIDE + Motions.INVERSE_INERTIA];
+        for (int i = 0; i < size; i++) {
+            derive(i, equations.row[tree.equation[tree.start[n] + i]], entry);
+        }
+        for (int i = 0; i < size; i++) {
+            double x = mass * alongX[i];
+            double y = mass * alongY[i];
+            double turn = inertia * turning[i];
+            int to = at[n] + i * size;
+            for (int j = i; j < size; j++) {
+                square[to + j] = x * alongX[j] + y * alongY[j] + turn * turning[j];
+            }
+        }
+    }
+
+    private void derive(int i, int row, int entry) {
+        alongX[i] = 0;
+        alongY[i] = 0;
+        turning[i] = 0;
+        for (int k = 0; k < rows.bodies[row]; k++) {
+            if (rows.body[row * NeutralRows.BODIES + k] == entry * Motions.STRIDE) {
+                int from = row * NeutralRows.DERIVATIVES + 3 * k;
+                alongX[i] += rows.derivative[from];
+                alongY[i] += rows.derivative[from + 1];
+                turning[i] += rows.derivative[from + 2];
+            }
+        }
+    }
+
+    /** Adds what the border of a part says to the square of the whole. */
+    private void add(int part, int to, int wide) {
+        int size = tree.start[part + 1] - tree.start[part];
+        int[] equation = tree.equation;
+        for (int i = tree.own[part]; i < size; i++) {
+            int line = place[equation[tree.start[part] + i]];
+            int from = at[part] + i * size;
+            for (int j = i; j < size; j++) {
+                int column = place[equation[tree.start[part] + j]];
+                int target = line < column ? line * wide + column : column * wide + line;
+                square[to + target] += square[from + j];
+            }
+        }
+    }
+
+    private void eliminate(int n, int size) {
+        int own = tree.own[n];
+        int from = at[n];
+        double[] s = square;
+        for (int k = 0; k < own; k++) {
+            int row = equations.row[tree.equation[tree.start[n] + k]];
+            int pivotLine = from + k * size;
+            double regular = NeutralRows.REGULAR * rows.response[row] + rows.give[row];
+            double pivot = s[pivotLine + k] + regular;
+            double least = SINGULAR * Math.max(rows.response[row], Double.MIN_NORMAL);
+            double inverse = 1 / (Math.abs(pivot) > least ? pivot : Math.copySign(least, pivot));
+            s[pivotLine + k] = inverse;
+            for (int i = k + 1; i < size; i++) {
+                double factor = s[pivotLine + i] * inverse;
+                if (factor != 0) {
+                    subtract(s, from + i * size + i, pivotLine + i, factor, size - i);
+                }
+            }
+            work += (size - k) * (size - k) / 2.0;
+        }
+    }
+
+    /** Subtracts a multiple of one line from another one. */
+    private static void subtract(double[] s, int to, int from, double factor, int length) {
+        for (int j = 0; j < length; j++) {
+            s[to + j] -= factor * s[from + j];
+        }
+    }
+
+    /** Asks of an equation that its speed changes by so much, m/s. */
+    void ask(int equation, double change) {
+        unknown[equation] = change;
+    }
+
+    /** What an equation is to be pushed by for what was asked of all. */
+    double answer(int equation) {
+        return unknown[equation];
+    }
+
+    /** Finds the pushes for what was asked. */
+    void solve() {
+        double[] x = unknown;
+        int[] equation = tree.equation;
+        for (int n = 0; n < tree.count; n++) {
+            int start = tree.start[n];
+            int size = tree.start[n + 1] - start;
+            for (int k = 0; k < tree.own[n]; k++) {
+                int line = at[n] + k * size;
+                double share = x[equation[start + k]] * square[line + k];
+                if (share != 0) {
+                    for (int j = k + 1; j < size; j++) {
+                        x[equation[start + j]] -= square[line + j] * share;
+                    }
+                    work += size - k;
+                }
+            }
+        }
+        for (int n = tree.count - 1; n >= 0; n--) {
+            int start = tree.start[n];
+            int size = tree.start[n + 1] - start;
+            for (int k = tree.own[n] - 1; k >= 0; k--) {
+                int line = at[n] + k * size;
+                double sum = x[equation[start + k]];
+                for (int j = k + 1; j < size; j++) {
+                    sum -= square[line + j] * x[equation[start + j]];
+                }
+                x[equation[start + k]] = sum * square[line + k];
+            }
+            work += (double) size * tree.own[n];
+        }
+    }
+}

@@ -1,0 +1,174 @@
+package rigibo.backend.contact.joint;
+
+import rigibo.backend.contact.row.Motions;
+
+import java.util.Arrays;
+
+/**
+ * The rows of an island that are equations, numbered, and which bodies are in which of them. Only
+ * bodies that impulses move count.
+ */
+final class EquationList {
+
+    private final Motions motions;
+    private final NeutralRows rows;
+
+    /** How many equations there are, and how many bodies. */
+    int count;
+
+    int bodyCount;
+
+    /** By equation its row. */
+    int[] row = new int[64];
+
+    /** By body its entry of the motions. */
+    int[] entry = new int[16];
+
+    /** By equation where its bodies start, the bodies, and which of its row's bodies each is. */
+    private int[] bodyStart = new int[65];
+
+    private int[] body = new int[128];
+
+    /** By body where its equations start, and the equations. */
+    private int[] equationStart = new int[18];
+
+    private int[] equation = new int[128];
+
+    /** By entry of the motions its body. */
+    private int[] bodyOfEntry = new int[16];
+
+    /** What the list was made of last: by derivative the offset of its body. */
+    private int[] before = new int[256];
+
+    private int beforeCount;
+    private int beforeBodies;
+
+    EquationList(Motions motions, NeutralRows rows) {
+        this.motions = motions;
+        this.rows = rows;
+    }
+
+    /** Lists the equations of the rows as they are now; whether they are others than before. */
+    boolean list() {
+        reserve();
+        int at = 0;
+        boolean isOther = beforeBodies != motions.count;
+        count = 0;
+        for (int i = 0; i < rows.count; i++) {
+            if (rows.isEquation(i)) {
+                row[count++] = i;
+                for (int k = 0; k < NeutralRows.BODIES; k++) {
+                    int offset = k < rows.bodies[i] ? rows.body[i * NeutralRows.BODIES + k] : 0;
+                    int kept = isMoved(offset) ? offset : 0;
+                    isOther |= before[at] != kept;
+                    before[at++] = kept;
+                }
+            }
+        }
+        isOther |= at != beforeCount;
+        beforeCount = at;
+        beforeBodies = motions.count;
+        if (isOther) {
+            link();
+        }
+        return isOther;
+    }
+
+    private boolean isMoved(int offset) {
+        return motions.data[offset + Motions.INVERSE_MASS] > 0
+                || motions.data[offset + Motions.INVERSE_INERTIA] > 0;
+    }
+
+    private void reserve() {
+        int rowCount = rows.bodies.length;
+        if (row.length < rowCount) {
+            row = new int[rowCount];
+            bodyStart = new int[rowCount + 1];
+            body = new int[rowCount * NeutralRows.BODIES];
+            equation = new int[rowCount * NeutralRows.BODIES];
+        }
+        if (before.length < rowCount * NeutralRows.BODIES) {
+            before = Arrays.copyOf(before, rowCount * NeutralRows.BODIES);
+        }
+        if (entry.length < motions.count) {
+            entry = new int[motions.slots.length];
+            bodyOfEntry = new int[motions.slots.length];
+            equationStart = new int[motions.slots.length + 2];
+        }
+    }
+
+    private void link() {
+        Arrays.fill(bodyOfEntry, 0, motions.count, AssemblyTree.NONE);
+        bodyCount = 0;
+        int at = 0;
+        for (int e = 0; e < count; e++) {
+            bodyStart[e] = at;
+            for (int k = 0; k < NeutralRows.BODIES; k++) {
+                int offset = before[e * NeutralRows.BODIES + k];
+                int of = offset / Motions.STRIDE;
+                if (offset != 0) {
+                    if (bodyOfEntry[of] == AssemblyTree.NONE) {
+                        bodyOfEntry[of] = bodyCount;
+                        entry[bodyCount++] = of;
+                    }
+                    if (!isListed(bodyStart[e], at, bodyOfEntry[of])) {
+                        body[at++] = bodyOfEntry[of];
+                    }
+                }
+            }
+        }
+        bodyStart[count] = at;
+        linkBodies(at);
+    }
+
+    private boolean isListed(int from, int to, int wanted) {
+        for (int i = from; i < to; i++) {
+            if (body[i] == wanted) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Counting sort of equations by body. */
+    private void linkBodies(int length) {
+        Arrays.fill(equationStart, 0, bodyCount + 2, 0);
+        for (int i = 0; i < length; i++) {
+            equationStart[body[i] + 2]++;
+        }
+        for (int i = 1; i <= bodyCount; i++) {
+            equationStart[i + 1] += equationStart[i];
+        }
+        for (int e = 0; e < count; e++) {
+            for (int k = bodyStart[e]; k < bodyStart[e + 1]; k++) {
+                equation[equationStart[body[k] + 1]++] = e;
+            }
+        }
+    }
+
+    int bodyStart(int e) {
+        return bodyStart[e];
+    }
+
+    int bodyEnd(int e) {
+        return bodyStart[e + 1];
+    }
+
+    /** A body of an equation, at a place between its start and its end. */
+    int bodyOf(int place) {
+        return body[place];
+    }
+
+    int equationStart(int of) {
+        return equationStart[of];
+    }
+
+    int equationEnd(int of) {
+        return equationStart[of + 1];
+    }
+
+    /** An equation of a body, at a place between its start and its end. */
+    int equationOf(int place) {
+        return equation[place];
+    }
+}
