@@ -128,7 +128,7 @@ final class JointedKicks {
         contacts.addUpImpulses(1);
         motions.drift(h);
         if (overlap != null) {
-            if (contacts.count > 0 && !stages.areComposed()) {
+            if (contacts.count > 0 && !stages.areComposed() && !joints.takesOverlapBack()) {
                 overlap.correctInPasses(h, substep, PASSES_OVER_OVERLAP);
             }
             joints.correct(h);

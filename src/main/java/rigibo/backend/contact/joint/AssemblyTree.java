@@ -35,6 +35,17 @@ final class AssemblyTree {
     /** By assembly and place the equation. */
     int[] equation = new int[256];
 
+    /** How many groups of joined bodies there are, and by group where its assemblies start. */
+    int groups;
+
+    int[] groupStart = new int[17];
+
+    /** Bodies group by group, where those of a group start, and by body its group. */
+    int[] bodies = new int[16];
+
+    int[] bodyStart = new int[17];
+    int[] groupOf = new int[16];
+
     /** Sum of the squares of the numbers of equations of all assemblies. */
     long room;
 
@@ -68,18 +79,57 @@ final class AssemblyTree {
         reserve();
         count = 0;
         room = 0;
-        aliveCount = 0;
         for (int e = 0; e < equations.count; e++) {
             spread[e] = equations.bodyEnd(e) - equations.bodyStart(e);
             takenBy[e] = NONE;
         }
+        gather();
+        for (int group = 0; group < groups; group++) {
+            groupStart[group] = count;
+            aliveCount = 0;
+            for (int i = bodyStart[group]; i < bodyStart[group + 1]; i++) {
+                addBody(bodies[i]);
+            }
+            boolean isAny = true;
+            for (int round = 1; isAny; round++) {
+                isAny = putTogether(round);
+            }
+        }
+        groupStart[groups] = count;
+    }
+
+    /** Finds the groups: each body and whatever is reached from it. */
+    private void gather() {
+        groups = 0;
+        Arrays.fill(groupOf, 0, equations.bodyCount, NONE);
+        int end = 0;
         for (int body = 0; body < equations.bodyCount; body++) {
-            addBody(body);
+            if (groupOf[body] == NONE) {
+                bodyStart[groups] = end;
+                groupOf[body] = groups;
+                bodies[end++] = body;
+                for (int i = bodyStart[groups]; i < end; i++) {
+                    end = reach(bodies[i], end);
+                }
+                groups++;
+            }
         }
-        boolean isAny = true;
-        for (int round = 1; isAny; round++) {
-            isAny = putTogether(round);
+        bodyStart[groups] = end;
+    }
+
+    private int reach(int body, int from) {
+        int end = from;
+        for (int i = equations.equationStart(body); i < equations.equationEnd(body); i++) {
+            int e = equations.equationOf(i);
+            for (int k = equations.bodyStart(e); k < equations.bodyEnd(e); k++) {
+                int next = equations.bodyOf(k);
+                if (groupOf[next] == NONE) {
+                    groupOf[next] = groups;
+                    bodies[end++] = next;
+                }
+            }
         }
+        return end;
     }
 
     private void reserve() {
@@ -96,6 +146,10 @@ final class AssemblyTree {
             neighbours = new int[2 * most];
             of = new int[2 * most];
             alive = new int[2 * most];
+            groupStart = new int[2 * most + 1];
+            bodies = new int[2 * most];
+            bodyStart = new int[2 * most + 1];
+            groupOf = new int[2 * most];
         }
         if (spread.length < equations.count) {
             spread = new int[2 * equations.count];

@@ -3,7 +3,9 @@ package rigibo.backend.contact.joint;
 import rigibo.backend.contact.row.Motions;
 import rigibo.backend.contact.row.PackedContacts;
 import rigibo.backend.contact.row.Recovery;
-import rigibo.backend.contact.solve.ContactSweep;
+import rigibo.backend.setup.Accuracy;
+
+import java.util.Arrays;
 
 /**
  * Solves islands of many joints and contacts. Their equations are eliminated all at once, which
@@ -16,11 +18,11 @@ final class CrowdSolver {
     /** Passes in a substep at most; the next one begins with what they came to. */
     private static final int MOST_PASSES = 24;
 
+    /** Passes before what holds is found anew. */
+    private static final int PASSES = 8;
+
     /** Share of the fastest speed below which a change does not count. */
     private static final double QUIET = 0.03;
-
-    /** How many times its tolerance of an impact a contact may miss its bounds in a substep. */
-    private static final double MISSED_CONTACT = 3;
 
     /** Newton's steps to where equations hold at the end of a drift. */
     private static final int MOST_STEPS = 3;
@@ -32,20 +34,20 @@ final class CrowdSolver {
     private static final double GAINED = 1e-4;
 
     private final Motions motions;
-    private final PackedContacts contacts;
     private final NeutralRows rows;
     private final JointRows jointRows;
     private final Poses poses;
-    private final PackedJoints packed;
     private final EquationFactor factor;
-    private final ContactSweep sweep;
+    private final EquationList equations;
+    private final ContactRows contactRows;
     private final double tolerance;
-    private final double missed;
 
-    /** Rows with bounds, and rows that give the same whatever happens. */
-    private int[] bounded = new int[64];
+    private final BoundedRows bounded;
+    private final Responses responses;
+    private final CrowdOverlap overlap;
 
-    private int boundedCount;
+    /** By group whether other equations hold in it. */
+    private boolean[] isOther = new boolean[16];
 
     /** Velocities before a kick's impulses, and before the equations hold, as the motions. */
     private double[] free = new double[64];
@@ -57,9 +59,6 @@ final class CrowdSolver {
 
     private double freeEnergy;
 
-    /** Rows solved since it was asked for last. */
-    private long solves;
-
     CrowdSolver(
             Motions motions,
             PackedContacts contacts,
@@ -67,19 +66,19 @@ final class CrowdSolver {
             JointRows jointRows,
             Poses poses,
             PackedJoints packed,
-            ContactSweep sweep,
-            double tolerance) {
+            ContactRows contactRows,
+            Accuracy accuracy) {
         this.motions = motions;
-        this.contacts = contacts;
         this.rows = rows;
         this.jointRows = jointRows;
         this.poses = poses;
-        this.packed = packed;
-        this.sweep = sweep;
-        this.tolerance = tolerance;
-        double root = Math.sqrt(tolerance);
-        missed = MISSED_CONTACT * root * Math.sqrt(root);
+        this.contactRows = contactRows;
+        tolerance = accuracy.impactTolerance();
         factor = new EquationFactor(motions, rows);
+        equations = factor.equations();
+        responses = new Responses(motions, rows, factor);
+        bounded = new BoundedRows(motions, rows, packed, equations, responses);
+        overlap = new CrowdOverlap(motions, contacts, rows, responses, accuracy);
     }
 
     /** How many numbers the factor of the rows takes as they are now. */
@@ -94,23 +93,19 @@ final class CrowdSolver {
 
     /** Rows solved since it was asked for last. */
     long takeSolves() {
-        long sum = solves;
-        solves = 0;
-        return sum;
+        return bounded.takeSolves();
     }
 
-    /** Begins with rows that were just written for a part of h seconds. */
-    void begin(double h) {
+    /**
+     * Begins with rows that were just written for a part of h seconds; joints give a share of what
+     * they carried in the kick before.
+     */
+    void begin(double h, double share) {
         if (freeSpeed.length < rows.count) {
             freeSpeed = new double[rows.bodies.length];
-            bounded = new int[rows.bodies.length];
         }
-        boundedCount = 0;
-        for (int row = 0; row < rows.count; row++) {
-            if (!rows.isEquation(row)) {
-                bounded[boundedCount++] = row;
-            }
-        }
+        factor.layOut();
+        bounded.begin(share);
         factor.factorize();
         correct(h);
     }
@@ -121,6 +116,7 @@ final class CrowdSolver {
         if (free.length < length) {
             free = new double[motions.data.length];
             before = new double[motions.data.length];
+            isOther = new boolean[motions.slots.length];
         }
         System.arraycopy(motions.data, 0, free, 0, length);
         freeEnergy = motions.energy(motions.data);
@@ -132,50 +128,28 @@ final class CrowdSolver {
     }
 
     /**
-     * Solves for a substep of h seconds whose kick lasts so many; contacts have given bodies what
-     * they carried before. Joints give a share of what they carried in the kick before.
+     * Solves for a substep of h seconds; contacts begin with what they carried before.
      *
      * @param noise energy that may be gained, J
      */
-    void solve(double h, double kick, int substep, double fastest, double share, double noise) {
-        warm(share);
-        run(h, kick, substep, fastest);
+    void solve(double h, int substep, double fastest, double noise) {
+        contactRows.write(h, substep);
+        bounded.warm();
+        bounded.addContacts();
+        responses.begin();
+        double quiet = QUIET * fastest;
+        run(quiet);
         if (!motions.isAnyDriven && gained() > noise + GAINED * freeEnergy) {
             restart();
-            run(h, kick, substep, fastest);
+            run(quiet);
         }
-    }
-
-    private void warm(double share) {
-        for (int i = 0; i < boundedCount; i++) {
-            int row = bounded[i];
-            double carried = packed.impulseOf(rows.joint[row], rows.part[row]);
-            double wanted = within(row, share * carried);
-            if (wanted != 0) {
-                rows.push(row, wanted);
-            }
-        }
-        holdEquations();
-    }
-
-    private double within(int row, double impulse) {
-        double lower = rows.lower[row];
-        double upper = rows.upper[row];
-        return impulse > upper ? upper : impulse < lower ? lower : impulse;
+        contactRows.store();
     }
 
     /** Begins from nothing: what bodies had carried was too much. */
     private void restart() {
-        System.arraycopy(free, 0, motions.data, 0, motions.count * Motions.STRIDE);
         for (int row = 0; row < rows.count; row++) {
             rows.impulse[row] = 0;
-        }
-        for (int contact = 0; contact < contacts.count; contact++) {
-            int at = contact * PackedContacts.STRIDE;
-            contacts.data[at + PackedContacts.IMPULSE0] = 0;
-            contacts.data[at + PackedContacts.IMPULSE1] = 0;
-            contacts.data[at + PackedContacts.IMPULSE_T] = 0;
-            contacts.data[at + PackedContacts.IMPULSE_R] = 0;
         }
     }
 
@@ -183,72 +157,67 @@ final class CrowdSolver {
     private double gained() {
         double sum = motions.energy(motions.data) - freeEnergy;
         for (int row = 0; row < rows.count; row++) {
-            if (!rows.holdsPlace[row]) {
+            if (rows.joint[row] != NeutralRows.NONE && !rows.holdsPlace[row]) {
                 sum -= rows.impulse[row] * (freeSpeed[row] + rows.speed(row)) / 2;
             }
         }
         return sum;
     }
 
-    private void run(double h, double kick, int substep, double fastest) {
-        double quiet = QUIET * fastest;
-        sweep.begin(h, kick, substep, missed, quiet);
-        boolean isAny = true;
-        for (int pass = 0; pass < MOST_PASSES && isAny; pass++) {
-            boolean isBack = pass % 2 == 1;
-            int due = sweep.pass(isBack);
-            double change = pass(isBack);
-            hold();
-            isAny = due > 0 || change > quiet;
+    /** Lets passes and exchanges follow each other until nothing changes any more. */
+    private void run(double quiet) {
+        int passes = responses.areAnyLarge() ? 1 : PASSES;
+        settle();
+        boolean isOpen = exchange(true) || bounded.areAny();
+        for (int pass = 0; isOpen && pass < MOST_PASSES; ) {
+            responses.take();
+            rows.bound();
+            double change = Double.POSITIVE_INFINITY;
+            for (int i = 0; i < passes && change > quiet; i++) {
+                change = bounded.pass(pass++ % 2 == 1);
+            }
+            settle();
+            isOpen = exchange(pass <= PASSES) || change > quiet;
         }
     }
 
-    /** One pass over what has bounds; the largest change, m/s. */
-    private double pass(boolean isBack) {
-        double most = 0;
-        solves += boundedCount;
-        for (int i = 0; i < boundedCount; i++) {
-            int row = bounded[isBack ? boundedCount - 1 - i : i];
-            if (rows.twin[row] != NeutralRows.NONE) {
-                rows.bound(row);
+    private boolean exchange(boolean mayEnter) {
+        Arrays.fill(isOther, 0, factor.tree().groups, false);
+        boolean isAny = bounded.exchange(mayEnter, factor.tree(), isOther);
+        if (isAny) {
+            for (int group = 0; group < factor.tree().groups; group++) {
+                if (isOther[group]) {
+                    factor.factorize(group);
+                }
             }
-            double wish = within(row, rows.wish(row));
-            double change = wish - rows.impulse[row];
-            if (change != 0) {
-                rows.push(row, change);
-                most = Math.max(most, Math.abs(change) * rows.response[row]);
-            }
+            responses.forget(isOther);
+            settle();
         }
-        return most;
+        return isAny;
     }
 
-    /** Brings all equations to what they ask for, and tells the sweep whom that moved. */
-    private void hold() {
-        System.arraycopy(motions.data, 0, before, 0, motions.count * Motions.STRIDE);
+    /** Finds what holds, and how bodies move, from all impulses of rows at bounds. */
+    private void settle() {
+        System.arraycopy(free, 0, motions.data, 0, motions.count * Motions.STRIDE);
+        bounded.apply();
         holdEquations();
-        double[] m = motions.data;
-        for (int entry = 1; entry < motions.count; entry++) {
-            int at = entry * Motions.STRIDE;
-            double change =
-                    Math.abs(m[at + Motions.VX] - before[at + Motions.VX])
-                            + Math.abs(m[at + Motions.VY] - before[at + Motions.VY])
-                            + motions.reach[entry]
-                                    * Math.abs(m[at + Motions.SPIN] - before[at + Motions.SPIN]);
-            sweep.note(entry, change);
-        }
     }
 
+    /** Brings what holds to what it asks for. */
     private void holdEquations() {
-        for (int e = 0; e < factor.count(); e++) {
-            factor.ask(e, -rows.residual(factor.row(e)));
+        for (int e = 0; e < equations.count; e++) {
+            int row = equations.row[e];
+            factor.ask(e, row == EquationList.NONE ? 0 : -rows.residual(row));
         }
         pushAnswers();
     }
 
     private void pushAnswers() {
         factor.solve();
-        for (int e = 0; e < factor.count(); e++) {
-            rows.push(factor.row(e), factor.answer(e));
+        for (int e = 0; e < equations.count; e++) {
+            if (equations.row[e] != EquationList.NONE) {
+                rows.push(equations.row[e], factor.answer(e));
+            }
         }
     }
 
@@ -266,14 +235,21 @@ final class CrowdSolver {
         }
     }
 
+    /** Takes overlap back after a drift of h seconds. */
+    void correctOverlap(double h) {
+        overlap.correct(h);
+    }
+
     /** Asks for what places would be missed by; the most, as a multiple of what they may be. */
     private double ask(double h) {
         poses.take(h);
         jointRows.measureAnew();
         double worst = 0;
-        for (int e = 0; e < factor.count(); e++) {
-            int row = factor.row(e);
-            if (rows.holdsPlace[row]) {
+        for (int e = 0; e < equations.count; e++) {
+            int row = equations.row[e];
+            if (row == EquationList.NONE) {
+                factor.ask(e, 0);
+            } else if (rows.isEquation(row) && rows.holdsPlace[row]) {
                 double off = jointRows.place(row) - rows.place[row];
                 factor.ask(e, -off / h);
                 double most = MISSED_PLACE * tolerance * jointRows.size();
@@ -292,35 +268,29 @@ final class CrowdSolver {
     private void correct(double h) {
         double most = Recovery.MOST_PUSH * Math.abs(h);
         double seen = MISSED_PLACE * tolerance;
-        for (int e = 0; e < factor.count(); e++) {
-            factor.ask(e, rows.along(factor.row(e), Motions.DX));
+        for (int e = 0; e < equations.count; e++) {
+            int row = equations.row[e];
+            factor.ask(e, row == EquationList.NONE ? 0 : rows.along(row, Motions.DX));
         }
-        boolean isAny = correctLimits(most, seen);
-        for (int e = 0; e < factor.count(); e++) {
-            int row = factor.row(e);
-            double off = rows.holdsPlace[row] ? rows.place[row] : 0;
-            isAny |= Math.abs(off) > seen;
-            double moved = rows.along(row, Motions.DX) - factor.answer(e);
-            factor.ask(e, -Math.max(-most, Math.min(most, off)) - moved);
+        boolean isAny = bounded.correct(most, seen);
+        for (int e = 0; e < equations.count; e++) {
+            int row = equations.row[e];
+            if (row != EquationList.NONE) {
+                boolean isHeld = rows.holdsPlace[row];
+                boolean isLimit = !rows.isEquation(row);
+                double off = isHeld ? isLimit ? Math.min(0, rows.place[row]) : rows.place[row] : 0;
+                isAny |= Math.abs(off) > seen;
+                double moved = rows.along(row, Motions.DX) - factor.answer(e);
+                factor.ask(e, -Math.max(-most, Math.min(most, off)) - moved);
+            }
         }
         if (isAny) {
             factor.solve();
-            for (int e = 0; e < factor.count(); e++) {
-                rows.move(factor.row(e), factor.answer(e), Motions.DX);
+            for (int e = 0; e < equations.count; e++) {
+                if (equations.row[e] != EquationList.NONE) {
+                    rows.move(equations.row[e], factor.answer(e), Motions.DX);
+                }
             }
         }
-    }
-
-    private boolean correctLimits(double most, double seen) {
-        boolean isAny = false;
-        for (int i = 0; i < boundedCount; i++) {
-            int row = bounded[i];
-            if (rows.holdsPlace[row] && rows.place[row] < -seen) {
-                isAny = true;
-                double off = Math.min(most, -rows.place[row]);
-                rows.move(row, off / rows.response[row], Motions.DX);
-            }
-        }
-        return isAny;
     }
 }

@@ -73,28 +73,35 @@ final class EquationFactor {
         return sum;
     }
 
-    int count() {
-        return equations.count;
+    /** The order in which they are eliminated. */
+    AssemblyTree tree() {
+        return tree;
     }
 
-    /** The row of an equation. */
-    int row(int equation) {
-        return equations.row[equation];
+    /** The equations that are factored, of which those with bounds may be exchanged. */
+    EquationList equations() {
+        return equations;
     }
 
-    private void layOut() {
+    /** Lists the equations of the rows as they are now; none with bounds holds. */
+    void layOut() {
         if (equations.list()) {
             tree.build();
+            reserve();
         }
     }
 
-    /** Factors the equations of the rows as they are now. */
+    /** Factors the equations that hold. */
     void factorize() {
-        layOut();
-        reserve();
-        int from = 0;
-        for (int n = 0; n < tree.count; n++) {
-            at[n] = from;
+        for (int group = 0; group < tree.groups; group++) {
+            factorize(group);
+        }
+    }
+
+    /** Factors those of one group. */
+    void factorize(int group) {
+        for (int n = tree.groupStart[group]; n < tree.groupStart[group + 1]; n++) {
+            int from = at[n];
             int size = tree.start[n + 1] - tree.start[n];
             if (tree.first[n] == AssemblyTree.NONE) {
                 assembleBody(n, size);
@@ -107,7 +114,6 @@ final class EquationFactor {
                 add(tree.second[n], from, size);
             }
             eliminate(n, size);
-            from += size * size;
         }
     }
 
@@ -117,6 +123,12 @@ final class EquationFactor {
         }
         if (at.length < tree.count) {
             at = new int[2 * tree.count];
+        }
+        int from = 0;
+        for (int n = 0; n < tree.count; n++) {
+            at[n] = from;
+            int size = tree.start[n + 1] - tree.start[n];
+            from += size * size;
         }
         if (place.length < equations.count) {
             place = new int[2 * equations.count];
@@ -150,7 +162,8 @@ final class EquationFactor {
         alongX[i] = 0;
         alongY[i] = 0;
         turning[i] = 0;
-        for (int k = 0; k < rows.bodies[row]; k++) {
+        int bodies = row == EquationList.NONE ? 0 : rows.bodies[row];
+        for (int k = 0; k < bodies; k++) {
             if (rows.body[row * NeutralRows.BODIES + k] == entry * Motions.STRIDE) {
                 int from = row * NeutralRows.DERIVATIVES + 3 * k;
                 alongX[i] += rows.derivative[from];
@@ -182,6 +195,10 @@ final class EquationFactor {
         for (int k = 0; k < own; k++) {
             int row = equations.row[tree.equation[tree.start[n] + k]];
             int pivotLine = from + k * size;
+            if (row == EquationList.NONE) {
+                s[pivotLine + k] = 0;
+                continue;
+            }
             double regular = NeutralRows.REGULAR * rows.response[row] + rows.give[row];
             double pivot = s[pivotLine + k] + regular;
             double least = SINGULAR * Math.max(rows.response[row], Double.MIN_NORMAL);
@@ -216,9 +233,18 @@ final class EquationFactor {
 
     /** Finds the pushes for what was asked. */
     void solve() {
+        for (int group = 0; group < tree.groups; group++) {
+            solve(group);
+        }
+    }
+
+    /** Finds those of one group. */
+    void solve(int group) {
         double[] x = unknown;
         int[] equation = tree.equation;
-        for (int n = 0; n < tree.count; n++) {
+        int from = tree.groupStart[group];
+        int to = tree.groupStart[group + 1];
+        for (int n = from; n < to; n++) {
             int start = tree.start[n];
             int size = tree.start[n + 1] - start;
             for (int k = 0; k < tree.own[n]; k++) {
@@ -232,7 +258,7 @@ final class EquationFactor {
                 }
             }
         }
-        for (int n = tree.count - 1; n >= 0; n--) {
+        for (int n = to - 1; n >= from; n--) {
             int start = tree.start[n];
             int size = tree.start[n + 1] - start;
             for (int k = tree.own[n] - 1; k >= 0; k--) {

@@ -6,9 +6,13 @@ import java.util.Arrays;
 
 /**
  * The rows of an island that are equations, numbered, and which bodies are in which of them. Only
- * bodies that impulses move count.
+ * bodies that impulses move count. Rows of a joint with bounds, one after the other, share the
+ * place of one equation, which stands for one of them or for none: so what holds may change without
+ * another order of elimination.
  */
 final class EquationList {
+
+    static final int NONE = -1;
 
     private final Motions motions;
     private final NeutralRows rows;
@@ -18,8 +22,13 @@ final class EquationList {
 
     int bodyCount;
 
-    /** By equation its row. */
+    /** By equation its row, or {@link #NONE} where none of its rows holds. */
     int[] row = new int[64];
+
+    /** By equation the first of its rows and how many they are; 0 where it always holds. */
+    int[] firstBounded = new int[64];
+
+    int[] boundedCount = new int[64];
 
     /** By body its entry of the motions. */
     int[] entry = new int[16];
@@ -40,7 +49,6 @@ final class EquationList {
     /** What the list was made of last: by derivative the offset of its body. */
     private int[] before = new int[256];
 
-    private int beforeCount;
     private int beforeBodies;
 
     EquationList(Motions motions, NeutralRows rows) {
@@ -48,30 +56,64 @@ final class EquationList {
         this.rows = rows;
     }
 
-    /** Lists the equations of the rows as they are now; whether they are others than before. */
+    /**
+     * Lists the equations of the rows as they are now, of bounded rows none; whether they are of
+     * other bodies than before.
+     */
     boolean list() {
         reserve();
-        int at = 0;
         boolean isOther = beforeBodies != motions.count;
+        int countBefore = count;
         count = 0;
         for (int i = 0; i < rows.count; i++) {
             if (rows.isEquation(i)) {
-                row[count++] = i;
-                for (int k = 0; k < NeutralRows.BODIES; k++) {
-                    int offset = k < rows.bodies[i] ? rows.body[i * NeutralRows.BODIES + k] : 0;
-                    int kept = isMoved(offset) ? offset : 0;
-                    isOther |= before[at] != kept;
-                    before[at++] = kept;
+                isOther |= add(i);
+                row[count - 1] = i;
+                boundedCount[count - 1] = 0;
+            } else if (mayHold(i)) {
+                if (!isOfLast(i)) {
+                    isOther |= add(i);
+                    row[count - 1] = NONE;
+                    firstBounded[count - 1] = i;
+                    boundedCount[count - 1] = 0;
                 }
+                boundedCount[count - 1]++;
             }
         }
-        isOther |= at != beforeCount;
-        beforeCount = at;
+        isOther |= count != countBefore;
         beforeBodies = motions.count;
         if (isOther) {
             link();
         }
         return isOther;
+    }
+
+    private boolean add(int i) {
+        boolean isOther = false;
+        int at = NeutralRows.BODIES * count++;
+        for (int k = 0; k < NeutralRows.BODIES; k++) {
+            int offset = k < rows.bodies[i] ? rows.body[i * NeutralRows.BODIES + k] : 0;
+            int kept = isMoved(offset) ? offset : 0;
+            isOther |= before[at + k] != kept;
+            before[at + k] = kept;
+        }
+        return isOther;
+    }
+
+    /** Whether a row with bounds may be within them for long. */
+    private boolean mayHold(int i) {
+        return rows.lower[i] < rows.upper[i]
+                && rows.twin[i] == NeutralRows.NONE
+                && rows.load[i] == NeutralRows.NONE;
+    }
+
+    /** Whether a row with bounds goes with those before it. */
+    private boolean isOfLast(int i) {
+        int last = count - 1;
+        return last >= 0
+                && boundedCount[last] > 0
+                && firstBounded[last] + boundedCount[last] == i
+                && rows.joint[firstBounded[last]] == rows.joint[i];
     }
 
     private boolean isMoved(int offset) {
@@ -83,6 +125,8 @@ final class EquationList {
         int rowCount = rows.bodies.length;
         if (row.length < rowCount) {
             row = new int[rowCount];
+            firstBounded = new int[rowCount];
+            boundedCount = new int[rowCount];
             bodyStart = new int[rowCount + 1];
             body = new int[rowCount * NeutralRows.BODIES];
             equation = new int[rowCount * NeutralRows.BODIES];
@@ -98,7 +142,7 @@ final class EquationList {
     }
 
     private void link() {
-        Arrays.fill(bodyOfEntry, 0, motions.count, AssemblyTree.NONE);
+        Arrays.fill(bodyOfEntry, 0, motions.count, NONE);
         bodyCount = 0;
         int at = 0;
         for (int e = 0; e < count; e++) {
@@ -107,7 +151,7 @@ final class EquationList {
                 int offset = before[e * NeutralRows.BODIES + k];
                 int of = offset / Motions.STRIDE;
                 if (offset != 0) {
-                    if (bodyOfEntry[of] == AssemblyTree.NONE) {
+                    if (bodyOfEntry[of] == NONE) {
                         bodyOfEntry[of] = bodyCount;
                         entry[bodyCount++] = of;
                     }
@@ -144,6 +188,11 @@ final class EquationList {
                 equation[equationStart[body[k] + 1]++] = e;
             }
         }
+    }
+
+    /** The body of an entry of the motions, or {@link #NONE}: it is in no equation. */
+    int bodyOfEntry(int of) {
+        return bodyOfEntry[of];
     }
 
     int bodyStart(int e) {

@@ -5,7 +5,6 @@ import rigibo.backend.contact.row.Motions;
 import rigibo.backend.contact.row.PackedContacts;
 import rigibo.backend.contact.row.Recovery;
 import rigibo.backend.contact.row.RowBuilder;
-import rigibo.backend.contact.solve.ContactSweep;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.SolveMethod;
 import rigibo.backend.storage.DataStorage;
@@ -136,7 +135,6 @@ public final class JointSolver {
             PackedContacts contacts,
             RowBuilder builder,
             FreshRows fresh,
-            ContactSweep sweep,
             Accuracy accuracy) {
         this.motions = motions;
         rows = new NeutralRows(motions);
@@ -168,7 +166,7 @@ public final class JointSolver {
         tolerance = accuracy.impactTolerance();
         crowd =
                 new CrowdSolver(
-                        motions, contacts, rows, jointRows, poses, packed, sweep, tolerance);
+                        motions, contacts, rows, jointRows, poses, packed, contactRows, accuracy);
         passes = new RowPasses(rows);
         stops = new Stops(data, motions, contacts, rows, jointRows, packed, tolerance);
         strikes =
@@ -332,7 +330,7 @@ public final class JointSolver {
     public void begin(double h) {
         isWhole &= !elimination.isSpent();
         if (!isWhole && isCrowd) {
-            crowd.begin(h);
+            crowd.begin(h, share);
         }
     }
 
@@ -349,7 +347,7 @@ public final class JointSolver {
      */
     public void solve(double h, int substep, double fastest, double noise) {
         if (!isWhole && isCrowd) {
-            crowd.solve(h, kicked, substep, fastest, share, noise);
+            crowd.solve(h, substep, fastest, noise);
             crowd.holdPlaces(h);
             results.add();
             return;
@@ -416,7 +414,7 @@ public final class JointSolver {
             }
         }
         if (!isWhole && isCrowd) {
-            crowd.solve(h, kicked, substep, fastest, share, noise);
+            crowd.solve(h, substep, fastest, noise);
             results.add();
             return;
         }
@@ -436,9 +434,15 @@ public final class JointSolver {
         results.add();
     }
 
+    /** Whether overlap is taken back with what joints are off their places. */
+    public boolean takesOverlapBack() {
+        return !isWhole && isCrowd;
+    }
+
     /** Takes back what joints are off their places, by moving bodies, in a substep of h seconds. */
     public void correct(double h) {
         if (!isWhole && isCrowd) {
+            crowd.correctOverlap(h);
             return;
         }
         poses.take(0);

@@ -76,22 +76,12 @@ public final class ContactSweep {
      * @param most passes
      */
     public void run(double h, double kick, int substep, double share, double quiet, int most) {
-        begin(h, kick, substep, share, quiet);
+        softness = h / kick;
+        begin(h, substep, share / h, quiet);
         int solved = 1;
         for (int pass = 0; pass < most && solved > 0; pass++) {
             solved = pass(pass % 2 == 1);
         }
-    }
-
-    /** Begins passes that are asked for one by one, with what {@link #run} is given. */
-    public void begin(double h, double kick, int substep, double share, double quiet) {
-        softness = h / kick;
-        begin(h, substep, share / h, quiet);
-    }
-
-    /** Notes that others changed the speed of an entry of the motions, m/s. */
-    public void note(int entry, double change) {
-        changed[entry] += change;
     }
 
     /**
@@ -115,8 +105,8 @@ public final class ContactSweep {
         return changed[entry];
     }
 
-    /** One pass, forth or back; returns how many contacts were due. */
-    public int pass(boolean isBack) {
+    /** Returns how many contacts were due. */
+    private int pass(boolean isBack) {
         int ground = contacts.groundStart;
         int solved = 0;
         for (int i = 0; i < contacts.count; i++) {

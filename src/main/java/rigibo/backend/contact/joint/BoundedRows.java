@@ -1,0 +1,240 @@
+package rigibo.backend.contact.joint;
+
+import rigibo.backend.contact.row.Motions;
+
+import java.util.Arrays;
+
+/**
+ * The rows with bounds in an island whose equations are eliminated: limits, motors, springs that
+ * only push with what is known. What is within its bounds holds as an equation does; what is at a
+ * bound is passed over (projected Gauss-Seidel), and may change sides in the first passes.
+ */
+final class BoundedRows {
+
+    private static final int NONE = EquationList.NONE;
+
+    private final Motions motions;
+    private final NeutralRows rows;
+    private final PackedJoints packed;
+    private final EquationList equations;
+    private final Responses responses;
+
+    /** All rows with bounds, and by row whether it holds. */
+    private int[] bounded = new int[64];
+
+    private int count;
+    private int jointRows;
+    private boolean[] holds = new boolean[64];
+
+    /** What joints give of what they carried in the kick before. */
+    private double share;
+
+    private long solves;
+
+    BoundedRows(
+            Motions motions,
+            NeutralRows rows,
+            PackedJoints packed,
+            EquationList equations,
+            Responses responses) {
+        this.responses = responses;
+        this.motions = motions;
+        this.rows = rows;
+        this.packed = packed;
+        this.equations = equations;
+    }
+
+    /** Rows solved since it was asked for last. */
+    long takeSolves() {
+        long sum = solves;
+        solves = 0;
+        return sum;
+    }
+
+    /** Begins with rows that were just listed, of which those hold that did in the kick before. */
+    void begin(double shareOfCarried) {
+        share = shareOfCarried;
+        if (holds.length < rows.count) {
+            holds = new boolean[rows.bodies.length];
+            bounded = new int[rows.bodies.length];
+        }
+        count = 0;
+        jointRows = rows.count;
+        for (int row = 0; row < rows.count; row++) {
+            holds[row] = false;
+            if (!rows.isEquation(row)) {
+                bounded[count++] = row;
+            }
+        }
+        for (int e = 0; e < equations.count; e++) {
+            for (int i = 0; i < equations.boundedCount[e]; i++) {
+                int row = equations.firstBounded[e] + i;
+                if (equations.row[e] == NONE && isWithin(row, carried(row))) {
+                    enter(e, row);
+                }
+            }
+        }
+    }
+
+    private double carried(int row) {
+        return share * packed.impulseOf(rows.joint[row], rows.part[row]);
+    }
+
+    private boolean isWithin(int row, double impulse) {
+        return impulse > rows.lower[row] && impulse < rows.upper[row];
+    }
+
+    private void enter(int e, int row) {
+        equations.row[e] = row;
+        holds[row] = true;
+    }
+
+    /** Gives what those that do not hold carried before. */
+    void warm() {
+        for (int i = 0; i < count; i++) {
+            int row = bounded[i];
+            rows.impulse[row] = holds[row] ? 0 : clamp(row, carried(row));
+        }
+    }
+
+    private double clamp(int row, double impulse) {
+        double lower = rows.lower[row];
+        double upper = rows.upper[row];
+        return impulse > upper ? upper : impulse < lower ? lower : impulse;
+    }
+
+    /** Whether there are any. */
+    boolean areAny() {
+        return count > 0;
+    }
+
+    /** Lists contacts, too, whose rows were written since. */
+    void addContacts() {
+        if (holds.length < rows.count) {
+            holds = Arrays.copyOf(holds, rows.bodies.length);
+            bounded = Arrays.copyOf(bounded, rows.bodies.length);
+        }
+        for (int row = jointRows; row < rows.count; row++) {
+            bounded[count++] = row;
+            holds[row] = false;
+            rows.impulse[row] = clamp(row, rows.impulse[row]);
+        }
+    }
+
+    /** Gives bodies what all that does not hold carries; the rest has carried nothing yet. */
+    void apply() {
+        for (int row = 0; row < rows.count; row++) {
+            if (rows.isEquation(row) || holds[row]) {
+                rows.impulse[row] = 0;
+            } else if (rows.impulse[row] != 0) {
+                rows.apply(row, rows.impulse[row]);
+            }
+        }
+    }
+
+    /** One pass over those that do not hold; how much it changed the speed of a row, m/s. */
+    double pass(boolean isBack) {
+        double most = 0;
+        for (int i = 0; i < count; i++) {
+            int row = bounded[isBack ? count - 1 - i : i];
+            if (!holds[row]) {
+                most = Math.max(most, solve(row));
+            }
+        }
+        return most;
+    }
+
+    private double solve(int row) {
+        double residual = responses.residual(row);
+        if (residual >= 0 && rows.impulse[row] <= rows.lower[row] && rows.load[row] == NONE) {
+            return 0;
+        }
+        if (rows.upper[row] == 0 && rows.impulse[row] == 0) {
+            return 0;
+        }
+        solves++;
+        double response = responses.own(row) + rows.give[row];
+        double change = clamp(row, rows.impulse[row] - residual / response) - rows.impulse[row];
+        if (change == 0) {
+            return 0;
+        }
+        rows.impulse[row] += change;
+        responses.push(row, change);
+        return Math.abs(change) * responses.own(row) * reach(row);
+    }
+
+    /** What makes a row's speed one of outlines: how far bodies reach that it turns, else 1. */
+    private double reach(int row) {
+        double most = 0;
+        for (int k = 0; k < rows.bodies[row]; k++) {
+            int at = row * NeutralRows.DERIVATIVES + 3 * k;
+            if (rows.derivative[at] != 0 || rows.derivative[at + 1] != 0) {
+                return 1;
+            }
+            int entry = rows.body[row * NeutralRows.BODIES + k] / Motions.STRIDE;
+            most = Math.max(most, motions.reach[entry]);
+        }
+        return most;
+    }
+
+    /**
+     * Lets rows cease to hold that are beyond their bounds, and others begin to that are within
+     * them if they may; whether there were any. Marks the groups that they are of.
+     */
+    boolean exchange(boolean mayEnter, AssemblyTree tree, boolean[] isOther) {
+        boolean isAny = false;
+        for (int e = 0; e < equations.count; e++) {
+            if (equations.boundedCount[e] > 0) {
+                boolean isChanged = leave(e);
+                if (!isChanged && mayEnter && equations.row[e] == NONE) {
+                    isChanged = enter(e);
+                }
+                if (isChanged) {
+                    isAny = true;
+                    isOther[tree.groupOf[equations.bodyOf(equations.bodyStart(e))]] = true;
+                }
+            }
+        }
+        return isAny;
+    }
+
+    private boolean leave(int e) {
+        int row = equations.row[e];
+        if (row == NONE) {
+            return false;
+        }
+        double within = clamp(row, rows.impulse[row]);
+        if (within == rows.impulse[row]) {
+            return false;
+        }
+        rows.impulse[row] = within;
+        holds[row] = false;
+        equations.row[e] = NONE;
+        return true;
+    }
+
+    private boolean enter(int e) {
+        for (int i = 0; i < equations.boundedCount[e]; i++) {
+            int row = equations.firstBounded[e] + i;
+            if (isWithin(row, rows.impulse[row])) {
+                enter(e, row);
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Moves bodies back that are beyond limits by more than what is seen, by so much at most. */
+    boolean correct(double most, double seen) {
+        boolean isAny = false;
+        for (int i = 0; i < count; i++) {
+            int row = bounded[i];
+            if (rows.holdsPlace[row] && rows.place[row] < -seen && !holds[row]) {
+                isAny = true;
+                double off = Math.min(most, -rows.place[row]);
+                rows.move(row, off / rows.response[row], Motions.DX);
+            }
+        }
+        return isAny;
+    }
+}

@@ -1,0 +1,94 @@
+package rigibo.backend.contact.joint;
+
+import rigibo.backend.contact.row.Motions;
+import rigibo.backend.contact.row.PackedContacts;
+import rigibo.backend.contact.row.Recovery;
+import rigibo.backend.setup.Accuracy;
+
+/**
+ * Takes overlap back in an island whose equations are eliminated, by moving bodies as impulses
+ * would: whole groups of joined bodies, so that joints stay closed.
+ */
+final class CrowdOverlap {
+
+    /** Passes in a substep; the next one goes on. */
+    private static final int PASSES = 6;
+
+    private final Motions motions;
+    private final PackedContacts contacts;
+    private final NeutralRows rows;
+    private final Responses responses;
+    private final Accuracy accuracy;
+
+    /** Rows of points that overlap, how far they are to part in m, and what pushes them, kg·m. */
+    private int[] deep = new int[16];
+
+    private double[] wanted = new double[16];
+    private double[] push = new double[16];
+    private int count;
+
+    CrowdOverlap(
+            Motions motions,
+            PackedContacts contacts,
+            NeutralRows rows,
+            Responses responses,
+            Accuracy accuracy) {
+        this.motions = motions;
+        this.contacts = contacts;
+        this.rows = rows;
+        this.responses = responses;
+        this.accuracy = accuracy;
+    }
+
+    /** Parts what overlaps, in a substep of h seconds whose rows are written. */
+    void correct(double h) {
+        find(h);
+        if (count == 0) {
+            return;
+        }
+        responses.rest();
+        for (int pass = 0; pass < PASSES; pass++) {
+            for (int i = 0; i < count; i++) {
+                part(pass % 2 == 0 ? i : count - 1 - i);
+            }
+        }
+        responses.move();
+    }
+
+    private void find(double h) {
+        if (deep.length < rows.count) {
+            deep = new int[rows.bodies.length];
+            wanted = new double[rows.bodies.length];
+            push = new double[rows.bodies.length];
+        }
+        count = 0;
+        double kept = Recovery.kept(contacts.count, accuracy);
+        for (int row = 0; row < rows.count; row++) {
+            if (rows.contact[row] != NeutralRows.NONE && rows.load[row] == NeutralRows.NONE) {
+                find(row, kept, h);
+            }
+        }
+    }
+
+    private void find(int row, double kept, double h) {
+        int contact = rows.contact[row];
+        int at = contact * PackedContacts.STRIDE;
+        double width = contacts.data[at + PackedContacts.WIDTH];
+        double gap = motions.gap(contacts, contact, rows.part[row] - PackedContacts.IMPULSE0);
+        double over = -gap - kept * width;
+        if (over > 0) {
+            double rate = contacts.data[at + PackedContacts.RECOVERY] * h;
+            deep[count] = row;
+            wanted[count] = Math.min(over * rate / (1 + rate), Recovery.MOST_PUSH * width * h);
+            push[count++] = 0;
+        }
+    }
+
+    private void part(int i) {
+        int row = deep[i];
+        double left = wanted[i] - responses.along(row);
+        double after = Math.max(0, push[i] + left / responses.own(row));
+        responses.push(row, after - push[i]);
+        push[i] = after;
+    }
+}

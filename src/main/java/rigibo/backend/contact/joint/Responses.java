@@ -1,0 +1,321 @@
+package rigibo.backend.contact.joint;
+
+import rigibo.backend.contact.row.Motions;
+
+import java.util.Arrays;
+
+/**
+ * What an impulse of a row gives to whole groups of joined bodies, whose equations it leaves alone:
+ * R = M⁻¹·jᵀ − M⁻¹·Jᵀ·K⁻¹·J·M⁻¹·jᵀ with j the row's derivatives. Velocities lie group by group, so
+ * that a push is one loop over each of the two groups that a row is between.
+ */
+final class Responses {
+
+    private static final int NONE = -1;
+
+    /** Bodies of a group up to which what each impulse gives all of them is worth its work. */
+    private static final int MOST_BODIES = 128;
+
+    /** Share of what free bodies answer below which an answer is round-off: joints hold all. */
+    private static final double LEAST = 1e-9;
+
+    /** Groups that a row can be between. */
+    private static final int SIDES = NeutralRows.BODIES;
+
+    private final Motions motions;
+    private final NeutralRows rows;
+    private final EquationFactor factor;
+    private final EquationList equations;
+    private final AssemblyTree tree;
+
+    /** Velocities, three by body. */
+    private double[] velocity = new double[64];
+
+    /** By entry of the motions where its velocity is; by group where those of its bodies are. */
+    private int[] place = new int[16];
+
+    private int[] groupPlace = new int[17];
+
+    /** By row whether its responses are known, and J·R, 1/kg. */
+    private boolean[] isKnown = new boolean[64];
+
+    private double[] own = new double[64];
+
+    /** By row and side: where its responses start, which velocities they are of, how many. */
+    private int[] start = new int[64 * SIDES];
+
+    private int[] target = new int[64 * SIDES];
+    private int[] length = new int[64 * SIDES];
+
+    private double[] response = new double[1024];
+    private int used;
+
+    Responses(Motions motions, NeutralRows rows, EquationFactor factor) {
+        this.motions = motions;
+        this.rows = rows;
+        this.factor = factor;
+        equations = factor.equations();
+        tree = factor.tree();
+    }
+
+    /** Begins with rows that were just written, and with the velocities of the motions. */
+    void begin() {
+        if (isKnown.length < rows.count) {
+            isKnown = new boolean[rows.bodies.length];
+            own = new double[rows.bodies.length];
+            start = new int[rows.bodies.length * SIDES];
+            target = new int[rows.bodies.length * SIDES];
+            length = new int[rows.bodies.length * SIDES];
+        }
+        if (place.length < motions.count) {
+            place = new int[motions.slots.length];
+            velocity = new double[3 * motions.slots.length];
+            groupPlace = new int[motions.slots.length + 1];
+        }
+        Arrays.fill(isKnown, 0, rows.count, false);
+        used = 0;
+        int end = 0;
+        for (int group = 0; group < tree.groups; group++) {
+            groupPlace[group] = end;
+            for (int i = tree.bodyStart[group]; i < tree.bodyStart[group + 1]; i++) {
+                place[equations.entry[tree.bodies[i]]] = end;
+                end += 3;
+            }
+        }
+        groupPlace[tree.groups] = end;
+        for (int entry = 1; entry < motions.count; entry++) {
+            if (equations.bodyOfEntry(entry) == NONE) {
+                place[entry] = end;
+                end += 3;
+            }
+        }
+        take();
+    }
+
+    /** Takes the velocities of the motions. */
+    void take() {
+        for (int entry = 1; entry < motions.count; entry++) {
+            System.arraycopy(
+                    motions.data, entry * Motions.STRIDE + Motions.VX, velocity, place[entry], 3);
+        }
+    }
+
+    /** Whether a group is so large that its bodies answer as if they were free. */
+    private boolean isLarge(int group) {
+        return tree.bodyStart[group + 1] - tree.bodyStart[group] > MOST_BODIES;
+    }
+
+    /** Whether there is a group so large that equations have to be brought back by others. */
+    boolean areAnyLarge() {
+        for (int group = 0; group < tree.groups; group++) {
+            if (isLarge(group)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Forgets the responses of rows of some groups, in which other equations hold. */
+    void forget(boolean[] isOther) {
+        for (int row = 0; row < rows.count; row++) {
+            for (int k = 0; k < rows.bodies[row]; k++) {
+                int entry = rows.body[row * NeutralRows.BODIES + k] / Motions.STRIDE;
+                int body = equations.bodyOfEntry(entry);
+                isKnown[row] &= body == NONE || !isOther[tree.groupOf[body]];
+            }
+        }
+    }
+
+    /** Takes displacements of nobody in place of velocities. */
+    void rest() {
+        Arrays.fill(velocity, 0, 3 * motions.count, 0);
+    }
+
+    /** Moves bodies by what is taken for their displacements. */
+    void move() {
+        for (int entry = 1; entry < motions.count; entry++) {
+            int at = entry * Motions.STRIDE;
+            motions.data[at + Motions.DX] += velocity[place[entry]];
+            motions.data[at + Motions.DY] += velocity[place[entry] + 1];
+            motions.data[at + Motions.TURN] += velocity[place[entry] + 2];
+        }
+    }
+
+    /** How far a row is from what it asks for, m/s or rad/s. */
+    double residual(int row) {
+        return along(row) + rows.give[row] * rows.impulse[row] - rows.target[row];
+    }
+
+    /** J·v, or J·x of displacements. */
+    double along(int row) {
+        double sum = 0;
+        for (int k = 0; k < rows.bodies[row]; k++) {
+            int at = row * NeutralRows.DERIVATIVES + 3 * k;
+            int v = place[rows.body[row * NeutralRows.BODIES + k] / Motions.STRIDE];
+            sum +=
+                    rows.derivative[at] * velocity[v]
+                            + rows.derivative[at + 1] * velocity[v + 1]
+                            + rows.derivative[at + 2] * velocity[v + 2];
+        }
+        return sum;
+    }
+
+    /** The speed that a unit impulse gives the row itself, 1/kg. */
+    double own(int row) {
+        if (!isKnown[row]) {
+            find(row);
+        }
+        return own[row];
+    }
+
+    /** Gives all bodies what a row's impulse gives them. */
+    void push(int row, double change) {
+        double[] r = response;
+        double[] v = velocity;
+        for (int side = row * SIDES; side < (row + 1) * SIDES && length[side] > 0; side++) {
+            int from = start[side];
+            int to = target[side];
+            int count = length[side];
+            for (int i = 0; i < count; i++) {
+                v[to + i] += change * r[from + i];
+            }
+        }
+    }
+
+    private void find(int row) {
+        int side = row * SIDES;
+        Arrays.fill(length, side, side + SIDES, 0);
+        for (int k = 0; k < rows.bodies[row]; k++) {
+            int entry = rows.body[row * NeutralRows.BODIES + k] / Motions.STRIDE;
+            int body = equations.bodyOfEntry(entry);
+            int group = body == NONE || isLarge(tree.groupOf[body]) ? NONE : tree.groupOf[body];
+            int to = group == NONE ? place[entry] : groupPlace[group];
+            if (!isListed(row, side, to)) {
+                int count = group == NONE ? 3 : groupPlace[group + 1] - to;
+                reserve(count);
+                start[side] = used;
+                target[side] = to;
+                length[side] = count;
+                Arrays.fill(response, used, used + count, 0);
+                used += count;
+                respond(row, side, group);
+                side++;
+            }
+        }
+        double sum = 0;
+        for (int k = 0; k < rows.bodies[row]; k++) {
+            int at = row * NeutralRows.DERIVATIVES + 3 * k;
+            int v = place[rows.body[row * NeutralRows.BODIES + k] / Motions.STRIDE];
+            for (int s = row * SIDES; s < side; s++) {
+                if (v >= target[s] && v < target[s] + length[s]) {
+                    int r = start[s] + v - target[s];
+                    sum +=
+                            rows.derivative[at] * response[r]
+                                    + rows.derivative[at + 1] * response[r + 1]
+                                    + rows.derivative[at + 2] * response[r + 2];
+                }
+            }
+        }
+        own[row] = Math.max(sum, LEAST * rows.response[row]);
+        isKnown[row] = true;
+    }
+
+    private boolean isListed(int row, int end, int to) {
+        for (int s = row * SIDES; s < end; s++) {
+            if (target[s] == to) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private void reserve(int count) {
+        if (response.length < used + count) {
+            response = Arrays.copyOf(response, 2 * (used + count));
+        }
+    }
+
+    /** Writes what a unit impulse of a row gives the bodies of one group, or one free body. */
+    private void respond(int row, int side, int group) {
+        if (group != NONE) {
+            askNothing(group);
+        }
+        for (int k = 0; k < rows.bodies[row]; k++) {
+            int offset = rows.body[row * NeutralRows.BODIES + k];
+            int to = place[offset / Motions.STRIDE] - target[side];
+            if (to >= 0 && to < length[side]) {
+                int at = row * NeutralRows.DERIVATIVES + 3 * k;
+                double x = motions.data[offset + Motions.INVERSE_MASS] * rows.derivative[at];
+                double y = motions.data[offset + Motions.INVERSE_MASS] * rows.derivative[at + 1];
+                double turn =
+                        motions.data[offset + Motions.INVERSE_INERTIA] * rows.derivative[at + 2];
+                response[start[side] + to] += x;
+                response[start[side] + to + 1] += y;
+                response[start[side] + to + 2] += turn;
+                int body = equations.bodyOfEntry(offset / Motions.STRIDE);
+                if (group != NONE) {
+                    askBack(body, offset, x, y, turn);
+                }
+            }
+        }
+        if (group != NONE) {
+            factor.solve(group);
+            addAnswers(side, group);
+        }
+    }
+
+    private void askNothing(int group) {
+        for (int n = tree.groupStart[group]; n < tree.groupStart[group + 1]; n++) {
+            for (int i = tree.start[n]; i < tree.start[n] + tree.own[n]; i++) {
+                factor.ask(tree.equation[i], 0);
+            }
+        }
+    }
+
+    /** Asks equations of a body to take back what its velocity changed them by. */
+    private void askBack(int body, int offset, double x, double y, double turn) {
+        for (int i = equations.equationStart(body); i < equations.equationEnd(body); i++) {
+            int e = equations.equationOf(i);
+            int row = equations.row[e];
+            if (row != NONE) {
+                double change = 0;
+                for (int k = 0; k < rows.bodies[row]; k++) {
+                    if (rows.body[row * NeutralRows.BODIES + k] == offset) {
+                        int at = row * NeutralRows.DERIVATIVES + 3 * k;
+                        change +=
+                                rows.derivative[at] * x
+                                        + rows.derivative[at + 1] * y
+                                        + rows.derivative[at + 2] * turn;
+                    }
+                }
+                factor.ask(e, factor.answer(e) - change);
+            }
+        }
+    }
+
+    private void addAnswers(int side, int group) {
+        for (int n = tree.groupStart[group]; n < tree.groupStart[group + 1]; n++) {
+            for (int i = tree.start[n]; i < tree.start[n] + tree.own[n]; i++) {
+                int row = equations.row[tree.equation[i]];
+                if (row != NONE) {
+                    addAnswer(side, row, factor.answer(tree.equation[i]));
+                }
+            }
+        }
+    }
+
+    private void addAnswer(int side, int row, double impulse) {
+        for (int k = 0; k < rows.bodies[row]; k++) {
+            int offset = rows.body[row * NeutralRows.BODIES + k];
+            double mass = motions.data[offset + Motions.INVERSE_MASS] * impulse;
+            double inertia = motions.data[offset + Motions.INVERSE_INERTIA] * impulse;
+            if (mass != 0 || inertia != 0) {
+                int at = row * NeutralRows.DERIVATIVES + 3 * k;
+                int to = start[side] + place[offset / Motions.STRIDE] - target[side];
+                response[to] += mass * rows.derivative[at];
+                response[to + 1] += mass * rows.derivative[at + 1];
+                response[to + 2] += inertia * rows.derivative[at + 2];
+            }
+        }
+    }
+}
