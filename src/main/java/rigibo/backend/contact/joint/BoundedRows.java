@@ -13,6 +13,9 @@ final class BoundedRows {
 
     private static final int NONE = EquationList.NONE;
 
+    /** m or rad up to which a limit that carried is taken to carry again. */
+    private static final double CLOSED = 1e-4;
+
     private final Motions motions;
     private final NeutralRows rows;
     private final PackedJoints packed;
@@ -69,7 +72,8 @@ final class BoundedRows {
         for (int e = 0; e < equations.count; e++) {
             for (int i = 0; i < equations.boundedCount[e]; i++) {
                 int row = equations.firstBounded[e] + i;
-                if (equations.row[e] == NONE && isWithin(row, carried(row))) {
+                boolean isClosed = !rows.holdsPlace[row] || rows.place[row] < CLOSED;
+                if (isClosed && equations.row[e] == NONE && isWithin(row, carried(row))) {
                     enter(e, row);
                 }
             }
@@ -118,6 +122,19 @@ final class BoundedRows {
             bounded[count++] = row;
             holds[row] = false;
             rows.impulse[row] = clamp(row, rows.impulse[row]);
+        }
+    }
+
+    /** Lets nothing with bounds hold or carry. */
+    void release() {
+        for (int i = 0; i < count; i++) {
+            holds[bounded[i]] = false;
+            rows.impulse[bounded[i]] = clamp(bounded[i], 0);
+        }
+        for (int e = 0; e < equations.count; e++) {
+            if (equations.boundedCount[e] > 0) {
+                equations.row[e] = NONE;
+            }
         }
     }
 
@@ -232,7 +249,7 @@ final class BoundedRows {
             if (rows.holdsPlace[row] && rows.place[row] < -seen && !holds[row]) {
                 isAny = true;
                 double off = Math.min(most, -rows.place[row]);
-                rows.move(row, off / rows.response[row], Motions.DX);
+                responses.displace(row, off / rows.response[row]);
             }
         }
         return isAny;

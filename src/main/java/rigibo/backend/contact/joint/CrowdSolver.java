@@ -138,26 +138,32 @@ final class CrowdSolver {
         bounded.addContacts();
         responses.begin();
         double quiet = QUIET * fastest;
-        run(quiet);
-        if (!motions.isAnyDriven && gained() > noise + GAINED * freeEnergy) {
-            restart();
-            run(quiet);
+        run(quiet, true);
+        double most = noise + GAINED * freeEnergy;
+        if (!motions.isAnyDriven && !(gained() <= most)) {
+            bounded.release();
+            factor.factorize();
+            responses.begin();
+            run(quiet, false);
+            if (!(gained() <= most)) {
+                bounded.release();
+                settle();
+            }
         }
         contactRows.store();
     }
 
-    /** Begins from nothing: what bodies had carried was too much. */
-    private void restart() {
-        for (int row = 0; row < rows.count; row++) {
-            rows.impulse[row] = 0;
-        }
+    /** Whether a row may do work: of a spring, or of a motor that does not only brake. */
+    private boolean drives(int row) {
+        boolean isBrake = rows.target[row] == 0 && rows.lower[row] < rows.upper[row];
+        return rows.joint[row] != NeutralRows.NONE && !rows.holdsPlace[row] && !isBrake;
     }
 
-    /** J that contacts and what joints hold have added: all but the work of springs and motors. */
+    /** J that was gained by other impulses than those that may do work. */
     private double gained() {
         double sum = motions.energy(motions.data) - freeEnergy;
         for (int row = 0; row < rows.count; row++) {
-            if (rows.joint[row] != NeutralRows.NONE && !rows.holdsPlace[row]) {
+            if (drives(row)) {
                 sum -= rows.impulse[row] * (freeSpeed[row] + rows.speed(row)) / 2;
             }
         }
@@ -165,10 +171,10 @@ final class CrowdSolver {
     }
 
     /** Lets passes and exchanges follow each other until nothing changes any more. */
-    private void run(double quiet) {
+    private void run(double quiet, boolean mayExchange) {
         int passes = responses.areAnyLarge() ? 1 : PASSES;
         settle();
-        boolean isOpen = exchange(true) || bounded.areAny();
+        boolean isOpen = mayExchange && exchange(true) || bounded.areAny();
         for (int pass = 0; isOpen && pass < MOST_PASSES; ) {
             responses.take();
             rows.bound();
@@ -177,7 +183,11 @@ final class CrowdSolver {
                 change = bounded.pass(pass++ % 2 == 1);
             }
             settle();
-            isOpen = exchange(pass <= PASSES) || change > quiet;
+            isOpen = change > quiet;
+            if (mayExchange && pass < MOST_PASSES) {
+                // After the last pass nothing would answer what others hold from then on.
+                isOpen |= exchange(pass <= PASSES);
+            }
         }
     }
 
@@ -268,29 +278,32 @@ final class CrowdSolver {
     private void correct(double h) {
         double most = Recovery.MOST_PUSH * Math.abs(h);
         double seen = MISSED_PLACE * tolerance;
-        for (int e = 0; e < equations.count; e++) {
-            int row = equations.row[e];
-            factor.ask(e, row == EquationList.NONE ? 0 : rows.along(row, Motions.DX));
-        }
+        responses.begin();
+        responses.rest();
         boolean isAny = bounded.correct(most, seen);
         for (int e = 0; e < equations.count; e++) {
             int row = equations.row[e];
-            if (row != EquationList.NONE) {
-                boolean isHeld = rows.holdsPlace[row];
-                boolean isLimit = !rows.isEquation(row);
-                double off = isHeld ? isLimit ? Math.min(0, rows.place[row]) : rows.place[row] : 0;
-                isAny |= Math.abs(off) > seen;
-                double moved = rows.along(row, Motions.DX) - factor.answer(e);
-                factor.ask(e, -Math.max(-most, Math.min(most, off)) - moved);
-            }
+            double off = row == EquationList.NONE ? 0 : off(row);
+            isAny |= Math.abs(off) > seen;
+            double moved = row == EquationList.NONE ? 0 : responses.along(row);
+            factor.ask(e, -Math.max(-most, Math.min(most, off)) - moved);
         }
         if (isAny) {
             factor.solve();
             for (int e = 0; e < equations.count; e++) {
                 if (equations.row[e] != EquationList.NONE) {
-                    rows.move(equations.row[e], factor.answer(e), Motions.DX);
+                    responses.displace(equations.row[e], factor.answer(e));
                 }
             }
+            responses.move(most);
         }
+    }
+
+    /** How far a row that holds is off its place, m or rad. */
+    private double off(int row) {
+        if (!rows.holdsPlace[row]) {
+            return 0;
+        }
+        return rows.isEquation(row) ? rows.place[row] : Math.min(0, rows.place[row]);
     }
 }

@@ -61,8 +61,7 @@ final class EquationList {
      * other bodies than before.
      */
     boolean list() {
-        reserve();
-        boolean isOther = beforeBodies != motions.count;
+        boolean isOther = reserve() | beforeBodies != motions.count;
         int countBefore = count;
         count = 0;
         for (int i = 0; i < rows.count; i++) {
@@ -121,8 +120,10 @@ final class EquationList {
                 || motions.data[offset + Motions.INVERSE_INERTIA] > 0;
     }
 
-    private void reserve() {
+    /** Makes room; whether what was listed before is lost by that. */
+    private boolean reserve() {
         int rowCount = rows.bodies.length;
+        boolean isAny = row.length < rowCount || entry.length < motions.count;
         if (row.length < rowCount) {
             row = new int[rowCount];
             firstBounded = new int[rowCount];
@@ -130,15 +131,14 @@ final class EquationList {
             bodyStart = new int[rowCount + 1];
             body = new int[rowCount * NeutralRows.BODIES];
             equation = new int[rowCount * NeutralRows.BODIES];
-        }
-        if (before.length < rowCount * NeutralRows.BODIES) {
-            before = Arrays.copyOf(before, rowCount * NeutralRows.BODIES);
+            before = new int[rowCount * NeutralRows.BODIES];
         }
         if (entry.length < motions.count) {
             entry = new int[motions.slots.length];
             bodyOfEntry = new int[motions.slots.length];
             equationStart = new int[motions.slots.length + 2];
         }
+        return isAny;
     }
 
     private void link() {

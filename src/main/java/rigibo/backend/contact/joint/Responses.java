@@ -16,8 +16,11 @@ final class Responses {
     /** Bodies of a group up to which what each impulse gives all of them is worth its work. */
     private static final int MOST_BODIES = 128;
 
-    /** Share of what free bodies answer below which an answer is round-off: joints hold all. */
-    private static final double LEAST = 1e-9;
+    /**
+     * Least answer that is reckoned with, as a share of what free bodies answer: where joints hold
+     * all that an impulse pushes, it would grow beyond what limits and motors can answer.
+     */
+    private static final double LEAST = 1e-3;
 
     /** Groups that a row can be between. */
     private static final int SIDES = NeutralRows.BODIES;
@@ -131,13 +134,42 @@ final class Responses {
         Arrays.fill(velocity, 0, 3 * motions.count, 0);
     }
 
-    /** Moves bodies by what is taken for their displacements. */
-    void move() {
+    /**
+     * Moves bodies by what is taken for their displacements, or by a share of all, so that no
+     * outline goes farther than so many m: what joints hold nearly all of would throw others about.
+     */
+    void move(double most) {
+        double farthest = 0;
+        for (int entry = 1; entry < motions.count; entry++) {
+            int v = place[entry];
+            double way =
+                    Math.abs(velocity[v])
+                            + Math.abs(velocity[v + 1])
+                            + motions.reach[entry] * Math.abs(velocity[v + 2]);
+            farthest = Math.max(farthest, way);
+        }
+        double share = farthest > most ? most / farthest : 1;
         for (int entry = 1; entry < motions.count; entry++) {
             int at = entry * Motions.STRIDE;
-            motions.data[at + Motions.DX] += velocity[place[entry]];
-            motions.data[at + Motions.DY] += velocity[place[entry] + 1];
-            motions.data[at + Motions.TURN] += velocity[place[entry] + 2];
+            motions.data[at + Motions.DX] += share * velocity[place[entry]];
+            motions.data[at + Motions.DY] += share * velocity[place[entry] + 1];
+            motions.data[at + Motions.TURN] += share * velocity[place[entry] + 2];
+        }
+    }
+
+    /** Adds to displacements what an impulse of a row would give its own bodies alone, kg·m. */
+    void displace(int row, double change) {
+        for (int k = 0; k < rows.bodies[row]; k++) {
+            int offset = rows.body[row * NeutralRows.BODIES + k];
+            int at = row * NeutralRows.DERIVATIVES + 3 * k;
+            int to = place[offset / Motions.STRIDE];
+            double linear = motions.data[offset + Motions.INVERSE_MASS] * change;
+            velocity[to] += linear * rows.derivative[at];
+            velocity[to + 1] += linear * rows.derivative[at + 1];
+            velocity[to + 2] +=
+                    motions.data[offset + Motions.INVERSE_INERTIA]
+                            * change
+                            * rows.derivative[at + 2];
         }
     }
 
