@@ -45,6 +45,7 @@ final class JointedIslands {
     private final Stages stages;
     private final JointedKicks kicks;
     private final JointedParts parts;
+    private final Substeps fewer;
 
     JointedIslands(
             DataStorage data,
@@ -68,6 +69,7 @@ final class JointedIslands {
         FreshRows fresh = new FreshRows(data, narrowphase, motions, contacts, builder);
         declared = new DeclaredRows(data, effects, motions, contacts, kick, fresh, straight);
         joints = new JointSolver(data, motions, contacts, builder, fresh, accuracy);
+        fewer = new Substeps(data);
         stages = new Stages(data.bodies, motions, forces == null && !drags, accuracy);
         OverlapSolver wanted = isCorrecting ? overlap : null;
         kicks = new JointedKicks(motions, contacts, kick, warmStart, wanted, joints, stages);
@@ -95,7 +97,12 @@ final class JointedIslands {
     }
 
     private int substepsFor(int island, double dt) {
-        int usual = joints.substepsFor(island, dt, accuracy.substeps());
+        boolean areMany = joints.areCrowd(island);
+        int most = accuracy.substeps();
+        int usual =
+                areMany
+                        ? fewer.ofJointed(island, dt, most)
+                        : joints.substepsFor(island, dt, most);
         return declared.substepsFor(island, dt, usual);
     }
 

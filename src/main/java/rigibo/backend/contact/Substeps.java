@@ -35,6 +35,18 @@ final class Substeps {
         return way >= FAR ? usual : (int) Math.max(1, Math.ceil(usual * way / FAR));
     }
 
+    /**
+     * The same of an island whose equations alone are eliminated: what it carries is held at any
+     * length of substep, and what it neglects grows with the square of the way.
+     */
+    int ofJointed(int island, double dt, int usual) {
+        if (usual == 1 || isDriven(island)) {
+            return usual;
+        }
+        double way = dt * fastest(island);
+        return way >= FAR ? usual : (int) Math.max(1, Math.ceil(usual * way / FAR));
+    }
+
     /** Whether something pushes the island at a speed of its own. */
     private boolean isDriven(int island) {
         for (int i = islands.pairStart[island]; i < islands.pairStart[island + 1]; i++) {

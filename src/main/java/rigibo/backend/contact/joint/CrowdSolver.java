@@ -15,14 +15,14 @@ import java.util.Arrays;
  */
 final class CrowdSolver {
 
-    /** Passes in a substep at most; the next one begins with what they came to. */
+    /** Passes in a usual substep at most; the next one begins with what they came to. */
     private static final int MOST_PASSES = 24;
 
     /** Passes before what holds is found anew. */
     private static final int PASSES = 8;
 
     /** Share of the fastest speed below which a change does not count. */
-    private static final double QUIET = 0.03;
+    private static final double QUIET = 0.003;
 
     /** Newton's steps to where equations hold at the end of a drift. */
     private static final int MOST_STEPS = 3;
@@ -58,6 +58,7 @@ final class CrowdSolver {
     private double[] freeSpeed = new double[64];
 
     private double freeEnergy;
+    private int mostPasses;
 
     CrowdSolver(
             Motions motions,
@@ -94,6 +95,11 @@ final class CrowdSolver {
     /** Rows solved since it was asked for last. */
     long takeSolves() {
         return bounded.takeSolves();
+    }
+
+    /** Begins an island that is given fewer, longer substeps, each of which stands for several. */
+    void beginIsland(int usual, int substeps) {
+        mostPasses = MOST_PASSES * Math.max(1, usual / substeps);
     }
 
     /**
@@ -175,7 +181,7 @@ final class CrowdSolver {
         int passes = responses.areAnyLarge() ? 1 : PASSES;
         settle();
         boolean isOpen = mayExchange && exchange(true) || bounded.areAny();
-        for (int pass = 0; isOpen && pass < MOST_PASSES; ) {
+        for (int pass = 0; isOpen && pass < mostPasses; ) {
             responses.take();
             rows.bound();
             double change = Double.POSITIVE_INFINITY;
@@ -184,7 +190,7 @@ final class CrowdSolver {
             }
             settle();
             isOpen = change > quiet;
-            if (mayExchange && pass < MOST_PASSES) {
+            if (mayExchange && pass < mostPasses) {
                 // After the last pass nothing would answer what others hold from then on.
                 isOpen |= exchange(pass <= PASSES);
             }

@@ -8,6 +8,7 @@ import rigibo.backend.contact.row.RowBuilder;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.SolveMethod;
 import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.Islands;
 
 /**
  * Solves the joints of an island, with its contacts, for one substep after the other: velocities in
@@ -57,6 +58,9 @@ public final class JointSolver {
 
     /** Rows up to which an island whose contacts may open and close is eliminated. */
     private static final int MOST_ROWS = 60;
+
+    /** Rows of a contact or a joint, at least, as a rule. */
+    private static final int LEAST_ROWS = 2;
 
     /**
      * Rows of an island that is small: its impacts are at their time, and what its equations do in
@@ -123,6 +127,7 @@ public final class JointSolver {
 
     private final TautSubsteps taut;
     private final double tolerance;
+    private final Islands islands;
 
     /** By row: how far it is to be moved, m or rad. */
     private double[] wanted = new double[64];
@@ -163,6 +168,7 @@ public final class JointSolver {
                         accuracy.impactTolerance());
         taut = new TautSubsteps(data);
         results = new JointResults(data, packed, rows);
+        islands = data.islands;
         tolerance = accuracy.impactTolerance();
         crowd =
                 new CrowdSolver(
@@ -192,6 +198,14 @@ public final class JointSolver {
         worth = isLimited ? WORTH : WORTH_IF_EXACT;
     }
 
+    /** Whether an island is too large for its contacts and limits to be eliminated. */
+    public boolean areCrowd(int island) {
+        int contactCount = islands.pairStart[island + 1] - islands.pairStart[island];
+        int jointCount = islands.jointStart[island + 1] - islands.jointStart[island];
+        int least = LEAST_ROWS * (contactCount + jointCount);
+        return contactCount > 0 && least > MOST_ROWS;
+    }
+
     /** How many substeps an island needs for a step of dt seconds, usually as usual. */
     public int substepsFor(int island, double dt, int usual) {
         return taut.count(island, dt, usual);
@@ -199,6 +213,7 @@ public final class JointSolver {
 
     /** Begins with the joints of an island whose bodies and contacts are packed. */
     public void pack(int island, double firstKick, int substepsOfIsland) {
+        boolean areMany = areCrowd(island);
         packed.pack(island, firstKick);
         strikes.watchNothing();
         stops.begin(2 * firstKick);
@@ -211,7 +226,6 @@ public final class JointSolver {
         contactRows.write(2 * firstKick, 0);
         isSmall = rows.count <= FEW_ROWS;
         mostStrikes = isSmall ? STRUCK_ROWS / Math.max(1, rows.count) : 0;
-        boolean areMany = rows.count > MOST_ROWS && contactRows.areAny();
         double one = elimination.workOfAll();
         isWhole = !areMany && one <= worth;
         isCrowd = true;
@@ -220,6 +234,7 @@ public final class JointSolver {
         double most = Math.min(LARGEST_ELIMINATIONS * worth, Math.max(least, eliminations));
         elimination.beginIsland(most);
         passes.begin();
+        crowd.beginIsland(substeps, substepsOfIsland);
         int affordable = SOLVES / (substepsOfIsland * Math.max(1, rows.count));
         mostPasses = Math.max(LEAST_PASSES, Math.min(PASSES_PER_SUBSTEP * substeps, affordable));
         kicked = firstKick;
