@@ -100,9 +100,7 @@ final class JointedIslands {
         boolean areMany = joints.areCrowd(island);
         int most = accuracy.substeps();
         int usual =
-                areMany
-                        ? fewer.ofJointed(island, dt, most)
-                        : joints.substepsFor(island, dt, most);
+                areMany ? fewer.ofJointed(island, dt, most) : joints.substepsFor(island, dt, most);
         return declared.substepsFor(island, dt, usual);
     }
 

@@ -82,11 +82,6 @@ final class CrowdSolver {
         overlap = new CrowdOverlap(motions, contacts, rows, responses, accuracy);
     }
 
-    /** How many numbers the factor of the rows takes as they are now. */
-    double workOfAll() {
-        return factor.workOfAll();
-    }
-
     /** Multiplications made since it was asked for last. */
     double takeWork() {
         return factor.takeWork();

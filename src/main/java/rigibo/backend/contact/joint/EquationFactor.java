@@ -50,22 +50,6 @@ final class EquationFactor {
         tree = new AssemblyTree(equations);
     }
 
-    /** Multiplications that one elimination of the rows as they are now takes, at most. */
-    double workOfAll() {
-        layOut();
-        double sum = 0;
-        for (int n = 0; n < tree.count; n++) {
-            double size = tree.start[n + 1] - tree.start[n];
-            sum += size * size * (1 + tree.own[n] / 2.0);
-        }
-        return sum;
-    }
-
-    /** How many numbers its squares hold. */
-    long room() {
-        return tree.room;
-    }
-
     /** Multiplications made since it was asked for last. */
     double takeWork() {
         double sum = work;

@@ -71,10 +71,8 @@ public final class JointSolver {
     /** Rows times impacts that an island is worth in a substep. */
     private static final int STRUCK_ROWS = 1000;
 
-    /** Passes over rows in a substep for each substep of a step; and over places. */
+    /** Passes over rows in a substep for each substep of a step. */
     private static final int PASSES_PER_SUBSTEP = 20;
-
-    private static final int PASSES_OVER_PLACES = 6;
 
     /** What stops are there, which of them are watched, and what happens when they are reached. */
     private final Stops stops;
@@ -96,9 +94,6 @@ public final class JointSolver {
     private final RowWork work;
     private final RowPasses passes;
     private final CrowdSolver crowd;
-
-    /** Whether equations alone are eliminated, and the rest is passed over. */
-    private boolean isCrowd;
 
     private final int substeps;
 
@@ -228,7 +223,6 @@ public final class JointSolver {
         mostStrikes = isSmall ? STRUCK_ROWS / Math.max(1, rows.count) : 0;
         double one = elimination.workOfAll();
         isWhole = !areMany && one <= worth;
-        isCrowd = true;
         double eliminations = ELIMINATIONS * one * substepsOfIsland;
         double least = isSmall ? LEAST_WORTH : 0;
         double most = Math.min(LARGEST_ELIMINATIONS * worth, Math.max(least, eliminations));
@@ -344,14 +338,14 @@ public final class JointSolver {
     /** Begins a part of h seconds whose rows are written, before its kick. */
     public void begin(double h) {
         isWhole &= !elimination.isSpent();
-        if (!isWhole && isCrowd) {
+        if (!isWhole) {
             crowd.begin(h, share);
         }
     }
 
     /** Notes how bodies move after the kick, before they get what contacts carried. */
     public void takeFree() {
-        if (!isWhole && isCrowd) {
+        if (!isWhole) {
             crowd.takeFree();
         }
     }
@@ -361,7 +355,7 @@ public final class JointSolver {
      * seconds.
      */
     public void solve(double h, int substep, double fastest, double noise) {
-        if (!isWhole && isCrowd) {
+        if (!isWhole) {
             crowd.solve(h, substep, fastest, noise);
             crowd.holdPlaces(h);
             results.add();
@@ -369,10 +363,6 @@ public final class JointSolver {
         }
         contactRows.write(h, substep);
         double settled = SETTLED * tolerance * fastest;
-        if (!isWhole) {
-            pass(settled);
-            return;
-        }
         work.begin();
         solver.begin();
         boolean isSolved = solver.solve(settled);
@@ -400,44 +390,21 @@ public final class JointSolver {
         return motions.energy(motions.data);
     }
 
-    private void pass(double settled) {
-        work.begin();
-        for (int row = 0; row < rows.count; row++) {
-            boolean isJoint = rows.joint[row] != NeutralRows.NONE;
-            if (isJoint && rows.lower[row] < rows.upper[row]) {
-                rows.push(row, share * packed.impulseOf(rows.joint[row], rows.part[row]));
-            }
-        }
-        passes.run(mostPasses, settled);
-        if (!(work.sum() <= MOST_WORK * energy())) {
-            work.takeBack();
-            work.rest();
-            passes.run(mostPasses, settled);
-        }
-        finish();
-    }
-
     /** Solves them at the end of the last kick, after which nothing drifts. */
     public void solveAtRest(double h, int substep, double fastest, double noise) {
-        if (isWhole || !isCrowd) {
-            contactRows.write(h, substep);
-        }
         for (int row = 0; row < rows.count; row++) {
             if (rows.holdsPlace[row] && !rows.isEquation(row)) {
                 // What carried a load carries on, whatever gap of round-off is left.
                 rows.target[row] = stops.load(row) > 0 ? 0 : -Math.max(0, rows.place[row]) / h;
             }
         }
-        if (!isWhole && isCrowd) {
+        if (!isWhole) {
             crowd.solve(h, substep, fastest, noise);
             results.add();
             return;
         }
+        contactRows.write(h, substep);
         double settled = SETTLED * tolerance * fastest;
-        if (!isWhole) {
-            pass(settled);
-            return;
-        }
         work.begin();
         solver.begin();
         secure(solver.solve(settled), settled);
@@ -451,12 +418,12 @@ public final class JointSolver {
 
     /** Whether overlap is taken back with what joints are off their places. */
     public boolean takesOverlapBack() {
-        return !isWhole && isCrowd;
+        return !isWhole;
     }
 
     /** Takes back what joints are off their places, by moving bodies, in a substep of h seconds. */
     public void correct(double h) {
-        if (!isWhole && isCrowd) {
+        if (!isWhole) {
             crowd.correctOverlap(h);
             return;
         }
@@ -468,7 +435,7 @@ public final class JointSolver {
         boolean isAny = false;
         for (int row = 0; row < rows.count; row++) {
             wanted[row] = 0;
-            if (rows.holdsPlace[row] && (!isWhole || elimination.isIn(row))) {
+            if (rows.holdsPlace[row] && elimination.isIn(row)) {
                 double place = jointRows.place(row);
                 double off = rows.isEquation(row) ? place : Math.min(0, place);
                 double size = jointRows.size();
@@ -477,9 +444,7 @@ public final class JointSolver {
                 isAny |= Math.abs(off) > MISSED * tolerance * size + 2 * jointRows.roundOff();
             }
         }
-        if (isAny && !isWhole) {
-            passes.move(PASSES_OVER_PLACES, wanted);
-        } else if (isAny) {
+        if (isAny) {
             // Contacts might contradict: what is moved into them is taken back by itself.
             leaveContactsOut();
             elimination.solve(way);
