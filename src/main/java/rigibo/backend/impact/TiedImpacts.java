@@ -18,38 +18,30 @@ import java.util.Arrays;
 public final class TiedImpacts {
 
     /** Passes after which impacts count as ones without an answer. */
-    public static final int MOST_PASSES = 300;
+    private static final int MOST_PASSES = 300;
 
     /** A change of speed that is round-off, as a share of the fastest approach. */
-    private static final double ROUND_OFF = 1e-15;
+    private static final double ROUND_OFF = 1e-14;
 
     /** How many times faster than the fastest row impacts without an answer may leave one. */
     private static final double MOST_LEVERAGE = 2;
 
-    /** Doubles per row, and where each quantity sits. */
-    private static final int STRIDE = 9;
+    /** Passes between two eliminations: they find anew which rows carry something. */
+    private static final int PASSES_EACH = 4;
 
-    private static final int DX = 0;
-    private static final int DY = 1;
-    private static final int LEVER_A = 2;
-    private static final int LEVER_B = 3;
-    private static final int RESPONSE = 4;
-    private static final int TARGET = 5;
-    private static final int IMPULSE = 6;
-    private static final int FRICTION = 7;
-    private static final int SPEED_BEFORE = 8;
+    /** What is left must have shrunk to this share since the last elimination; else it cycles. */
+    private static final double SHRINKS = 0.5;
+
+    /** What solving a row takes, in multiplications of an elimination. */
+    static final int WORK_OF_ROW = 60;
 
     private final Bodies bodies;
     private final Pairs pairs;
-    private double[] row = new double[16 * STRIDE];
-    private int[] pairOf = new int[16];
+    private final TiedRows rows;
+    private final TiedElimination elimination;
 
-    /** For a tangent row its number of normal rows, which stand before it; 0 for a normal row. */
-    private int[] points = new int[16];
-
-    private int count;
     private double fastest;
-    private int passes;
+    private double work;
 
     /** How many solutions have changed something so far. */
     private int changes;
@@ -65,11 +57,13 @@ public final class TiedImpacts {
     public TiedImpacts(Bodies bodies, Pairs pairs) {
         this.bodies = bodies;
         this.pairs = pairs;
+        rows = new TiedRows(bodies, pairs);
+        elimination = new TiedElimination(rows);
     }
 
     /** Begins another instant. */
     public void clear() {
-        count = 0;
+        rows.count = 0;
         fastest = 0;
         changes = 0;
     }
@@ -79,61 +73,34 @@ public final class TiedImpacts {
         for (int i = 0; i < impact.points; i++) {
             double speed = impact.parting(i);
             fastest = Math.max(fastest, -speed);
-            add(pair, impact.normalX, impact.normalY, impact, i, i);
-            row[(count - 1) * STRIDE + TARGET] = speed < 0 ? -elasticity * speed : 0;
+            int row = add(pair, impact.normalX, impact.normalY, impact, i, i);
+            rows.target[row] = speed < 0 ? -elasticity * speed : 0;
         }
         if (impact.friction > 0 && impact.points > 0) {
-            add(pair, -impact.normalY, impact.normalX, impact, 0, impact.points - 1);
-            row[(count - 1) * STRIDE + FRICTION] = impact.friction;
-            row[(count - 1) * STRIDE + TARGET] = impact.surfaceSpeed;
-            points[count - 1] = impact.points;
+            int last = impact.points - 1;
+            int row = add(pair, -impact.normalY, impact.normalX, impact, 0, last);
+            rows.makeTangent(row, impact.points, impact.friction);
+            rows.target[row] = impact.surfaceSpeed;
         }
     }
 
-    /** A row through the middle of two of the impact's points. */
-    private void add(int pair, double x, double y, Impact impact, int i, int j) {
-        if (count == pairOf.length) {
-            row = Arrays.copyOf(row, 2 * count * STRIDE);
-            pairOf = Arrays.copyOf(pairOf, 2 * count);
-            points = Arrays.copyOf(points, 2 * count);
-            answered = Arrays.copyOf(answered, 2 * count);
+    private int add(int pair, double x, double y, Impact impact, int i, int j) {
+        int row = rows.add(pair, x, y, impact, i, j);
+        if (answered.length <= row) {
+            answered = Arrays.copyOf(answered, rows.pair.length);
         }
-        double leverA =
-                ((impact.armAX[i] + impact.armAX[j]) * y - (impact.armAY[i] + impact.armAY[j]) * x)
-                        / 2;
-        double leverB =
-                ((impact.armBX[i] + impact.armBX[j]) * y - (impact.armBY[i] + impact.armBY[j]) * x)
-                        / 2;
-        int at = count * STRIDE;
-        Arrays.fill(row, at, at + STRIDE, 0);
-        row[at + DX] = x;
-        row[at + DY] = y;
-        row[at + LEVER_A] = leverA;
-        row[at + LEVER_B] = leverB;
-        row[at + RESPONSE] =
-                impact.inverseMassA
-                        + impact.inverseMassB
-                        + impact.inverseInertiaA * leverA * leverA
-                        + impact.inverseInertiaB * leverB * leverB;
         if (movedBy.length < bodies.type.length) {
             movedBy = Arrays.copyOf(movedBy, bodies.type.length);
         }
-        pairOf[count] = pair;
-        movedBy[pairs.bodyA[pair]] = 0;
-        movedBy[pairs.bodyB[pair]] = 0;
-        answered[count] = NONE;
-        points[count++] = 0;
-        row[at + SPEED_BEFORE] = speed(count - 1);
+        movedBy[rows.bodyA[row]] = 0;
+        movedBy[rows.bodyB[row]] = 0;
+        answered[row] = NONE;
+        return row;
     }
 
-    /** How many rows a pass goes over. */
-    public int rows() {
-        return count;
-    }
-
-    /** How many passes the last impacts took after the first. */
-    public int passes() {
-        return passes;
+    /** What the last impacts took, in multiplications. */
+    public double work() {
+        return work;
     }
 
     /**
@@ -141,19 +108,38 @@ public final class TiedImpacts {
      * the impacts have an answer: between a driven body and a wall nothing can part from both.
      */
     public boolean resolve() {
-        boolean isAnswered = solve(MOST_PASSES);
+        boolean isAnswered = solve(Double.POSITIVE_INFINITY);
         keep(isAnswered);
         return isAnswered;
     }
 
-    /** Changes velocities alone. Returns whether so many passes came to an answer. */
-    public boolean solve(int mostPasses) {
+    /**
+     * Changes velocities alone. Returns whether passes came to an answer, for no more than so many
+     * multiplications.
+     */
+    public boolean solve(double worth) {
         double settled = ROUND_OFF * fastest;
-        passes = 0;
-        while (pass() > settled && passes < mostPasses) {
-            passes++;
+        double last = Double.POSITIVE_INFINITY;
+        work = 0;
+        for (int pass = 1; pass <= MOST_PASSES && work <= worth; pass++) {
+            double change = pass();
+            if (change <= settled) {
+                return true;
+            }
+            if (pass % PASSES_EACH == 0 && change <= SHRINKS * last) {
+                last = eliminate() ? change : 0;
+            }
         }
-        return passes < mostPasses;
+        return false;
+    }
+
+    /** Returns whether there was something to be solved at once. */
+    private boolean eliminate() {
+        double multiplications = elimination.solve(fastest);
+        work += multiplications;
+        // All bodies have moved: every row is asked anew.
+        Arrays.fill(answered, 0, rows.count, NONE);
+        return multiplications > 0;
     }
 
     /** Adds up the impulses of the pairs, once they add no energy; or no speed, if unanswered. */
@@ -162,9 +148,9 @@ public final class TiedImpacts {
         if (!isAnswered) {
             limitSpeed();
         }
-        for (int i = 0; i < count; i++) {
-            if (points[i] == 0) {
-                pairs.tellImpulse(pairOf[i], row[i * STRIDE + IMPULSE]);
+        for (int i = 0; i < rows.count; i++) {
+            if (rows.points[i] == 0) {
+                pairs.tellImpulse(rows.pair[i], rows.impulse[i]);
             }
         }
     }
@@ -173,12 +159,11 @@ public final class TiedImpacts {
     private void limitEnergy() {
         double linear = 0;
         double quadratic = 0;
-        for (int i = 0; i < count; i++) {
-            int at = i * STRIDE;
+        for (int i = 0; i < rows.count; i++) {
             // What a running surface does to what it carries is work of its drive.
-            double driven = points[i] > 0 ? row[at + TARGET] : 0;
-            linear += row[at + IMPULSE] * (row[at + SPEED_BEFORE] - driven);
-            quadratic += row[at + IMPULSE] * (speed(i) - row[at + SPEED_BEFORE]) / 2;
+            double driven = rows.points[i] > 0 ? rows.target[i] : 0;
+            linear += rows.impulse[i] * (rows.speedBefore[i] - driven);
+            quadratic += rows.impulse[i] * (rows.speed(i) - rows.speedBefore[i]) / 2;
         }
         if (linear + quadratic > 0) {
             scale(Math.max(0, -linear / quadratic));
@@ -188,14 +173,14 @@ public final class TiedImpacts {
     /** Scales all impulses back until no row is much faster than the fastest one was. */
     private void limitSpeed() {
         double most = 0;
-        for (int i = 0; i < count; i++) {
-            most = Math.max(most, Math.abs(row[i * STRIDE + SPEED_BEFORE]));
+        for (int i = 0; i < rows.count; i++) {
+            most = Math.max(most, Math.abs(rows.speedBefore[i]));
         }
         double limit = MOST_LEVERAGE * most;
         double share = 1;
-        for (int i = 0; i < count; i++) {
-            double before = row[i * STRIDE + SPEED_BEFORE];
-            double change = speed(i) - before;
+        for (int i = 0; i < rows.count; i++) {
+            double before = rows.speedBefore[i];
+            double change = rows.speed(i) - before;
             if (Math.abs(before + share * change) > limit) {
                 share = (limit - Math.abs(before)) / Math.abs(change);
             }
@@ -204,9 +189,8 @@ public final class TiedImpacts {
     }
 
     private void scale(double share) {
-        for (int i = 0; i < count; i++) {
-            push(i, (share - 1) * row[i * STRIDE + IMPULSE]);
-            row[i * STRIDE + IMPULSE] *= share;
+        for (int i = 0; i < rows.count; i++) {
+            rows.push(i, (share - 1) * rows.impulse[i]);
         }
     }
 
@@ -216,69 +200,39 @@ public final class TiedImpacts {
      */
     private double pass() {
         double most = 0;
-        for (int i = 0; i < count; i++) {
-            int a = pairs.bodyA[pairOf[i]];
-            int b = pairs.bodyB[pairOf[i]];
-            if (Math.max(movedBy[a], movedBy[b]) > answered[i]) {
-                most = Math.max(most, solveRow(i, a, b));
+        int solved = 0;
+        for (int i = 0; i < rows.count; i++) {
+            if (Math.max(movedBy[rows.bodyA[i]], movedBy[rows.bodyB[i]]) > answered[i]) {
+                most = Math.max(most, solveRow(i));
+                solved++;
             }
         }
+        work += WORK_OF_ROW * solved;
         return most;
     }
 
-    private double solveRow(int i, int a, int b) {
-        int at = i * STRIDE;
-        double old = row[at + IMPULSE];
-        double wanted = old + (row[at + TARGET] - speed(i)) / row[at + RESPONSE];
-        double limited = points[i] == 0 ? Math.max(0, wanted) : withinCone(i, wanted);
-        if (limited != old) {
-            row[at + IMPULSE] = limited;
-            push(i, limited - old);
+    private double solveRow(int i) {
+        double old = rows.impulse[i];
+        double wanted = old + (rows.target[i] - rows.speed(i)) / rows.response[i];
+        double limited = rows.points[i] == 0 ? Math.max(0, wanted) : withinCone(i, wanted);
+        double change = limited - old;
+        if (change != 0) {
+            rows.push(i, change);
+            rows.impulse[i] = limited;
             changes++;
-            movedBy[a] = bodies.isDynamic(a) ? changes : 0;
-            movedBy[b] = bodies.isDynamic(b) ? changes : 0;
+            noteMoved(rows.bodyA[i]);
+            noteMoved(rows.bodyB[i]);
         }
         answered[i] = changes;
-        return Math.abs(limited - old) * row[at + RESPONSE];
+        return Math.abs(change) * rows.response[i];
+    }
+
+    private void noteMoved(int slot) {
+        movedBy[slot] = bodies.isDynamic(slot) ? changes : 0;
     }
 
     private double withinCone(int tangent, double wanted) {
-        double normal = 0;
-        for (int i = tangent - points[tangent]; i < tangent; i++) {
-            normal += row[i * STRIDE + IMPULSE];
-        }
-        double most = row[tangent * STRIDE + FRICTION] * normal;
+        double most = rows.cone(tangent);
         return Math.max(-most, Math.min(most, wanted));
-    }
-
-    /** How fast B moves against A along a row, m/s. */
-    private double speed(int i) {
-        int at = i * STRIDE;
-        int a = pairs.bodyA[pairOf[i]];
-        int b = pairs.bodyB[pairOf[i]];
-        return row[at + DX] * (bodies.velocityX[b] - bodies.velocityX[a])
-                + row[at + DY] * (bodies.velocityY[b] - bodies.velocityY[a])
-                + row[at + LEVER_B] * bodies.spinOf(b)
-                - row[at + LEVER_A] * bodies.spinOf(a);
-    }
-
-    private void push(int i, double impulse) {
-        int at = i * STRIDE;
-        double x = row[at + DX] * impulse;
-        double y = row[at + DY] * impulse;
-        push(pairs.bodyA[pairOf[i]], -x, -y, -row[at + LEVER_A] * impulse);
-        push(pairs.bodyB[pairOf[i]], x, y, row[at + LEVER_B] * impulse);
-    }
-
-    private void push(int slot, double x, double y, double turn) {
-        // An impulse beyond all bounds would move even what has no inverse mass: 0·∞.
-        if (!bodies.isDynamic(slot)) {
-            return;
-        }
-        bodies.velocityX[slot] += bodies.inverseMass[slot] * x;
-        bodies.velocityY[slot] += bodies.inverseMass[slot] * y;
-        if (bodies.turns()) {
-            bodies.spin[slot] += bodies.inverseInertia[slot] * turn;
-        }
     }
 }

@@ -26,9 +26,6 @@ final class SimultaneousImpacts {
     /** Impacts in one substep; a longer chain goes on in the next one. */
     private static final int MOST_IMPACTS = 32;
 
-    /** What a pass over a row takes, in multiplications of an elimination. */
-    private static final double WORK_OF_ROW = 60;
-
     /** Gap up to which a contact takes part, as a multiple of the overlap that is left alone. */
     private static final double TOUCHING = 10;
 
@@ -209,13 +206,9 @@ final class SimultaneousImpacts {
                 add(row, time);
             }
         }
-        double workOfPass = WORK_OF_ROW * together.rows();
-        double affordable = Math.ceil(left / workOfPass);
-        int most = (int) Math.min(TiedImpacts.MOST_PASSES, affordable);
-        boolean isAnswered = together.solve(most);
-        double work = (1 + together.passes()) * workOfPass;
-        left -= work;
-        contacts.work.multiplications += work;
+        boolean isAnswered = together.solve(left);
+        left -= together.work();
+        contacts.work.multiplications += together.work();
         if (isAnswered || left > 0) {
             together.keep(isAnswered);
             noteStrikes(time);
