@@ -70,6 +70,9 @@ final class IslandSolver {
     /** Rotation in a step, rad, by which loads may change their direction before the next one. */
     private static final double MOST_TURN = 0.5;
 
+    /** Gap in widths that counts as closed in a calm island where a contact carries. */
+    private static final double CLOSED = 3e-5;
+
     private final Islands islands;
     private final Accuracy accuracy;
     private final Motions motions;
@@ -273,6 +276,9 @@ final class IslandSolver {
                 rounds.forget();
             }
         }
+        if (isWhole && rounds.isCalm()) {
+            closeLoadedGaps(CLOSED);
+        }
         isWhole = isWhole && rounds.settle(h, kicked, substep, fastest, limit);
         if (!isWhole) {
             passes.advance(h, kicked, substep, unanswered(), limit);
@@ -379,7 +385,7 @@ final class IslandSolver {
     private void endKick(double time, double h, int substep) {
         declared.bend(0, isWhole ? 0 : h);
         if (isWhole) {
-            closeLoadedGaps();
+            closeLoadedGaps(PairTolerances.TOUCHING_GAP);
         }
         kick.accelerate(middle, time);
         middle = time;
@@ -400,14 +406,15 @@ final class IslandSolver {
     }
 
     /**
-     * Closes gaps that round-off opened under contacts that carried a load in the last substep:
-     * such a contact must not fall for half a kick.
+     * Closes gaps that round-off, or what passes left, opened under contacts that carried a load in
+     * the last substep: such a contact must not fall for half a kick, and in a calm island not all
+     * redundant points could close their gaps at once.
      */
-    private void closeLoadedGaps() {
+    private void closeLoadedGaps(double share) {
         double[] d = contacts.data;
         for (int row = 0; row < contacts.count; row++) {
             int at = row * PackedContacts.STRIDE;
-            double touching = PairTolerances.TOUCHING_GAP * d[at + PackedContacts.WIDTH];
+            double touching = share * d[at + PackedContacts.WIDTH];
             for (int point = 0; point < contacts.points[row]; point++) {
                 double gap = motions.gap(contacts, row, point);
                 if (d[at + PackedContacts.IMPULSE0 + point] > 0 && gap > 0 && gap < touching) {

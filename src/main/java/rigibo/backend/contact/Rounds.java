@@ -48,7 +48,7 @@ public final class Rounds {
     private static final double SHRINKS = 0.5;
 
     /** How many times the work of passes elimination is worth; less at fewer substeps. */
-    private static final double WORTH = 3;
+    private static final double WORTH = 1;
 
     /**
      * How many times the work of passes elimination is worth in an island that hardly moves: once
@@ -69,7 +69,7 @@ public final class Rounds {
     private static final double LEAST_WORTH = 20_000;
 
     /** Multiplications that the impacts of the smallest island are worth in a step. */
-    private static final double LEAST_WORTH_OF_IMPACTS = 1e6;
+    private static final double LEAST_WORTH_OF_IMPACTS = 3e5;
 
     /** What passes take in multiplications: by a contact in a substep, mostly six times. */
     private static final double WORK_OF_PASSES = 6 * 60;
@@ -98,6 +98,9 @@ public final class Rounds {
     private final double worthIfCalm;
 
     private boolean isCalm;
+
+    /** Speed that counts as none in the present round, m/s. */
+    private double settled;
 
     public Rounds(
             Motions motions,
@@ -142,6 +145,11 @@ public final class Rounds {
         return isDirect && direct.prepare(Math.max(LEAST_WORTH, ofContact * contacts.count));
     }
 
+    /** Whether the packed island hardly moves. */
+    boolean isCalm() {
+        return isCalm;
+    }
+
     /** Multiplications that the impacts of so many kicks are worth, be the island calm or not. */
     double worthOfImpacts(int kicks) {
         return Math.max(LEAST_WORTH_OF_IMPACTS, worth * kicks * contacts.count);
@@ -180,52 +188,55 @@ public final class Rounds {
         return true;
     }
 
-    /** Goes on until nothing is left, which at rest it is after the first round. */
+    /**
+     * Goes on until nothing is left, which at rest it is after the first round; a calm island goes
+     * on as long as that brings it nearer. Newton's method is tried as long as it does; where it
+     * does not, its round is taken back and elimination goes on.
+     */
     private boolean settleRows(double h, double kicked, int substep, double fastest) {
-        if (isCalm) {
-            return settleCalmRows(h, kicked, substep);
-        }
+        double enough = isCalm ? LEFT_IF_CALM / SETTLED_IF_CALM : 1;
+        int newtonFrom = isCalm ? 0 : 1;
+        boolean isNewton = false;
         double last = Double.POSITIVE_INFINITY;
         for (int i = 0; i < most && !direct.isSpent(); i++) {
-            double change = sweep.once(h, substep);
-            double settled = Math.max(share * fastest, ROUND_OFF * contacts.strongestAnswer());
-            if (change <= settled) {
+            double left = left(h, kicked, substep, fastest);
+            boolean isNoNearer = left > SHRINKS * last;
+            if (left <= 1 || isNoNearer && last <= enough) {
+                if (left > last) {
+                    halfway.takeBack();
+                }
                 return true;
             }
-            halfway.begin();
-            direct.solve(h, substep, settled);
-            if (change > SHRINKS * last) {
-                halfway.end();
+            if (isNewton && isNoNearer) {
+                halfway.takeBack();
+                newtonFrom = most;
+                isNoNearer = false;
+                left = last;
             }
-            last = change;
+            halfway.begin();
+            isNewton = i >= newtonFrom && direct.solveByNewton(h, substep, settled, isCalm);
+            if (!isNewton) {
+                direct.solve(h, substep, settled, isCalm);
+                if (isNoNearer) {
+                    halfway.end();
+                }
+            }
+            last = left;
         }
         sweep.once(h, substep);
         return false;
     }
 
-    /** Goes on as long as that brings it nearer, by the body that is the farthest from it. */
-    private boolean settleCalmRows(double h, double kicked, int substep) {
-        double last = Double.POSITIVE_INFINITY;
-        for (int i = 0; i < most && !direct.isSpent(); i++) {
-            sweep.once(h, substep);
-            own.measure(kicked);
-            double change = changeOfOwn();
-            boolean isNoNearer = change > SHRINKS * last;
-            if (change <= SETTLED_IF_CALM || isNoNearer && last <= LEFT_IF_CALM) {
-                if (change > last) {
-                    halfway.takeBack();
-                }
-                return true;
-            }
-            halfway.begin();
-            direct.solveNearby(h, substep, SETTLED_IF_CALM * leastOwn());
-            if (isNoNearer) {
-                halfway.end();
-            }
-            last = change;
+    /** What a pass over the rows finds left, as a multiple of what may be left. */
+    private double left(double h, double kicked, int substep, double fastest) {
+        double change = sweep.once(h, substep);
+        if (!isCalm) {
+            settled = Math.max(share * fastest, ROUND_OFF * contacts.strongestAnswer());
+            return change / settled;
         }
-        sweep.once(h, substep);
-        return false;
+        own.measure(kicked);
+        settled = SETTLED_IF_CALM * leastOwn();
+        return changeOfOwn() / SETTLED_IF_CALM;
     }
 
     /** The most that the last pass changed the speed of a body, as a share of its own loads. */

@@ -21,7 +21,7 @@ final class ContactOrder {
     /** The contacts in their order, and for each contact its place in it. */
     int[] order = new int[64];
 
-    private int[] place = new int[64];
+    int[] place = new int[64];
 
     /** For each place the first place whose contact shares a body with the one here. */
     int[] firstNeighbour = new int[64];
@@ -29,9 +29,9 @@ final class ContactOrder {
     /**
      * The contacts of body {@code b}: {@code ofBodies[start[b]]} to {@code ofBodies[start[b + 1]]}.
      */
-    private int[] start = new int[65];
+    int[] start = new int[65];
 
-    private int[] ofBodies = new int[128];
+    int[] ofBodies = new int[128];
 
     ContactOrder(Motions motions, PackedContacts contacts) {
         this.motions = motions;

@@ -1,12 +1,11 @@
 package rigibo.backend.contact.solve;
 
-import static rigibo.backend.contact.row.SingleRows.ROWS_PER_CONTACT;
-import static rigibo.backend.contact.row.SingleRows.TANGENT;
+import static rigibo.backend.contact.solve.FlatRows.KINDS;
+import static rigibo.backend.contact.solve.FlatRows.TANGENT;
 
 import rigibo.backend.contact.row.Motions;
 import rigibo.backend.contact.row.PackedContacts;
 import rigibo.backend.contact.row.Recovery;
-import rigibo.backend.contact.row.SingleRows;
 
 import java.util.Arrays;
 
@@ -33,33 +32,35 @@ public final class DirectSolver {
     private static final int TRIES_PER_SUBSTEP = 8;
 
     /** Multiplications that a row takes in one try beside those of factoring. */
-    private static final int WORK_OF_ROW = 100;
+    private static final int WORK_OF_ROW = 60;
 
     private final Motions motions;
     private final PackedContacts contacts;
     private final OverlapSolver overlap;
-    private final SingleRows single;
+    private final FlatRows rows;
     private final ContactOrder order;
     private final RowFactor factor;
+    private final NewtonSolver newton;
     private final int mostTries;
 
     /** Multiplications that a substep is worth. */
     private double worth;
 
-    /** The rows of the present set: 3·contact + point, or + 2 for the tangent. */
+    /** The present set of {@link FlatRows}, in their order. */
     private int[] set = new int[64];
 
     private int size;
 
     private double[] unknown = new double[64];
 
-    /** By how much the rows of the set moved last, and each contact's bound of friction, N·s. */
+    /** By how much the rows of the set moved last, N·s. */
     private double[] moved = new double[64];
 
+    /** By place in the order: the bound of the contact's friction, N·s. */
     private double[] cone = new double[64];
 
-    /** By row: the impulse up to which it does not give way, N·s. */
-    private double[] kept = new double[64];
+    /** Whether the rows are laid out as they are. */
+    private boolean isLaidOut;
 
     /** A load that gives a row less speed than this in m/s is none. */
     private double least;
@@ -73,9 +74,10 @@ public final class DirectSolver {
         this.motions = motions;
         this.contacts = contacts;
         this.overlap = overlap;
-        single = new SingleRows(motions, contacts);
         order = new ContactOrder(motions, contacts);
-        factor = new RowFactor(contacts, single, order);
+        rows = new FlatRows(motions, contacts, order);
+        factor = new RowFactor(contacts, rows, order);
+        newton = new NewtonSolver(motions, contacts, order, rows, factor);
         mostTries = TRIES_PER_SUBSTEP * substeps;
     }
 
@@ -96,6 +98,7 @@ public final class DirectSolver {
     /** The rows are not what they were: a factor of them is worth nothing. */
     public void forget() {
         factor.forget();
+        isLaidOut = false;
     }
 
     /** Begins a substep: what was spent counts anew. */
@@ -120,44 +123,70 @@ public final class DirectSolver {
 
     /**
      * Brings the rows to rest against each other, for a substep of h seconds, but for a speed of
-     * {@code settled} m/s. Of the many ways to share a load it finds the one with the least
-     * impulses.
+     * {@code settled} m/s.
+     *
+     * @param isNearby finds the impulses nearest to those that there are, and not the least ones,
+     *     which may be far, beyond a cone or a pull: a heap at rest would be taken apart on the way
+     *     to them. What is squeezed in vain must not be solved so, for its impulses would grow for
+     *     as long as it lasts.
      */
-    public void solve(double h, int substep, double settled) {
-        reserve();
-        Arrays.fill(kept, 0, ROWS_PER_CONTACT * contacts.count, 0);
-        solveKept(h, substep, settled);
+    public void solve(double h, int substep, double settled, boolean isNearby) {
+        if (!isUncoupled()) {
+            read(h, isNearby);
+            Arrays.fill(rows.sliding, 0, contacts.count, 0);
+            solveRead(substep, settled);
+            rows.write();
+        }
     }
 
     /**
-     * Finds the nearest of them instead: a row gives way by what it gains from here on. The one
-     * with the least impulses may be far, beyond a cone or a pull, and a heap at rest would be
-     * taken apart on the way to it. What is squeezed in vain must not be solved so: its impulses
-     * would grow for as long as it lasts.
+     * The same near the solution, by Coulomb's law itself: what slides rubs by the load that is
+     * found, and not by that of before. Returns whether that was possible; if not, all is as it
+     * was.
      */
-    public void solveNearby(double h, int substep, double settled) {
-        reserve();
-        for (int id = 0; id < ROWS_PER_CONTACT * contacts.count; id++) {
-            kept[id] = impulse(id);
+    public boolean solveByNewton(double h, int substep, double settled, boolean isNearby) {
+        if (isUncoupled()) {
+            return true;
         }
-        solveKept(h, substep, settled);
+        read(h, isNearby);
+        boolean isSolved = newton.solve(substep, settled, worth);
+        if (isSolved) {
+            rows.write();
+        }
+        return isSolved;
     }
 
-    private void solveKept(double h, int substep, double settled) {
-        if (isUncoupled()) {
-            return;
+    private void read(double h, boolean isNearby) {
+        layOut();
+        rows.read(h);
+        if (isNearby) {
+            System.arraycopy(rows.impulse, 0, rows.kept, 0, KINDS * contacts.count);
+        } else {
+            Arrays.fill(rows.kept, 0, KINDS * contacts.count, 0);
         }
+    }
+
+    /** Lays the rows out, if they are not what they were. */
+    private void layOut() {
+        if (!isLaidOut) {
+            rows.layOut();
+            isLaidOut = true;
+        }
+    }
+
+    private void solveRead(int substep, double settled) {
+        reserve();
         least = settled;
-        chooseLoaded(h, substep);
-        for (int i = 0; i < mostTries && !isSpent() && !isSolved(h, TO_SPARE * settled); i++) {
+        chooseLoaded(substep);
+        for (int i = 0; i < mostTries && !isSpent() && !isSolved(TO_SPARE * settled); i++) {
             factor.factorize(set, size);
             factor.addWork(WORK_OF_ROW * size);
             for (int k = 0; k < size; k++) {
-                unknown[k] = -approach(set[k], h);
+                unknown[k] = -rows.approach(set[k]);
             }
             factor.solve(unknown);
-            if (stepToAllBounds(h)) {
-                chooseLoaded(h, substep);
+            if (stepToAllBounds()) {
+                chooseLoaded(substep);
             } else {
                 stepToFirstBound();
             }
@@ -166,15 +195,17 @@ public final class DirectSolver {
 
     /** Takes the overlap of loaded rows back, or of all that overlap where nothing is loaded. */
     public void correct(double h, int substep) {
-        if (factor.size() == 0) {
+        if (factor.size() == 0 || !factor.isSymmetric()) {
+            layOut();
+            Arrays.fill(rows.sliding, 0, contacts.count, 0);
             chooseOverlapping(h, substep);
             factor.factorize(set, size);
         }
         size = factor.writeSet(set);
         double widest = 0;
         for (int i = 0; i < size; i++) {
-            int row = set[i] / ROWS_PER_CONTACT;
-            int kind = set[i] % ROWS_PER_CONTACT;
+            int row = order.order[set[i] / KINDS];
+            int kind = set[i] % KINDS;
             unknown[i] = kind == TANGENT ? 0 : overlap.wanted(row, kind, h);
             if (unknown[i] > 0) {
                 widest =
@@ -187,7 +218,7 @@ public final class DirectSolver {
             factor.solve(unknown);
             keepPlaces();
             for (int i = 0; i < size; i++) {
-                single.push(set[i], unknown[i], Motions.DX, Motions.DY, Motions.TURN);
+                rows.move(set[i], unknown[i]);
             }
             limitWay(Recovery.MOST_PUSH * widest * h);
         }
@@ -201,7 +232,7 @@ public final class DirectSolver {
             if (contacts.firstSubstep[row] <= substep) {
                 for (int point = 0; point < contacts.points[row]; point++) {
                     if (overlap.wanted(row, point, h) > 0 || isOnGround(row, point)) {
-                        set[size++] = ROWS_PER_CONTACT * row + point;
+                        set[size++] = KINDS * i + point;
                     }
                 }
             }
@@ -245,24 +276,22 @@ public final class DirectSolver {
         }
     }
 
-    private void chooseLoaded(double h, int substep) {
-        reserve();
+    private void chooseLoaded(int substep) {
         size = 0;
-        for (int i = 0; i < contacts.count; i++) {
-            if (contacts.firstSubstep[order.order[i]] <= substep) {
-                chooseLoadedOf(order.order[i], h);
+        for (int place = 0; place < contacts.count; place++) {
+            if (contacts.firstSubstep[order.order[place]] <= substep) {
+                chooseLoadedOf(place);
             }
         }
     }
 
     private void reserve() {
-        if (set.length < ROWS_PER_CONTACT * contacts.count) {
-            int capacity = ROWS_PER_CONTACT * contacts.pair.length;
+        if (set.length < KINDS * contacts.count) {
+            int capacity = KINDS * contacts.pair.length;
             set = new int[capacity];
             unknown = new double[capacity];
             moved = new double[capacity];
-            cone = new double[capacity];
-            kept = new double[capacity];
+            cone = new double[contacts.pair.length];
         }
     }
 
@@ -270,55 +299,41 @@ public final class DirectSolver {
      * Adds a contact's rows that carry load after their own next change. A row that is about to let
      * go would only shorten the step of all others.
      */
-    private void chooseLoadedOf(int row, double h) {
+    private void chooseLoadedOf(int place) {
         int before = size;
+        int row = order.order[place];
+        double load = 0;
         for (int point = 0; point < contacts.points[row]; point++) {
-            int id = ROWS_PER_CONTACT * row + point;
-            if (answerAfterOwnChange(id, h) > least) {
-                set[size++] = id;
+            int k = KINDS * place + point;
+            load += rows.impulse[k];
+            if (answerAfterOwnChange(k) > least) {
+                set[size++] = k;
             }
         }
-        cone[row] = friction(row);
-        int tangent = ROWS_PER_CONTACT * row + TANGENT;
-        double most = cone[row] * single.response(tangent, tangent);
-        if (size > before && Math.abs(answerAfterOwnChange(tangent, h)) < most) {
+        cone[place] = contacts.data[row * PackedContacts.STRIDE + PackedContacts.FRICTION] * load;
+        int tangent = KINDS * place + TANGENT;
+        double most = cone[place] * rows.answer[tangent];
+        if (size > before && Math.abs(answerAfterOwnChange(tangent)) < most) {
             set[size++] = tangent;
         }
     }
 
     /** The speed that a row's impulse gives it, m/s, with the impulse that would solve it alone. */
-    private double answerAfterOwnChange(int id, double h) {
-        double impulse = impulse(id);
-        double response = single.response(id, id);
-        return response * (impulse - approach(id, h) / (response + single.give(id)));
-    }
-
-    private double friction(int row) {
-        double[] d = contacts.data;
-        int at = row * PackedContacts.STRIDE;
-        return d[at + PackedContacts.FRICTION]
-                * (d[at + PackedContacts.IMPULSE0] + d[at + PackedContacts.IMPULSE1]);
-    }
-
-    /** Speed in m/s at which a row violates what it asks for. */
-    private double approach(int id, double h) {
-        int row = id / ROWS_PER_CONTACT;
-        int kind = id % ROWS_PER_CONTACT;
-        double v = single.relative(id, Motions.VX, Motions.VY, Motions.SPIN);
-        double given = v + single.give(id) * (impulse(id) - kept[id]) - single.ownSpeed(id);
-        return kind == TANGENT ? given : given + Math.max(0, motions.gap(contacts, row, kind)) / h;
+    private double answerAfterOwnChange(int k) {
+        double answer = rows.answer[k];
+        return answer * (rows.impulse[k] - rows.approach(k) / (answer + rows.give[k]));
     }
 
     /**
      * Goes to the solution, each row no farther than to its bound, if that lowers what is
      * minimized: ½jᵀKj + wᵀj, whose gradient is w.
      */
-    private boolean stepToAllBounds(double h) {
-        if (moveBy(h) <= 0) {
+    private boolean stepToAllBounds() {
+        if (moveBy() <= 0) {
             return true;
         }
         for (int i = 0; i < size; i++) {
-            push(set[i], -moved[i]);
+            rows.push(set[i], -moved[i]);
         }
         return false;
     }
@@ -337,7 +352,7 @@ public final class DirectSolver {
             }
         }
         for (int i = 0; i < size; i++) {
-            push(set[i], withinBounds(set[i], step * unknown[i]));
+            rows.push(set[i], withinBounds(set[i], step * unknown[i]));
         }
         if (met >= 0) {
             System.arraycopy(set, met + 1, set, met, size - met - 1);
@@ -346,49 +361,35 @@ public final class DirectSolver {
     }
 
     /** Moves along the step as far as bounds allow; returns by how much the minimized rises, J. */
-    private double moveBy(double h) {
+    private double moveBy() {
         double rise = 0;
         for (int i = 0; i < size; i++) {
             moved[i] = withinBounds(set[i], unknown[i]);
-            rise += moved[i] * approach(set[i], h) / 2;
+            rise += moved[i] * rows.approach(set[i]) / 2;
         }
         for (int i = 0; i < size; i++) {
-            push(set[i], moved[i]);
+            rows.push(set[i], moved[i]);
         }
         for (int i = 0; i < size; i++) {
-            rise += moved[i] * approach(set[i], h) / 2;
+            rise += moved[i] * rows.approach(set[i]) / 2;
         }
         return rise;
     }
 
-    private void push(int id, double change) {
-        contacts.data[
-                        id / ROWS_PER_CONTACT * PackedContacts.STRIDE
-                                + SingleRows.impulseColumn(id)] +=
-                change;
-        single.push(id, change, Motions.VX, Motions.VY, Motions.SPIN);
-    }
-
-    private double impulse(int id) {
-        int at = id / ROWS_PER_CONTACT * PackedContacts.STRIDE;
-        return contacts.data[at + SingleRows.impulseColumn(id)];
-    }
-
     /** The part of a change that leaves its row within its bounds. */
-    private double withinBounds(int id, double change) {
-        int row = id / ROWS_PER_CONTACT;
-        double impulse = impulse(id);
-        if (id % ROWS_PER_CONTACT != TANGENT) {
+    private double withinBounds(int k, double change) {
+        double impulse = rows.impulse[k];
+        if (k % KINDS != TANGENT) {
             return Math.max(change, -impulse);
         }
-        double most = cone[row];
+        double most = cone[k / KINDS];
         return Math.max(-most, Math.min(most, impulse + change)) - impulse;
     }
 
-    private boolean isSolved(double h, double settled) {
+    private boolean isSolved(double settled) {
         double worst = 0;
         for (int i = 0; i < size; i++) {
-            worst = Math.max(worst, Math.abs(approach(set[i], h)));
+            worst = Math.max(worst, Math.abs(rows.approach(set[i])));
         }
         return worst <= settled;
     }

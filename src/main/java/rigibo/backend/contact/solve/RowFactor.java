@@ -1,7 +1,6 @@
 package rigibo.backend.contact.solve;
 
-import static rigibo.backend.contact.row.SingleRows.ROWS_PER_CONTACT;
-
+import rigibo.backend.contact.row.Motions;
 import rigibo.backend.contact.row.PackedContacts;
 import rigibo.backend.contact.row.SingleRows;
 
@@ -9,7 +8,9 @@ import java.util.Arrays;
 
 /**
  * The matrix K = J·M⁻¹·Jᵀ of a set of single rows, with what they give way on its diagonal,
- * factored by Cholesky within its envelope: in a stack a band of six rows.
+ * factored as L·U within its envelope: in a stack a band of six rows. Where contacts slide, what
+ * presses them also rubs, and K + s·μ·J·M⁻¹·Tᵀ is not symmetric; where none does, U = D·Lᵀ takes
+ * half the work.
  */
 final class RowFactor {
 
@@ -17,34 +18,39 @@ final class RowFactor {
     private static final int FULL =
             SingleRows.MOST_ELIMINATED * (SingleRows.MOST_ELIMINATED + 1) / 2;
 
-    /** Multiplications that writing one entry of the matrix takes. */
-    private static final int WORK_OF_ENTRY = 40;
+    /** Multiplications that writing one entry of the matrix takes that is not 0. */
+    private static final int WORK_OF_ENTRY = 10;
 
     private final PackedContacts contacts;
-    private final SingleRows single;
+    private final FlatRows rows;
     private final ContactOrder order;
 
-    /** The set that is factored, in the order of contacts. */
+    /** The set that is factored, in the order of contacts, and s·μ of each of its normals. */
     private int[] factored = new int[64];
 
+    private double[] sliding = new double[64];
+    private boolean isSymmetric = true;
     private int size;
 
-    /** Lower triangle by rows, from the first entry of each row on, and where each row starts. */
-    private double[] factor = new double[0];
+    /** L by rows and U by columns, from the first entry of each on, and where each starts. */
+    private double[] lower = new double[0];
+
+    private double[] upper = new double[0];
 
     private int[] start = new int[65];
     private int[] first = new int[64];
 
-    /** For each place in the order the first row of the set from there on; and each row's place. */
-    private int[] firstInSet = new int[64];
+    /** The inverse of each entry of U's diagonal. */
+    private double[] inverse = new double[64];
 
-    private int[] placeInOrder = new int[64];
+    /** For each place in the order the first row of the set from there on. */
+    private int[] firstInSet = new int[65];
 
     private double work;
 
-    RowFactor(PackedContacts contacts, SingleRows single, ContactOrder order) {
+    RowFactor(PackedContacts contacts, FlatRows rows, ContactOrder order) {
         this.contacts = contacts;
-        this.single = single;
+        this.rows = rows;
         this.order = order;
     }
 
@@ -65,8 +71,8 @@ final class RowFactor {
     double workOfAll() {
         double all = 0;
         for (int place = 0; place < contacts.count; place++) {
-            double width = ROWS_PER_CONTACT * (place - order.firstNeighbour[place] + 1);
-            all += ROWS_PER_CONTACT * width * width / 2;
+            double width = FlatRows.KINDS * (place - order.firstNeighbour[place] + 1);
+            all += FlatRows.KINDS * width * width / 2;
         }
         return all;
     }
@@ -80,6 +86,11 @@ final class RowFactor {
         return size;
     }
 
+    /** Whether no contact was taken to slide. */
+    boolean isSymmetric() {
+        return isSymmetric;
+    }
+
     /** Writes the factored set and returns its size. */
     int writeSet(int[] to) {
         System.arraycopy(factored, 0, to, 0, size);
@@ -87,87 +98,161 @@ final class RowFactor {
     }
 
     private void reserve() {
-        if (firstInSet.length < ROWS_PER_CONTACT * contacts.count) {
-            int capacity = ROWS_PER_CONTACT * contacts.pair.length;
+        if (firstInSet.length <= contacts.count || first.length < FlatRows.KINDS * contacts.count) {
+            int capacity = FlatRows.KINDS * contacts.pair.length;
             factored = Arrays.copyOf(factored, capacity);
+            sliding = Arrays.copyOf(sliding, capacity);
             start = Arrays.copyOf(start, capacity + 1);
             first = Arrays.copyOf(first, capacity);
-            firstInSet = new int[capacity];
-            placeInOrder = new int[capacity];
+            inverse = Arrays.copyOf(inverse, capacity);
+            firstInSet = new int[contacts.pair.length + 1];
         }
     }
 
-    /** Factors the matrix of the set, from the first row on that the last factor did not have. */
+    /** Factors the matrix of a set, from the first row on that the last factor did not have. */
     void factorize(int[] set, int count) {
-        int same = Arrays.mismatch(set, 0, count, factored, 0, size);
-        if (same < 0) {
+        reserve();
+        int same = 0;
+        while (same < Math.min(size, count) && isFactored(same, set[same])) {
+            same++;
+        }
+        if (same == count && same == size) {
             return;
         }
-        reserve();
-        System.arraycopy(set, 0, factored, 0, count);
+        isSymmetric = true;
+        for (int i = 0; i < count; i++) {
+            factored[i] = set[i];
+            sliding[i] = rows.slides(set[i]);
+            isSymmetric &= sliding[i] == 0;
+        }
         size = count;
         findPlaces();
         layEnvelope();
         for (int i = same; i < size; i++) {
-            for (int j = first[i]; j <= i; j++) {
-                double sum = single.response(factored[i], factored[j]);
-                if (i == j) {
-                    sum += single.give(factored[i]);
-                }
-                int from = Math.max(first[i], first[j]);
-                work += WORK_OF_ENTRY + j - from;
-                for (int k = from; k < j; k++) {
-                    sum -= factor[start[i] + k - first[i]] * factor[start[j] + k - first[j]];
-                }
-                factor[start[i] + j - first[i]] =
-                        i == j ? root(sum, factored[i]) : sum / factor[start[j] + j - first[j]];
-            }
+            Arrays.fill(lower, start[i], start[i + 1], 0);
+            Arrays.fill(upper, start[i], start[i + 1], 0);
+            writeEntries(i);
+            eliminate(i);
         }
     }
 
-    /** The root of what is left on the diagonal; of a redundant row only its compliance is left. */
-    private double root(double remainder, int id) {
-        return Math.sqrt(Math.max(remainder, single.give(id)));
+    private boolean isFactored(int i, int k) {
+        return factored[i] == k && sliding[i] == rows.slides(k);
     }
 
-    /** Where the rows of the set stand in the order of contacts, and the other way round. */
+    /** For each place in the order where its rows begin in the set. */
     private void findPlaces() {
         int i = 0;
         for (int place = 0; place < contacts.count; place++) {
             firstInSet[place] = i;
-            while (i < size && factored[i] / ROWS_PER_CONTACT == order.order[place]) {
-                placeInOrder[i++] = place;
+            while (i < size && factored[i] / FlatRows.KINDS == place) {
+                i++;
             }
         }
+        firstInSet[contacts.count] = size;
     }
 
     /** A row's envelope begins with the first loaded row of the first contact it shares with. */
     private void layEnvelope() {
         int length = 0;
         for (int i = 0; i < size; i++) {
-            first[i] = firstInSet[order.firstNeighbour[placeInOrder[i]]];
+            first[i] = firstInSet[order.firstNeighbour[factored[i] / FlatRows.KINDS]];
             start[i] = length;
             length += i - first[i] + 1;
         }
-        if (factor.length < length) {
-            factor = Arrays.copyOf(factor, Math.max(FULL, 2 * length));
+        start[size] = length;
+        if (lower.length < length) {
+            int capacity = Math.max(FULL, 2 * length);
+            lower = Arrays.copyOf(lower, capacity);
+            upper = Arrays.copyOf(upper, capacity);
         }
+    }
+
+    /** Writes what a row and those before it give each other: those that share a body with it. */
+    private void writeEntries(int i) {
+        int row = order.order[factored[i] / FlatRows.KINDS];
+        writeEntries(i, contacts.bodyA[row]);
+        writeEntries(i, contacts.bodyB[row]);
+        lower[start[i + 1] - 1] += rows.give[factored[i]];
+    }
+
+    private void writeEntries(int i, int body) {
+        if (body == 0) {
+            return;
+        }
+        int entry = body / Motions.STRIDE;
+        int column = start[i] - first[i];
+        for (int at = order.start[entry]; at < order.start[entry + 1]; at++) {
+            int place = order.place[order.ofBodies[at]];
+            int end = Math.min(firstInSet[place + 1], i + 1);
+            for (int j = firstInSet[place]; j < end; j++) {
+                lower[column + j] = rows.answerTo(factored[i], factored[j]);
+                work += WORK_OF_ENTRY;
+                if (!isSymmetric) {
+                    upper[column + j] = rows.answerTo(factored[j], factored[i]);
+                    work += WORK_OF_ENTRY;
+                }
+            }
+        }
+    }
+
+    /** Row i of L and column i of U, by those before them. */
+    private void eliminate(int i) {
+        int own = start[i] - first[i];
+        for (int j = first[i]; j < i; j++) {
+            int from = Math.max(first[i], first[j]);
+            int mine = own + from;
+            int other = start[j] - first[j] + from;
+            double l = lower[own + j] - dot(lower, mine, upper, other, j - from);
+            double u = l;
+            if (!isSymmetric) {
+                u = upper[own + j] - dot(upper, mine, lower, other, j - from);
+                work += j - from;
+            }
+            lower[own + j] = l * inverse[j];
+            upper[own + j] = u;
+            work += j - from + 1;
+        }
+        double left = lower[own + i] - dot(lower, start[i], upper, start[i], i - first[i]);
+        inverse[i] = 1 / pivot(left, factored[i]);
+        work += i - first[i];
+    }
+
+    /** What is left on the diagonal; of a redundant row only what it gives way by is left. */
+    private double pivot(double left, int k) {
+        return Math.abs(left) > rows.give[k] ? left : rows.give[k];
+    }
+
+    /** A product of parts of two arrays, in four sums that do not wait for each other. */
+    private static double dot(double[] a, int atA, double[] b, int atB, int length) {
+        double sum0 = 0;
+        double sum1 = 0;
+        double sum2 = 0;
+        double sum3 = 0;
+        int k = 0;
+        for (; k < length - 3; k += 4) {
+            sum0 += a[atA + k] * b[atB + k];
+            sum1 += a[atA + k + 1] * b[atB + k + 1];
+            sum2 += a[atA + k + 2] * b[atB + k + 2];
+            sum3 += a[atA + k + 3] * b[atB + k + 3];
+        }
+        for (; k < length; k++) {
+            sum0 += a[atA + k] * b[atB + k];
+        }
+        return sum0 + sum1 + (sum2 + sum3);
     }
 
     /** Forward and backward substitution, in place. */
     void solve(double[] unknown) {
         for (int i = 0; i < size; i++) {
-            double sum = unknown[i];
-            for (int k = first[i]; k < i; k++) {
-                sum -= factor[start[i] + k - first[i]] * unknown[k];
-            }
-            unknown[i] = sum / factor[start[i] + i - first[i]];
+            unknown[i] -= dot(lower, start[i], unknown, first[i], i - first[i]);
         }
         for (int i = size - 1; i >= 0; i--) {
-            double x = unknown[i] / factor[start[i] + i - first[i]];
+            double x = unknown[i] * inverse[i];
             unknown[i] = x;
+            int column = start[i] - first[i];
             for (int k = first[i]; k < i; k++) {
-                unknown[k] -= factor[start[i] + k - first[i]] * x;
+                unknown[k] -= upper[column + k] * x;
             }
         }
     }

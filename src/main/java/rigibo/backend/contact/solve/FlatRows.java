@@ -1,0 +1,224 @@
+package rigibo.backend.contact.solve;
+
+import rigibo.backend.contact.row.Motions;
+import rigibo.backend.contact.row.PackedContacts;
+import rigibo.backend.contact.row.SingleRows;
+
+/**
+ * The single rows of the packed contacts laid out flat, in the order of elimination: row {@code
+ * 3·place + kind}, where kind is the point of a normal row or {@link SingleRows#TANGENT}.
+ * Elimination asks each of them many times over what {@link PackedContacts} holds for passes.
+ */
+final class FlatRows {
+
+    static final int KINDS = SingleRows.ROWS_PER_CONTACT;
+    static final int TANGENT = SingleRows.TANGENT;
+
+    private final Motions motions;
+    private final PackedContacts contacts;
+    private final ContactOrder order;
+
+    /** By row: the offsets of its bodies in the motions. */
+    private int[] bodyA = new int[0];
+
+    private int[] bodyB = new int[0];
+
+    /** By row: its direction, and its levers in m. */
+    private double[] directionX = new double[0];
+
+    private double[] directionY = new double[0];
+    private double[] leverA = new double[0];
+    private double[] leverB = new double[0];
+
+    /** By row: the speed at which it gives way to a unit impulse, 1/kg. */
+    double[] give = new double[0];
+
+    /** By row: what a unit impulse gives it, without what it gives way by, 1/kg. */
+    double[] answer = new double[0];
+
+    /** By row: the speed at which it is solved, m/s. */
+    private double[] target = new double[0];
+
+    /** By row: its impulse, and the one up to which it does not give way, N·s. */
+    double[] impulse = new double[0];
+
+    double[] kept = new double[0];
+
+    /** By place in the order: s·μ of a contact that slides along s, 0 of one that does not. */
+    double[] sliding = new double[0];
+
+    FlatRows(Motions motions, PackedContacts contacts, ContactOrder order) {
+        this.motions = motions;
+        this.contacts = contacts;
+        this.order = order;
+    }
+
+    /** Lays out what a substep does not change: derivatives, and what rows give way by. */
+    void layOut() {
+        reserve();
+        for (int place = 0; place < contacts.count; place++) {
+            int row = order.order[place];
+            int at = row * PackedContacts.STRIDE;
+            double[] d = contacts.data;
+            double nx = d[at + PackedContacts.NX];
+            double ny = d[at + PackedContacts.NY];
+            double giveOfPoint = d[at + PackedContacts.GIVE];
+            int k = KINDS * place;
+            layOut(k, row, nx, ny, at + PackedContacts.LEVER_A0, giveOfPoint);
+            layOut(k + 1, row, nx, ny, at + PackedContacts.LEVER_A1, giveOfPoint);
+            double giveOfTangent = PackedContacts.COMPLIANCE / d[at + PackedContacts.MASS_T];
+            layOut(k + TANGENT, row, -ny, nx, at + PackedContacts.LEVER_TA, giveOfTangent);
+        }
+    }
+
+    private void layOut(int k, int row, double x, double y, int levers, double givesWay) {
+        int a = contacts.bodyA[row];
+        int b = contacts.bodyB[row];
+        double la = contacts.data[levers];
+        double lb = contacts.data[levers + 1];
+        bodyA[k] = a;
+        bodyB[k] = b;
+        directionX[k] = x;
+        directionY[k] = y;
+        leverA[k] = la;
+        leverB[k] = lb;
+        give[k] = givesWay;
+        answer[k] = response(k, k);
+    }
+
+    private void reserve() {
+        if (bodyA.length < KINDS * contacts.count) {
+            int capacity = KINDS * contacts.pair.length;
+            bodyA = new int[capacity];
+            bodyB = new int[capacity];
+            directionX = new double[capacity];
+            directionY = new double[capacity];
+            leverA = new double[capacity];
+            leverB = new double[capacity];
+            give = new double[capacity];
+            answer = new double[capacity];
+            target = new double[capacity];
+            impulse = new double[capacity];
+            kept = new double[capacity];
+            sliding = new double[contacts.pair.length];
+        }
+    }
+
+    /** Reads impulses, and what rows aim at in a substep of h seconds. */
+    void read(double h) {
+        for (int place = 0; place < contacts.count; place++) {
+            int row = order.order[place];
+            int at = row * PackedContacts.STRIDE;
+            double[] d = contacts.data;
+            double nearing = d[at + PackedContacts.NEARING];
+            int k = KINDS * place;
+            for (int point = 0; point < contacts.points[row]; point++) {
+                double gap = motions.gap(contacts, row, point);
+                target[k + point] = nearing - (gap > 0 ? gap / h : 0);
+                impulse[k + point] = d[at + PackedContacts.IMPULSE0 + point];
+            }
+            target[k + TANGENT] = contacts.surface[row];
+            impulse[k + TANGENT] = d[at + PackedContacts.IMPULSE_T];
+        }
+    }
+
+    /** Writes the impulses back. */
+    void write() {
+        for (int place = 0; place < contacts.count; place++) {
+            int row = order.order[place];
+            int at = row * PackedContacts.STRIDE;
+            double[] d = contacts.data;
+            int k = KINDS * place;
+            for (int point = 0; point < contacts.points[row]; point++) {
+                d[at + PackedContacts.IMPULSE0 + point] = impulse[k + point];
+            }
+            d[at + PackedContacts.IMPULSE_T] = impulse[k + TANGENT];
+        }
+    }
+
+    /** Speed in m/s at which a row violates what it asks for. */
+    double approach(int k) {
+        double[] m = motions.data;
+        int a = bodyA[k];
+        int b = bodyB[k];
+        double speed =
+                directionX[k] * (m[b + Motions.VX] - m[a + Motions.VX])
+                        + directionY[k] * (m[b + Motions.VY] - m[a + Motions.VY])
+                        + leverB[k] * m[b + Motions.SPIN]
+                        - leverA[k] * m[a + Motions.SPIN];
+        return speed + give[k] * (impulse[k] - kept[k]) - target[k];
+    }
+
+    /** Changes a row's impulse, N·s, and the velocities of its bodies by it. */
+    void push(int k, double change) {
+        impulse[k] += change;
+        apply(k, change, Motions.VX);
+    }
+
+    /** Brings a row's impulse to a value, N·s. */
+    void set(int k, double value) {
+        if (impulse[k] != value) {
+            push(k, value - impulse[k]);
+            impulse[k] = value;
+        }
+    }
+
+    /** Moves the bodies of a row as an impulse would in one second, kg·m. */
+    void move(int k, double push) {
+        apply(k, push, Motions.DX);
+    }
+
+    /** Changes three columns in a row, along x, along y and turning, by an impulse. */
+    private void apply(int k, double change, int column) {
+        double[] m = motions.data;
+        int a = bodyA[k];
+        int b = bodyB[k];
+        double ma = m[a + Motions.INVERSE_MASS] * change;
+        double mb = m[b + Motions.INVERSE_MASS] * change;
+        m[a + column] -= ma * directionX[k];
+        m[a + column + 1] -= ma * directionY[k];
+        m[a + column + 2] -= m[a + Motions.INVERSE_INERTIA] * leverA[k] * change;
+        m[b + column] += mb * directionX[k];
+        m[b + column + 1] += mb * directionY[k];
+        m[b + column + 2] += m[b + Motions.INVERSE_INERTIA] * leverB[k] * change;
+    }
+
+    /** The friction that comes with a unit impulse of a row, s·μ; 0 where nothing slides. */
+    double slides(int k) {
+        return k % KINDS == TANGENT ? 0 : sliding[k / KINDS];
+    }
+
+    /** What a row is given by a unit impulse of another and the friction with it, 1/kg. */
+    double answerTo(int i, int j) {
+        double slides = slides(j);
+        double direct = response(i, j);
+        return slides == 0 ? direct : direct + slides * response(i, j - j % KINDS + TANGENT);
+    }
+
+    /** What a unit impulse of one row gives another, 1/kg. */
+    double response(int i, int j) {
+        double direct = directionX[i] * directionX[j] + directionY[i] * directionY[j];
+        int a = bodyA[i];
+        int b = bodyB[i];
+        double sum = 0;
+        if (a == bodyA[j]) {
+            sum += through(a, direct, leverA[i] * leverA[j]);
+        }
+        if (b == bodyB[j]) {
+            sum += through(b, direct, leverB[i] * leverB[j]);
+        }
+        if (a == bodyB[j]) {
+            sum -= through(a, direct, leverA[i] * leverB[j]);
+        }
+        if (b == bodyA[j]) {
+            sum -= through(b, direct, leverB[i] * leverA[j]);
+        }
+        return sum;
+    }
+
+    /** The ground, offset 0, has neither mass nor inertia to pass anything on by. */
+    private double through(int body, double direct, double levers) {
+        double[] m = motions.data;
+        return m[body + Motions.INVERSE_MASS] * direct + m[body + Motions.INVERSE_INERTIA] * levers;
+    }
+}

@@ -1,0 +1,169 @@
+package rigibo.backend.contact.solve;
+
+import static rigibo.backend.contact.solve.FlatRows.KINDS;
+import static rigibo.backend.contact.solve.FlatRows.TANGENT;
+
+import rigibo.backend.contact.row.Motions;
+import rigibo.backend.contact.row.PackedContacts;
+
+/**
+ * Solves a small island by Newton's method on Coulomb's law (P. Alart and A. Curnier, A mixed
+ * formulation for frictional contact problems prone to Newton like solution methods, 1991). Each
+ * row is an equation that its present impulse and speed choose: a point carries or is open, a
+ * contact holds or slides; what slides rubs by s·μ times the load that is found. All equations are
+ * solved at once, and chosen anew, until they remain what they are. Near the solution that takes
+ * one or two systems; from afar it may lead anywhere, and the passes between rounds judge it.
+ */
+final class NewtonSolver {
+
+    /** Systems solved at a time: near the solution each of them doubles the digits. */
+    private static final int MOST_STEPS = 8;
+
+    /** How many times what they carry or miss rows may be changed by in a step. */
+    private static final double FARTHEST = 1e4;
+
+    /** Multiplications that a row takes in one step beside those of factoring. */
+    private static final int WORK_OF_ROW = 60;
+
+    private final PackedContacts contacts;
+    private final ContactOrder order;
+    private final FlatRows rows;
+    private final RowFactor factor;
+    private final Halfway before;
+
+    /** The rows that are equations, and what their impulses lack, N·s. */
+    private int[] set = new int[64];
+
+    private double[] unknown = new double[64];
+    private int size;
+
+    /** A load that gives a row less speed than this in m/s is none. */
+    private double least;
+
+    NewtonSolver(
+            Motions motions,
+            PackedContacts contacts,
+            ContactOrder order,
+            FlatRows rows,
+            RowFactor factor) {
+        before = new Halfway(motions, contacts);
+        this.contacts = contacts;
+        this.order = order;
+        this.rows = rows;
+        this.factor = factor;
+    }
+
+    /**
+     * Brings rows that were read to rest against each other but for a speed of {@code settled} m/s,
+     * as long as that takes no more than some multiplications.
+     *
+     * @return whether there was a way; if not, bodies are as they were
+     */
+    boolean solve(int substep, double settled, double worth) {
+        reserve();
+        before.begin();
+        least = settled;
+        for (int step = 0; step < MOST_STEPS && factor.work() <= worth; step++) {
+            choose(substep);
+            if (isSolved(settled)) {
+                return true;
+            }
+            factor.factorize(set, size);
+            factor.addWork(WORK_OF_ROW * size);
+            for (int i = 0; i < size; i++) {
+                unknown[i] = -rows.approach(set[i]);
+            }
+            factor.solve(unknown);
+            if (isTooFar()) {
+                before.takeBack();
+                return false;
+            }
+            for (int i = 0; i < size; i++) {
+                take(set[i], unknown[i]);
+            }
+        }
+        return true;
+    }
+
+    /** Whether the rows contradict each other, and only what they give way by bounds the step. */
+    private boolean isTooFar() {
+        double strongest = 0;
+        double farthest = 0;
+        for (int i = 0; i < size; i++) {
+            int k = set[i];
+            double carried = rows.answer[k] * Math.abs(rows.impulse[k]);
+            strongest = Math.max(strongest, Math.max(carried, Math.abs(rows.approach(k))));
+            farthest = Math.max(farthest, rows.answer[k] * Math.abs(unknown[i]));
+        }
+        return !(farthest <= FARTHEST * strongest);
+    }
+
+    private void reserve() {
+        if (set.length < KINDS * contacts.count) {
+            set = new int[KINDS * contacts.pair.length];
+            unknown = new double[KINDS * contacts.pair.length];
+        }
+    }
+
+    private void choose(int substep) {
+        size = 0;
+        for (int place = 0; place < contacts.count; place++) {
+            rows.sliding[place] = 0;
+            if (contacts.firstSubstep[order.order[place]] <= substep) {
+                choose(place, order.order[place]);
+            }
+        }
+    }
+
+    /** Chooses the equations of a contact; what is none of them keeps its bound exactly. */
+    private void choose(int place, int row) {
+        int normal = KINDS * place;
+        int before = size;
+        double load = 0;
+        for (int k = normal; k < normal + contacts.points[row]; k++) {
+            if (rows.answer[k] * wanted(k) > least) {
+                set[size++] = k;
+                load += rows.impulse[k];
+            } else {
+                rows.set(k, 0);
+            }
+        }
+        double friction = contacts.data[row * PackedContacts.STRIDE + PackedContacts.FRICTION];
+        int tangent = normal + TANGENT;
+        if (size == before || friction == 0) {
+            rows.set(tangent, 0);
+        } else if (Math.abs(wanted(tangent)) < friction * load) {
+            set[size++] = tangent;
+        } else {
+            rows.sliding[place] = Math.copySign(friction, wanted(tangent));
+            rows.set(tangent, rows.sliding[place] * load);
+        }
+    }
+
+    /** The impulse that would solve a row alone, N·s. */
+    private double wanted(int k) {
+        return rows.impulse[k] - rows.approach(k) / (rows.answer[k] + rows.give[k]);
+    }
+
+    /** Takes a change, no farther than to where a point would pull, and the friction with it. */
+    private void take(int k, double change) {
+        if (k % KINDS == TANGENT) {
+            rows.push(k, change);
+            return;
+        }
+        double taken = Math.max(change, -rows.impulse[k]);
+        rows.push(k, taken);
+        double slides = rows.slides(k);
+        if (slides != 0) {
+            rows.push(k - k % KINDS + TANGENT, slides * taken);
+        }
+    }
+
+    private boolean isSolved(double settled) {
+        double worst = 0;
+        for (int i = 0; i < size; i++) {
+            worst = Math.max(worst, Math.abs(rows.approach(set[i])));
+        }
+        return worst <= settled;
+    }
+}
