@@ -20,12 +20,7 @@ public final class SingleRows {
         this.contacts = contacts;
     }
 
-    /** How fast (or far) B moves against A along a row, by the columns named. */
-    public double relative(int id, int ix, int iy, int turn) {
-        return relative(motions.data, id, ix, iy, turn);
-    }
-
-    /** The same for columns laid out as the motions. */
+    /** How fast (or far) B moves against A along a row, by columns laid out as the motions. */
     public double relative(double[] m, int id, int ix, int iy, int turn) {
         int row = id / ROWS_PER_CONTACT;
         int a = contacts.bodyA[row];
@@ -36,12 +31,7 @@ public final class SingleRows {
                 - leverA(id) * m[a + turn];
     }
 
-    /** Applies an impulse along a row to the columns named. */
-    public void push(int id, double impulse, int ix, int iy, int turn) {
-        push(motions.data, id, impulse, ix, iy, turn);
-    }
-
-    /** The same for columns laid out as the motions. */
+    /** Applies an impulse along a row to columns laid out as the motions. */
     public void push(double[] m, int id, double impulse, int ix, int iy, int turn) {
         int row = id / ROWS_PER_CONTACT;
         int a = contacts.bodyA[row];
@@ -65,26 +55,6 @@ public final class SingleRows {
     /** Speed in m/s at which the surfaces of a row are driven past each other. */
     public double running(int id) {
         return id % ROWS_PER_CONTACT == TANGENT ? contacts.running[id / ROWS_PER_CONTACT] : 0;
-    }
-
-    /**
-     * The speed in m/s that a row aims at: that of running surfaces, or that at which a turning
-     * outline comes closer.
-     */
-    public double ownSpeed(int id) {
-        int row = id / ROWS_PER_CONTACT;
-        return id % ROWS_PER_CONTACT == TANGENT
-                ? contacts.surface[row]
-                : contacts.data[row * PackedContacts.STRIDE + PackedContacts.NEARING];
-    }
-
-    /** Speed at which a row gives way to a unit impulse, 1/kg. */
-    public double give(int id) {
-        int at = id / ROWS_PER_CONTACT * PackedContacts.STRIDE;
-        boolean isTangent = id % ROWS_PER_CONTACT == TANGENT;
-        return isTangent
-                ? PackedContacts.COMPLIANCE / contacts.data[at + PackedContacts.MASS_T]
-                : contacts.data[at + PackedContacts.GIVE];
     }
 
     private double directionX(int id) {
@@ -119,33 +89,5 @@ public final class SingleRows {
                         + (kind == TANGENT
                                 ? PackedContacts.LEVER_TB
                                 : PackedContacts.LEVER_B0 + 2 * kind)];
-    }
-
-    /** What a unit impulse of one row gives another, 1/kg. */
-    public double response(int i, int j) {
-        double direct = directionX(i) * directionX(j) + directionY(i) * directionY(j);
-        int row = i / ROWS_PER_CONTACT;
-        int other = j / ROWS_PER_CONTACT;
-        int a = contacts.bodyA[row];
-        int b = contacts.bodyB[row];
-        double sum = 0;
-        if (a == contacts.bodyA[other]) {
-            sum += through(a, direct, leverA(i) * leverA(j));
-        }
-        if (b == contacts.bodyB[other]) {
-            sum += through(b, direct, leverB(i) * leverB(j));
-        }
-        if (a == contacts.bodyB[other]) {
-            sum -= through(a, direct, leverA(i) * leverB(j));
-        }
-        if (b == contacts.bodyA[other]) {
-            sum -= through(b, direct, leverB(i) * leverA(j));
-        }
-        return sum;
-    }
-
-    private double through(int body, double direct, double levers) {
-        double[] m = motions.data;
-        return m[body + Motions.INVERSE_MASS] * direct + m[body + Motions.INVERSE_INERTIA] * levers;
     }
 }
