@@ -195,6 +195,7 @@ public final class DirectSolver {
 
     /** Takes the overlap of loaded rows back, or of all that overlap where nothing is loaded. */
     public void correct(double h, int substep) {
+        reserve();
         if (factor.size() == 0 || !factor.isSymmetric()) {
             layOut();
             Arrays.fill(rows.sliding, 0, contacts.count, 0);
@@ -225,7 +226,6 @@ public final class DirectSolver {
     }
 
     private void chooseOverlapping(double h, int substep) {
-        reserve();
         size = 0;
         for (int i = 0; i < contacts.count; i++) {
             int row = order.order[i];
