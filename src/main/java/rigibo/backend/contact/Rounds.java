@@ -227,12 +227,12 @@ public final class Rounds {
         return false;
     }
 
-    /** What a pass over the rows finds left, as a multiple of what may be left. */
+    /** What a pass over the rows finds left, as a multiple of what may be left; 0 if nothing. */
     private double left(double h, double kicked, int substep, double fastest) {
         double change = sweep.once(h, substep);
         if (!isCalm) {
             settled = Math.max(share * fastest, ROUND_OFF * contacts.strongestAnswer());
-            return change / settled;
+            return change <= settled ? 0 : change / settled;
         }
         own.measure(kicked);
         settled = SETTLED_IF_CALM * leastOwn();
