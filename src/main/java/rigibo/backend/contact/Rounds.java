@@ -85,6 +85,7 @@ public final class Rounds {
     private final GroundHold ground;
     private final Halfway halfway;
     private final Halfway before;
+    private final Halfway best;
     private final boolean isDirect;
     private final boolean isCorrecting;
     private final int most;
@@ -123,6 +124,7 @@ public final class Rounds {
         ground = new GroundHold(motions, contacts);
         halfway = new Halfway(motions, contacts);
         before = new Halfway(motions, contacts);
+        best = new Halfway(motions, contacts);
         isDirect = accuracy.contactSolver() == ContactSolver.DIRECT;
         isCorrecting = accuracy.correction() == Correction.SOFT;
         most = LEAST_ROUNDS + substeps;
@@ -191,15 +193,21 @@ public final class Rounds {
     /**
      * Goes on until nothing is left, which at rest it is after the first round; a calm island goes
      * on as long as that brings it nearer. Newton's method is tried as long as it does; where it
-     * does not, its round is taken back and elimination goes on.
+     * does not, its round is taken back and elimination goes on. Rounds of a calm island may take
+     * turns for ever; then the best of them counts.
      */
     private boolean settleRows(double h, double kicked, int substep, double fastest) {
         double enough = isCalm ? LEFT_IF_CALM / SETTLED_IF_CALM : 1;
         int newtonFrom = isCalm ? 0 : 1;
         boolean isNewton = false;
         double last = Double.POSITIVE_INFINITY;
+        double least = Double.POSITIVE_INFINITY;
         for (int i = 0; i < most && !direct.isSpent(); i++) {
             double left = left(h, kicked, substep, fastest);
+            if (isCalm && left < least) {
+                least = left;
+                best.begin();
+            }
             boolean isNoNearer = left > SHRINKS * last;
             if (left <= 1 || isNoNearer && last <= enough) {
                 if (left > last) {
@@ -223,7 +231,11 @@ public final class Rounds {
             }
             last = left;
         }
-        sweep.once(h, substep);
+        if (isCalm) {
+            best.takeBack();
+        } else {
+            sweep.once(h, substep);
+        }
         return false;
     }
 

@@ -9,8 +9,8 @@ import rigibo.backend.storage.Pairs;
 
 /**
  * Impacts of what joints hold together, at one instant: the law of impact (see {@link
- * rigibo.backend.impact.ImpactLaw}) with the equations of all joints beside it, so that an impact goes
- * through the joints at once. The stop that closes with the most energy comes first, equals at
+ * rigibo.backend.impact.ImpactLaw}) with the equations of all joints beside it, so that an impact
+ * goes through the joints at once. The stop that closes with the most energy comes first, equals at
  * once, and with them what carries a load; then what closes by that, until nothing does. So a row
  * of bodies that only touch hands an impact on, and what stands on a floor is struck as from the
  * floor.
