@@ -34,6 +34,9 @@ final class Equilibrium {
     private final Pairs pairs;
     private final Islands islands;
 
+    /** Distances of neighbouring doubles by which what is left of an overlap may exceed that. */
+    private static final double LOST = 4;
+
     /** Whether overlap is taken back, which moves bodies. */
     private final boolean isCorrecting;
 
@@ -124,7 +127,7 @@ final class Equilibrium {
         int a = pairs.bodyA[pair];
         int b = pairs.bodyB[pair];
         double width = PairTolerances.width(bodies, a, b);
-        double most = (kept + PER_STEP * Stillness.STILL) * width;
+        double most = (kept + PER_STEP * Stillness.STILL) * width + resolution(a) + resolution(b);
         if (isCorrecting && pairs.gap(pair) < -most || bodies.isDriven(a) || bodies.isDriven(b)) {
             return false;
         }
@@ -137,6 +140,11 @@ final class Equilibrium {
         return (load0 == 0 || pairs.separation[2 * pair] <= touching)
                 && (load1 == 0 || pairs.separation[2 * pair + 1] <= touching)
                 && rubsWithin(pair, load0 + load1);
+    }
+
+    /** What is taken back of an overlap in a step is lost where places lie farther apart, m. */
+    private double resolution(int slot) {
+        return LOST * Math.ulp(Math.max(Math.abs(bodies.x[slot]), Math.abs(bodies.y[slot])));
     }
 
     private boolean rubsWithin(int pair, double load) {
