@@ -117,14 +117,15 @@ final class JointedIslands {
         boolean mayCompose = stages.mayCompose() && joints.areHeldByEquations(2 * h);
         if (mayCompose) {
             // Half as many of the fourth order are worth more, and cost little more.
-            substeps = stages.beginComposed(substeps);
+            substeps = joints.composedSubsteps(island, dt, (usual + 1) / 2);
+            stages.beginComposed();
             h = dt / substeps;
         } else {
             stages.begin();
         }
         lateJoiners.delayToSubsteps(h);
         kicks.begin(h / 2);
-        parts.begin();
+        parts.begin(dt / (2 * ((usual + 1) / 2)));
         for (int substep = 0; substep < substeps; substep++) {
             parts.advance(substep * h, h, substep, dt, mayCompose);
         }

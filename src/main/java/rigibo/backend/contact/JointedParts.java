@@ -39,6 +39,9 @@ final class JointedParts {
     private int substep;
     private double dt;
 
+    /** How long a part of a substep is that was to be composed and cannot be, s. */
+    private double plain;
+
     /** Parts of the substep that ended early, and how many may. */
     private int ended;
 
@@ -55,14 +58,15 @@ final class JointedParts {
         strikes = joints.strikes;
     }
 
-    /** Begins a step. */
-    void begin() {
+    /** Begins a step in which parts that are not composed are so many seconds long. */
+    void begin(double plainPart) {
+        plain = plainPart;
         isOnStops = false;
     }
 
     /**
      * Advances a substep of {@code length} seconds that begins at a time, of a step of {@code step}
-     * seconds. A composed one is made in two parts where it cannot be composed.
+     * seconds. A composed one is made in shorter parts where it cannot be composed.
      */
     void advance(double start, double length, int number, double step, boolean mayCompose) {
         h = length;
@@ -78,7 +82,7 @@ final class JointedParts {
                 kicks.slip(left);
                 return;
             }
-            double part = mayCompose ? Math.min(left, h / 2) : left;
+            double part = mayCompose ? Math.min(left, plain) : left;
             declared.measureJointed(substep, done == 0, time, dt - time, part);
             boolean composes = mayCompose && !isOnStops && declared.haveAllJoined(substep);
             double gone = composes ? advanceComposed(time, left) : NOT_COMPOSED;
@@ -93,7 +97,7 @@ final class JointedParts {
         if (ended >= most || !joints.isWhole()) {
             return NOT_COMPOSED;
         }
-        stages.beginComposed(1);
+        stages.beginComposed();
         if (joints.haveStops()) {
             find(left, true);
             if (strikes.areAnyNow()) {

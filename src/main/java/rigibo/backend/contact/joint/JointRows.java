@@ -394,6 +394,12 @@ final class JointRows {
         joint = NeutralRows.NONE;
     }
 
+    /** The distance of the anchors of a row's joint along its axis, at the poses taken, m. */
+    double along(int row) {
+        place(row);
+        return geometry.along;
+    }
+
     /** Whether a spring is too stiff for its substep. */
     boolean areAnyStiff() {
         return springs.areAnyStiff;

@@ -121,6 +121,7 @@ public final class JointSolver {
     private double keptKick;
 
     private final TautSubsteps taut;
+    private final ComposedSubsteps composed;
     private final double tolerance;
     private final Islands islands;
 
@@ -162,6 +163,7 @@ public final class JointSolver {
                         foreseen,
                         accuracy.impactTolerance());
         taut = new TautSubsteps(data);
+        composed = new ComposedSubsteps(data, motions, rows, jointRows, packed, taut, accuracy);
         results = new JointResults(data, packed, rows);
         islands = data.islands;
         tolerance = accuracy.impactTolerance();
@@ -204,6 +206,14 @@ public final class JointSolver {
     /** How many substeps an island needs for a step of dt seconds, usually as usual. */
     public int substepsFor(int island, double dt, int usual) {
         return taut.count(island, dt, usual);
+    }
+
+    /**
+     * How many substeps of the fourth order the packed island needs for a step of dt seconds, which
+     * is given so many at most; where something touches, it gets them all.
+     */
+    public int composedSubsteps(int island, double dt, int most) {
+        return contactRows.areAny() ? most : composed.count(island, dt, most);
     }
 
     /** Begins with the joints of an island whose bodies and contacts are packed. */

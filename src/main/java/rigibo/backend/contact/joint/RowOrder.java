@@ -34,8 +34,39 @@ final class RowOrder {
         this.rows = rows;
     }
 
-    /** Orders all rows. */
+    /** What was ordered last: by row and place the offset of its body, and how many of each. */
+    private int[] before = new int[64 * NeutralRows.BODIES];
+
+    private int rowsBefore = NOWHERE;
+    private int bodiesBefore;
+
+    /** Orders all rows, unless they are of the same bodies as those that were ordered last. */
     void find() {
+        boolean isRoomier = before.length < NeutralRows.BODIES * rows.count;
+        if (isRoomier) {
+            before = new int[NeutralRows.BODIES * rows.bodies.length];
+        }
+        if (isOther() | isRoomier) {
+            order();
+        }
+    }
+
+    private boolean isOther() {
+        boolean isOther = rowsBefore != rows.count || bodiesBefore != motions.count;
+        for (int row = 0; row < rows.count; row++) {
+            int at = row * NeutralRows.BODIES;
+            for (int i = 0; i < NeutralRows.BODIES; i++) {
+                int body = i < rows.bodies[row] ? rows.body[at + i] : NOWHERE;
+                isOther |= before[at + i] != body;
+                before[at + i] = body;
+            }
+        }
+        rowsBefore = rows.count;
+        bodiesBefore = motions.count;
+        return isOther;
+    }
+
+    private void order() {
         reserve();
         listRows();
         Arrays.fill(place, 0, motions.count, NOWHERE);

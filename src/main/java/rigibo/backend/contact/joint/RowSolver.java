@@ -128,13 +128,10 @@ final class RowSolver {
 
     /** Brings the set's rows to what they ask for. */
     private void eliminate() {
-        for (int i = 0; i < REFINEMENTS; i++) {
+        for (int i = 0; i < REFINEMENTS && !(i > 0 && worst() <= settled); i++) {
             elimination.solve(residual);
             for (int k = 0; k < elimination.size(); k++) {
                 rows.push(elimination.row(k), elimination.answer(k));
-            }
-            if (i > 0 && worst() <= settled) {
-                return;
             }
         }
     }

@@ -38,13 +38,9 @@ public final class Stages {
         shares = ONE;
     }
 
-    /**
-     * Begins an island that equations alone hold, which is given so many substeps as a rule;
-     * answers how many it is given.
-     */
-    public int beginComposed(int substeps) {
+    /** Begins substeps that have five parts each where they may. */
+    public void beginComposed() {
         shares = mayCompose ? FIVE : ONE;
-        return mayCompose ? (substeps + 1) / 2 : substeps;
     }
 
     /** Whether islands that allow it are composed at all. */

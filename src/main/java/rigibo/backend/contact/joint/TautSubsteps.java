@@ -43,6 +43,12 @@ final class TautSubsteps {
         if (!bodies.turns() || areMany || meetOthers) {
             return usual;
         }
+        double wanted = Math.sqrt(square(island)) * dt / MOST_PHASE;
+        return (int) Math.ceil(Math.max(usual, Math.min(MOST_MORE * usual, wanted)));
+    }
+
+    /** The square of the fastest trembling by what an island's joints carried last, 1/s². */
+    double square(int island) {
         if (square.length < bodies.type.length) {
             square = new double[bodies.type.length];
         }
@@ -53,8 +59,7 @@ final class TautSubsteps {
         for (int i = islands.jointStart[island]; i < islands.jointStart[island + 1]; i++) {
             most = Math.max(most, add(islands.joints[i]));
         }
-        double wanted = Math.sqrt(most) * dt / MOST_PHASE;
-        return (int) Math.ceil(Math.max(usual, Math.min(MOST_MORE * usual, wanted)));
+        return most;
     }
 
     private double add(int joint) {

@@ -1,0 +1,98 @@
+package rigibo.backend.contact.joint;
+
+import rigibo.backend.contact.row.Motions;
+import rigibo.backend.setup.Accuracy;
+import rigibo.backend.setup.JointKind;
+import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.JointStore;
+
+/**
+ * How many composed substeps an island needs. What a substep of h seconds errs by grows with (ωh)⁴,
+ * where ω is the fastest of what turns, swings and trembles in it.
+ */
+final class ComposedSubsteps {
+
+    /**
+     * rad of the fastest motion in a substep, as a multiple of the fourth root of the tolerance. Of
+     * a harmonic swing five parts then miss no more than a hundredth of the tolerance in a period.
+     */
+    private static final double MOST_PHASE = 2;
+
+    private final JointStore joints;
+    private final Motions motions;
+    private final NeutralRows rows;
+    private final JointRows jointRows;
+    private final PackedJoints packed;
+    private final TautSubsteps taut;
+    private final double mostPhase;
+
+    ComposedSubsteps(
+            DataStorage data,
+            Motions motions,
+            NeutralRows rows,
+            JointRows jointRows,
+            PackedJoints packed,
+            TautSubsteps taut,
+            Accuracy accuracy) {
+        joints = data.joints;
+        this.motions = motions;
+        this.rows = rows;
+        this.jointRows = jointRows;
+        this.packed = packed;
+        this.taut = taut;
+        mostPhase = MOST_PHASE * Math.sqrt(Math.sqrt(accuracy.impactTolerance()));
+    }
+
+    /** Substeps of the packed island, whose rows are written, for a step of dt seconds. */
+    int count(int island, double dt, int most) {
+        if (most == 1) {
+            return 1;
+        }
+        double rate = Math.max(turning(), Math.sqrt(taut.square(island)));
+        for (int row = 0; row < rows.count; row++) {
+            rate = Math.max(rate, rate(row));
+        }
+        return (int) Math.min(most, Math.max(1, Math.ceil(rate * dt / mostPhase)));
+    }
+
+    /** The fastest turning of a body, rad/s. */
+    private double turning() {
+        double most = 0;
+        for (int entry = 1; entry < motions.count; entry++) {
+            most = Math.max(most, Math.abs(motions.data[entry * Motions.STRIDE + Motions.SPIN]));
+        }
+        return most;
+    }
+
+    /** How fast what a row is of swings or decays, or its direction turns, rad/s. */
+    private double rate(int row) {
+        int joint = rows.joint[row];
+        int slot = packed.slot[joint];
+        if (rows.part[row] == JointRows.SPRING) {
+            double swing = Math.sqrt(joints.stiffness[slot] * rows.response[row]);
+            return Math.max(swing, joints.damping[slot] * rows.response[row]);
+        }
+        if (joints.kind[slot] == JointKind.PULLEY.ordinal()) {
+            return Double.POSITIVE_INFINITY;
+        }
+        return joints.kind[slot] == JointKind.DISTANCE.ordinal() ? turning(row, joint, slot) : 0;
+    }
+
+    /** The fastest turning that a rod may have, rad/s: what is across it is not told apart. */
+    private double turning(int row, int joint, int slot) {
+        int a = packed.offsetA[joint];
+        int b = packed.offsetB[joint];
+        double[] m = motions.data;
+        double x = m[b + Motions.VX] - m[a + Motions.VX];
+        double y = m[b + Motions.VY] - m[a + Motions.VY];
+        double onA = length(joints.anchorAX[slot], joints.anchorAY[slot]);
+        double onB = length(joints.anchorBX[slot], joints.anchorBY[slot]);
+        double turned = onA * Math.abs(m[a + Motions.SPIN]) + onB * Math.abs(m[b + Motions.SPIN]);
+        double along = jointRows.along(row);
+        return along > 0 ? (length(x, y) + turned) / along : Double.POSITIVE_INFINITY;
+    }
+
+    private static double length(double x, double y) {
+        return Math.sqrt(x * x + y * y);
+    }
+}
