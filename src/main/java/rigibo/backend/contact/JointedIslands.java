@@ -104,12 +104,29 @@ final class JointedIslands {
         return declared.substepsFor(island, dt, usual);
     }
 
+    /**
+     * Packs an island for as many substeps as usual, or for fewer where it turns out to be too much
+     * for an elimination of all its rows; answers how many.
+     */
+    private int pack(int island, double dt, int usual) {
+        packFor(island, dt / usual / 2, usual);
+        int slow = joints.isWhole() ? usual : fewer.ofJointed(island, dt, accuracy.substeps());
+        int substeps = Math.min(usual, declared.substepsFor(island, dt, slow));
+        if (substeps < usual) {
+            packFor(island, dt / substeps / 2, substeps);
+        }
+        return substeps;
+    }
+
+    private void packFor(int island, double firstKick, int substeps) {
+        builder.build(island, firstKick);
+        joints.pack(island, firstKick, substeps);
+    }
+
     /** Advances an island as it is stored, without storing what it comes to. */
     private void advance(int island, double dt, int usual) {
-        int substeps = usual;
+        int substeps = pack(island, dt, usual);
         double h = dt / substeps;
-        builder.build(island, h / 2);
-        joints.pack(island, h / 2, substeps);
         declared.begin(h, 0);
         declared.foresee(dt);
         warmStart.prepare();

@@ -16,7 +16,7 @@ final class ComposedSubsteps {
      * rad of the fastest motion in a substep, as a multiple of the fourth root of the tolerance. Of
      * a harmonic swing five parts then miss no more than a hundredth of the tolerance in a period.
      */
-    private static final double MOST_PHASE = 2;
+    private static final double MOST_PHASE = 1.25;
 
     private final JointStore joints;
     private final Motions motions;

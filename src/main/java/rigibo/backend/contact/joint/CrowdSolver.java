@@ -95,6 +95,7 @@ final class CrowdSolver {
     /** Begins an island that is given fewer, longer substeps, each of which stands for several. */
     void beginIsland(int usual, int substeps) {
         mostPasses = MOST_PASSES * Math.max(1, usual / substeps);
+        factor.forget();
     }
 
     /**
@@ -216,6 +217,13 @@ final class CrowdSolver {
 
     /** Brings what holds to what it asks for. */
     private void holdEquations() {
+        askResiduals();
+        if (factor.isStale()) {
+            askResiduals();
+        }
+    }
+
+    private void askResiduals() {
         for (int e = 0; e < equations.count; e++) {
             int row = equations.row[e];
             factor.ask(e, row == EquationList.NONE ? 0 : -rows.residual(row));

@@ -40,6 +40,12 @@ final class EquationFactor {
     /** By equation: what is asked of it, then what it is to be pushed by. */
     private double[] unknown = new double[64];
 
+    /** What was factored last, to be factored anew only where it has changed. */
+    private final FactoredRows factored;
+
+    /** Whether equations have changed by next to nothing since they were factored. */
+    private boolean isStale;
+
     /** Multiplications made since it was asked for last. */
     private double work;
 
@@ -48,6 +54,7 @@ final class EquationFactor {
         this.rows = rows;
         equations = new EquationList(motions, rows);
         tree = new AssemblyTree(equations);
+        factored = new FactoredRows(motions, rows, equations, tree);
     }
 
     /** Multiplications made since it was asked for last. */
@@ -72,14 +79,31 @@ final class EquationFactor {
         if (equations.list()) {
             tree.build();
             reserve();
+            factored.forget();
         }
     }
 
-    /** Factors the equations that hold. */
+    /** Forgets what was factored: another island or step begins, which knows nothing of it. */
+    void forget() {
+        factored.forget();
+    }
+
+    /** Factors the equations that hold, where they are others than those that are factored. */
     void factorize() {
+        isStale = false;
         for (int group = 0; group < tree.groups; group++) {
-            factorize(group);
+            double change = factored.change(group);
+            if (change > FactoredRows.SAME) {
+                factorize(group);
+            } else {
+                isStale |= change > 0;
+            }
         }
+    }
+
+    /** Whether what was factored is only nearly what holds, so that answers want to be refined. */
+    boolean isStale() {
+        return isStale;
     }
 
     /** Factors those of one group. */
@@ -99,6 +123,7 @@ final class EquationFactor {
             }
             eliminate(n, size);
         }
+        factored.keep(group);
     }
 
     private void reserve() {
