@@ -70,7 +70,7 @@ final class ComposedSubsteps {
         int slot = packed.slot[joint];
         if (rows.part[row] == JointRows.SPRING) {
             double swing = Math.sqrt(joints.stiffness[slot] * rows.response[row]);
-            return Math.max(swing, joints.damping[slot] * rows.response[row]);
+            return Math.max(swing, joints.damping[slot] * rows.response[row] / 2);
         }
         if (joints.kind[slot] == JointKind.PULLEY.ordinal()) {
             return Double.POSITIVE_INFINITY;
