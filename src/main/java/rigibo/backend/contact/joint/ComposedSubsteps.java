@@ -40,13 +40,16 @@ final class ComposedSubsteps {
         this.jointRows = jointRows;
         this.packed = packed;
         this.taut = taut;
-        mostPhase = MOST_PHASE * Math.sqrt(Math.sqrt(accuracy.impactTolerance()));
+        boolean isLimited = accuracy.substeps() < Accuracy.EXACT.substeps();
+        // Substeps that change within a swing leave a trend of energy that EXACT does not allow.
+        double tolerance = isLimited ? accuracy.impactTolerance() : 0;
+        mostPhase = MOST_PHASE * Math.sqrt(Math.sqrt(tolerance));
     }
 
     /** Substeps of the packed island, whose rows are written, for a step of dt seconds. */
     int count(int island, double dt, int most) {
-        if (most == 1) {
-            return 1;
+        if (most == 1 || mostPhase == 0) {
+            return most;
         }
         double rate = Math.max(turning(), Math.sqrt(taut.square(island)));
         for (int row = 0; row < rows.count; row++) {
