@@ -152,6 +152,31 @@ class JointExamplesTest {
         return sum;
     }
 
+    /**
+     * J6: equal elastic balls pass their momentum on, so that the last rises as high as the first
+     * was let go from, while those between hang still.
+     */
+    @Test
+    void theCradlesLastBallRisesAsHighAsTheFirstWasLetGoFrom() {
+        Cradle example = new Cradle();
+        Pool pool = example.open();
+        double lifted = example.rise(0);
+        assertThat(lifted).isCloseTo(Cradle.ROD * (1 - Math.cos(Cradle.LIFT)), within(1e-12));
+        double highest = 0;
+        double between = 0;
+        int wayBack = (int) Math.round(2 * Math.PI * Math.sqrt(Cradle.ROD / G) / STEP / 2);
+        for (int i = 0; i < wayBack + 30; i++) {
+            example.run(pool, STEP);
+            highest = Math.max(highest, example.rise(4));
+            for (int ball = 1; ball < 4; ball++) {
+                between = Math.max(between, example.rise(ball));
+            }
+        }
+        // Looked at each step, its top is missed by 0.02 %; GAME loses 0.1 % in the swings.
+        assertThat(highest / lifted).isCloseTo(1, within(5e-3));
+        assertThat(between / lifted).isLessThan(1e-3);
+    }
+
     /** J7: n storeys of bars of length L at an angle θ are n·L·sin θ high, and the table level. */
     @Test
     void theScissorLiftIsAsHighAsItsBarsLean() {
