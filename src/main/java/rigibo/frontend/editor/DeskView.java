@@ -6,6 +6,7 @@ import rigibo.frontend.editor.draft.Decimal;
 import rigibo.frontend.editor.draft.Draft;
 import rigibo.frontend.editor.draft.Grid;
 import rigibo.frontend.editor.draft.Item;
+import rigibo.frontend.editor.draft.JointEntry;
 import rigibo.frontend.editor.draft.Point;
 import rigibo.frontend.editor.pane.ProblemPane;
 import rigibo.frontend.editor.tool.Outlines;
@@ -32,6 +33,11 @@ final class DeskView {
 
     /** Pitches that lines may have, m: the finest that is not too near is drawn. */
     private static final double[] PITCHES = {0.05, 0.25, 0.5, 1, 5};
+
+    /** Round an anchor, and the icon above it, px. */
+    private static final double RING = 9;
+
+    private static final double ICON = 10;
 
     private static final Color LINES = Color.TEXT.alpha(0.08);
 
@@ -75,6 +81,14 @@ final class DeskView {
         JointPen pen = new JointPen(canvas, camera);
         for (JsonNode node : desk.draft().at("/joints")) {
             LevelJoint.of(node).ifPresent(joint -> JointSketch.draw(pen, joint));
+        }
+        desk.joint().ifPresent(joint -> rings(joint, Color.TEXT));
+    }
+
+    private void rings(JointEntry joint, Color color) {
+        for (String anchor : joint.anchors()) {
+            Point at = joint.point(anchor);
+            canvas.ring(camera.screenX(at.x()), camera.screenY(at.y()), RING, 2.5, 1, color);
         }
     }
 
@@ -122,6 +136,15 @@ final class DeskView {
         desk.item().ifPresent(item -> Outlines.draw(canvas, camera, item, Color.TEXT));
         Map<String, Finding> worst = new HashMap<>();
         findings.forEach(finding -> worst.putIfAbsent(finding.item(), finding));
+        for (JointEntry joint : JointEntry.all(desk.draft())) {
+            Finding finding = worst.get(joint.pointer());
+            if (finding != null) {
+                rings(joint, finding.problem().isError() ? Color.BAD : Color.BRASS);
+                Point from = joint.point(joint.anchors().get(0));
+                double y = camera.screenY(from.y()) - RING - ICON;
+                ProblemPane.icon(canvas, camera.screenX(from.x()), y, finding);
+            }
+        }
         for (Item item : desk.draft().items()) {
             Finding finding = worst.get(item.pointer());
             if (finding != null) {

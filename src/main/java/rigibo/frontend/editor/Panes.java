@@ -1,7 +1,9 @@
 package rigibo.frontend.editor;
 
 import rigibo.frontend.editor.desk.Finding;
+import rigibo.frontend.editor.desk.Joining;
 import rigibo.frontend.editor.draft.Item;
+import rigibo.frontend.editor.draft.JointEntry;
 import rigibo.frontend.editor.draft.Point;
 import rigibo.frontend.editor.pane.Area;
 import rigibo.frontend.editor.pane.Bar;
@@ -102,6 +104,7 @@ final class Panes {
             case BOX, DISC, BALL -> "draw";
             case CORNERS -> "corners";
             case REGULAR -> "regular";
+            case HINGE, WELD, WHEEL, SLIDE, ROD, ROPE, SPRING -> "joint";
         };
     }
 
@@ -115,7 +118,12 @@ final class Panes {
                 new Point(
                         shop.desk().camera().worldX(pane.pointerX()),
                         shop.desk().camera().worldY(pane.pointerY()));
-        String under = shop.desk().at(at).map(Item::pointer).orElse("-");
+        String under =
+                new Joining(shop.desk())
+                        .at(at)
+                        .map(JointEntry::pointer)
+                        .or(() -> shop.desk().at(at).map(Item::pointer))
+                        .orElse("-");
         return findings.stream()
                 .filter(finding -> finding.item().equals(under))
                 .findFirst()

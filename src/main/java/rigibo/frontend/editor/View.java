@@ -10,13 +10,13 @@ import rigibo.frontend.scene.Scene;
 final class View {
 
     static final Area TOP = new Area(4, 4, 712, 44);
-    static final Area TOOLS = new Area(4, 54, 56, 560);
+    static final Area TOOLS = new Area(4, 54, 96, 602);
     static final Area FIELDS = new Area(486, 54, 230, 458);
     static final Area PROBLEMS = new Area(486, 518, 230, 138);
     static final Area FOOT = new Area(4, 662, 712, 134);
 
     /** What the panes leave to the draft. */
-    static final Area DRAFT = new Area(64, 54, 418, 602);
+    static final Area DRAFT = new Area(104, 54, 378, 602);
 
     private static final double MARGIN = 8;
 

@@ -12,6 +12,7 @@ import rigibo.frontend.editor.pane.ListPane;
 import rigibo.frontend.editor.tool.BallTool;
 import rigibo.frontend.editor.tool.CornersTool;
 import rigibo.frontend.editor.tool.DrawTool;
+import rigibo.frontend.editor.tool.JointTool;
 import rigibo.frontend.editor.tool.SelectTool;
 import rigibo.frontend.editor.tool.Stencil;
 import rigibo.frontend.editor.tool.Tool;
@@ -109,6 +110,8 @@ final class Workshop {
                     case CORNERS -> new CornersTool(desk);
                     case REGULAR -> new DrawTool(desk, Stencil.REGULAR);
                     case BALL -> new BallTool(desk);
+                    case HINGE, WELD, WHEEL, SLIDE, ROD, ROPE, SPRING ->
+                            new JointTool(desk, next.joint().orElseThrow());
                 };
     }
 

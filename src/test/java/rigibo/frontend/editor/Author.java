@@ -3,6 +3,7 @@ package rigibo.frontend.editor;
 import rigibo.frontend.editor.draft.Draft;
 import rigibo.frontend.editor.draft.NewLevel;
 import rigibo.frontend.editor.file.DraftFile;
+import rigibo.frontend.puzzle.level.LevelJoint;
 import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Key;
 import rigibo.frontend.scene.Modifier;
@@ -53,7 +54,13 @@ final class Author {
 
     void take(int tool) {
         look();
-        click(View.TOOLS.x() + 28, View.TOOLS.y() + 28 + 48 * tool);
+        click(View.TOOLS.x() + 26, View.TOOLS.y() + 26 + 44 * tool);
+    }
+
+    /** Takes up the tool for joints of a kind. */
+    void take(LevelJoint.Type type) {
+        look();
+        click(View.TOOLS.x() + 70, View.TOOLS.y() + 26 + 44 * type.ordinal());
     }
 
     /** Presses the button with a name. */
@@ -81,6 +88,19 @@ final class Author {
         scene.pointerMoved(camera.screenX((fromX + toX) / 2), camera.screenY((fromY + toY) / 2));
         scene.pointerMoved(camera.screenX(toX), camera.screenY(toY));
         scene.pointerReleased(PointerButton.LEFT, camera.screenX(toX), camera.screenY(toY));
+    }
+
+    /** Drags the handle above a thing round its middle, a degree at each move. */
+    void turnHandle(double x, double y, double stalk, int degrees) {
+        look();
+        scene.pointerPressed(PointerButton.LEFT, camera.screenX(x), camera.screenY(y + stalk));
+        for (int i = 1; i <= degrees; i++) {
+            double angle = Math.toRadians(i);
+            scene.pointerMoved(
+                    camera.screenX(x - stalk * Math.sin(angle)),
+                    camera.screenY(y + stalk * Math.cos(angle)));
+        }
+        scene.pointerReleased(PointerButton.LEFT, camera.screenX(x), camera.screenY(y + stalk));
     }
 
     void type(String text) {

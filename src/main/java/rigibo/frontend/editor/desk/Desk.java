@@ -7,6 +7,8 @@ import rigibo.frontend.editor.draft.Form;
 import rigibo.frontend.editor.draft.Grid;
 import rigibo.frontend.editor.draft.History;
 import rigibo.frontend.editor.draft.Item;
+import rigibo.frontend.editor.draft.Joinery;
+import rigibo.frontend.editor.draft.JointEntry;
 import rigibo.frontend.editor.draft.Point;
 import rigibo.frontend.puzzle.level.Solution;
 import rigibo.frontend.puzzle.level.Substance;
@@ -17,6 +19,7 @@ import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.node.JsonNodeFactory;
 import tools.jackson.databind.node.ObjectNode;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -86,9 +89,10 @@ public final class Desk {
         return pixels / camera.scale();
     }
 
-    /** Makes an edit; its effects are declared with it. */
+    /** Makes an edit; joints go along with what they hold, effects are declared with it. */
     public void change(Draft next) {
-        history.change(EffectUse.followed(draft(), next));
+        Draft joined = Joinery.followed(history.origin(), draft(), next);
+        history.change(EffectUse.followed(draft(), joined));
     }
 
     /** What is chosen. */
@@ -96,9 +100,14 @@ public final class Desk {
         return chosen.isEmpty() ? Optional.empty() : draft().item(chosen);
     }
 
+    /** The joint that is chosen. */
+    public Optional<JointEntry> joint() {
+        return JointEntry.of(draft(), chosen);
+    }
+
     /** JSON pointer of what is chosen; empty where nothing is. */
     public String chosen() {
-        return item().isPresent() ? chosen : "";
+        return item().isPresent() || joint().isPresent() ? chosen : "";
     }
 
     /** Chooses what stands at a JSON pointer, or nothing by an empty one. */
@@ -113,11 +122,14 @@ public final class Desk {
                 .reduce((below, above) -> above);
     }
 
-    /** Chooses the item after the chosen one in the draft's order, or before by −1. */
+    /** Chooses what comes after the chosen one in the draft's order, or before by −1. */
     public void chooseNext(int direction) {
-        List<Item> items = draft().items();
-        int at = item().map(items::indexOf).orElse(direction > 0 ? -1 : 0);
-        choose(items.get(Math.floorMod(at + direction, items.size())).pointer());
+        List<String> all = new ArrayList<>();
+        draft().items().forEach(item -> all.add(item.pointer()));
+        JointEntry.all(draft()).forEach(joint -> all.add(joint.pointer()));
+        int at = all.indexOf(chosen());
+        int from = at < 0 && direction < 0 ? 0 : at;
+        choose(all.get(Math.floorMod(from + direction, all.size())));
     }
 
     /** What new bodies are made of. */
@@ -183,6 +195,11 @@ public final class Desk {
 
     /** Takes away what is chosen, unless no level is without it. */
     public void remove() {
+        Optional<JointEntry> joint = joint();
+        if (joint.isPresent()) {
+            change(Joinery.without(draft(), joint.get()));
+            choose("");
+        }
         item().filter(Item::isDispensable)
                 .ifPresent(
                         item -> {

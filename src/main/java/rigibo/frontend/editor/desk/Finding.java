@@ -13,7 +13,7 @@ import java.util.regex.Pattern;
 public record Finding(Problem problem) {
 
     private static final Pattern ITEM =
-            Pattern.compile("(/bodies/\\d+|/ball|/moreBalls/\\d+|/platform)(/.*)?");
+            Pattern.compile("(/bodies/\\d+|/ball|/moreBalls/\\d+|/platform|/joints/\\d+)(/.*)?");
     private static final Pattern CODE = Pattern.compile("(E\\d{3}) .*", Pattern.DOTALL);
 
     /** JSON pointer of the item it concerns; empty where that is the level as a whole. */

@@ -41,9 +41,9 @@ public final class Clicks {
         return NODES.objectNode().set("clicks", clicks);
     }
 
-    /** The draft with a body called otherwise wherever a solution clicks it. */
+    /** The draft with a body called otherwise wherever a solution or a joint names it. */
     public static Draft renamed(Draft draft, String before, String after) {
-        Draft renamed = draft;
+        Draft renamed = Joinery.renamed(draft, before, after);
         for (int i = 0; i < draft.at(POINTER).size(); i++) {
             List<String> bodies = bodies(draft.at(POINTER).path(i));
             for (int j = 0; j < bodies.size(); j++) {

@@ -123,8 +123,13 @@ public final class Draft {
 
     /** The same with one more body, under an id of its own, at the end of the bodies. */
     public Draft plus(ObjectNode body) {
+        return plus(body, body.path("material").asString("body"));
+    }
+
+    /** The same with one more body that is called by a word and the next free number. */
+    public Draft plus(ObjectNode body, String word) {
         ObjectNode named = NODES.objectNode();
-        named.put("id", Ids.free(this, body.path("material").asString("body")));
+        named.put("id", Ids.free(this, word));
         body.properties().forEach(member -> named.putIfAbsent(member.getKey(), member.getValue()));
         return plus(BODIES, named);
     }
@@ -156,12 +161,14 @@ public final class Draft {
     }
 
     /**
-     * The same without an item, and without the solutions that click it: they are none any more.
+     * The same without an item, what was joined to it, and the solutions that click it: they are
+     * none any more.
      */
     public Draft without(Item item) {
         Draft rest = without(item.pointer());
         boolean wasLastBall = item.isFurtherBall() && rest.at(MORE_BALLS).isEmpty();
-        return wasLastBall ? rest.without(MORE_BALLS) : Clicks.forget(rest, item.id());
+        Draft parted = Joinery.forget(rest, item);
+        return wasLastBall ? parted.without(MORE_BALLS) : Clicks.forget(parted, item.id());
     }
 
     @Override

@@ -84,6 +84,7 @@ public final class EffectUse {
         used.put(
                 "gravity",
                 Decimal.read(gravity.path(0), 0) != 0 || Decimal.read(gravity.path(1), 0) != 0);
+        used.put("joints", !draft.at(JointEntry.JOINTS).isEmpty());
         used.put("buoyancy", draft.at("/world/water").isObject());
         List<Item> items = draft.items();
         for (Member member : MEMBERS) {

@@ -12,7 +12,7 @@ final class Frame {
     private static final int FORMAT = 2;
     private static final List<String> OBJECTS =
             List.of("title", "hint", "world", "rules", "ball", "platform");
-    private static final List<String> LISTS = List.of("bodies", "solutions", "moreBalls");
+    private static final List<String> LISTS = List.of("bodies", "solutions", "moreBalls", "joints");
 
     private Frame() {}
 

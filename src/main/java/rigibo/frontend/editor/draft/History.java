@@ -24,6 +24,11 @@ public final class History {
         return present;
     }
 
+    /** The draft that a gesture began with; as it stands where there is none. */
+    public Draft origin() {
+        return held == null ? present : held;
+    }
+
     /** Whether several changes are being made that will be one. */
     public boolean isGesture() {
         return held != null;

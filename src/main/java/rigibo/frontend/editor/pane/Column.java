@@ -8,7 +8,7 @@ import java.util.function.IntConsumer;
 /** Rows of fields, from the top of an area downwards. */
 final class Column {
 
-    static final double ROW = 29;
+    static final double ROW = 27;
 
     private static final double GAP = 3;
     private static final double SIGN = 22;

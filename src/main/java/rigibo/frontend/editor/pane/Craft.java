@@ -1,5 +1,6 @@
 package rigibo.frontend.editor.pane;
 
+import rigibo.frontend.puzzle.level.LevelJoint;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Key;
@@ -15,7 +16,14 @@ public enum Craft {
     DISC(Key.C),
     CORNERS(Key.P),
     REGULAR(Key.N),
-    BALL(Key.O);
+    BALL(Key.O),
+    HINGE(Key.H),
+    WELD(Key.X),
+    WHEEL(Key.W),
+    SLIDE(Key.L),
+    ROD(Key.R),
+    ROPE(Key.U),
+    SPRING(Key.F);
 
     private static final double HALF = 11;
     private static final double STROKE = 2.5;
@@ -29,6 +37,13 @@ public enum Craft {
     /** The tool of a key. */
     public static Optional<Craft> of(Key key) {
         return Arrays.stream(values()).filter(craft -> craft.shortcut == key).findFirst();
+    }
+
+    /** What it joins by, where it is for joints. */
+    public Optional<LevelJoint.Type> joint() {
+        return Arrays.stream(LevelJoint.Type.values())
+                .filter(type -> type.name().equals(name()))
+                .findFirst();
     }
 
     String key() {
@@ -46,6 +61,8 @@ public enum Craft {
                 canvas.disc(x, y, HALF, ink);
                 canvas.ring(x, y, HALF - 4, 2, 1, Color.IRON);
             }
+            case HINGE, WELD, WHEEL, SLIDE, ROD, ROPE, SPRING ->
+                    JointIcon.draw(canvas, joint().orElseThrow(), x, y, ink);
         }
     }
 

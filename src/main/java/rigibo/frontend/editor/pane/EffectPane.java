@@ -24,6 +24,7 @@ public final class EffectPane {
                     "surface-speed",
                     "buoyancy",
                     "drag",
+                    "joints",
                     "continuous-impacts",
                     "sleep");
 

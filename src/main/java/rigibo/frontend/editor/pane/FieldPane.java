@@ -3,6 +3,7 @@ package rigibo.frontend.editor.pane;
 import rigibo.frontend.editor.desk.Desk;
 import rigibo.frontend.editor.desk.Typing;
 import rigibo.frontend.editor.draft.Item;
+import rigibo.frontend.editor.draft.JointEntry;
 
 import java.util.Optional;
 
@@ -17,8 +18,11 @@ public final class FieldPane {
         Column column = new Column(pane, area.inset(10));
         Fields fields = new Fields(column, pane, desk, typing);
         Optional<Item> item = desk.item();
+        Optional<JointEntry> joint = desk.joint();
         if (item.isPresent()) {
             ItemPane.draw(fields, item.get());
+        } else if (joint.isPresent()) {
+            JointPane.draw(fields, joint.get());
         } else {
             LevelPane.draw(fields);
         }

@@ -8,28 +8,37 @@ import rigibo.frontend.scene.Color;
 
 import java.util.function.Consumer;
 
-/** The column of tools at the left, and below it what bodies are made of. */
+/** The tools at the left, bodies beside joints, and below them what bodies are made of. */
 public final class ToolPane {
 
-    private static final double SIZE = 44;
-    private static final double PITCH = 48;
+    private static final double SIZE = 40;
+    private static final double PITCH = 44;
     private static final double SWATCH = 30;
+
+    /** As many tools for bodies, and for joints: each has a column. */
+    private static final int ROWS = 7;
+
+    private static final int SWATCHES = 4;
 
     private ToolPane() {}
 
     /** Draws it; a press on a tool takes it up. */
     public static void draw(Pane pane, Area area, Desk desk, Craft taken, Consumer<Craft> take) {
         pane.plate(area);
-        double x = area.x() + (area.width() - SIZE) / 2;
-        double y = area.y() + 6;
+        Area inner = area.inset(6);
+        int bodies = 0;
+        int joints = 0;
         for (Craft craft : Craft.values()) {
+            boolean joins = craft.joint().isPresent();
+            double x = inner.x() + (joins ? PITCH : 0);
+            double y = inner.y() + (joins ? joints++ : bodies++) * PITCH;
             tool(pane, new Area(x, y, SIZE, SIZE), craft, craft == taken, () -> take.accept(craft));
-            y += PITCH;
         }
-        y += 6;
         for (Substance substance : Substance.values()) {
-            swatch(pane, new Area(x + 7, y, SWATCH, SWATCH), desk, substance);
-            y += SWATCH + 6;
+            int at = substance.ordinal();
+            double x = inner.x() + at / SWATCHES * PITCH + (SIZE - SWATCH) / 2;
+            double y = inner.y() + ROWS * PITCH + 8 + at % SWATCHES * (SWATCH + 6);
+            swatch(pane, new Area(x, y, SWATCH, SWATCH), desk, substance);
         }
     }
 

@@ -1,7 +1,9 @@
 package rigibo.frontend.editor.tool;
 
 import rigibo.frontend.editor.desk.Desk;
+import rigibo.frontend.editor.desk.Joining;
 import rigibo.frontend.editor.draft.Item;
+import rigibo.frontend.editor.draft.JointEntry;
 import rigibo.frontend.editor.draft.Point;
 import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Canvas;
@@ -9,7 +11,7 @@ import rigibo.frontend.scene.Color;
 
 import java.util.Comparator;
 import java.util.Optional;
-import java.util.function.Function;
+import java.util.function.Consumer;
 
 /** Chooses, drags, turns and sizes. */
 public final class SelectTool implements Tool {
@@ -17,21 +19,36 @@ public final class SelectTool implements Tool {
     /** How near to a handle the pointer takes hold of it, px. */
     private static final double REACH = 11;
 
+    /** A way that no hand meant: a click on a pin leaves it where it is, px. */
+    private static final double TREMBLING = 4;
+
     private final Desk desk;
-    private Function<Point, Item> drag;
+    private final Joining joining;
+    private Consumer<Point> drag;
+    private Runnable click;
+    private boolean isDragged;
+
+    /** The joint that this tool chose, for one that was just made is not clicked twice. */
+    private String clicked = "";
 
     public SelectTool(Desk desk) {
         this.desk = desk;
+        joining = new Joining(desk);
     }
 
     @Override
     public void pressed(Point at) {
         Optional<Handle> handle = handleAt(at);
+        Optional<JointEntry> joint = joining.at(at);
+        click = null;
+        isDragged = false;
         if (handle.isPresent()) {
-            drag = handle.get().moved();
+            drag = to -> desk.put(handle.get().moved().apply(to));
+        } else if (joint.isPresent()) {
+            press(joint.get(), at);
         } else {
             Optional<Item> under = desk.at(at);
-            desk.choose(under.map(Item::pointer).orElse(""));
+            choose(under);
             drag = under.map(item -> along(item, at)).orElse(null);
         }
         if (drag != null) {
@@ -39,8 +56,31 @@ public final class SelectTool implements Tool {
         }
     }
 
-    private Function<Point, Item> along(Item item, Point from) {
-        return to -> desk.grid().snap(item.at(item.place().plus(to.minus(from))));
+    /** A second press on a joint is about what lies under it, if it is a mere click. */
+    private void press(JointEntry joint, Point at) {
+        if (joint.pointer().equals(desk.chosen()) && desk.chosen().equals(clicked)) {
+            click = () -> choose(desk.at(at));
+        }
+        clicked = joint.pointer();
+        desk.choose(joint.pointer());
+        drag = joining.anchorAt(at).map(anchor -> along(anchor, at)).orElse(null);
+    }
+
+    private Consumer<Point> along(Joining.Anchor anchor, Point from) {
+        return to -> {
+            isDragged |= to.minus(from).length() >= desk.metres(TREMBLING);
+            if (isDragged) {
+                joining.move(anchor, to);
+            }
+        };
+    }
+
+    private void choose(Optional<Item> item) {
+        desk.choose(item.map(Item::pointer).orElse(""));
+    }
+
+    private Consumer<Point> along(Item item, Point from) {
+        return to -> desk.put(desk.grid().snap(item.at(item.place().plus(to.minus(from)))));
     }
 
     private Optional<Handle> handleAt(Point at) {
@@ -53,7 +93,7 @@ public final class SelectTool implements Tool {
     @Override
     public void moved(Point at) {
         if (drag != null) {
-            desk.put(drag.apply(at));
+            drag.accept(at);
         }
     }
 
@@ -61,6 +101,11 @@ public final class SelectTool implements Tool {
     public void released(Point at) {
         drag = null;
         desk.history().end();
+        if (click != null && !isDragged) {
+            click.run();
+            clicked = "";
+        }
+        click = null;
     }
 
     @Override

@@ -1,0 +1,172 @@
+package rigibo.frontend.editor.desk;
+
+import rigibo.frontend.editor.draft.Decimal;
+import rigibo.frontend.editor.draft.Disc;
+import rigibo.frontend.editor.draft.Draft;
+import rigibo.frontend.editor.draft.Item;
+import rigibo.frontend.editor.draft.Joinery;
+import rigibo.frontend.editor.draft.JointEntry;
+import rigibo.frontend.editor.draft.Point;
+import rigibo.frontend.puzzle.level.LevelJoint;
+import rigibo.frontend.puzzle.level.Substance;
+
+import tools.jackson.databind.node.JsonNodeFactory;
+import tools.jackson.databind.node.ObjectNode;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+
+/** Joins what lies on a desk, and finds and moves what is joined there. */
+public final class Joining {
+
+    /** Radius of the hook that a joint on the backdrop is given, m. */
+    public static final double HOOK = 0.1;
+
+    private static final String HOOK_NAME = "hook";
+
+    /** How near to an anchor, and to a rope, the pointer takes hold of it, px. */
+    private static final double REACH = 11;
+
+    private static final double ASIDE = 6;
+
+    private final Desk desk;
+
+    /** Joins what lies on a desk. */
+    public Joining(Desk desk) {
+        this.desk = desk;
+    }
+
+    /**
+     * A point of a joint.
+     *
+     * @param joint of which
+     * @param anchor the member that states it
+     */
+    public record Anchor(JointEntry joint, String anchor) {
+
+        /** Where it is, m. */
+        public Point place() {
+            return joint.point(anchor);
+        }
+    }
+
+    /**
+     * What a joint is to hold.
+     *
+     * @param item nothing for the backdrop, where a hook will be
+     * @param at m
+     */
+    public record End(Optional<Item> item, Point at) {}
+
+    /** The anchor nearest to a point, within reach; of the chosen joint before all others. */
+    public Optional<Anchor> anchorAt(Point point) {
+        Comparator<Anchor> unchosenLast =
+                Comparator.comparing(held -> !held.joint().pointer().equals(desk.chosen()));
+        return topmost().stream()
+                .flatMap(joint -> joint.anchors().stream().map(name -> new Anchor(joint, name)))
+                .filter(held -> distance(held, point) <= desk.metres(REACH))
+                .min(unchosenLast.thenComparingDouble(held -> distance(held, point)));
+    }
+
+    private static double distance(Anchor held, Point point) {
+        return held.place().minus(point).length();
+    }
+
+    private List<JointEntry> topmost() {
+        List<JointEntry> joints = new ArrayList<>(JointEntry.all(desk.draft()));
+        Collections.reverse(joints);
+        return joints;
+    }
+
+    /** The uppermost joint at a point: by an anchor, or by what spans two. */
+    public Optional<JointEntry> at(Point point) {
+        return anchorAt(point).map(Anchor::joint).or(() -> spanAt(point));
+    }
+
+    private Optional<JointEntry> spanAt(Point point) {
+        return topmost().stream()
+                .filter(joint -> joint.type().hasTwoPoints())
+                .filter(joint -> isNear(joint.point("from"), joint.point("to"), point))
+                .findFirst();
+    }
+
+    private boolean isNear(Point from, Point to, Point point) {
+        Point way = to.minus(from);
+        Point there = point.minus(from);
+        double square = way.x() * way.x() + way.y() * way.y();
+        double along = there.x() * way.x() + there.y() * way.y();
+        double share = square > 0 ? Math.max(0, Math.min(1, along / square)) : 0;
+        return there.minus(way.times(share)).length() <= desk.metres(ASIDE);
+    }
+
+    /** Where an anchor goes that is dropped at a point: to a middle that is near, or on lines. */
+    public Point snap(Point point) {
+        return desk.draft().items().stream()
+                .map(Item::place)
+                .filter(place -> place.minus(point).length() <= desk.metres(REACH))
+                .min(Comparator.comparingDouble(place -> place.minus(point).length()))
+                .orElseGet(() -> desk.grid().snap(point));
+    }
+
+    /** Drags an anchor; a hook under it comes along, for that is what it is for. */
+    public void move(Anchor held, Point to) {
+        Optional<Item> hook = Joinery.hook(desk.history().origin(), held.joint(), held.anchor());
+        if (hook.isPresent()) {
+            desk.put(hook.get().at(desk.grid().snap(to)));
+        } else {
+            JointEntry moved = held.joint().at(held.anchor(), snap(to));
+            desk.change(desk.draft().with(moved.pointer(), moved.node()));
+        }
+    }
+
+    /** The end that a press at a point means; {@code other} is taken already. */
+    public End end(Point point, Optional<Item> other) {
+        Point at = snap(point);
+        Optional<Item> under =
+                desk.draft().items().stream()
+                        .filter(item -> item.contains(point))
+                        .filter(item -> other.filter(item::equals).isEmpty())
+                        .reduce((below, above) -> above);
+        return new End(under, under.isPresent() || other.isEmpty() ? at : desk.grid().snap(point));
+    }
+
+    /** Whether two ends can be joined: one of them is something. */
+    public static boolean canJoin(End one, End other) {
+        return one.item().isPresent() || other.item().isPresent();
+    }
+
+    /** Joins two ends, with a hook where one is on the backdrop, and chooses the joint. */
+    public void join(LevelJoint.Type type, End one, End other) {
+        // A motor drives the second: never the hook.
+        End first = other.item().isPresent() ? one : other;
+        End second = other.item().isPresent() ? other : one;
+        Point at = other.at();
+        Draft draft = desk.draft();
+        String a;
+        if (first.item().isPresent()) {
+            a = Joinery.name(first.item().get());
+        } else {
+            draft = draft.plus(hook(type.hasTwoPoints() ? first.at() : at), HOOK_NAME);
+            a = draft.lastBody().id();
+        }
+        String b = Joinery.name(second.item().orElseThrow());
+        ObjectNode joint =
+                type.hasTwoPoints()
+                        ? Joinery.node(type, a, b, first.at(), second.at())
+                        : Joinery.node(type, a, b, at, at);
+        desk.change(Joinery.plus(draft, joint));
+        List<JointEntry> all = JointEntry.all(desk.draft());
+        desk.choose(all.get(all.size() - 1).pointer());
+    }
+
+    private static ObjectNode hook(Point at) {
+        ObjectNode hook = JsonNodeFactory.instance.objectNode();
+        hook.set("shape", new Disc(HOOK).node());
+        hook.put("x", Decimal.rounded(at.x())).put("y", Decimal.rounded(at.y()));
+        hook.put("material", Substance.IRON.title()).put("dynamic", false);
+        return hook;
+    }
+}

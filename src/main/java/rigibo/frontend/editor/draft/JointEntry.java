@@ -1,0 +1,115 @@
+package rigibo.frontend.editor.draft;
+
+import rigibo.frontend.puzzle.level.LevelJoint;
+
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.node.ArrayNode;
+import tools.jackson.databind.node.JsonNodeFactory;
+import tools.jackson.databind.node.ObjectNode;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+
+/**
+ * A joint of a draft. Edits give another one; its node is never changed once it is part of one.
+ *
+ * @param pointer JSON pointer of where the draft has it
+ * @param node what the level file states of it
+ */
+public record JointEntry(String pointer, ObjectNode node) {
+
+    /** Where a draft has its joints. */
+    static final String JOINTS = "/joints";
+
+    /** All joints of a draft whose type and points can be read, in its order. */
+    public static List<JointEntry> all(Draft draft) {
+        List<JointEntry> all = new ArrayList<>();
+        for (int i = 0; i < draft.at(JOINTS).size(); i++) {
+            of(draft, JOINTS + "/" + i).ifPresent(all::add);
+        }
+        return all;
+    }
+
+    /** The joint at a pointer, where there is one whose type and points can be read. */
+    public static Optional<JointEntry> of(Draft draft, String pointer) {
+        return pointer.startsWith(JOINTS + "/") && draft.at(pointer) instanceof ObjectNode node
+                ? Optional.of(new JointEntry(pointer, node)).filter(JointEntry::isReadable)
+                : Optional.empty();
+    }
+
+    private boolean isReadable() {
+        return LevelJoint.of(node).isPresent()
+                && anchors().stream()
+                        .map(node::path)
+                        .allMatch(
+                                point ->
+                                        point.isArray()
+                                                && point.path(0).isNumber()
+                                                && point.path(1).isNumber());
+    }
+
+    /** Of which kind it is. */
+    public LevelJoint.Type type() {
+        String type = node.path("type").asString("");
+        return LevelJoint.Type.valueOf(type.toUpperCase(Locale.ROOT));
+    }
+
+    /** What its first end is called. */
+    public String a() {
+        return node.path("a").asString("");
+    }
+
+    /** What its second end is called; a motor drives it. */
+    public String b() {
+        return node.path("b").asString("");
+    }
+
+    /** The members that state its points: one for both ends, or one for each. */
+    public List<String> anchors() {
+        return type().hasTwoPoints() ? List.of("from", "to") : List.of("at");
+    }
+
+    /** Where it holds, m. */
+    public Point point(String anchor) {
+        JsonNode point = node.path(anchor);
+        return new Point(Decimal.read(point.path(0), 0), Decimal.read(point.path(1), 0));
+    }
+
+    /** From its first point to its last, m. */
+    public double span() {
+        Point last = point(anchors().get(anchors().size() - 1));
+        return last.minus(point(anchors().get(0))).length();
+    }
+
+    /** The same, holding elsewhere, m. */
+    public JointEntry at(String anchor, Point place) {
+        return with(anchor, node(place));
+    }
+
+    /** A point as a level file states it. */
+    static ArrayNode node(Point place) {
+        return JsonNodeFactory.instance
+                .arrayNode()
+                .add(Decimal.of(place.x()))
+                .add(Decimal.of(place.y()));
+    }
+
+    /** The same with one member changed. */
+    public JointEntry with(String name, JsonNode value) {
+        ObjectNode changed = JsonNodeFactory.instance.objectNode();
+        changed.setAll(node);
+        changed.set(name, value);
+        return new JointEntry(pointer, changed);
+    }
+
+    /** The same the other way round: what was first comes second. */
+    public JointEntry swapped() {
+        JointEntry swapped = with("a", node.path("b")).with("b", node.path("a"));
+        if (!type().hasTwoPoints()) {
+            return swapped;
+        }
+        return swapped.at("from", point("to")).at("to", point("from"));
+    }
+}
