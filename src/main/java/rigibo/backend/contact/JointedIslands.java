@@ -3,6 +3,7 @@ package rigibo.backend.contact;
 import rigibo.backend.collision.Narrowphase;
 import rigibo.backend.contact.joint.JointSolver;
 import rigibo.backend.contact.joint.Stages;
+import rigibo.backend.contact.row.CarriedFrame;
 import rigibo.backend.contact.row.DragKick;
 import rigibo.backend.contact.row.FreshRows;
 import rigibo.backend.contact.row.IslandForces;
@@ -46,6 +47,7 @@ final class JointedIslands {
     private final JointedKicks kicks;
     private final JointedParts parts;
     private final Substeps fewer;
+    private final CarriedFrame frame;
 
     JointedIslands(
             DataStorage data,
@@ -70,6 +72,7 @@ final class JointedIslands {
         declared = new DeclaredRows(data, effects, motions, contacts, kick, fresh, straight);
         joints = new JointSolver(data, motions, contacts, builder, fresh, accuracy);
         fewer = new Substeps(data);
+        frame = new CarriedFrame(data, motions);
         stages = new Stages(data.bodies, motions, forces == null && !drags, accuracy);
         OverlapSolver wanted = isCorrecting ? overlap : null;
         kicks = new JointedKicks(motions, contacts, kick, warmStart, wanted, joints, stages);
@@ -78,6 +81,13 @@ final class JointedIslands {
 
     /** Advances an island to the end of a step of {@code dt} seconds. */
     void solve(int island, double dt) {
+        frame.enter(island);
+        advanceAndStore(island, dt);
+        frame.leave(island, dt);
+        results.quarantine();
+    }
+
+    private void advanceAndStore(int island, double dt) {
         int substeps = substepsFor(island, dt);
         advance(island, dt, substeps);
         joints.tell(dt);
@@ -93,7 +103,6 @@ final class JointedIslands {
         results.store(2 * kicks.kicked(), dt);
         declared.store(2 * kicks.kicked());
         joints.store(kicks.kicked());
-        results.quarantine();
     }
 
     private int substepsFor(int island, double dt) {

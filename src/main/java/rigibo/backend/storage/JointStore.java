@@ -137,6 +137,12 @@ public final class JointStore {
         room.reserve(slotCount);
     }
 
+    /** Whether a joint holds on to a place in the world beside its bodies. */
+    public boolean holdsOnToPlace(int joint) {
+        JointKind of = KINDS[kind[joint]];
+        return of == JointKind.MOUSE || of == JointKind.PULLEY;
+    }
+
     /** A free slot of a joint between two bodies, which is in the lists of both. */
     public int add(JointKind of, int a, int b) {
         int joint = slots.take();

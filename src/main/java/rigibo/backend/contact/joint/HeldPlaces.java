@@ -149,7 +149,7 @@ final class HeldPlaces {
                 double missed = jointRows.place(row) - kept;
                 double most =
                         JointSolver.MISSED * tolerance * jointRows.size() + jointRows.roundOff();
-                worst = Math.max(worst, Math.abs(missed) / most);
+                worst = Math.max(worst, rows.inMetres(row, missed) / most);
                 wanted[row] = -missed / h;
             } else {
                 wanted[row] = -rows.residual(row);

@@ -350,6 +350,10 @@ final class JointRows {
         deriveCoordinate(row, first, geometry, firstA, a, 1);
         deriveCoordinate(row, second, other, secondA, b, ratio);
         equation(row, gearError(first, second, ratio));
+        if (joints.kind[first] == JointKind.REVOLUTE.ordinal()) {
+            // What a rack slides counts by what it turns.
+            rows.unit[row] = rows.reach(row);
+        }
     }
 
     private double gearError(int first, int second, double ratio) {

@@ -448,10 +448,11 @@ public final class JointSolver {
             if (rows.holdsPlace[row] && elimination.isIn(row)) {
                 double place = jointRows.place(row);
                 double off = rows.isEquation(row) ? place : Math.min(0, place);
-                double size = jointRows.size();
+                double size = jointRows.size() / rows.unit[row];
                 double most = Math.max(SMALL, Recovery.MOST_PUSH * Math.abs(h)) * size;
                 wanted[row] = -Math.max(-most, Math.min(most, off));
-                isAny |= Math.abs(off) > MISSED * tolerance * size + 2 * jointRows.roundOff();
+                double missed = MISSED * tolerance * size;
+                isAny |= Math.abs(off) > missed + 2 * jointRows.roundOff() / rows.unit[row];
             }
         }
         if (isAny) {

@@ -81,6 +81,12 @@ final class NeutralRows {
     /** The elasticity of an impact, 0 where none rebounds. */
     double[] elasticity = new double[32];
 
+    /**
+     * Metres that a unit of the row's coordinate stands for: 1 of a length; of an angle what it
+     * moves the outline by, so that a tolerance in m/s is one of any row.
+     */
+    double[] unit = new double[32];
+
     private final Motions motions;
 
     NeutralRows(Motions motions) {
@@ -114,6 +120,7 @@ final class NeutralRows {
         place[row] = 0;
         holdsPlace[row] = false;
         elasticity[row] = 0;
+        unit[row] = 1;
         return row;
     }
 
@@ -137,6 +144,7 @@ final class NeutralRows {
         place = Arrays.copyOf(place, capacity);
         holdsPlace = Arrays.copyOf(holdsPlace, capacity);
         elasticity = Arrays.copyOf(elasticity, capacity);
+        unit = Arrays.copyOf(unit, capacity);
     }
 
     /** Adds a body's derivative to a row; the ground has none. */
@@ -163,6 +171,35 @@ final class NeutralRows {
             }
         }
         response[row] = sum;
+        unit[row] = isOfAngles(row) ? reach(row) : 1;
+    }
+
+    private boolean isOfAngles(int row) {
+        boolean isTurning = true;
+        for (int i = 0; isTurning && i < bodies[row]; i++) {
+            int at = row * DERIVATIVES + 3 * i;
+            isTurning = derivative[at] == 0 && derivative[at + 1] == 0;
+        }
+        return isTurning;
+    }
+
+    /** How far those of its bodies reach that it can turn, m; 1 where none has an end. */
+    double reach(int row) {
+        double most = 0;
+        for (int i = 0; i < bodies[row]; i++) {
+            int offset = body[row * BODIES + i];
+            double reach = motions.reach[offset / Motions.STRIDE];
+            boolean turns = motions.data[offset + INVERSE_INERTIA] > 0;
+            if (turns && reach < Double.POSITIVE_INFINITY) {
+                most = Math.max(most, reach);
+            }
+        }
+        return most > 0 ? most : 1;
+    }
+
+    /** A change of a row's coordinate as a length, or of its speed in m/s. */
+    double inMetres(int row, double change) {
+        return Math.abs(change) * unit[row];
     }
 
     /** What an impulse of one row gives another through a body that both have, 1/kg. */

@@ -34,7 +34,8 @@ final class RowPasses {
             change = 0;
             for (int i = 0; i < rows.count; i++) {
                 int row = pass % 2 == 0 ? i : rows.count - 1 - i;
-                change = Math.max(change, Math.abs(solve(row)) * rows.response[row]);
+                double changed = rows.inMetres(row, solve(row)) * rows.response[row];
+                change = Math.max(change, changed);
             }
         }
     }

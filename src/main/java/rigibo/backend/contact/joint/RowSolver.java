@@ -96,7 +96,7 @@ final class RowSolver {
     private double strongest() {
         double most = 0;
         for (int row = 0; row < rows.count; row++) {
-            most = Math.max(most, Math.abs(rows.impulse[row]) * rows.response[row]);
+            most = Math.max(most, rows.inMetres(row, rows.impulse[row]) * rows.response[row]);
         }
         return most;
     }
@@ -139,7 +139,8 @@ final class RowSolver {
     private double worst() {
         double worst = 0;
         for (int k = 0; k < elimination.size(); k++) {
-            worst = Math.max(worst, Math.abs(rows.residual(elimination.row(k))));
+            int row = elimination.row(k);
+            worst = Math.max(worst, rows.inMetres(row, rows.residual(row)));
         }
         return worst;
     }
@@ -159,13 +160,14 @@ final class RowSolver {
         if (rows.isEquation(row)) {
             return false;
         }
-        double slack = settled / rows.response[row];
+        double most = settled / rows.unit[row];
+        double slack = most / rows.response[row];
         double impulse = rows.impulse[row];
         if (elimination.isIn(row)) {
             return impulse < rows.lower[row] - slack || impulse > rows.upper[row] + slack;
         }
         return rows.upper[row] - rows.lower[row] > 2 * slack
-                && side[row] * rows.residual(row) > settled;
+                && side[row] * rows.residual(row) > most;
     }
 
     private void exchangeAll() {
@@ -201,7 +203,7 @@ final class RowSolver {
                 double bound = side[row] > 0 ? rows.upper[row] : rows.lower[row];
                 double wanted = isOut ? bound : within(row, rows.impulse[row]);
                 double change = wanted - rows.impulse[row];
-                if (Math.abs(change) * rows.response[row] > settled) {
+                if (rows.inMetres(row, change) * rows.response[row] > settled) {
                     isAny = true;
                     if (isOut) {
                         rows.push(row, change);

@@ -99,7 +99,7 @@ final class Stops {
             return tolerance * width(row);
         }
         jointRows.place(row);
-        return tolerance * jointRows.size();
+        return tolerance * jointRows.size() / rows.unit[row];
     }
 
     private double width(int row) {
@@ -148,7 +148,7 @@ final class Stops {
         }
         double pressed = Math.max(pulled, pressing(row));
         double unseen = Math.sqrt(2 * pressed * lift);
-        return Math.max(noise, Math.max(unseen, pressed * h));
+        return Math.max(noise / rows.unit[row], Math.max(unseen, pressed * h));
     }
 
     /** The share of its approach with which a row rebounds. */

@@ -2,14 +2,16 @@ package rigibo.backend.contact.row;
 
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.Found;
 import rigibo.backend.storage.Islands;
+import rigibo.backend.storage.JointStore;
 import rigibo.backend.storage.Pairs;
 
 /**
- * The frame of the bodies that carry an island. The laws are the same in every frame that moves
- * straight on, so an island whose carriers all move alike is solved in the frame in which they
- * stand still: it rests and costs as much as on a floor at rest. In any other frame thresholds
- * would be shares of the common velocity, and nothing would be found to rest.
+ * The frame of the bodies that carry an island, by contacts or joints. The laws are the same in
+ * every frame that moves straight on, so an island whose carriers all move alike is solved in the
+ * frame in which they stand still: it rests and costs as much as on a floor at rest. In any other
+ * frame thresholds would be shares of the common velocity, and nothing would be found to rest.
  */
 public final class CarriedFrame {
 
@@ -17,8 +19,13 @@ public final class CarriedFrame {
     private final Pairs pairs;
     private final Islands islands;
     private final Motions motions;
+    private final JointStore joints;
+
+    /** Those that carry the island, and some of them more than once. */
+    private final Found carriers = new Found();
 
     public CarriedFrame(DataStorage data, Motions motions) {
+        joints = data.joints;
         bodies = data.bodies;
         pairs = data.pairs;
         islands = data.islands;
@@ -27,15 +34,15 @@ public final class CarriedFrame {
 
     /**
      * Puts an island's columns into the frame of its carriers, which coincides with the world's
-     * frame when the step begins. Where carriers stand still, turn, or move differently, the
-     * world's frame is used.
+     * frame when the step begins. Where carriers stand still, turn, or move differently, or a joint
+     * holds on to a place in the world, the world's frame is used.
      */
     public void enter(int island) {
         find(island);
         if (motions.isInWorld()) {
             return;
         }
-        driveCarriers(island, 0, 0);
+        driveCarriers(0, 0);
         for (int i = islands.bodyStart[island]; i < islands.bodyStart[island + 1]; i++) {
             int slot = islands.bodies[i];
             shift(slot, -bodies.pileTime[slot]);
@@ -49,7 +56,7 @@ public final class CarriedFrame {
         if (motions.isInWorld()) {
             return;
         }
-        driveCarriers(island, motions.frameX, motions.frameY);
+        driveCarriers(motions.frameX, motions.frameY);
         for (int i = islands.bodyStart[island]; i < islands.bodyStart[island + 1]; i++) {
             int slot = islands.bodies[i];
             shift(slot, dt);
@@ -67,29 +74,58 @@ public final class CarriedFrame {
     }
 
     private void find(int island) {
-        int first = Pairs.NONE;
-        for (int i = islands.pairStart[island]; i < islands.pairStart[island + 1]; i++) {
-            int carrier = carrier(islands.pairs[i]);
-            if (carrier != Pairs.NONE && carrier != first) {
-                boolean isAlike = first == Pairs.NONE || moveAlike(first, carrier);
-                if (!isAlike || !goesStraight(carrier)) {
-                    return;
-                }
-                first = carrier;
-            }
+        carriers.clear();
+        boolean mayMove = true;
+        for (int i = islands.pairStart[island]; mayMove && i < islands.pairStart[island + 1]; i++) {
+            int pair = islands.pairs[i];
+            mayMove = add(pairs.bodyA[pair]) && add(pairs.bodyB[pair]);
         }
-        if (first != Pairs.NONE) {
+        if (mayMove && islands.areJoined(island)) {
+            mayMove = addJoined(island);
+        }
+        if (mayMove && carriers.count > 0) {
+            int first = carriers.numbers[0];
             motions.takeFrame(bodies.velocityX[first], bodies.velocityY[first]);
         }
     }
 
-    private void driveCarriers(int island, double x, double y) {
-        for (int i = islands.pairStart[island]; i < islands.pairStart[island + 1]; i++) {
-            int carrier = carrier(islands.pairs[i]);
-            if (carrier != Pairs.NONE) {
-                bodies.velocityX[carrier] = x;
-                bodies.velocityY[carrier] = y;
+    /** Adds those that joints hold on to; whether none of these is a place in the world. */
+    private boolean addJoined(int island) {
+        boolean mayMove = true;
+        for (int i = islands.jointStart[island];
+                mayMove && i < islands.jointStart[island + 1];
+                i++) {
+            int joint = islands.joints[i];
+            mayMove = !joints.holdsOnToPlace(joint) && addEnds(joint);
+            if (mayMove && joints.firstGeared[joint] != JointStore.NONE) {
+                mayMove = addEnds(joints.firstGeared[joint]) && addEnds(joints.secondGeared[joint]);
             }
+        }
+        return mayMove;
+    }
+
+    private boolean addEnds(int joint) {
+        return add(joints.bodyA[joint]) && add(joints.bodyB[joint]);
+    }
+
+    /** Adds a body that nobody moves; whether it goes straight on, as all before it. */
+    private boolean add(int slot) {
+        if (bodies.isDynamic(slot)) {
+            return true;
+        }
+        int last = carriers.count - 1;
+        if (last >= 0 && carriers.numbers[last] == slot) {
+            return true;
+        }
+        boolean isAlike = last < 0 || moveAlike(carriers.numbers[last], slot);
+        carriers.add(slot);
+        return isAlike && goesStraight(slot);
+    }
+
+    private void driveCarriers(double x, double y) {
+        for (int i = 0; i < carriers.count; i++) {
+            bodies.velocityX[carriers.numbers[i]] = x;
+            bodies.velocityY[carriers.numbers[i]] = y;
         }
     }
 
@@ -100,12 +136,5 @@ public final class CarriedFrame {
 
     private boolean goesStraight(int slot) {
         return bodies.isDriven(slot) && bodies.spinOf(slot) == 0;
-    }
-
-    /** That one of a pair that nobody moves, or none. */
-    private int carrier(int pair) {
-        int a = pairs.bodyA[pair];
-        int b = pairs.bodyB[pair];
-        return !bodies.isDynamic(a) ? a : !bodies.isDynamic(b) ? b : Pairs.NONE;
     }
 }
