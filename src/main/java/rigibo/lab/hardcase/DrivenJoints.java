@@ -37,9 +37,9 @@ final class DrivenJoints {
         return new JointCase("J9", title, DrivenJoints::motors);
     }
 
-    static HardCase limit(String finding) {
+    static HardCase limit() {
         String title = "what strikes its limit stops there, or rebounds with e² of its energy";
-        return new JointCase("J10", title, finding, DrivenJoints::limits);
+        return new JointCase("J10", title, DrivenJoints::limits);
     }
 
     static HardCase breaking() {
@@ -150,8 +150,9 @@ final class DrivenJoints {
         trial.measure("place after it", Math.abs(way - truth), "rad or m", AT_LIMIT);
     }
 
+    /** Until it strikes it swings, with the energy that a swing may be off by. */
     private static void fall(Trial trial, double room) {
-        WatchedPool pool = JointCase.earth(trial);
+        WatchedPool pool = JointCase.earth(trial).withEnergyOfItsOwn();
         RigidBody hook = JointCase.hook(pool, 0, 0);
         RigidBody bar = pool.add(BodyDefinition.dynamic(Polygon.box(1, 0.1)).at(0.5, 0));
         Joint hinge = pool.join(RevoluteJoint.at(hook, bar, 0, 0).limits(-room, 9));

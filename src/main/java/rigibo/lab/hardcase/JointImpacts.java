@@ -25,19 +25,19 @@ final class JointImpacts {
 
     private JointImpacts() {}
 
-    static HardCase cradle(String finding) {
+    static HardCase cradle() {
         String title = "in a cradle on rods the last disc rises as high as the first";
-        return new JointCase("J6", title, finding, JointImpacts::cradles);
+        return new JointCase("J6", title, JointImpacts::cradles);
     }
 
-    static HardCase rope(String finding) {
+    static HardCase rope() {
         String title = "a rope that goes taut stops its ends along it, and carries a turn";
-        return new JointCase("J11", title, finding, JointImpacts::ropes);
+        return new JointCase("J11", title, JointImpacts::ropes);
     }
 
-    static HardCase struck(String finding) {
+    static HardCase struck() {
         String title = "what strikes a jointed body strikes all that is joined";
-        return new JointCase("J17", title, finding, JointImpacts::blows);
+        return new JointCase("J17", title, JointImpacts::blows);
     }
 
     private static void cradles(Trial trial) {
@@ -202,6 +202,10 @@ final class JointImpacts {
     private static void strikeFree(
             Trial trial, double mass, double speed, double at, double elasticity) {
         WatchedPool pool = JointCase.space(trial);
+        if (trial.preset() == Preset.DRAFT) {
+            // A draft's leapfrog errs by (ωh)² in energy, and these turn by a radian in a substep.
+            pool.withEnergyOfItsOwn();
+        }
         BodyDefinition box =
                 BodyDefinition.dynamic(Polygon.box(1, 0.4)).material(Surroundings.matter(0, 0));
         RigidBody left = pool.add(box);

@@ -156,8 +156,13 @@ final class Swings {
         }
 
         void measure(Trial trial) {
+            int latest = PARTS - 1;
+            while (latest > 0 && counts[latest] == 0) {
+                // Its period was so much too short that it was through before.
+                latest--;
+            }
             double first = sums[0] / counts[0];
-            double last = sums[PARTS - 1] / counts[PARTS - 1];
+            double last = sums[latest] / counts[latest];
             trial.measure("energy", worst, "of its own", ENERGY);
             trial.measure("trend of energy", Math.abs(last - first), "of its own", TREND);
         }

@@ -38,6 +38,9 @@ final class HeldPlaces {
     /** Whether the matrix of the end is wanted in the island that is solved. */
     private boolean isForeseen;
 
+    /** Whether that matrix is factored for the set as it is. */
+    private boolean isFactored;
+
     /** By row: how fast its place is to change besides, m/s. */
     private double[] wanted = new double[64];
 
@@ -80,8 +83,8 @@ final class HeldPlaces {
         double energy = motions.energy(motions.data);
         memory.keep();
         double before = Double.POSITIVE_INFINITY;
+        isFactored = false;
         measure(h);
-        boolean isFactored = false;
         int most = areContacts ? FEW_STEPS : MOST_STEPS;
         for (int i = 0; i < most && worst > 1 && !elimination.isSpent(); i++) {
             if (!isForeseen && worst > GAINS * before && i > 0) {
@@ -108,6 +111,29 @@ final class HeldPlaces {
         if (areContacts && gained > allowed) {
             memory.recall();
         }
+    }
+
+    /**
+     * Limits and ropes that would be passed at the end of the drift enter the set: one that goes
+     * along its stop, as a rope that is taut and turns, gives no reason to at the drift's start.
+     */
+    private void letEnter() {
+        for (int row = 0; row < rows.count; row++) {
+            boolean isStop = rows.holdsPlace[row] && !rows.isEquation(row) && rows.upper[row] > 0;
+            if (isStop && !elimination.isIn(row)) {
+                double beyond = Math.min(0, rows.place[row]) - jointRows.place(row);
+                if (rows.inMetres(row, beyond) > allowed() && beyond > 0) {
+                    elimination.put(row, true);
+                    isFactored = false;
+                }
+            }
+        }
+        elimination.factorize();
+    }
+
+    /** By how much the place that was measured last may be missed, m. */
+    private double allowed() {
+        return JointSolver.MISSED * tolerance * jointRows.size() + jointRows.roundOff();
     }
 
     private void foresee(double h) {
@@ -140,6 +166,7 @@ final class HeldPlaces {
         }
         poses.take(h);
         jointRows.measureAnew();
+        letEnter();
         worst = 0;
         for (int i = 0; i < elimination.size(); i++) {
             int row = elimination.row(i);
@@ -147,9 +174,7 @@ final class HeldPlaces {
                 double place = rows.place[row];
                 double kept = rows.isEquation(row) ? place : Math.min(0, place);
                 double missed = jointRows.place(row) - kept;
-                double most =
-                        JointSolver.MISSED * tolerance * jointRows.size() + jointRows.roundOff();
-                worst = Math.max(worst, rows.inMetres(row, missed) / most);
+                worst = Math.max(worst, rows.inMetres(row, missed) / allowed());
                 wanted[row] = -missed / h;
             } else {
                 wanted[row] = -rows.residual(row);
