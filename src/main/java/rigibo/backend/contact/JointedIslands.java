@@ -46,6 +46,7 @@ final class JointedIslands {
     private final Stages stages;
     private final JointedKicks kicks;
     private final JointedParts parts;
+    private final Kick kick;
     private final Substeps fewer;
     private final CarriedFrame frame;
 
@@ -63,7 +64,7 @@ final class JointedIslands {
         results = new IslandResults(data, motions, contacts, turns);
         boolean drags = effects.declares(Drag.class);
         DragKick drag = drags ? new DragKick(data.bodies, motions) : null;
-        Kick kick = new Kick(data.bodies, motions, forces, drag, turns);
+        kick = new Kick(data.bodies, motions, forces, drag, turns);
         lateJoiners = new LateJoiners(data.bodies, motions, contacts);
         overlap = new OverlapSolver(data.bodies, motions, contacts, accuracy);
         boolean isCorrecting = accuracy.correction() == Correction.SOFT;
@@ -73,7 +74,7 @@ final class JointedIslands {
         joints = new JointSolver(data, motions, contacts, builder, fresh, accuracy);
         fewer = new Substeps(data);
         frame = new CarriedFrame(data, motions);
-        stages = new Stages(data.bodies, motions, forces == null && !drags, accuracy);
+        stages = new Stages(data.bodies, motions, accuracy);
         OverlapSolver wanted = isCorrecting ? overlap : null;
         kicks = new JointedKicks(motions, contacts, kick, warmStart, wanted, joints, stages);
         parts = new JointedParts(joints, kicks, stages, declared);
@@ -140,7 +141,9 @@ final class JointedIslands {
         declared.foresee(dt);
         warmStart.prepare();
         overlap.prepare();
-        boolean mayCompose = stages.mayCompose() && joints.areHeldByEquations(2 * h);
+        // A step back in time would drive what drag brakes.
+        boolean isFree = stages.mayCompose() && !kick.isForced();
+        boolean mayCompose = isFree && joints.areHeldByEquations(2 * h);
         if (mayCompose) {
             // Half as many of the fourth order are worth more, and cost little more.
             substeps = joints.composedSubsteps(island, dt, (usual + 1) / 2);

@@ -140,7 +140,8 @@ final class JointedKicks {
     private void accelerate(double until) {
         kick.remember();
         if (stages.areComposed()) {
-            // Back in time, too; nobody joins meanwhile.
+            // Back in time, too; nobody joins meanwhile, but a force may begin.
+            kick.refresh(middle, until);
             stages.accelerate(until - middle);
         } else {
             kick.accelerate(middle, until);

@@ -14,7 +14,6 @@ import rigibo.backend.effect.Effect;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Field;
 import rigibo.backend.effect.Friction;
-import rigibo.backend.effect.Joints;
 import rigibo.backend.effect.Sleep;
 import rigibo.backend.effect.SurfaceSpeed;
 import rigibo.backend.effect.Thrust;
@@ -51,18 +50,11 @@ class NeutralInDemosTest {
                 CarDemo::new);
     }
 
-    /**
-     * Nothing sleeps where a function of the caller's is declared: it may change with time. Under
-     * forces that change along the way what joints hold is integrated in plain substeps.
-     */
+    /** Nothing sleeps where a function of the caller's is declared: it may change with time. */
     private static boolean isForeign(Effect effect, Effects called) {
         boolean keepsAwake = effect.holdsFunction() && called.declares(Sleep.class);
         boolean lacksFriction = effect instanceof SurfaceSpeed && !called.declares(Friction.class);
-        boolean isPlain = called.declares(Joints.class) && !(effect instanceof Thrust);
-        return !called.declares(effect.getClass())
-                && !keepsAwake
-                && !lacksFriction
-                && (!isPlain || effect instanceof SurfaceSpeed);
+        return !called.declares(effect.getClass()) && !keepsAwake && !lacksFriction;
     }
 
     /** The crate's floor runs for whoever switches that on. */

@@ -26,11 +26,10 @@ public final class Stages {
 
     private double[] shares = ONE;
 
-    /** For an accuracy; forces may allow steps that go back in time, which drag does not. */
-    public Stages(Bodies bodies, Motions motions, boolean areReversible, Accuracy accuracy) {
+    public Stages(Bodies bodies, Motions motions, Accuracy accuracy) {
         this.bodies = bodies;
         this.motions = motions;
-        mayCompose = areReversible && accuracy.substeps() >= Accuracy.GAME.substeps();
+        mayCompose = accuracy.substeps() >= Accuracy.GAME.substeps();
     }
 
     /** Begins an island whose substeps have one part each. */

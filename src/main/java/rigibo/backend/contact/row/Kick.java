@@ -44,6 +44,37 @@ public final class Kick {
         }
     }
 
+    /**
+     * Whether drag, or a force that changes along the way, acts on one of the packed bodies as the
+     * step begins.
+     */
+    public boolean isForced() {
+        boolean isForced = false;
+        for (int entry = 1; !isForced && entry < motions.count; entry++) {
+            int slot = motions.slots[entry];
+            if (motions.data[entry * Motions.STRIDE + Motions.INVERSE_MASS] > 0) {
+                isForced = drag != null && bodies.drag[slot] > 0 || forces != null && pulls(slot);
+            }
+        }
+        return isForced;
+    }
+
+    private boolean pulls(int slot) {
+        return bodies.pullX[slot] != 0
+                || bodies.pullY[slot] != 0
+                || turns != null && bodies.pullTurn[slot] != 0;
+    }
+
+    /**
+     * Puts the forces of now into the accelerations, for a kick from one time to another, both in s
+     * after the step's start, which may go back.
+     */
+    public void refresh(double from, double to) {
+        if (forces != null) {
+            forces.refresh(motions, turns, (from + to) / 2, to - from);
+        }
+    }
+
     /** Whether there are forces that change along the way. */
     public boolean mayChange() {
         return forces != null;
@@ -112,9 +143,7 @@ public final class Kick {
      * that joined the pile in between is kicked only from when it joined.
      */
     public void accelerate(double from, double to) {
-        if (forces != null) {
-            forces.refresh(motions, turns, (from + to) / 2, to - from);
-        }
+        refresh(from, to);
         if (drag != null) {
             drag.accelerate(from, to, gained);
         } else {
