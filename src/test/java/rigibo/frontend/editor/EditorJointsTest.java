@@ -7,6 +7,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 import rigibo.backend.Joint;
 import rigibo.backend.setup.Accuracy;
@@ -28,6 +29,7 @@ import rigibo.frontend.scene.RecordingCanvas;
 import rigibo.frontend.scene.Settings;
 import rigibo.frontend.scene.Words;
 
+import tools.jackson.databind.json.JsonMapper;
 import tools.jackson.databind.node.JsonNodeFactory;
 import tools.jackson.databind.node.ObjectNode;
 
@@ -431,5 +433,28 @@ class EditorJointsTest {
                 }
             }
         }
+    }
+
+    /** A damaged file says what is wrong with it; it does not end the editor. */
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "7",
+                "{\"type\": 5}",
+                "{\"type\": \"hinge\", \"a\": 3, \"b\": {}, \"at\": \"x\"}",
+                "{\"type\": \"rope\", \"from\": [1, \"a\"], \"to\": [{}, 2]}",
+                "{\"type\": \"weld\", \"at\": [1, 2], \"spring\": {\"hertz\": []}}",
+                "{\"type\": \"hinge\", \"at\": [1, 2], \"limits\": [{}, \"x\"]}",
+                "{\"type\": \"slide\", \"at\": [1, 2], \"motor\": {\"speed\": {}}}"
+            })
+    void aDamagedJointIsTold(String joint) {
+        var node = new JsonMapper().readTree(joint);
+        Draft draft =
+                NewLevel.draft().with("/joints", JsonNodeFactory.instance.arrayNode().add(node));
+        Author author = Author.with(draft);
+        author.scene.keyPressed(Key.TAB);
+        author.drag(2, 2, 3, 3);
+        author.drag(1, 2, 2, 3);
+        assertThat(problems(author)).anyMatch(told -> told.startsWith("/joints/0"));
     }
 }

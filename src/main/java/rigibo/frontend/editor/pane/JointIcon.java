@@ -14,16 +14,17 @@ final class JointIcon {
     private static final double[] SAG = {-9, -7, -7, 1, -4, 6, 0, 8, 4, 6, 7, 1, 9, -7};
 
     private static final double[] COIL = {-11, 0, -8, 0, -6, -6, -2, 6, 2, -6, 6, 6, 8, 0, 11, 0};
-    private static final double[] STRUT = {0, -12, 5, -9, -5, -6, 5, -3, 0, 0};
+    private static final double[] STRUT = {-6, -12, 6, -12, -5, -8, 5, -5, 0, -2};
 
     private JointIcon() {}
 
     static void draw(Canvas canvas, LevelJoint.Type type, double x, double y, Color ink) {
         switch (type) {
             case HINGE -> {
-                canvas.line(x - 11, y + 9, x, y, 5, ink);
-                canvas.line(x, y, x + 11, y + 9, 5, ink);
-                canvas.ring(x, y - 1, 6, STROKE, 1, ink);
+                canvas.line(x - 3, y, x - 11, y + 10, 4, ink);
+                canvas.line(x + 3, y, x + 11, y + 10, 4, ink);
+                canvas.ring(x, y - 4, 6, STROKE, 1, ink);
+                canvas.disc(x, y - 4, 2, ink);
             }
             case WELD -> {
                 canvas.ring(x, y, 10, STROKE, 1, ink);
@@ -31,8 +32,9 @@ final class JointIcon {
                 canvas.line(x - 5, y + 5, x + 5, y - 5, STROKE, ink);
             }
             case WHEEL -> {
-                path(canvas, STRUT, x, y + 1, ink);
-                canvas.ring(x, y + 5, 6, STROKE, 1, ink);
+                path(canvas, STRUT, x, y, ink);
+                canvas.ring(x, y + 5, 7, STROKE, 1, ink);
+                canvas.disc(x, y + 5, 2, ink);
             }
             case SLIDE -> {
                 canvas.line(x - 11, y + 5, x + 11, y + 5, STROKE, ink);

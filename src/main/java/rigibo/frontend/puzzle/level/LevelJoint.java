@@ -10,6 +10,7 @@ import rigibo.backend.WheelJoint;
 import rigibo.backend.setup.JointSettings;
 
 import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.exc.JsonNodeException;
 
 import java.util.Optional;
 import java.util.regex.Matcher;
@@ -63,7 +64,7 @@ public record LevelJoint(
     public static Optional<LevelJoint> of(JsonNode node) {
         try {
             return Optional.of(JointReader.joint(node));
-        } catch (IllegalArgumentException refused) {
+        } catch (IllegalArgumentException | JsonNodeException refused) {
             return Optional.empty();
         }
     }
