@@ -15,11 +15,9 @@ import java.util.function.Consumer;
  *
  * @param row of the catalogue
  * @param title what is true of it, as a sentence
- * @param finding why it is not reached everywhere; else empty
  * @param scenes simulates every variant
  */
-record JointCase(String row, String title, String finding, Consumer<Trial> scenes)
-        implements HardCase {
+record JointCase(String row, String title, Consumer<Trial> scenes) implements HardCase {
 
     /** Most that what a joint holds may be off, m. */
     static final Limits ERROR = Limits.of(1e-4, 1e-9);
@@ -32,11 +30,6 @@ record JointCase(String row, String title, String finding, Consumer<Trial> scene
 
     private static final Effects EARTH = Surroundings.earth().with(new Joints());
     private static final Effects SPACE = EARTH.without(Gravity.class);
-
-    /** A case that keeps all its limits. */
-    JointCase(String row, String title, Consumer<Trial> scenes) {
-        this(row, title, "", scenes);
-    }
 
     @Override
     public Preset limitedFrom() {
