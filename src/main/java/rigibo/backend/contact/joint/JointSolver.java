@@ -9,6 +9,7 @@ import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.SolveMethod;
 import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.Islands;
+import rigibo.backend.storage.JointStore;
 
 /**
  * Solves the joints of an island, with its contacts, for one substep after the other: velocities in
@@ -57,7 +58,10 @@ public final class JointSolver {
     private static final int LEAST_PASSES = 8;
 
     /** Rows up to which an island whose contacts may open and close is eliminated. */
-    private static final int MOST_ROWS = 60;
+    private static final int MOST_ROWS = 400;
+
+    /** The same of rows with bounds: the more there are the longer they take turns. */
+    private static final int MOST_BOUNDED = 60;
 
     /** Rows of a contact or a joint, at least, as a rule. */
     private static final int LEAST_ROWS = 2;
@@ -124,6 +128,7 @@ public final class JointSolver {
     private final ComposedSubsteps composed;
     private final double tolerance;
     private final Islands islands;
+    private final JointStore store;
 
     /** By row: how far it is to be moved, m or rad. */
     private double[] wanted = new double[64];
@@ -166,6 +171,7 @@ public final class JointSolver {
         composed = new ComposedSubsteps(data, motions, rows, jointRows, packed, taut, accuracy);
         results = new JointResults(data, packed, rows);
         islands = data.islands;
+        store = data.joints;
         tolerance = accuracy.impactTolerance();
         crowd =
                 new CrowdSolver(
@@ -199,8 +205,16 @@ public final class JointSolver {
     public boolean areCrowd(int island) {
         int contactCount = islands.pairStart[island + 1] - islands.pairStart[island];
         int jointCount = islands.jointStart[island + 1] - islands.jointStart[island];
-        int least = LEAST_ROWS * (contactCount + jointCount);
-        return contactCount > 0 && least > MOST_ROWS;
+        int bounded = LEAST_ROWS * contactCount;
+        for (int i = islands.jointStart[island]; i < islands.jointStart[island + 1]; i++) {
+            int slot = islands.joints[i];
+            boolean isLimited =
+                    store.lower[slot] > Double.NEGATIVE_INFINITY
+                            || store.upper[slot] < Double.POSITIVE_INFINITY;
+            bounded += (isLimited ? 1 : 0) + (store.motorMost[slot] > 0 ? 1 : 0);
+        }
+        boolean areMany = LEAST_ROWS * (contactCount + jointCount) > MOST_ROWS;
+        return contactCount > 0 && (areMany || bounded > MOST_BOUNDED);
     }
 
     /** How many substeps an island needs for a step of dt seconds, usually as usual. */

@@ -40,15 +40,21 @@ final class TautSubsteps {
         boolean areMany = islands.bodyStart[island + 1] - islands.bodyStart[island] > MOST_BODIES;
         boolean meetOthers = islands.pairStart[island + 1] > islands.pairStart[island];
         // What is struck carries an impact, not a load that lasts.
-        if (!bodies.turns() || areMany || meetOthers) {
+        if (areMany || meetOthers) {
             return usual;
         }
         double wanted = Math.sqrt(square(island)) * dt / MOST_PHASE;
         return (int) Math.ceil(Math.max(usual, Math.min(MOST_MORE * usual, wanted)));
     }
 
-    /** The square of the fastest trembling by what an island's joints carried last, 1/s². */
+    /**
+     * The square of the fastest trembling by what an island's joints carried last, 1/s²; 0 where
+     * nothing turns.
+     */
     double square(int island) {
+        if (!bodies.turns()) {
+            return 0;
+        }
         if (square.length < bodies.type.length) {
             square = new double[bodies.type.length];
         }
