@@ -66,7 +66,7 @@ public record MouseJoint(
     /** m/s². */
     private static final double MOST_G = 1e4;
 
-    /** The same, pulled to another world point in m. */
+    /** This joint, pulled to another world point in m. */
     public MouseJoint target(double x, double y) {
         return new MouseJoint(a, b, frameB, x, y, mostForce, settings);
     }

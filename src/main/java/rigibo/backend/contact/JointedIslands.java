@@ -109,8 +109,7 @@ final class JointedIslands {
     private int substepsFor(int island, double dt) {
         boolean areMany = joints.areCrowd(island);
         int most = accuracy.substeps();
-        int usual =
-                areMany ? fewer.ofJointed(island, dt, most) : joints.substepsFor(island, dt, most);
+        int usual = areMany ? fewer.byWay(island, dt, most) : joints.substepsFor(island, dt, most);
         return declared.substepsFor(island, dt, usual);
     }
 
@@ -120,7 +119,7 @@ final class JointedIslands {
      */
     private int pack(int island, double dt, int usual) {
         packFor(island, dt / usual / 2, usual);
-        int slow = joints.isWhole() ? usual : fewer.ofJointed(island, dt, accuracy.substeps());
+        int slow = joints.isWhole() ? usual : fewer.byWay(island, dt, accuracy.substeps());
         int substeps = Math.min(usual, declared.substepsFor(island, dt, slow));
         if (substeps < usual) {
             packFor(island, dt / substeps / 2, substeps);

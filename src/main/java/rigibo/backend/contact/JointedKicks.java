@@ -45,7 +45,7 @@ final class JointedKicks {
     /** How long bodies have drifted since without a kick, s. */
     private double slipped;
 
-    /** The same when the moment was kept. */
+    /** What {@link #middle}, {@link #kicked}, {@link #last} and {@link #slipped} were when kept. */
     private double keptMiddle;
 
     private double keptKicked;

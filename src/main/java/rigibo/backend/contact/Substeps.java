@@ -28,18 +28,15 @@ final class Substeps {
     /** Substeps of an island for a step of {@code dt} seconds, of the usual number at most. */
     int of(int island, double dt, int usual) {
         int contacts = islands.pairStart[island + 1] - islands.pairStart[island];
-        if (usual == 1 || !PackedContacts.areCrowd(contacts) || isDriven(island)) {
-            return usual;
-        }
-        double way = dt * fastest(island);
-        return way >= FAR ? usual : (int) Math.max(1, Math.ceil(usual * way / FAR));
+        return PackedContacts.areCrowd(contacts) ? byWay(island, dt, usual) : usual;
     }
 
     /**
-     * The same of an island whose equations alone are eliminated: what it carries is held at any
-     * length of substep, and what it neglects grows with the square of the way.
+     * Substeps of an island, crowd or not, by the way that its bodies go. Of an island with joints
+     * whose equations alone are eliminated, what it carries is held at any length of substep, and
+     * what it neglects grows with the square of the way.
      */
-    int ofJointed(int island, double dt, int usual) {
+    int byWay(int island, double dt, int usual) {
         if (usual == 1 || isDriven(island)) {
             return usual;
         }

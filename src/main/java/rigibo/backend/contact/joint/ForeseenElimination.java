@@ -19,7 +19,7 @@ final class ForeseenElimination {
     private final Motions motions;
     private final NeutralRows rows;
 
-    /** The same rows at the end of the drift. */
+    /** The rows of {@link #rows} as they will be at the end of the drift. */
     private final NeutralRows ahead;
 
     private final RowElimination elimination;

@@ -12,12 +12,15 @@ final class HeldPlaces {
 
     private static final int MOST_STEPS = 12;
 
-    /** The same where contacts carry, too; and the share of energy that they may add then. */
+    /** Steps of Newton's method where contacts carry, too. */
     private static final int FEW_STEPS = 4;
 
+    /** Share of its energy that an island may gain in them. */
     private static final double GAINED = 1e-4;
 
-    /** The same in a small island whose places are held: going round takes and gives in turn. */
+    /**
+     * Share that a small island may gain whose places are held: turning takes and gives in turn.
+     */
     private static final double GAINED_AT_MOST = 1e-2;
 
     /** What a step may leave of the error for the next one to be made alike. */

@@ -23,7 +23,7 @@ public final class JointSolver {
     /** How far a place may be missed, as a share of the joint's arms and of the tolerance. */
     static final double MISSED = 1e-5;
 
-    /** The same share at which round-off begins. */
+    /** How far a place is off by round-off alone, as a share of the joint's arms. */
     static final double ROUND_OFF = 4e-16;
 
     /** Share of the fastest speed that may be left unsolved, per metre of the tolerance. */
@@ -60,7 +60,7 @@ public final class JointSolver {
     /** Rows up to which an island whose contacts may open and close is eliminated. */
     private static final int MOST_ROWS = 400;
 
-    /** The same of rows with bounds: the more there are the longer they take turns. */
+    /** Rows with bounds up to which it is: more of them enter and leave the set without an end. */
     private static final int MOST_BOUNDED = 60;
 
     /** Rows of a contact or a joint, at least, as a rule. */

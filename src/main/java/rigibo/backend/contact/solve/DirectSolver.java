@@ -31,9 +31,6 @@ public final class DirectSolver {
     /** Sets tried within one solve, for each substep; passes over the rows see to what is left. */
     private static final int TRIES_PER_SUBSTEP = 8;
 
-    /** Multiplications that a row takes in one try beside those of factoring. */
-    private static final int WORK_OF_ROW = 60;
-
     private final Motions motions;
     private final PackedContacts contacts;
     private final OverlapSolver overlap;
@@ -178,13 +175,10 @@ public final class DirectSolver {
         reserve();
         least = settled;
         chooseLoaded(substep);
-        for (int i = 0; i < mostTries && !isSpent() && !isSolved(TO_SPARE * settled); i++) {
-            factor.factorize(set, size);
-            factor.addWork(WORK_OF_ROW * size);
-            for (int k = 0; k < size; k++) {
-                unknown[k] = -rows.approach(set[k]);
-            }
-            factor.solve(unknown);
+        for (int i = 0;
+                i < mostTries && !isSpent() && !(rows.worst(set, size) <= TO_SPARE * settled);
+                i++) {
+            factor.solveSet(set, size, unknown);
             if (stepToAllBounds()) {
                 chooseLoaded(substep);
             } else {
@@ -306,22 +300,16 @@ public final class DirectSolver {
         for (int point = 0; point < contacts.points[row]; point++) {
             int k = KINDS * place + point;
             load += rows.impulse[k];
-            if (answerAfterOwnChange(k) > least) {
+            if (rows.answerAfterOwnChange(k) > least) {
                 set[size++] = k;
             }
         }
         cone[place] = contacts.data[row * PackedContacts.STRIDE + PackedContacts.FRICTION] * load;
         int tangent = KINDS * place + TANGENT;
         double most = cone[place] * rows.answer[tangent];
-        if (size > before && Math.abs(answerAfterOwnChange(tangent)) < most) {
+        if (size > before && Math.abs(rows.answerAfterOwnChange(tangent)) < most) {
             set[size++] = tangent;
         }
-    }
-
-    /** The speed that a row's impulse gives it, m/s, with the impulse that would solve it alone. */
-    private double answerAfterOwnChange(int k) {
-        double answer = rows.answer[k];
-        return answer * (rows.impulse[k] - rows.approach(k) / (answer + rows.give[k]));
     }
 
     /**
@@ -384,13 +372,5 @@ public final class DirectSolver {
         }
         double most = cone[k / KINDS];
         return Math.max(-most, Math.min(most, impulse + change)) - impulse;
-    }
-
-    private boolean isSolved(double settled) {
-        double worst = 0;
-        for (int i = 0; i < size; i++) {
-            worst = Math.max(worst, Math.abs(rows.approach(set[i])));
-        }
-        return worst <= settled;
     }
 }

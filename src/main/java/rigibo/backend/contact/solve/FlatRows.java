@@ -149,6 +149,25 @@ final class FlatRows {
         return speed + give[k] * (impulse[k] - kept[k]) - target[k];
     }
 
+    /** The largest speed in m/s at which any row of a set violates what it asks for. */
+    double worst(int[] set, int size) {
+        double worst = 0;
+        for (int i = 0; i < size; i++) {
+            worst = Math.max(worst, Math.abs(approach(set[i])));
+        }
+        return worst;
+    }
+
+    /** The impulse that would solve a row alone, N·s. */
+    double wanted(int k) {
+        return impulse[k] - approach(k) / (answer[k] + give[k]);
+    }
+
+    /** The speed that it would give the row, m/s. */
+    double answerAfterOwnChange(int k) {
+        return answer[k] * wanted(k);
+    }
+
     /** Changes a row's impulse, N·s, and the velocities of its bodies by it. */
     void push(int k, double change) {
         impulse[k] += change;

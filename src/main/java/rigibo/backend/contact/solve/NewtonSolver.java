@@ -22,9 +22,6 @@ final class NewtonSolver {
     /** How many times what they carry or miss rows may be changed by in a step. */
     private static final double FARTHEST = 1e4;
 
-    /** Multiplications that a row takes in one step beside those of factoring. */
-    private static final int WORK_OF_ROW = 60;
-
     private final PackedContacts contacts;
     private final ContactOrder order;
     private final FlatRows rows;
@@ -65,15 +62,10 @@ final class NewtonSolver {
         least = settled;
         for (int step = 0; step < MOST_STEPS && factor.work() <= worth; step++) {
             choose(substep);
-            if (isSolved(settled)) {
+            if (rows.worst(set, size) <= settled) {
                 return true;
             }
-            factor.factorize(set, size);
-            factor.addWork(WORK_OF_ROW * size);
-            for (int i = 0; i < size; i++) {
-                unknown[i] = -rows.approach(set[i]);
-            }
-            factor.solve(unknown);
+            factor.solveSet(set, size, unknown);
             if (isTooFar()) {
                 before.takeBack();
                 return false;
@@ -121,7 +113,7 @@ final class NewtonSolver {
         int before = size;
         double load = 0;
         for (int k = normal; k < normal + contacts.points[row]; k++) {
-            if (rows.answer[k] * wanted(k) > least) {
+            if (rows.answerAfterOwnChange(k) > least) {
                 set[size++] = k;
                 load += rows.impulse[k];
             } else {
@@ -132,17 +124,12 @@ final class NewtonSolver {
         int tangent = normal + TANGENT;
         if (size == before || friction == 0) {
             rows.set(tangent, 0);
-        } else if (Math.abs(wanted(tangent)) < friction * load) {
+        } else if (Math.abs(rows.wanted(tangent)) < friction * load) {
             set[size++] = tangent;
         } else {
-            rows.sliding[place] = Math.copySign(friction, wanted(tangent));
+            rows.sliding[place] = Math.copySign(friction, rows.wanted(tangent));
             rows.set(tangent, rows.sliding[place] * load);
         }
-    }
-
-    /** The impulse that would solve a row alone, N·s. */
-    private double wanted(int k) {
-        return rows.impulse[k] - rows.approach(k) / (rows.answer[k] + rows.give[k]);
     }
 
     /** Takes a change, no farther than to where a point would pull, and the friction with it. */
@@ -157,13 +144,5 @@ final class NewtonSolver {
         if (slides != 0) {
             rows.push(k - k % KINDS + TANGENT, slides * taken);
         }
-    }
-
-    private boolean isSolved(double settled) {
-        double worst = 0;
-        for (int i = 0; i < size; i++) {
-            worst = Math.max(worst, Math.abs(rows.approach(set[i])));
-        }
-        return worst <= settled;
     }
 }

@@ -18,6 +18,9 @@ final class RowFactor {
     private static final int FULL =
             SingleRows.MOST_ELIMINATED * (SingleRows.MOST_ELIMINATED + 1) / 2;
 
+    /** Multiplications that a row takes when its set is solved, beside those of factoring. */
+    private static final int WORK_OF_ROW = 60;
+
     /** Multiplications that writing one entry of the matrix takes that is not 0. */
     private static final int WORK_OF_ENTRY = 10;
 
@@ -57,10 +60,6 @@ final class RowFactor {
     /** Multiplications made since they were counted last. */
     double work() {
         return work;
-    }
-
-    void addWork(int multiplications) {
-        work += multiplications;
     }
 
     void clearWork() {
@@ -240,6 +239,18 @@ final class RowFactor {
             sum0 += a[atA + k] * b[atB + k];
         }
         return sum0 + sum1 + (sum2 + sum3);
+    }
+
+    /**
+     * Finds by what the impulses of a set are to change to give its rows what they ask for, N·s.
+     */
+    void solveSet(int[] set, int count, double[] change) {
+        factorize(set, count);
+        work += WORK_OF_ROW * count;
+        for (int i = 0; i < count; i++) {
+            change[i] = -rows.approach(set[i]);
+        }
+        solve(change);
     }
 
     /** Forward and backward substitution, in place. */
