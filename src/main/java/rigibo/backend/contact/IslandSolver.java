@@ -43,7 +43,7 @@ final class IslandSolver {
     private static final double NO_TIME = 1e-3;
 
     /** Smallest share of the fastest speed to which passes solve. */
-    private static final double FINEST_OF_PASSES = 1e-5;
+    private static final double FINEST_OF_PASSES = 1e-4;
 
     /**
      * Factor by which rows that were not solved to the end may exceed the fastest speed of the step
@@ -186,10 +186,11 @@ final class IslandSolver {
         declared.begin(h, rounds.worthOfImpacts(substeps + 1));
         declared.foresee(dt - start);
         warmStart.prepare();
-        overlap.prepare();
         passes.begin(dt, substeps);
         repose.begin();
-        isWhole = rounds.prepare(repose.isCalm(dt));
+        boolean isCalm = repose.isCalm(dt);
+        overlap.prepare(isCalm);
+        isWhole = rounds.prepare(isCalm);
         lateJoiners.delay(start, h);
         landings.begin();
         balance.begin();

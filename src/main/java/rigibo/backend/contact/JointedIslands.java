@@ -139,7 +139,7 @@ final class JointedIslands {
         declared.begin(h, 0);
         declared.foresee(dt);
         warmStart.prepare();
-        overlap.prepare();
+        overlap.prepare(false);
         // A step back in time would drive what drag brakes.
         boolean isFree = stages.mayCompose() && !kick.isForced();
         boolean mayCompose = isFree && joints.areHeldByEquations(2 * h);

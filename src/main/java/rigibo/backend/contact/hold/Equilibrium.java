@@ -87,7 +87,7 @@ final class Equilibrium {
     private boolean areHeld(int island) {
         reserve();
         int contacts = islands.pairStart[island + 1] - islands.pairStart[island];
-        kept = Recovery.kept(contacts, accuracy);
+        kept = Recovery.keptIfCalm(contacts, accuracy);
         for (int i = islands.bodyStart[island]; i < islands.bodyStart[island + 1]; i++) {
             int slot = islands.bodies[i];
             leftX[slot] = bodies.accelerationX[slot];

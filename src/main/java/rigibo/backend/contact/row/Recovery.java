@@ -26,6 +26,12 @@ public final class Recovery {
     /** How many times the tolerance of impacts that is. */
     private static final double KEPT_BY_TOLERANCE = 10;
 
+    /**
+     * How many times that may stay in a crowd that is calm. What is taken back of the last of an
+     * overlap is ever less, and as long as anything is, nothing rests.
+     */
+    private static final double KEPT_IF_CALM = 2;
+
     private Recovery() {}
 
     /**
@@ -38,5 +44,11 @@ public final class Recovery {
         }
         double wanted = KEPT_BY_TOLERANCE * accuracy.impactTolerance();
         return Math.max(KEPT_OVERLAP, Math.min(MOST_KEPT, wanted));
+    }
+
+    /** The same where nothing goes faster than its own pull would make it in a part of a step. */
+    public static double keptIfCalm(int contacts, Accuracy accuracy) {
+        double kept = kept(contacts, accuracy);
+        return PackedContacts.areCrowd(contacts) ? KEPT_IF_CALM * kept : kept;
     }
 }

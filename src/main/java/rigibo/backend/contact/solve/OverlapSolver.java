@@ -25,6 +25,7 @@ public final class OverlapSolver {
      */
     private static final double ROUND_OFF = 1e-9;
 
+    private final Bodies bodies;
     private final Motions motions;
     private final PackedContacts contacts;
     private final PartingLimit limit;
@@ -32,6 +33,9 @@ public final class OverlapSolver {
 
     /** Overlap that stays in the packed island, m for a body of one metre. */
     private double kept;
+
+    /** Whether the packed island is a crowd that hardly moves. */
+    private boolean isCalm;
 
     /** The contacts that are deeper in each other than they may stay. */
     private int[] deep = new int[16];
@@ -42,13 +46,18 @@ public final class OverlapSolver {
             Bodies bodies, Motions motions, PackedContacts contacts, Accuracy accuracy) {
         this.motions = motions;
         this.contacts = contacts;
+        this.bodies = bodies;
         limit = new PartingLimit(bodies, motions, contacts);
         this.accuracy = accuracy;
     }
 
-    /** Begins the packed island. */
-    public void prepare() {
-        kept = Recovery.kept(contacts.count, accuracy);
+    /** Begins the packed island, which hardly moves if it is calm. */
+    public void prepare(boolean isCalm) {
+        this.isCalm = isCalm && PackedContacts.areCrowd(contacts.count);
+        kept =
+                isCalm
+                        ? Recovery.keptIfCalm(contacts.count, accuracy)
+                        : Recovery.kept(contacts.count, accuracy);
     }
 
     /** Begins to take overlap back. */
@@ -175,5 +184,34 @@ public final class OverlapSolver {
         m[b + DX] += m[b + INVERSE_MASS] * px;
         m[b + DY] += m[b + INVERSE_MASS] * py;
         m[b + TURN] += m[b + INVERSE_INERTIA] * onB;
+        if (isCalm) {
+            raise(a, b, px, py);
+        }
+    }
+
+    /**
+     * Moves two bodies that were pushed apart along with each other, so that only the upper one has
+     * moved where it lies straight above. The lower one would have to be pushed back by what it
+     * lies on, storey by storey, while a heap goes on creeping.
+     */
+    private void raise(int a, int b, double px, double py) {
+        double[] m = motions.data;
+        if (m[a + INVERSE_MASS] == 0 || m[b + INVERSE_MASS] == 0) {
+            return;
+        }
+        int slotA = motions.slots[a / Motions.STRIDE];
+        int slotB = motions.slots[b / Motions.STRIDE];
+        double pullX = bodies.accelerationX[slotA] + bodies.accelerationX[slotB];
+        double pullY = bodies.accelerationY[slotA] + bodies.accelerationY[slotB];
+        double along = pullX * px + pullY * py;
+        double all = (pullX * pullX + pullY * pullY) * (px * px + py * py);
+        if (all > 0) {
+            double share = along * along / all;
+            double with = share * (along < 0 ? m[a + INVERSE_MASS] : -m[b + INVERSE_MASS]);
+            m[a + DX] += with * px;
+            m[a + DY] += with * py;
+            m[b + DX] += with * px;
+            m[b + DY] += with * py;
+        }
     }
 }

@@ -49,19 +49,77 @@ class OverlapSolverTest {
         assertThat(left(CROWD, 0.9e-3, Accuracy.EXACT)).isLessThan(0.9e-3);
     }
 
-    /** What one pass leaves of the overlap in m, with so many bodies of a metre on the ground. */
+    /** What hardly moves could not rest as long as the last of its overlap is taken back. */
+    @Test
+    void calmCrowdKeepsTwiceThat() {
+        assertThat(left(CROWD, 1.9e-3, Accuracy.GAME, true)).isEqualTo(1.9e-3);
+        assertThat(left(CROWD, 2.1e-3, Accuracy.GAME, true)).isLessThan(2.1e-3);
+        double few = left(FEW, 1.9e-3, Accuracy.GAME, true);
+        assertThat(few).isEqualTo(left(FEW, 1.9e-3, Accuracy.GAME, false)).isLessThan(1.9e-3);
+    }
+
+    /** The gap opens by the same, whoever moves. */
+    @Test
+    void onlyTheUpperOfTwoIsRaisedInACalmCrowd() {
+        double shared = parted(true, 0, 0);
+        assertThat(moved(1, Motions.DY)).isCloseTo(-shared / 2, within(1e-15));
+        assertThat(parted(true, 0, -9.81)).isCloseTo(shared, within(1e-15));
+        assertThat(moved(1, Motions.DY)).isCloseTo(0, within(1e-15));
+        assertThat(parted(true, 0, 9.81)).isCloseTo(shared, within(1e-15));
+        assertThat(moved(2, Motions.DY)).isCloseTo(0, within(1e-15));
+    }
+
+    /** By cos²: of what lies at half a right angle the lower one goes half of its share. */
+    @Test
+    void whatLiesSideBySideSharesTheWay() {
+        double shared = parted(true, -9.81, 0);
+        assertThat(moved(1, Motions.DY)).isCloseTo(-shared / 2, within(1e-15));
+        assertThat(parted(true, 0, 0)).isEqualTo(shared);
+        assertThat(moved(1, Motions.DY)).isCloseTo(-shared / 2, within(1e-15));
+        assertThat(parted(true, -7, -7)).isCloseTo(shared, within(1e-15));
+        assertThat(moved(1, Motions.DY)).isCloseTo(-shared / 4, within(1e-15));
+    }
+
+    /** How far in m one pass parts the second body from the first, on which it lies. */
+    private double parted(boolean isCalm, double pullX, double pullY) {
+        bodies.accelerationX[0] = pullX;
+        bodies.accelerationY[0] = pullY;
+        island.begin(2);
+        island.body(1, 1, 0);
+        island.body(2, 1, 0);
+        overlap(island.contact(1, 2, 0.5, 0.5), 0.01);
+        for (int more = 1; more < CROWD; more++) {
+            overlap(island.contact(1, 2, 0.5, 0.5), 0);
+        }
+        OverlapSolver solver = new OverlapSolver(bodies, motions, contacts, Accuracy.GAME);
+        solver.prepare(isCalm);
+        solver.correct(H, 0);
+        return moved(2, Motions.DY) - moved(1, Motions.DY);
+    }
+
+    private void overlap(int row, double overlap) {
+        contacts.data[row * PackedContacts.STRIDE + PackedContacts.RECOVERY] = Recovery.RATE;
+        contacts.data[row * PackedContacts.STRIDE + PackedContacts.GAP0] = -overlap;
+    }
+
+    private double moved(int body, int along) {
+        return motions.data[body * Motions.STRIDE + along];
+    }
+
     private double left(int count, double overlap, Accuracy accuracy) {
+        return left(count, overlap, accuracy, false);
+    }
+
+    /** What one pass leaves of the overlap in m, with so many bodies of a metre on the ground. */
+    private double left(int count, double overlap, Accuracy accuracy, boolean isCalm) {
         island.begin(count);
         for (int body = 1; body <= count; body++) {
             island.body(body, 1, 0);
-            int row = island.onGround(body, 0.5, 0.5);
-            int at = row * PackedContacts.STRIDE;
-            contacts.data[at + PackedContacts.RECOVERY] = Recovery.RATE;
-            contacts.data[at + PackedContacts.GAP0] = -overlap;
+            overlap(island.onGround(body, 0.5, 0.5), overlap);
         }
         OverlapSolver solver = new OverlapSolver(bodies, motions, contacts, accuracy);
-        solver.prepare();
+        solver.prepare(isCalm);
         solver.correctInPasses(H, 0, 1);
-        return overlap - motions.data[Motions.STRIDE + Motions.DY];
+        return overlap - moved(1, Motions.DY);
     }
 }
