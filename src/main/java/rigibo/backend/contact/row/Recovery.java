@@ -46,7 +46,9 @@ public final class Recovery {
         return Math.max(KEPT_OVERLAP, Math.min(MOST_KEPT, wanted));
     }
 
-    /** The same where nothing goes faster than its own pull would make it in a part of a step. */
+    /**
+     * The same where nothing goes faster than its own pull would make it in a quarter of a step.
+     */
     public static double keptIfCalm(int contacts, Accuracy accuracy) {
         double kept = kept(contacts, accuracy);
         return PackedContacts.areCrowd(contacts) ? KEPT_IF_CALM * kept : kept;
