@@ -28,12 +28,7 @@ final class TiedElimination {
     private int[] place = new int[16];
     private int size;
 
-    /** L by rows and U by columns, and the inverse of U's diagonal. */
-    private double[] lower = new double[16 * 16];
-
-    private double[] upper = new double[16 * 16];
-
-    private double[] inverse = new double[16];
+    private final EnvelopeFactor factor = new EnvelopeFactor();
 
     /** What each row's impulse lacks, N·s. */
     private double[] lacks = new double[16];
@@ -53,8 +48,12 @@ final class TiedElimination {
         if (size < 2 || size > MOST_ROWS) {
             return 0;
         }
+        factor.clearWork();
         factorize();
-        substitute();
+        for (int i = 0; i < size; i++) {
+            lacks[i] = rows.target[set[i]] - rows.speed(set[i]);
+        }
+        factor.solve(lacks);
         if (isFartherThan(FARTHEST * fastest)) {
             return 0;
         }
@@ -64,11 +63,11 @@ final class TiedElimination {
         }
         for (int row = 0; row < rows.count; row++) {
             if (isSliding(row)) {
-                rows.push(
-                        row, slides(row) * rows.cone(row) / rows.friction[row] - rows.impulse[row]);
+                double rubs = Math.copySign(rows.cone(row), rows.impulse[row]);
+                rows.push(row, rubs - rows.impulse[row]);
             }
         }
-        return size * (double) size * size / 3;
+        return factor.work();
     }
 
     private void choose() {
@@ -76,7 +75,7 @@ final class TiedElimination {
             set = new int[rows.pair.length];
             place = new int[rows.pair.length];
             lacks = new double[rows.pair.length];
-            inverse = new double[rows.pair.length];
+            factor.reserve(rows.pair.length);
         }
         size = 0;
         for (int row = 0; row < rows.count; row++) {
@@ -87,10 +86,6 @@ final class TiedElimination {
             if (isEquation) {
                 set[size++] = row;
             }
-        }
-        if (size <= MOST_ROWS && lower.length < size * size) {
-            lower = new double[MOST_ROWS * MOST_ROWS];
-            upper = new double[MOST_ROWS * MOST_ROWS];
         }
     }
 
@@ -112,42 +107,17 @@ final class TiedElimination {
         return slides ? direct + slides(tangent) * rows.response(i, tangent) : direct;
     }
 
-    /** Row i of L and column i of U by those before them (Doolittle), in the order of the rows. */
+    /** In the order of the rows, whatever shares a body with whatever. */
     private void factorize() {
+        factor.lay(size, MOST_ROWS * (MOST_ROWS + 1) / 2);
         for (int i = 0; i < size; i++) {
-            int own = i * size;
             for (int j = 0; j < i; j++) {
-                int other = j * size;
-                double l = answer(set[i], set[j]);
-                double u = answer(set[j], set[i]);
-                for (int k = 0; k < j; k++) {
-                    l -= lower[own + k] * upper[other + k];
-                    u -= lower[other + k] * upper[own + k];
-                }
-                lower[own + j] = l * inverse[j];
-                upper[own + j] = u;
+                factor.writeLower(i, j, answer(set[i], set[j]));
+                factor.writeUpper(i, j, answer(set[j], set[i]));
             }
             double gives = GIVE * rows.response[set[i]];
-            double left = answer(set[i], set[i]) + gives;
-            for (int k = 0; k < i; k++) {
-                left -= lower[own + k] * upper[own + k];
-            }
-            inverse[i] = 1 / (Math.abs(left) > gives ? left : gives);
-        }
-    }
-
-    private void substitute() {
-        for (int i = 0; i < size; i++) {
-            lacks[i] = rows.target[set[i]] - rows.speed(set[i]);
-            for (int k = 0; k < i; k++) {
-                lacks[i] -= lower[i * size + k] * lacks[k];
-            }
-        }
-        for (int i = size - 1; i >= 0; i--) {
-            lacks[i] *= inverse[i];
-            for (int k = 0; k < i; k++) {
-                lacks[k] -= upper[i * size + k] * lacks[i];
-            }
+            factor.writeLower(i, i, answer(set[i], set[i]) + gives);
+            factor.eliminate(i, false, gives);
         }
     }
 

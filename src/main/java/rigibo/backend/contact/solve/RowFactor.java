@@ -3,6 +3,7 @@ package rigibo.backend.contact.solve;
 import rigibo.backend.contact.row.Motions;
 import rigibo.backend.contact.row.PackedContacts;
 import rigibo.backend.contact.row.SingleRows;
+import rigibo.backend.impact.EnvelopeFactor;
 
 import java.util.Arrays;
 
@@ -35,20 +36,12 @@ final class RowFactor {
     private boolean isSymmetric = true;
     private int size;
 
-    /** L by rows and U by columns, from the first entry of each on, and where each starts. */
-    private double[] lower = new double[0];
-
-    private double[] upper = new double[0];
-
-    private int[] start = new int[65];
-    private int[] first = new int[64];
-
-    /** The inverse of each entry of U's diagonal. */
-    private double[] inverse = new double[64];
+    private final EnvelopeFactor factor = new EnvelopeFactor();
 
     /** For each place in the order the first row of the set from there on. */
     private int[] firstInSet = new int[65];
 
+    /** Multiplications made beside those of factoring. */
     private double work;
 
     RowFactor(PackedContacts contacts, FlatRows rows, ContactOrder order) {
@@ -59,11 +52,12 @@ final class RowFactor {
 
     /** Multiplications made since they were counted last. */
     double work() {
-        return work;
+        return work + factor.work();
     }
 
     void clearWork() {
         work = 0;
+        factor.clearWork();
     }
 
     /** Multiplications that factoring takes where all rows are loaded, by their envelope. */
@@ -78,6 +72,7 @@ final class RowFactor {
 
     void forget() {
         size = 0;
+        factor.lay(0, 0);
     }
 
     /** How many rows are factored, 0 where nothing is. */
@@ -97,13 +92,12 @@ final class RowFactor {
     }
 
     private void reserve() {
-        if (firstInSet.length <= contacts.count || first.length < FlatRows.KINDS * contacts.count) {
+        if (firstInSet.length <= contacts.count
+                || factored.length < FlatRows.KINDS * contacts.count) {
             int capacity = FlatRows.KINDS * contacts.pair.length;
             factored = Arrays.copyOf(factored, capacity);
             sliding = Arrays.copyOf(sliding, capacity);
-            start = Arrays.copyOf(start, capacity + 1);
-            first = Arrays.copyOf(first, capacity);
-            inverse = Arrays.copyOf(inverse, capacity);
+            factor.reserve(capacity);
             firstInSet = new int[contacts.pair.length + 1];
         }
     }
@@ -128,10 +122,10 @@ final class RowFactor {
         findPlaces();
         layEnvelope();
         for (int i = same; i < size; i++) {
-            Arrays.fill(lower, start[i], start[i + 1], 0);
-            Arrays.fill(upper, start[i], start[i + 1], 0);
+            factor.clear(i);
             writeEntries(i);
-            eliminate(i);
+            // Of a redundant row only what it gives way by is left.
+            factor.eliminate(i, isSymmetric, rows.give[factored[i]]);
         }
     }
 
@@ -153,18 +147,10 @@ final class RowFactor {
 
     /** A row's envelope begins with the first loaded row of the first contact it shares with. */
     private void layEnvelope() {
-        int length = 0;
         for (int i = 0; i < size; i++) {
-            first[i] = firstInSet[order.firstNeighbour[factored[i] / FlatRows.KINDS]];
-            start[i] = length;
-            length += i - first[i] + 1;
+            factor.first[i] = firstInSet[order.firstNeighbour[factored[i] / FlatRows.KINDS]];
         }
-        start[size] = length;
-        if (lower.length < length) {
-            int capacity = Math.max(FULL, 2 * length);
-            lower = Arrays.copyOf(lower, capacity);
-            upper = Arrays.copyOf(upper, capacity);
-        }
+        factor.lay(size, FULL);
     }
 
     /** Writes what a row and those before it give each other: those that share a body with it. */
@@ -172,7 +158,8 @@ final class RowFactor {
         int row = order.order[factored[i] / FlatRows.KINDS];
         writeEntries(i, contacts.bodyA[row]);
         writeEntries(i, contacts.bodyB[row]);
-        lower[start[i + 1] - 1] += rows.give[factored[i]];
+        int k = factored[i];
+        factor.writeLower(i, i, rows.answerTo(k, k) + rows.give[k]);
     }
 
     private void writeEntries(int i, int body) {
@@ -180,65 +167,18 @@ final class RowFactor {
             return;
         }
         int entry = body / Motions.STRIDE;
-        int column = start[i] - first[i];
         for (int at = order.start[entry]; at < order.start[entry + 1]; at++) {
             int place = order.place[order.ofBodies[at]];
-            int end = Math.min(firstInSet[place + 1], i + 1);
+            int end = Math.min(firstInSet[place + 1], i);
             for (int j = firstInSet[place]; j < end; j++) {
-                lower[column + j] = rows.answerTo(factored[i], factored[j]);
+                factor.writeLower(i, j, rows.answerTo(factored[i], factored[j]));
                 work += WORK_OF_ENTRY;
                 if (!isSymmetric) {
-                    upper[column + j] = rows.answerTo(factored[j], factored[i]);
+                    factor.writeUpper(i, j, rows.answerTo(factored[j], factored[i]));
                     work += WORK_OF_ENTRY;
                 }
             }
         }
-    }
-
-    /** Row i of L and column i of U, by those before them. */
-    private void eliminate(int i) {
-        int own = start[i] - first[i];
-        for (int j = first[i]; j < i; j++) {
-            int from = Math.max(first[i], first[j]);
-            int mine = own + from;
-            int other = start[j] - first[j] + from;
-            double l = lower[own + j] - dot(lower, mine, upper, other, j - from);
-            double u = l;
-            if (!isSymmetric) {
-                u = upper[own + j] - dot(upper, mine, lower, other, j - from);
-                work += j - from;
-            }
-            lower[own + j] = l * inverse[j];
-            upper[own + j] = u;
-            work += j - from + 1;
-        }
-        double left = lower[own + i] - dot(lower, start[i], upper, start[i], i - first[i]);
-        inverse[i] = 1 / pivot(left, factored[i]);
-        work += i - first[i];
-    }
-
-    /** What is left on the diagonal; of a redundant row only what it gives way by is left. */
-    private double pivot(double left, int k) {
-        return Math.abs(left) > rows.give[k] ? left : rows.give[k];
-    }
-
-    /** A product of parts of two arrays, in four sums that do not wait for each other. */
-    private static double dot(double[] a, int atA, double[] b, int atB, int length) {
-        double sum0 = 0;
-        double sum1 = 0;
-        double sum2 = 0;
-        double sum3 = 0;
-        int k = 0;
-        for (; k < length - 3; k += 4) {
-            sum0 += a[atA + k] * b[atB + k];
-            sum1 += a[atA + k + 1] * b[atB + k + 1];
-            sum2 += a[atA + k + 2] * b[atB + k + 2];
-            sum3 += a[atA + k + 3] * b[atB + k + 3];
-        }
-        for (; k < length; k++) {
-            sum0 += a[atA + k] * b[atB + k];
-        }
-        return sum0 + sum1 + (sum2 + sum3);
     }
 
     /**
@@ -253,18 +193,8 @@ final class RowFactor {
         solve(change);
     }
 
-    /** Forward and backward substitution, in place. */
+    /** Solves the factored set for the right side that is given, in place. */
     void solve(double[] unknown) {
-        for (int i = 0; i < size; i++) {
-            unknown[i] -= dot(lower, start[i], unknown, first[i], i - first[i]);
-        }
-        for (int i = size - 1; i >= 0; i--) {
-            double x = unknown[i] * inverse[i];
-            unknown[i] = x;
-            int column = start[i] - first[i];
-            for (int k = first[i]; k < i; k++) {
-                unknown[k] -= upper[column + k] * x;
-            }
-        }
+        factor.solve(unknown);
     }
 }

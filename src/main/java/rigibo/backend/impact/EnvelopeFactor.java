@@ -1,0 +1,149 @@
+package rigibo.backend.impact;
+
+import java.util.Arrays;
+
+/**
+ * A square matrix, factored as L·U row by row (Doolittle) without exchanging any. Row i of L and
+ * column i of U begin at the first number that either has there, their envelope, and nothing before
+ * it is kept or computed: in a stack, whose rows meet their neighbours only, that is a band. Where
+ * row and column are alike, U = D·Lᵀ takes half the work.
+ */
+public final class EnvelopeFactor {
+
+    /** Length of the first room for rows. */
+    private static final int ROWS = 64;
+
+    /** By row: the first column that it begins with. It is to be written before {@link #lay}. */
+    public int[] first = new int[ROWS];
+
+    private int size;
+
+    /** Where each row starts. */
+    private int[] start = new int[ROWS + 1];
+
+    /** L by rows and U by columns, each from its first entry to its diagonal. */
+    private double[] lower = new double[0];
+
+    private double[] upper = new double[0];
+
+    /** The inverse of each entry of U's diagonal. */
+    private double[] inverse = new double[ROWS];
+
+    private double work;
+
+    /** Makes room for so many rows, keeping those that are there. */
+    public void reserve(int rows) {
+        if (first.length < rows) {
+            first = Arrays.copyOf(first, rows);
+            start = Arrays.copyOf(start, rows + 1);
+            inverse = Arrays.copyOf(inverse, rows);
+        }
+    }
+
+    /**
+     * Lays out so many rows from their first entries on. Those before the first that differs stay
+     * factored.
+     *
+     * @param entries room that is made at least where there is too little of it
+     */
+    public void lay(int rows, int entries) {
+        size = rows;
+        int length = 0;
+        for (int i = 0; i < rows; i++) {
+            start[i] = length;
+            length += i - first[i] + 1;
+        }
+        start[rows] = length;
+        if (lower.length < length) {
+            int capacity = Math.max(entries, 2 * length);
+            lower = Arrays.copyOf(lower, capacity);
+            upper = Arrays.copyOf(upper, capacity);
+        }
+    }
+
+    /** Empties row and column i. */
+    public void clear(int i) {
+        Arrays.fill(lower, start[i], start[i + 1], 0);
+        Arrays.fill(upper, start[i], start[i + 1], 0);
+    }
+
+    /** Writes the entry in row i and column j ≤ i. */
+    public void writeLower(int i, int j, double entry) {
+        lower[start[i] - first[i] + j] = entry;
+    }
+
+    /** Writes the entry in row j and column i, j &lt; i, where it is not that of row i. */
+    public void writeUpper(int i, int j, double entry) {
+        upper[start[i] - first[i] + j] = entry;
+    }
+
+    /**
+     * Finds row i of L and column i of U by those before them.
+     *
+     * @param isSymmetric whether all columns so far are as their rows
+     * @param least what a diagonal counts as that elimination leaves less of
+     */
+    public void eliminate(int i, boolean isSymmetric, double least) {
+        int own = start[i] - first[i];
+        for (int j = first[i]; j < i; j++) {
+            int from = Math.max(first[i], first[j]);
+            int mine = own + from;
+            int other = start[j] - first[j] + from;
+            double l = lower[own + j] - dot(lower, mine, upper, other, j - from);
+            double u = l;
+            if (!isSymmetric) {
+                u = upper[own + j] - dot(upper, mine, lower, other, j - from);
+                work += j - from;
+            }
+            lower[own + j] = l * inverse[j];
+            upper[own + j] = u;
+            work += j - from + 1;
+        }
+        double left = lower[own + i] - dot(lower, start[i], upper, start[i], i - first[i]);
+        inverse[i] = 1 / (Math.abs(left) > least ? left : least);
+        work += i - first[i];
+    }
+
+    /** A product of parts of two arrays, in four sums that do not wait for each other. */
+    private static double dot(double[] a, int atA, double[] b, int atB, int length) {
+        double sum0 = 0;
+        double sum1 = 0;
+        double sum2 = 0;
+        double sum3 = 0;
+        int k = 0;
+        for (; k < length - 3; k += 4) {
+            sum0 += a[atA + k] * b[atB + k];
+            sum1 += a[atA + k + 1] * b[atB + k + 1];
+            sum2 += a[atA + k + 2] * b[atB + k + 2];
+            sum3 += a[atA + k + 3] * b[atB + k + 3];
+        }
+        for (; k < length; k++) {
+            sum0 += a[atA + k] * b[atB + k];
+        }
+        return sum0 + sum1 + (sum2 + sum3);
+    }
+
+    /** Solves for the right side that is given, in place: forward, then backward substitution. */
+    public void solve(double[] unknown) {
+        for (int i = 0; i < size; i++) {
+            unknown[i] -= dot(lower, start[i], unknown, first[i], i - first[i]);
+        }
+        for (int i = size - 1; i >= 0; i--) {
+            double x = unknown[i] * inverse[i];
+            unknown[i] = x;
+            int column = start[i] - first[i];
+            for (int k = first[i]; k < i; k++) {
+                unknown[k] -= upper[column + k] * x;
+            }
+        }
+    }
+
+    /** Multiplications that factoring took since they were cleared. */
+    public double work() {
+        return work;
+    }
+
+    public void clearWork() {
+        work = 0;
+    }
+}
