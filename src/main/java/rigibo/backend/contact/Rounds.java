@@ -65,8 +65,8 @@ public final class Rounds {
     /** Ratio of masses up to which passes come to an end as fast as among equals. */
     private static final double LIKE_EQUALS = 4;
 
-    /** Multiplications that the smallest island is worth in a substep: some ten microseconds. */
-    private static final double LEAST_WORTH = 20_000;
+    /** Multiplications that the smallest island is worth in a substep: some microseconds. */
+    private static final double LEAST_WORTH = 4_000;
 
     /** Multiplications that the impacts of the smallest island are worth in a step. */
     private static final double LEAST_WORTH_OF_IMPACTS = 3e5;
