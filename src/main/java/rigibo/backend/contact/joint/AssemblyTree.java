@@ -46,6 +46,11 @@ final class AssemblyTree {
     int[] bodyStart = new int[17];
     int[] groupOf = new int[16];
 
+    /** Equations group by group in the order of elimination, and where those of a group start. */
+    int[] equationOf = new int[64];
+
+    int[] equationStart = new int[17];
+
     /** Sum of the squares of the numbers of equations of all assemblies. */
     long room;
 
@@ -96,6 +101,19 @@ final class AssemblyTree {
             }
         }
         groupStart[groups] = count;
+        listEquations();
+    }
+
+    private void listEquations() {
+        int end = 0;
+        for (int group = 0; group < groups; group++) {
+            equationStart[group] = end;
+            for (int n = groupStart[group]; n < groupStart[group + 1]; n++) {
+                System.arraycopy(equation, start[n], equationOf, end, own[n]);
+                end += own[n];
+            }
+        }
+        equationStart[groups] = end;
     }
 
     /** Finds the groups: each body and whatever is reached from it. */
@@ -147,6 +165,7 @@ final class AssemblyTree {
             of = new int[2 * most];
             alive = new int[2 * most];
             groupStart = new int[2 * most + 1];
+            equationStart = new int[2 * most + 1];
             bodies = new int[2 * most];
             bodyStart = new int[2 * most + 1];
             groupOf = new int[2 * most];
@@ -154,6 +173,7 @@ final class AssemblyTree {
         if (spread.length < equations.count) {
             spread = new int[2 * equations.count];
             takenBy = new int[2 * equations.count];
+            equationOf = new int[2 * equations.count];
         }
     }
 

@@ -80,7 +80,8 @@ final class BoundedRows {
         }
     }
 
-    private double carried(int row) {
+    /** What a row of a joint carried in the kick before, for the length of this one. */
+    double carried(int row) {
         return share * packed.impulseOf(rows.joint[row], rows.part[row]);
     }
 
@@ -93,11 +94,11 @@ final class BoundedRows {
         holds[row] = true;
     }
 
-    /** Gives what those that do not hold carried before. */
+    /** Gives what they carried before. */
     void warm() {
         for (int i = 0; i < count; i++) {
             int row = bounded[i];
-            rows.impulse[row] = holds[row] ? 0 : clamp(row, carried(row));
+            rows.impulse[row] = clamp(row, carried(row));
         }
     }
 
@@ -134,17 +135,6 @@ final class BoundedRows {
         for (int e = 0; e < equations.count; e++) {
             if (equations.boundedCount[e] > 0) {
                 equations.row[e] = NONE;
-            }
-        }
-    }
-
-    /** Gives bodies what all that does not hold carries; the rest has carried nothing yet. */
-    void apply() {
-        for (int row = 0; row < rows.count; row++) {
-            if (rows.isEquation(row) || holds[row]) {
-                rows.impulse[row] = 0;
-            } else if (rows.impulse[row] != 0) {
-                rows.apply(row, rows.impulse[row]);
             }
         }
     }

@@ -30,6 +30,12 @@ final class CrowdSolver {
     /** How far a place may be missed, as a share of the joint's arms and of the tolerance. */
     private static final double MISSED_PLACE = 1e-2;
 
+    /** What an equation may lack, as a share of the strongest of its group and of the tolerance. */
+    private static final double SETTLED = 1e-2;
+
+    /** What a solution may lack before it is refined, as a share of that. */
+    private static final double SOLVED = 1e-4;
+
     /** Energy that Newton's steps may add, as a share of that of motion. */
     private static final double GAINED = 1e-4;
 
@@ -39,6 +45,7 @@ final class CrowdSolver {
     private final Poses poses;
     private final EquationFactor factor;
     private final EquationList equations;
+    private final AssemblyTree tree;
     private final ContactRows contactRows;
     private final double tolerance;
 
@@ -56,6 +63,9 @@ final class CrowdSolver {
 
     /** By row: its speed before impulses, m/s. */
     private double[] freeSpeed = new double[64];
+
+    /** What an equation may lack, as a share of the strongest of its group. */
+    private final double settled;
 
     private double freeEnergy;
     private int mostPasses;
@@ -77,6 +87,8 @@ final class CrowdSolver {
         tolerance = accuracy.impactTolerance();
         factor = new EquationFactor(motions, rows);
         equations = factor.equations();
+        tree = factor.tree();
+        settled = SETTLED * tolerance;
         responses = new Responses(motions, rows, factor);
         bounded = new BoundedRows(motions, rows, packed, equations, responses);
         overlap = new CrowdOverlap(motions, contacts, rows, responses, accuracy);
@@ -108,7 +120,7 @@ final class CrowdSolver {
         }
         factor.layOut();
         bounded.begin(share);
-        factor.factorize();
+        factor.begin();
         correct(h);
     }
 
@@ -136,7 +148,7 @@ final class CrowdSolver {
      */
     void solve(double h, int substep, double fastest, double noise) {
         contactRows.write(h, substep);
-        bounded.warm();
+        warm();
         bounded.addContacts();
         responses.begin();
         double quiet = QUIET * fastest;
@@ -144,12 +156,12 @@ final class CrowdSolver {
         double most = noise + GAINED * freeEnergy;
         if (!motions.isAnyDriven && !(gained() <= most)) {
             bounded.release();
-            factor.factorize();
+            factor.changeAll();
             responses.begin();
             run(quiet, false);
             if (!(gained() <= most)) {
                 bounded.release();
-                settle();
+                settle(false);
             }
         }
         contactRows.store();
@@ -172,10 +184,21 @@ final class CrowdSolver {
         return sum;
     }
 
+    /** Begins with what joints carried in the kick before. */
+    private void warm() {
+        bounded.warm();
+        for (int e = 0; e < equations.count; e++) {
+            int row = equations.row[e];
+            if (row != EquationList.NONE) {
+                rows.impulse[row] = bounded.carried(row);
+            }
+        }
+    }
+
     /** Lets passes and exchanges follow each other until nothing changes any more. */
     private void run(double quiet, boolean mayExchange) {
         int passes = responses.areAnyLarge() ? 1 : PASSES;
-        settle();
+        settle(true);
         boolean isOpen = mayExchange && exchange(true) || bounded.areAny();
         for (int pass = 0; isOpen && pass < mostPasses; ) {
             responses.take();
@@ -184,7 +207,7 @@ final class CrowdSolver {
             for (int i = 0; i < passes && change > quiet; i++) {
                 change = bounded.pass(pass++ % 2 == 1);
             }
-            settle();
+            settle(false);
             isOpen = change > quiet;
             if (mayExchange && pass < mostPasses) {
                 // After the last pass nothing would answer what others hold from then on.
@@ -194,46 +217,88 @@ final class CrowdSolver {
     }
 
     private boolean exchange(boolean mayEnter) {
-        Arrays.fill(isOther, 0, factor.tree().groups, false);
-        boolean isAny = bounded.exchange(mayEnter, factor.tree(), isOther);
+        Arrays.fill(isOther, 0, tree.groups, false);
+        boolean isAny = bounded.exchange(mayEnter, tree, isOther);
         if (isAny) {
-            for (int group = 0; group < factor.tree().groups; group++) {
+            for (int group = 0; group < tree.groups; group++) {
                 if (isOther[group]) {
-                    factor.factorize(group);
+                    factor.change(group);
                 }
             }
             responses.forget(isOther);
-            settle();
+            settle(false);
         }
         return isAny;
     }
 
-    /** Finds what holds, and how bodies move, from all impulses of rows at bounds. */
-    private void settle() {
+    /**
+     * Finds what holds, and how bodies move, from all impulses of rows at bounds; anew, so that
+     * nothing is left of impulses that change no body, or from what was found before.
+     */
+    private void settle(boolean anew) {
         System.arraycopy(free, 0, motions.data, 0, motions.count * Motions.STRIDE);
-        bounded.apply();
-        holdEquations();
-    }
-
-    /** Brings what holds to what it asks for. */
-    private void holdEquations() {
-        askResiduals();
-        if (factor.isStale()) {
-            askResiduals();
+        for (int row = 0; row < rows.count; row++) {
+            if (rows.impulse[row] != 0) {
+                rows.apply(row, rows.impulse[row]);
+            }
+        }
+        for (int group = 0; group < tree.groups; group++) {
+            if (ask(group) > settled * strongest(group)) {
+                settle(group, anew);
+            }
         }
     }
 
-    private void askResiduals() {
-        for (int e = 0; e < equations.count; e++) {
+    private void settle(int group, boolean anew) {
+        if (anew) {
+            takeBack(group);
+            ask(group);
+        }
+        pushAnswers(group);
+        if (ask(group) > SOLVED * settled * strongest(group)) {
+            pushAnswers(group);
+        }
+    }
+
+    /** The strongest speed that impulses of a group's equations give their rows, m/s. */
+    private double strongest(int group) {
+        double most = 0;
+        for (int i = tree.equationStart[group]; i < tree.equationStart[group + 1]; i++) {
+            int row = equations.row[tree.equationOf[i]];
+            if (row != EquationList.NONE) {
+                most = Math.max(most, rows.inMetres(row, rows.impulse[row]) * rows.response[row]);
+            }
+        }
+        return most;
+    }
+
+    private void takeBack(int group) {
+        for (int i = tree.equationStart[group]; i < tree.equationStart[group + 1]; i++) {
+            int row = equations.row[tree.equationOf[i]];
+            if (row != EquationList.NONE) {
+                rows.push(row, -rows.impulse[row]);
+                rows.impulse[row] = 0;
+            }
+        }
+    }
+
+    /** Asks what holds in a group for what it lacks; the most, m/s. */
+    private double ask(int group) {
+        double most = 0;
+        for (int i = tree.equationStart[group]; i < tree.equationStart[group + 1]; i++) {
+            int e = tree.equationOf[i];
             int row = equations.row[e];
-            factor.ask(e, row == EquationList.NONE ? 0 : -rows.residual(row));
+            double lacks = row == EquationList.NONE ? 0 : -rows.residual(row);
+            factor.ask(e, lacks);
+            most = row == EquationList.NONE ? most : Math.max(most, rows.inMetres(row, lacks));
         }
-        pushAnswers();
+        return most;
     }
 
-    private void pushAnswers() {
-        factor.solve();
-        for (int e = 0; e < equations.count; e++) {
+    private void pushAnswers(int group) {
+        factor.solve(group);
+        for (int i = tree.equationStart[group]; i < tree.equationStart[group + 1]; i++) {
+            int e = tree.equationOf[i];
             if (equations.row[e] != EquationList.NONE) {
                 rows.push(equations.row[e], factor.answer(e));
             }
@@ -245,8 +310,17 @@ final class CrowdSolver {
         double energy = motions.energy(motions.data);
         int length = motions.count * Motions.STRIDE;
         System.arraycopy(motions.data, 0, before, 0, length);
-        for (int i = 0; i < MOST_STEPS && ask(h) > 1; i++) {
-            pushAnswers();
+        boolean isAny = true;
+        for (int i = 0; i < MOST_STEPS && isAny; i++) {
+            poses.take(h);
+            jointRows.measureAnew();
+            isAny = false;
+            for (int group = 0; group < tree.groups; group++) {
+                if (askPlaces(group, h) > 1) {
+                    isAny = true;
+                    pushAnswers(group);
+                }
+            }
         }
         if (motions.energy(motions.data) > (1 + GAINED) * energy) {
             // Impulses are those of before but for what changes no body.
@@ -259,12 +333,11 @@ final class CrowdSolver {
         overlap.correct(h);
     }
 
-    /** Asks for what places would be missed by; the most, as a multiple of what they may be. */
-    private double ask(double h) {
-        poses.take(h);
-        jointRows.measureAnew();
+    /** Asks a group for what places would be missed by; the most, as a multiple of what may be. */
+    private double askPlaces(int group, double h) {
         double worst = 0;
-        for (int e = 0; e < equations.count; e++) {
+        for (int i = tree.equationStart[group]; i < tree.equationStart[group + 1]; i++) {
+            int e = tree.equationOf[i];
             int row = equations.row[e];
             if (row == EquationList.NONE) {
                 factor.ask(e, 0);
@@ -290,22 +363,37 @@ final class CrowdSolver {
         responses.begin();
         responses.rest();
         boolean isAny = bounded.correct(most, seen);
-        for (int e = 0; e < equations.count; e++) {
-            int row = equations.row[e];
-            double off = row == EquationList.NONE ? 0 : off(row);
-            isAny |= Math.abs(off) > seen;
-            double moved = row == EquationList.NONE ? 0 : responses.along(row);
-            factor.ask(e, -Math.max(-most, Math.min(most, off)) - moved);
-        }
-        if (isAny) {
-            factor.solve();
-            for (int e = 0; e < equations.count; e++) {
-                if (equations.row[e] != EquationList.NONE) {
-                    responses.displace(equations.row[e], factor.answer(e));
+        for (int group = 0; group < tree.groups; group++) {
+            if (askBack(group, most) > seen) {
+                isAny = true;
+                factor.solve(group);
+                for (int i = tree.equationStart[group]; i < tree.equationStart[group + 1]; i++) {
+                    int e = tree.equationOf[i];
+                    if (equations.row[e] != EquationList.NONE) {
+                        responses.displace(equations.row[e], factor.answer(e));
+                    }
                 }
             }
+        }
+        if (isAny) {
             responses.move(most);
         }
+    }
+
+    /** Asks a group to move back by what it is off its places; the most, m or rad. */
+    private double askBack(int group, double most) {
+        double farthest = 0;
+        for (int i = tree.equationStart[group]; i < tree.equationStart[group + 1]; i++) {
+            int e = tree.equationOf[i];
+            int row = equations.row[e];
+            double asked = 0;
+            if (row != EquationList.NONE) {
+                asked = -Math.max(-most, Math.min(most, off(row))) - responses.along(row);
+            }
+            factor.ask(e, asked);
+            farthest = Math.max(farthest, Math.abs(asked));
+        }
+        return farthest;
     }
 
     /** How far a row that holds is off its place, m or rad. */

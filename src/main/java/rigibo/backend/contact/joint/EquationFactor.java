@@ -43,6 +43,9 @@ final class EquationFactor {
     /** What was factored last, to be factored anew only where it has changed. */
     private final FactoredRows factored;
 
+    /** By group whether its factor is that of the equations that hold. */
+    private boolean[] isReady = new boolean[16];
+
     /** Whether equations have changed by next to nothing since they were factored. */
     private boolean isStale;
 
@@ -88,17 +91,36 @@ final class EquationFactor {
         factored.forget();
     }
 
-    /** Factors the equations that hold, where they are others than those that are factored. */
-    void factorize() {
+    /**
+     * Begins with rows that were just written. A group is factored when it is solved first, and
+     * only where it is another than the one that is factored.
+     */
+    void begin() {
         isStale = false;
-        for (int group = 0; group < tree.groups; group++) {
-            double change = factored.change(group);
-            if (change > FactoredRows.SAME) {
-                factorize(group);
-            } else {
-                isStale |= change > 0;
-            }
+        Arrays.fill(isReady, 0, tree.groups, false);
+    }
+
+    /** Other equations hold in a group than before. */
+    void change(int group) {
+        isReady[group] = false;
+    }
+
+    /** Other equations hold in all groups. */
+    void changeAll() {
+        Arrays.fill(isReady, 0, tree.groups, false);
+    }
+
+    private void makeReady(int group) {
+        if (isReady[group]) {
+            return;
         }
+        double change = factored.change(group);
+        if (change > FactoredRows.SAME) {
+            factorize(group);
+        } else {
+            isStale |= change > 0;
+        }
+        isReady[group] = true;
     }
 
     /** Whether what was factored is only nearly what holds, so that answers want to be refined. */
@@ -106,8 +128,7 @@ final class EquationFactor {
         return isStale;
     }
 
-    /** Factors those of one group. */
-    void factorize(int group) {
+    private void factorize(int group) {
         for (int n = tree.groupStart[group]; n < tree.groupStart[group + 1]; n++) {
             int from = at[n];
             int size = tree.start[n + 1] - tree.start[n];
@@ -132,6 +153,9 @@ final class EquationFactor {
         }
         if (at.length < tree.count) {
             at = new int[2 * tree.count];
+        }
+        if (isReady.length < tree.groups) {
+            isReady = new boolean[2 * tree.groups];
         }
         int from = 0;
         for (int n = 0; n < tree.count; n++) {
@@ -249,6 +273,7 @@ final class EquationFactor {
 
     /** Finds those of one group. */
     void solve(int group) {
+        makeReady(group);
         double[] x = unknown;
         int[] equation = tree.equation;
         int from = tree.groupStart[group];

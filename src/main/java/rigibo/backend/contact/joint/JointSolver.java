@@ -283,7 +283,7 @@ public final class JointSolver {
      * seconds: no motor drives.
      */
     public boolean areHeldByEquations(double h) {
-        write(h, h);
+        writeRows(h, h);
         boolean areEquations = isWhole && !jointRows.areAnyStiff();
         for (int row = 0; areEquations && row < rows.count; row++) {
             areEquations =
@@ -353,10 +353,14 @@ public final class JointSolver {
     public void write(double kick, double h) {
         share = kicked == 0 ? 0 : kick / kicked;
         kicked = kick;
+        writeRows(kick, h);
+        results.keepArms(poses);
+    }
+
+    private void writeRows(double kick, double h) {
         rows.clear();
         poses.take(0);
         jointRows.write(kick, h);
-        results.keepArms(poses);
     }
 
     /** Begins a part of h seconds whose rows are written, before its kick. */

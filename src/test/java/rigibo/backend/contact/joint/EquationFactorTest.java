@@ -83,12 +83,12 @@ class EquationFactorTest {
         double[] asked = new double[rows.count];
         EquationFactor factor = new EquationFactor(motions, rows);
         factor.layOut();
-        factor.factorize();
+        factor.begin();
         for (int i = 0; i < rows.count; i++) {
             asked[i] = random.nextDouble(-1, 1);
             rows.give[i] = 1e-3;
         }
-        factor.factorize();
+        factor.begin();
         for (int e = 0; e < rows.count; e++) {
             factor.ask(e, asked[factor.equations().row[e]]);
         }
@@ -162,7 +162,8 @@ class EquationFactorTest {
         }
         EquationFactor factor = new EquationFactor(motions, rows);
         factor.layOut();
-        factor.factorize();
+        factor.begin();
+        factor.solve();
         return factor.takeWork();
     }
 }
