@@ -5,15 +5,25 @@ import rigibo.backend.setup.JointKind;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.JointStore;
 
+import java.util.Arrays;
+
 /** Where a joint holds its bodies at poses that were taken: arms, axis, coordinate. */
 final class JointGeometry {
 
     private static final int DISTANCE = JointKind.DISTANCE.ordinal();
     private static final int REVOLUTE = JointKind.REVOLUTE.ordinal();
 
+    private static final int WELD = JointKind.WELD.ordinal();
+
     private final Bodies bodies;
     private final JointStore joints;
     private final Poses poses;
+
+    /** By joint: the axis in A's frame, rad, whose cosine and sine are known. */
+    private double[] knownAxis = new double[0];
+
+    private double[] axisCos = new double[0];
+    private double[] axisSin = new double[0];
 
     /** From the centres of mass to the anchors, and from A's anchor to B's, m. */
     double armAX;
@@ -24,7 +34,7 @@ final class JointGeometry {
     double dx;
     double dy;
 
-    /** Unit axis: A's, or of a distance joint from anchor to anchor. */
+    /** Unit axis: A's, or of a distance joint from anchor to anchor; of no hinge, no weld. */
     double axisX;
 
     double axisY;
@@ -60,18 +70,38 @@ final class JointGeometry {
                 poses.angle(b, offsetB)
                         + joints.axisB[joint]
                         - (poses.angle(a, offsetA) + joints.axisA[joint]);
-        if (joints.kind[joint] == DISTANCE) {
+        int kind = joints.kind[joint];
+        if (kind == REVOLUTE || kind == WELD) {
+            return;
+        }
+        if (kind == DISTANCE) {
             along = Math.sqrt(dx * dx + dy * dy);
             // Of two anchors in one place any direction is as good.
             axisX = along > 0 ? dx / along : 1;
             axisY = along > 0 ? dy / along : 0;
         } else {
             // The axis stated, not the sum of two angles: that would lose digits of many turns.
-            double cos = Angle.cos(joints.axisA[joint]);
-            double sin = Angle.sin(joints.axisA[joint]);
-            axisX = cosA * cos - sinA * sin;
-            axisY = sinA * cos + cosA * sin;
+            know(joint);
+            axisX = cosA * axisCos[joint] - sinA * axisSin[joint];
+            axisY = sinA * axisCos[joint] + cosA * axisSin[joint];
             along = dx * axisX + dy * axisY;
+        }
+    }
+
+    /** Finds cosine and sine of a joint's axis, unless they are known. */
+    private void know(int joint) {
+        if (knownAxis.length <= joint) {
+            int before = knownAxis.length;
+            int capacity = joints.axisA.length;
+            knownAxis = Arrays.copyOf(knownAxis, capacity);
+            axisCos = Arrays.copyOf(axisCos, capacity);
+            axisSin = Arrays.copyOf(axisSin, capacity);
+            Arrays.fill(knownAxis, before, capacity, Double.NaN);
+        }
+        if (knownAxis[joint] != joints.axisA[joint]) {
+            knownAxis[joint] = joints.axisA[joint];
+            axisCos[joint] = Angle.cos(knownAxis[joint]);
+            axisSin[joint] = Angle.sin(knownAxis[joint]);
         }
     }
 

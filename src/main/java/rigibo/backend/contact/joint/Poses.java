@@ -4,6 +4,8 @@ import rigibo.backend.contact.row.Motions;
 import rigibo.backend.geometry.Angle;
 import rigibo.backend.storage.Bodies;
 
+import java.util.Arrays;
+
 /** Where the bodies of a packed island are, now or after some seconds at their velocities. */
 final class Poses {
 
@@ -11,12 +13,12 @@ final class Poses {
     private final Motions motions;
 
     /** By entry: how far from where the step began, m; the angle in rad, its cosine and sine. */
-    private double[] x = new double[16];
+    private double[] x = new double[0];
 
-    private double[] y = new double[16];
-    private double[] angle = new double[16];
-    private double[] cos = new double[16];
-    private double[] sin = new double[16];
+    private double[] y = new double[0];
+    private double[] angle = new double[0];
+    private double[] cos = new double[0];
+    private double[] sin = new double[0];
 
     Poses(Bodies bodies, Motions motions) {
         this.bodies = bodies;
@@ -32,6 +34,8 @@ final class Poses {
             angle = new double[capacity];
             cos = new double[capacity];
             sin = new double[capacity];
+            // No angle: a sine and a cosine are taken once they are known.
+            Arrays.fill(angle, Double.NaN);
         }
         double[] m = motions.data;
         for (int entry = 1; entry < motions.count; entry++) {
@@ -40,9 +44,13 @@ final class Poses {
             x[entry] = m[at + Motions.DX] + ahead * m[at + Motions.VX];
             y[entry] = m[at + Motions.DY] + ahead * m[at + Motions.VY];
             double turn = m[at + Motions.TURN] + ahead * m[at + Motions.SPIN];
-            angle[entry] = bodies.angle[slot] + turn;
-            cos[entry] = turn == 0 ? bodies.cos[slot] : Angle.cos(angle[entry]);
-            sin[entry] = turn == 0 ? bodies.sin[slot] : Angle.sin(angle[entry]);
+            double now = bodies.angle[slot] + turn;
+            // Most are asked for again after the drift at whose end they were foreseen.
+            if (now != angle[entry]) {
+                angle[entry] = now;
+                cos[entry] = turn == 0 ? bodies.cos[slot] : Angle.cos(now);
+                sin[entry] = turn == 0 ? bodies.sin[slot] : Angle.sin(now);
+            }
         }
     }
 
