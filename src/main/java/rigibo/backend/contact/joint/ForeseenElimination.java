@@ -131,12 +131,12 @@ final class ForeseenElimination {
         pivot[i] = Math.abs(left) > least ? left : Math.copySign(least, left);
     }
 
-    /** Pushes the rows of the set, so that their places change at rates that are asked. */
-    void push(RowElimination.Asked asked) {
+    /** Pushes the rows of the set, so that places change at rates that are asked, by row. */
+    void push(double[] asked) {
         int size = elimination.size();
         for (int i = 0; i < size; i++) {
             int at = elimination.start[i] - elimination.first[i];
-            double sum = asked.of(elimination.row(i));
+            double sum = asked[elimination.row(i)];
             for (int k = elimination.first[i]; k < i; k++) {
                 sum -= lower[at + k] * unknown[k];
             }

@@ -47,8 +47,6 @@ final class HeldPlaces {
     /** By row: how fast its place is to change besides, m/s. */
     private double[] wanted = new double[64];
 
-    private final RowElimination.Asked change = row -> wanted[row];
-
     /** The most by which a place is missed, as a multiple of what it may be. */
     private double worst;
 
@@ -103,6 +101,7 @@ final class HeldPlaces {
             before = worst;
             step();
             if (areContacts) {
+                aimAtPresent();
                 // Other rows may be in the set from here on.
                 solver.solve(settled);
                 isFactored = false;
@@ -147,13 +146,21 @@ final class HeldPlaces {
 
     private void step() {
         if (isForeseen) {
-            foreseen.push(change);
+            foreseen.push(wanted);
         } else {
-            elimination.solve(change);
+            elimination.factorize();
+            for (int i = 0; i < elimination.size(); i++) {
+                elimination.ask(i, wanted[elimination.row(i)]);
+            }
+            elimination.solve();
             for (int i = 0; i < elimination.size(); i++) {
                 rows.push(elimination.row(i), elimination.answer(i));
             }
         }
+    }
+
+    /** Asks what holds places for the speeds that it has, which hold them at the drift's end. */
+    private void aimAtPresent() {
         for (int i = 0; i < elimination.size(); i++) {
             int row = elimination.row(i);
             if (rows.holdsPlace[row]) {

@@ -133,8 +133,6 @@ public final class JointSolver {
     /** By row: how far it is to be moved, m or rad. */
     private double[] wanted = new double[64];
 
-    private final RowElimination.Asked way = row -> wanted[row];
-
     public JointSolver(
             DataStorage data,
             Motions motions,
@@ -405,13 +403,17 @@ public final class JointSolver {
      */
     private void secure(boolean isSolved, double settled) {
         boolean mayDoWork = contactRows.areAny() || elimination.isSpent();
-        double done = isSmall ? Math.min(work.sum(), work.sumOfStops()) : work.sum();
-        if (mayDoWork && !(isSolved && done <= MOST_WORK * energy())) {
+        if (mayDoWork && !(isSolved && done() <= MOST_WORK * energy())) {
             work.takeBack();
             work.rest();
             passes.run(mostPasses, settled);
             solver.holdEquations();
         }
+    }
+
+    /** J that rows have done which may do no work. */
+    private double done() {
+        return isSmall ? Math.min(work.sum(), work.sumOfStops()) : work.sum();
     }
 
     private double energy() {
@@ -476,7 +478,11 @@ public final class JointSolver {
         if (isAny) {
             // Contacts might contradict: what is moved into them is taken back by itself.
             leaveContactsOut();
-            elimination.solve(way);
+            elimination.factorize();
+            for (int i = 0; i < elimination.size(); i++) {
+                elimination.ask(i, wanted[elimination.row(i)]);
+            }
+            elimination.solve();
             for (int i = 0; i < elimination.size(); i++) {
                 rows.move(elimination.row(i), elimination.answer(i), Motions.DX);
             }

@@ -224,19 +224,19 @@ final class RowElimination {
         pivot[i] = Math.abs(left) > least ? left : Math.copySign(least, left);
     }
 
-    /** What the set's rows are to be pushed by for their speeds to change by what is asked. */
-    interface Asked {
-
-        /** The change of a row's speed, m/s. */
-        double of(int row);
+    /** Asks of a row of the set that its speed changes by so much, m/s. */
+    void ask(int i, double change) {
+        unknown[i] = change;
     }
 
-    /** Finds the pushes of the set for what is asked of its rows; {@link #answer} tells them. */
-    void solve(Asked asked) {
-        factorize();
+    /**
+     * Finds by what the rows of the set are to be pushed for what was asked of all of them since it
+     * was factored; {@link #answer} tells it.
+     */
+    void solve() {
         work += size == 0 ? 0 : 2.0 * (start[size - 1] + size);
         for (int i = 0; i < size; i++) {
-            double sum = asked.of(set[i]);
+            double sum = unknown[i];
             int at = start[i] - first[i];
             for (int k = first[i]; k < i; k++) {
                 sum -= lower[at + k] * unknown[k];

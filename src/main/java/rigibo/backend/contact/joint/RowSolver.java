@@ -25,7 +25,6 @@ final class RowSolver {
 
     private final NeutralRows rows;
     private final RowElimination elimination;
-    private final RowElimination.Asked residual;
 
     /** By row: at which bound it is while it is out of the set, −1 or 1. */
     private int[] side = new int[64];
@@ -41,7 +40,6 @@ final class RowSolver {
     RowSolver(NeutralRows rows, RowElimination elimination) {
         this.rows = rows;
         this.elimination = elimination;
-        residual = row -> -rows.residual(row);
     }
 
     /**
@@ -56,13 +54,21 @@ final class RowSolver {
         rows.bound();
         clampAll();
         for (int row = 0; row < rows.count; row++) {
-            double wish = rows.wish(row);
-            boolean isWithin = wish > rows.lower[row] && wish < rows.upper[row];
-            side[row] = wish >= rows.upper[row] ? 1 : -1;
-            elimination.put(row, rows.isEquation(row) || isWithin);
-            if (!elimination.isIn(row)) {
-                toBound(row);
+            if (rows.isEquation(row)) {
+                elimination.put(row, true);
+            } else {
+                place(row);
             }
+        }
+    }
+
+    /** Takes a row with bounds into the set, if alone it would be within them. */
+    private void place(int row) {
+        double wish = rows.wish(row);
+        side[row] = wish >= rows.upper[row] ? 1 : -1;
+        elimination.put(row, wish > rows.lower[row] && wish < rows.upper[row]);
+        if (!elimination.isIn(row)) {
+            toBound(row);
         }
     }
 
@@ -128,19 +134,23 @@ final class RowSolver {
 
     /** Brings the set's rows to what they ask for. */
     private void eliminate() {
-        for (int i = 0; i < REFINEMENTS && !(i > 0 && worst() <= settled); i++) {
-            elimination.solve(residual);
+        elimination.factorize();
+        for (int i = 0; i < REFINEMENTS && !(ask() <= settled && i > 0); i++) {
+            elimination.solve();
             for (int k = 0; k < elimination.size(); k++) {
                 rows.push(elimination.row(k), elimination.answer(k));
             }
         }
     }
 
-    private double worst() {
+    /** Asks the set's rows for what they lack; the most, m/s. */
+    private double ask() {
         double worst = 0;
         for (int k = 0; k < elimination.size(); k++) {
             int row = elimination.row(k);
-            worst = Math.max(worst, rows.inMetres(row, rows.residual(row)));
+            double residual = rows.residual(row);
+            elimination.ask(k, -residual);
+            worst = Math.max(worst, rows.inMetres(row, residual));
         }
         return worst;
     }
