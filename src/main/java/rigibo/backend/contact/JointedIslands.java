@@ -132,28 +132,36 @@ final class JointedIslands {
         joints.pack(island, firstKick, substeps);
     }
 
+    /** Substeps that are not composed for the packed island; all of them where it moves fast. */
+    private int plainSubsteps(int island, double dt, int packed) {
+        int byWay = declared.areAnyContacts() ? fewer.byWay(island, dt, packed) : 1;
+        return joints.plainSubsteps(island, dt, byWay, packed);
+    }
+
     /** Advances an island as it is stored, without storing what it comes to. */
     private void advance(int island, double dt, int usual) {
-        int substeps = pack(island, dt, usual);
+        int packed = pack(island, dt, usual);
+        int substeps = plainSubsteps(island, dt, packed);
+        // A step back in time would drive what drag brakes.
+        boolean isFree = stages.mayCompose() && !kick.isForced();
+        boolean mayCompose =
+                substeps == packed && isFree && joints.areHeldByEquations(2 * dt / packed);
+        if (mayCompose) {
+            // Half as many of the fourth order are worth more, and cost little more.
+            substeps = joints.composedSubsteps(island, dt, (packed + 1) / 2);
+            stages.beginComposed();
+        } else {
+            stages.begin();
+            joints.beginSubsteps(dt / substeps);
+        }
         double h = dt / substeps;
         declared.begin(h, 0);
         declared.foresee(dt);
         warmStart.prepare();
         overlap.prepare(false);
-        // A step back in time would drive what drag brakes.
-        boolean isFree = stages.mayCompose() && !kick.isForced();
-        boolean mayCompose = isFree && joints.areHeldByEquations(2 * h);
-        if (mayCompose) {
-            // Half as many of the fourth order are worth more, and cost little more.
-            substeps = joints.composedSubsteps(island, dt, (usual + 1) / 2);
-            stages.beginComposed();
-            h = dt / substeps;
-        } else {
-            stages.begin();
-        }
         lateJoiners.delayToSubsteps(h);
-        kicks.begin(h / 2);
-        parts.begin(dt / (2 * ((usual + 1) / 2)));
+        kicks.begin(dt / packed / 2);
+        parts.begin(dt / (2 * ((packed + 1) / 2)));
         for (int substep = 0; substep < substeps; substep++) {
             parts.advance(substep * h, h, substep, dt, mayCompose);
         }

@@ -228,6 +228,19 @@ public final class JointSolver {
         return contactRows.areAny() ? most : composed.count(island, dt, most);
     }
 
+    /**
+     * How many substeps that are not composed the packed island needs, at least so many; as many as
+     * there may be where it needs more, or is not eliminated as a whole.
+     */
+    public int plainSubsteps(int island, double dt, int least, int most) {
+        return isWhole ? composed.countPlainly(island, dt, least, most) : most;
+    }
+
+    /** Begins substeps of h seconds of the packed island. */
+    public void beginSubsteps(double h) {
+        stops.begin(h);
+    }
+
     /** Begins with the joints of an island whose bodies and contacts are packed. */
     public void pack(int island, double firstKick, int substepsOfIsland) {
         boolean areMany = areCrowd(island);

@@ -26,24 +26,33 @@ final class RowWork {
         this.rows = rows;
     }
 
-    /** Notes the speeds that there would be without impulses. */
+    /** Notes how bodies would move without impulses, and how fast rows would change. */
     void begin() {
         if (before.length < rows.count) {
             before = new double[rows.bodies.length];
         }
-        for (int row = 0; row < rows.count; row++) {
-            rows.apply(row, -rows.impulse[row]);
-        }
+        applyAll(-1);
+        keepFree();
         for (int row = 0; row < rows.count; row++) {
             before[row] = rows.speed(row);
         }
+        applyAll(1);
+    }
+
+    /** Notes how bodies move, to which no row has given an impulse yet. */
+    void keepFree() {
         int length = motions.count * Motions.STRIDE;
         if (free.length < length) {
             free = new double[motions.data.length];
         }
         System.arraycopy(motions.data, 0, free, 0, length);
+    }
+
+    private void applyAll(double share) {
         for (int row = 0; row < rows.count; row++) {
-            rows.apply(row, rows.impulse[row]);
+            if (rows.impulse[row] != 0) {
+                rows.apply(row, share * rows.impulse[row]);
+            }
         }
     }
 
