@@ -103,7 +103,7 @@ final class HeldPlaces {
             if (areContacts) {
                 aimAtPresent();
                 // Other rows may be in the set from here on.
-                solver.solve(settled);
+                solver.solveOn(settled);
                 isFactored = false;
             }
             measure(h);

@@ -403,7 +403,7 @@ public final class JointSolver {
         contactRows.write(h, substep);
         double settled = SETTLED * tolerance * fastest;
         work.begin();
-        solver.begin();
+        solver.beginAsBefore(packed, share);
         boolean isSolved = solver.solve(settled);
         places.hold(h, settled, contactRows.carry(), isSmall);
         secure(isSolved, settled);
@@ -449,7 +449,7 @@ public final class JointSolver {
         contactRows.write(h, substep);
         double settled = SETTLED * tolerance * fastest;
         work.begin();
-        solver.begin();
+        solver.beginAsBefore(packed, share);
         secure(solver.solve(settled), settled);
         finish();
     }

@@ -23,6 +23,12 @@ final class RowSolver {
     /** Share of the strongest answer below which a speed is round-off. */
     private static final double ROUND_OFF = 2e-15;
 
+    /** What a bound may lag behind its loads, as a multiple of what counts as solved. */
+    private static final double LAG = 100;
+
+    /** Share of a bound from which on what was carried counts as at it. */
+    private static final double AT_BOUND = 1 - 1e-9;
+
     private final NeutralRows rows;
     private final RowElimination elimination;
 
@@ -34,8 +40,10 @@ final class RowSolver {
 
     private int lastWrong;
 
-    /** What counts as solved, m/s. */
+    /** What counts as solved, m/s, and whether the set's rows may be from the start. */
     private double settled;
+
+    private boolean isNear;
 
     RowSolver(NeutralRows rows, RowElimination elimination) {
         this.rows = rows;
@@ -47,18 +55,55 @@ final class RowSolver {
      * is beyond its bounds they get the difference.
      */
     void begin() {
-        elimination.begin();
-        if (side.length < rows.count) {
-            side = new int[rows.bodies.length];
-        }
-        rows.bound();
-        clampAll();
+        start();
         for (int row = 0; row < rows.count; row++) {
             if (rows.isEquation(row)) {
                 elimination.put(row, true);
             } else {
                 place(row);
             }
+        }
+    }
+
+    /**
+     * Begins likewise, with limits and motors in the set that were within their bounds in the kick
+     * before, and those at a bound that were at it, as far as a share of what they carried tells.
+     */
+    void beginAsBefore(PackedJoints packed, double share) {
+        start();
+        for (int row = 0; row < rows.count; row++) {
+            if (rows.isEquation(row)) {
+                elimination.put(row, true);
+            } else {
+                boolean isOfJoint = rows.joint[row] != NeutralRows.NONE;
+                double before = isOfJoint ? packed.impulseOf(rows.joint[row], rows.part[row]) : 0;
+                // What contacts carried tells less than how they close: a gap of round-off is open
+                // after the last kick.
+                placeAsBefore(row, share * before);
+            }
+        }
+    }
+
+    private void start() {
+        elimination.begin();
+        if (side.length < rows.count) {
+            side = new int[rows.bodies.length];
+        }
+        rows.bound();
+        clampAll();
+    }
+
+    private void placeAsBefore(int row, double carried) {
+        boolean isWithin =
+                carried > AT_BOUND * rows.lower[row] && carried < AT_BOUND * rows.upper[row];
+        if (carried == 0) {
+            place(row);
+        } else if (isWithin) {
+            elimination.put(row, true);
+        } else {
+            side[row] = carried > 0 ? 1 : -1;
+            elimination.put(row, false);
+            toBound(row);
         }
     }
 
@@ -87,6 +132,17 @@ final class RowSolver {
 
     /** Solves but for so many m/s, and answers whether it could. */
     boolean solve(double most) {
+        isNear = false;
+        return solveRounds(most);
+    }
+
+    /** The same after a change that leaves the set's rows solved, and others perhaps not. */
+    void solveOn(double most) {
+        isNear = true;
+        solveRounds(most);
+    }
+
+    private boolean solveRounds(double most) {
         settled = Math.max(most, ROUND_OFF * strongest());
         for (int round = 0; round < MOST_ROUNDS && !elimination.isSpent(); round++) {
             if (!exchange()) {
@@ -135,7 +191,7 @@ final class RowSolver {
     /** Brings the set's rows to what they ask for. */
     private void eliminate() {
         elimination.factorize();
-        for (int i = 0; i < REFINEMENTS && !(ask() <= settled && i > 0); i++) {
+        for (int i = 0; i < REFINEMENTS && !(ask() <= settled && (i > 0 || isNear)); i++) {
             elimination.solve();
             for (int k = 0; k < elimination.size(); k++) {
                 rows.push(elimination.row(k), elimination.answer(k));
@@ -213,7 +269,7 @@ final class RowSolver {
                 double bound = side[row] > 0 ? rows.upper[row] : rows.lower[row];
                 double wanted = isOut ? bound : within(row, rows.impulse[row]);
                 double change = wanted - rows.impulse[row];
-                if (rows.inMetres(row, change) * rows.response[row] > settled) {
+                if (rows.inMetres(row, change) * rows.response[row] > LAG * settled) {
                     isAny = true;
                     if (isOut) {
                         rows.push(row, change);
