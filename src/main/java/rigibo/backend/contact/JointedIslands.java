@@ -114,14 +114,16 @@ final class JointedIslands {
     }
 
     /**
-     * Packs an island for as many substeps as usual, or for fewer where it turns out to be too much
-     * for an elimination of all its rows; answers how many.
+     * Packs an island for as many substeps as usual, for more where springs are fast, or for fewer
+     * where it turns out to be too much for an elimination of all its rows; answers how many.
      */
     private int pack(int island, double dt, int usual) {
         packFor(island, dt / usual / 2, usual);
-        int slow = joints.isWhole() ? usual : fewer.byWay(island, dt, accuracy.substeps());
-        int substeps = Math.min(usual, declared.substepsFor(island, dt, slow));
-        if (substeps < usual) {
+        boolean isWhole = joints.isWhole();
+        int slow = isWhole ? usual : fewer.byWay(island, dt, accuracy.substeps());
+        int fewest = Math.min(usual, declared.substepsFor(island, dt, slow));
+        int substeps = isWhole ? joints.substepsForSprings(dt, fewest) : fewest;
+        if (substeps != usual) {
             packFor(island, dt / substeps / 2, substeps);
         }
         return substeps;
@@ -130,6 +132,7 @@ final class JointedIslands {
     private void packFor(int island, double firstKick, int substeps) {
         builder.build(island, firstKick);
         joints.pack(island, firstKick, substeps);
+        motions.areFollowed = joints.areImpactsTimed();
     }
 
     /** Substeps that are not composed for the packed island; all of them where it moves fast. */

@@ -12,7 +12,7 @@ final class HeldPlaces {
 
     private static final int MOST_STEPS = 12;
 
-    /** Steps of Newton's method where contacts carry, too. */
+    /** Steps of Newton's method in islands that are not small, where contacts carry, too. */
     private static final int FEW_STEPS = 4;
 
     /** Share of its energy that an island may gain in them. */
@@ -86,7 +86,7 @@ final class HeldPlaces {
         double before = Double.POSITIVE_INFINITY;
         isFactored = false;
         measure(h);
-        int most = areContacts ? FEW_STEPS : MOST_STEPS;
+        int most = areContacts && !isSmall ? FEW_STEPS : MOST_STEPS;
         for (int i = 0; i < most && worst > 1 && !elimination.isSpent(); i++) {
             if (!isForeseen && worst > GAINS * before && i > 0) {
                 isForeseen = true;

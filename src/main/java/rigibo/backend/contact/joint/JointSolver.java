@@ -126,6 +126,7 @@ public final class JointSolver {
 
     private final TautSubsteps taut;
     private final ComposedSubsteps composed;
+    private final SpringSubsteps springs;
     private final double tolerance;
     private final Islands islands;
     private final JointStore store;
@@ -167,6 +168,7 @@ public final class JointSolver {
                         accuracy.impactTolerance());
         taut = new TautSubsteps(data);
         composed = new ComposedSubsteps(data, motions, rows, jointRows, packed, taut, accuracy);
+        springs = new SpringSubsteps(data.joints, rows, packed, accuracy);
         results = new JointResults(data, packed, rows);
         islands = data.islands;
         store = data.joints;
@@ -218,6 +220,11 @@ public final class JointSolver {
     /** How many substeps an island needs for a step of dt seconds, usually as usual. */
     public int substepsFor(int island, double dt, int usual) {
         return taut.count(island, dt, usual);
+    }
+
+    /** How many substeps the springs of the packed island need for a step of dt seconds. */
+    public int substepsForSprings(double dt, int usual) {
+        return springs.count(dt, usual);
     }
 
     /**
@@ -309,6 +316,14 @@ public final class JointSolver {
      */
     public int mostStrikes() {
         return mostStrikes;
+    }
+
+    /**
+     * Whether the packed island is so small that its impacts are at their time; then its contacts
+     * are followed from substep to substep as well.
+     */
+    public boolean areImpactsTimed() {
+        return isWhole && isSmall;
     }
 
     /** Whether there is anything that only pushes: a limit, a rope, a contact. */

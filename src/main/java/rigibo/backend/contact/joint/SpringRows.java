@@ -12,7 +12,7 @@ import rigibo.backend.storage.JointStore;
 final class SpringRows {
 
     /** rad of the spring's phase in a substep, from which on it is stiff. */
-    private static final double STIFF = 0.7;
+    static final double STIFF = 0.7;
 
     private final JointStore joints;
     private final NeutralRows rows;

@@ -45,6 +45,12 @@ public final class Motions {
 
     double frameY;
 
+    /**
+     * Whether what each of them does is followed however many they are: joints hold them together,
+     * and their contacts are few.
+     */
+    public boolean areFollowed;
+
     /** Whether any of them moves as it is told. */
     public boolean isAnyDriven;
 
@@ -112,9 +118,9 @@ public final class Motions {
         return at;
     }
 
-    /** Whether bodies are so few that the motion of each one is seen. */
+    /** Whether bodies are so few that the motion of each one is seen, or are followed anyway. */
     public boolean areFew() {
-        return count <= FEW + 1;
+        return areFollowed || count <= FEW + 1;
     }
 
     /**
