@@ -21,6 +21,7 @@ import rigibo.backend.effect.Drag;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.Correction;
+import rigibo.backend.setup.SolveMethod;
 import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.IslandWork;
 
@@ -49,6 +50,7 @@ final class JointedIslands {
     private final Kick kick;
     private final Substeps fewer;
     private final CarriedFrame frame;
+    private final JointedRepose repose;
 
     JointedIslands(
             DataStorage data,
@@ -74,6 +76,7 @@ final class JointedIslands {
         joints = new JointSolver(data, motions, contacts, builder, fresh, accuracy);
         fewer = new Substeps(data);
         frame = new CarriedFrame(data, motions);
+        repose = new JointedRepose(data, motions, kick, builder, results, accuracy);
         stages = new Stages(data.bodies, motions, accuracy);
         OverlapSolver wanted = isCorrecting ? overlap : null;
         kicks = new JointedKicks(motions, contacts, kick, warmStart, wanted, joints, stages);
@@ -83,9 +86,17 @@ final class JointedIslands {
     /** Advances an island to the end of a step of {@code dt} seconds. */
     void solve(int island, double dt) {
         frame.enter(island);
-        advanceAndStore(island, dt);
+        boolean lasts = repose.lasts(island, dt);
+        if (lasts) {
+            repose.goOn(island, dt);
+            contacts.work.solve(SolveMethod.AT_REST, 0);
+        } else {
+            advanceAndStore(island, dt);
+        }
         frame.leave(island, dt);
-        results.quarantine();
+        if (!lasts) {
+            results.quarantine();
+        }
     }
 
     private void advanceAndStore(int island, double dt) {

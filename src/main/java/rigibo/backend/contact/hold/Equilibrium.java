@@ -16,16 +16,28 @@ import rigibo.backend.storage.Pairs;
  * 0, each of them within its bounds. Then nothing moves, and solving would find the same forces
  * again. Nothing is remembered for it: whatever changed since shows in the sums.
  */
-final class Equilibrium {
+public final class Equilibrium {
 
     /** Share of its own loads by which a body may be held too little or too much. */
-    static final double UNHELD = 1e-9;
+    public static final double UNHELD = 1e-9;
+
+    /**
+     * The same of joined bodies, whose joints are solved to round-off: what a chain carries at its
+     * ends is off by as much as it is held too little.
+     */
+    private static final double UNHELD_BY_JOINTS = 1e-10;
 
     /**
      * Share by which friction and rolling may exceed their bounds: rounds bound them by the load of
      * the round before, and end where a load changes by less.
      */
-    private static final double BEYOND_CONE = 1e-7;
+    public static final double BEYOND_CONE = 1e-7;
+
+    /**
+     * Share of its width by which a joined body may move in a step before more is looked at: what
+     * rows of a long chain give way by adds up.
+     */
+    private static final double SLOW = 1e-6;
 
     /** An overlap is more than so many times as deep as what is taken back of it in a step. */
     private static final double PER_STEP = 3;
@@ -54,7 +66,8 @@ final class Equilibrium {
     /** By slot: what pulls at it and what its contacts carry, all by amount, m/s². */
     private double[] own = new double[16];
 
-    Equilibrium(DataStorage data, Accuracy accuracy) {
+    /** Of what is stored, at an accuracy. */
+    public Equilibrium(DataStorage data, Accuracy accuracy) {
         bodies = data.bodies;
         pairs = data.pairs;
         islands = data.islands;
@@ -64,27 +77,61 @@ final class Equilibrium {
 
     /** Whether an island stays as it is for a step of {@code dt} seconds. */
     boolean lasts(int island, double dt) {
+        return mayLast(island, dt, Stillness.STILL) && isEveryBodyHeld(island, UNHELD);
+    }
+
+    /**
+     * Whether an island with joints may rest, as far as its bodies and contacts tell. Then what
+     * pulls at the bodies is summed up with what contacts carry, for joints to be added.
+     */
+    public boolean mayLast(int island, double dt) {
+        return mayLast(island, dt, SLOW);
+    }
+
+    private boolean mayLast(int island, double dt, double share) {
         for (int i = islands.bodyStart[island]; i < islands.bodyStart[island + 1]; i++) {
             int slot = islands.bodies[i];
-            if (!isStill(slot, dt)) {
+            if (bodies.pileTime[slot] != 0
+                    || !(speed(slot) * dt <= share * bodies.smallestWidth[slot])) {
                 return false;
             }
         }
-        return areHeld(island);
+        return areContactsSteady(island);
     }
 
-    private boolean isStill(int slot, double dt) {
+    /**
+     * Whether all that was summed up leaves every body of an island with joints where it is for a
+     * step of {@code dt} seconds, whose kicks are {@code kicked} seconds long. What rows give way
+     * by adds up along a chain, so that its end goes as fast as the strongest load allows.
+     */
+    public boolean isHeld(int island, double dt, double kicked) {
+        double strongest = 0;
+        for (int i = islands.bodyStart[island]; i < islands.bodyStart[island + 1]; i++) {
+            strongest = Math.max(strongest, own[islands.bodies[i]]);
+        }
+        double gives = Stillness.UNHELD * kicked * strongest;
+        for (int i = islands.bodyStart[island]; i < islands.bodyStart[island + 1]; i++) {
+            int slot = islands.bodies[i];
+            double still = Stillness.STILL * bodies.smallestWidth[slot] / dt;
+            if (!(speed(slot) <= Math.max(still, gives))) {
+                return false;
+            }
+        }
+        boolean areTouching = islands.pairStart[island + 1] > islands.pairStart[island];
+        return isEveryBodyHeld(island, areTouching ? UNHELD : UNHELD_BY_JOINTS);
+    }
+
+    /** The fastest that any point of a body goes, m/s. */
+    private double speed(int slot) {
         double speed = Math.abs(bodies.velocityX[slot]) + Math.abs(bodies.velocityY[slot]);
-        speed += bodies.boundingRadius[slot] * Math.abs(bodies.spinOf(slot));
-        return bodies.pileTime[slot] == 0
-                && speed * dt <= Stillness.STILL * bodies.smallestWidth[slot];
+        return speed + bodies.boundingRadius[slot] * Math.abs(bodies.spinOf(slot));
     }
 
     private double pull(int slot) {
         return Math.abs(bodies.accelerationX[slot]) + Math.abs(bodies.accelerationY[slot]);
     }
 
-    private boolean areHeld(int island) {
+    private boolean areContactsSteady(int island) {
         reserve();
         int contacts = islands.pairStart[island + 1] - islands.pairStart[island];
         kept = Recovery.keptIfCalm(contacts, accuracy);
@@ -102,11 +149,28 @@ final class Equilibrium {
             }
             addForces(pair);
         }
+        return true;
+    }
+
+    /** Adds what else holds a body: a force in N, and a torque about its centre of mass in N·m. */
+    public void add(int slot, double x, double y, double torque) {
+        leftX[slot] += bodies.inverseMass[slot] * x;
+        leftY[slot] += bodies.inverseMass[slot] * y;
+        own[slot] += bodies.inverseMass[slot] * (Math.abs(x) + Math.abs(y));
+        if (bodies.turns()) {
+            double turned = bodies.inverseInertia[slot] * torque;
+            leftTurn[slot] += turned;
+            own[slot] += bodies.boundingRadius[slot] * Math.abs(turned);
+        }
+    }
+
+    /** Whether each body is held but for a share of its own loads. */
+    private boolean isEveryBodyHeld(int island, double unheld) {
         for (int i = islands.bodyStart[island]; i < islands.bodyStart[island + 1]; i++) {
             int slot = islands.bodies[i];
             double left = Math.abs(leftX[slot]) + Math.abs(leftY[slot]);
             left += bodies.boundingRadius[slot] * Math.abs(leftTurn[slot]);
-            if (!(left <= UNHELD * own[slot])) {
+            if (!(left <= unheld * own[slot])) {
                 return false;
             }
         }

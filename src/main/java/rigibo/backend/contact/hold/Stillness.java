@@ -22,7 +22,7 @@ final class Stillness {
      * Share of its own loads by which a body may be held too little or too much: what rows give way
      * by, 10⁻¹⁰ of their load, adds up from storey to storey.
      */
-    private static final double UNHELD = 1e-8;
+    static final double UNHELD = 1e-8;
 
     private final Bodies bodies;
     private final Motions motions;

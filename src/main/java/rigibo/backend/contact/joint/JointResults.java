@@ -124,6 +124,13 @@ final class JointResults {
         }
     }
 
+    /** Notes the joints that broke by what was told. */
+    void noteBreaks() {
+        for (int i = 0; i < packed.count; i++) {
+            noteBreak(packed.slot[i]);
+        }
+    }
+
     private void noteBreak(int joint) {
         double x = joints.reactionX[joint];
         double y = joints.reactionY[joint];

@@ -29,6 +29,14 @@ public final class JointSolver {
     /** Share of the fastest speed that may be left unsolved, per metre of the tolerance. */
     private static final double SETTLED = 1e-3;
 
+    /**
+     * Share of that where bodies hardly move before a kick, by at most so many times less than
+     * after it: what rows give way by adds up along a chain, and would keep it from resting.
+     */
+    private static final double FINER = 1e-2;
+
+    private static final double HARDLY = 1e-3;
+
     /** Error that is taken back at once, m per metre of the joint's arms. */
     private static final double SMALL = 1e-4;
 
@@ -120,6 +128,9 @@ public final class JointSolver {
     private double kicked;
 
     private double share;
+
+    /** The fastest speed before the kick, m/s. */
+    private double before;
 
     /** The last kick when it was kept, s. */
     private double keptKick;
@@ -391,6 +402,7 @@ public final class JointSolver {
 
     /** Begins a part of h seconds whose rows are written, before its kick. */
     public void begin(double h) {
+        before = motions.fastest();
         isWhole &= !elimination.isSpent();
         if (!isWhole) {
             crowd.begin(h, share);
@@ -416,7 +428,7 @@ public final class JointSolver {
             return;
         }
         contactRows.write(h, substep);
-        double settled = SETTLED * tolerance * fastest;
+        double settled = settled(fastest);
         work.begin();
         solver.beginAsBefore(packed, share);
         boolean isSolved = solver.solve(settled);
@@ -444,6 +456,12 @@ public final class JointSolver {
         return isSmall ? Math.min(work.sum(), work.sumOfStops()) : work.sum();
     }
 
+    /** Speed that may be left unsolved, m/s, where the fastest body goes so fast after a kick. */
+    private double settled(double fastest) {
+        boolean isSlow = before < HARDLY * fastest;
+        return (isSlow ? FINER : 1) * SETTLED * tolerance * fastest;
+    }
+
     private double energy() {
         return motions.energy(motions.data);
     }
@@ -462,7 +480,7 @@ public final class JointSolver {
             return;
         }
         contactRows.write(h, substep);
-        double settled = SETTLED * tolerance * fastest;
+        double settled = settled(fastest);
         work.begin();
         solver.beginAsBefore(packed, share);
         secure(solver.solve(settled), settled);
