@@ -208,6 +208,13 @@ final class DeclaredRows {
         }
     }
 
+    /** Leaves what is about to bounce to the next step, in the kick that ends this one. */
+    void leaveOpen(int substep) {
+        if (impacts != null) {
+            impacts.leaveOpen(substep);
+        }
+    }
+
     /** How many rows a pass along the tangents solves. */
     int rowCount() {
         return rubbing.rowCount();

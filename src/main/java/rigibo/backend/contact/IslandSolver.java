@@ -402,6 +402,7 @@ final class IslandSolver {
             repose.haltHeld(kicked);
             contacts.addUpImpulses(1);
         } else {
+            declared.leaveOpen(substep);
             passes.hold(h, kicked, substep, unanswered(), limit);
         }
     }

@@ -55,4 +55,9 @@ public final class IslandImpacts {
     public void resolveApart(double h, int substep) {
         apart.resolve(h, substep);
     }
+
+    /** Leaves what is about to bounce to the next step, in the kick that ends this one. */
+    public void leaveOpen(int substep) {
+        apart.leaveOpen(substep);
+    }
 }

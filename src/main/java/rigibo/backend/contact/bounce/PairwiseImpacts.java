@@ -10,6 +10,7 @@ import rigibo.backend.contact.row.Motions;
 import rigibo.backend.contact.row.PackedContacts;
 import rigibo.backend.impact.Impact;
 import rigibo.backend.impact.ImpactLaw;
+import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.Pairs;
 
@@ -19,12 +20,18 @@ import java.util.Arrays;
  * Impacts inside piles, split within the substep: up to the time the gap closes bodies move with
  * their old velocities, from there with the new ones. The pairs that close fastest come first, and
  * an impact that makes a neighbour close fast is answered in the next sweep.
+ *
+ * <p>Between two kicks a velocity v is that of the middle of the substep; at a time τ of it a body
+ * that nothing carries has v + a·(τ − h/2), and that is what strikes. Its way needs no such term:
+ * on both sides of the impact it is off by a·τ·(h − τ)/2, once each way. With v itself a bounce
+ * would gain or lose up to the weight times h times v, of first order in h.
  */
 final class PairwiseImpacts {
 
     /** Sweeps over the contacts in one substep; a longer chain goes on in the next substep. */
     private static final int MOST_SWEEPS = 8;
 
+    private final Bodies bodies;
     private final Motions motions;
     private final PackedContacts contacts;
     private final Pairs pairs;
@@ -45,12 +52,19 @@ final class PairwiseImpacts {
 
     private static final int NEVER = -1;
 
+    /** By entry of the motions: whether a contact carries it, or nothing pulls at it. */
+    private boolean[] isHeld = new boolean[16];
+
+    /** How long after the middle of the substep the present impact is, s. */
+    private double late;
+
     PairwiseImpacts(
             DataStorage data,
             Motions motions,
             PackedContacts contacts,
             BounceRows bounces,
             HitNotes notes) {
+        bodies = data.bodies;
         this.motions = motions;
         this.contacts = contacts;
         this.bounces = bounces;
@@ -63,12 +77,14 @@ final class PairwiseImpacts {
     void resolve(double h, int substep) {
         if (struckIn.length < motions.count) {
             struckIn = new int[motions.slots.length];
+            isHeld = new boolean[motions.slots.length];
         }
         findClosing(h, substep, 0);
         if (closingCount == 0) {
             return;
         }
         Arrays.fill(struckIn, 0, motions.count, NEVER);
+        findHeld();
         shifts.begin();
         strikeClosing(h, 0);
         for (int sweep = 1; sweep < MOST_SWEEPS && closingCount > 0; sweep++) {
@@ -76,6 +92,43 @@ final class PairwiseImpacts {
             strikeClosing(h, sweep);
         }
         shifts.limit(substep);
+    }
+
+    /**
+     * Leaves out, of the kick that ends a step, what is about to bounce and has not met yet: the
+     * next step strikes it. Held so that it closes no gap within a substep it would lose its speed.
+     */
+    void leaveOpen(int substep) {
+        for (int i = 0; i < bounces.count; i++) {
+            int row = bounces.elastic[i];
+            int at = row * PackedContacts.STRIDE;
+            boolean carries =
+                    contacts.data[at + PackedContacts.IMPULSE0] > 0
+                            || contacts.data[at + PackedContacts.IMPULSE1] > 0;
+            if (!carries && isApart(row) && slowest(row) < -bounces.bounceSpeeds[i]) {
+                contacts.joinsIn(row, substep + 1);
+            }
+        }
+    }
+
+    private boolean isApart(int row) {
+        return motions.gap(contacts, row, 0) > 0
+                && (contacts.points[row] == 1 || motions.gap(contacts, row, 1) > 0);
+    }
+
+    /** What a contact carried in the substep before does not fall before it is struck. */
+    private void findHeld() {
+        for (int entry = 0; entry < motions.count; entry++) {
+            isHeld[entry] = !(motions.data[entry * Motions.STRIDE + INVERSE_MASS] > 0);
+        }
+        for (int row = 0; row < contacts.count; row++) {
+            int at = row * PackedContacts.STRIDE;
+            if (contacts.data[at + PackedContacts.IMPULSE0] > 0
+                    || contacts.data[at + PackedContacts.IMPULSE1] > 0) {
+                isHeld[contacts.bodyA[row] / Motions.STRIDE] = true;
+                isHeld[contacts.bodyB[row] / Motions.STRIDE] = true;
+            }
+        }
     }
 
     private void strikeClosing(double h, int sweep) {
@@ -134,15 +187,17 @@ final class PairwiseImpacts {
                 -contacts.data[row * PackedContacts.STRIDE + PackedContacts.BOUNCE_SPEED])) {
             return; // An earlier impact of this sweep turned it.
         }
-        double time = load(row, h);
         int a = contacts.bodyA[row];
         int b = contacts.bodyB[row];
-        double before = motions.energy(a) + motions.energy(b);
+        double time = timeOf(row, h);
+        late = time - h / 2;
+        load(row, h);
+        double before = energy();
         notes.note(row, impact, -impact.slowestParting(), time);
         law.resolve(impact);
         take(a, time, impact.velocityAX, impact.velocityAY, impact.spinA);
         take(b, time, impact.velocityBX, impact.velocityBY, impact.spinB);
-        shifts.take(before - motions.energy(a) - motions.energy(b));
+        shifts.take(before - energy());
         struckIn[a / Motions.STRIDE] = sweep;
         struckIn[b / Motions.STRIDE] = sweep;
         struckIn[0] = NEVER; // The ground goes on as before.
@@ -154,8 +209,10 @@ final class PairwiseImpacts {
     }
 
     /** Takes a new velocity, and the way gone with the old one before the impact. */
-    private void take(int at, double time, double x, double y, double spin) {
+    private void take(int at, double time, double atImpactX, double atImpactY, double spin) {
         double[] m = motions.data;
+        double x = atImpactX - gainX(at);
+        double y = atImpactY - gainY(at);
         shifts.shift(
                 at, time * (m[at + VX] - x), time * (m[at + VY] - y), time * (m[at + SPIN] - spin));
         m[at + VX] = x;
@@ -163,8 +220,54 @@ final class PairwiseImpacts {
         m[at + SPIN] = spin;
     }
 
-    /** Loads the points that strike; returns the time in s at which the first of them does. */
-    private double load(int row, double h) {
+    /** The energy of motion of the two bodies of the loaded impact, J. */
+    private double energy() {
+        double x = impact.velocityAX;
+        double y = impact.velocityAY;
+        double u = impact.velocityBX;
+        double v = impact.velocityBY;
+        return energy(impact.inverseMassA, x * x + y * y)
+                + energy(impact.inverseInertiaA, impact.spinA * impact.spinA)
+                + energy(impact.inverseMassB, u * u + v * v)
+                + energy(impact.inverseInertiaB, impact.spinB * impact.spinB);
+    }
+
+    private static double energy(double inverse, double square) {
+        return inverse > 0 ? square / inverse / 2 : 0;
+    }
+
+    /** What an entry gains between the middle of the substep and the present impact, m/s. */
+    private double gainX(int at) {
+        int entry = at / Motions.STRIDE;
+        return isHeld[entry] ? 0 : late * bodies.accelerationX[motions.slots[entry]];
+    }
+
+    private double gainY(int at) {
+        int entry = at / Motions.STRIDE;
+        return isHeld[entry] ? 0 : late * bodies.accelerationY[motions.slots[entry]];
+    }
+
+    /** When the first of the points that strike within the substep of h seconds does, s. */
+    private double timeOf(int row, double h) {
+        double time = h;
+        for (int point = 0; point < contacts.points[row]; point++) {
+            if (meets(row, point, h)) {
+                double speed = -motions.parting(contacts, row, point);
+                double when =
+                        speed > 0 ? Math.max(0, motions.gap(contacts, row, point)) / speed : h;
+                time = Math.min(time, when);
+            }
+        }
+        return time;
+    }
+
+    private boolean meets(int row, int point, double h) {
+        double closes = h * Math.min(0, motions.parting(contacts, row, point));
+        return motions.gap(contacts, row, point) + closes <= 0;
+    }
+
+    /** Loads the points that strike, with the velocities at the present impact. */
+    private void load(int row, double h) {
         double[] d = contacts.data;
         double[] m = motions.data;
         int at = row * PackedContacts.STRIDE;
@@ -179,25 +282,17 @@ final class PairwiseImpacts {
         impact.inverseInertiaA = m[a + INVERSE_INERTIA];
         impact.inverseMassB = m[b + INVERSE_MASS];
         impact.inverseInertiaB = m[b + INVERSE_INERTIA];
-        impact.velocityAX = m[a + VX];
-        impact.velocityAY = m[a + VY];
+        impact.velocityAX = m[a + VX] + gainX(a);
+        impact.velocityAY = m[a + VY] + gainY(a);
         impact.spinA = m[a + SPIN];
-        impact.velocityBX = m[b + VX];
-        impact.velocityBY = m[b + VY];
+        impact.velocityBX = m[b + VX] + gainX(b);
+        impact.velocityBY = m[b + VY] + gainY(b);
         impact.spinB = m[b + SPIN];
         impact.points = 0;
-        double time = h;
         for (int point = 0; point < contacts.points[row]; point++) {
-            if (motions.gap(contacts, row, point)
-                            + h * Math.min(0, motions.parting(contacts, row, point))
-                    <= 0) {
+            if (meets(row, point, h)) {
                 contacts.addPoint(row, point, impact);
-                double speed = -motions.parting(contacts, row, point);
-                double when =
-                        speed > 0 ? Math.max(0, motions.gap(contacts, row, point)) / speed : h;
-                time = Math.min(time, when);
             }
         }
-        return time;
     }
 }

@@ -252,11 +252,6 @@ public final class Motions {
         return sum;
     }
 
-    /** The energy of motion of the body at an offset, if it can be moved, J. */
-    public double energy(int at) {
-        return energy(data, at);
-    }
-
     private double energy(double[] m, int at) {
         double square = m[at + VX] * m[at + VX] + m[at + VY] * m[at + VY];
         double turning = m[at + SPIN] * m[at + SPIN];

@@ -198,7 +198,7 @@ public final class PackedContacts {
     }
 
     /** Takes a contact for one that joins in a substep. */
-    void joinsIn(int row, int substep) {
+    public void joinsIn(int row, int substep) {
         unload(row);
         firstSubstep[row] = substep;
         lastJoining = Math.max(lastJoining, substep);
