@@ -38,7 +38,8 @@ final class Approach {
     boolean isClosing(Distance distance, Pose poseA, Pose poseB, double time, double tolerance) {
         double speed = partingSpeed(distance, poseA, poseB, time, tolerance);
         double noise = SPEED_ROUNDING * (speedOf(a) + speedOf(b));
-        boolean isPressed = pull(distance.axisX, distance.axisY, time) < 0;
+        double pulls = SPEED_ROUNDING * (pullOf(a) + pullOf(b));
+        boolean isPressed = pull(distance.axisX, distance.axisY, time) < -pulls;
         return speed < -noise || speed <= noise && isPressed;
     }
 
@@ -73,6 +74,10 @@ final class Approach {
     /** The least acceleration in m/s² of B away from A along an axis. */
     private double pull(double nx, double ny, double time) {
         return b.leastAcceleration(nx, ny, time) + a.leastAcceleration(-nx, -ny, time);
+    }
+
+    private static double pullOf(Motion body) {
+        return Math.abs(body.accelerationX) + Math.abs(body.accelerationY);
     }
 
     private static double speedOf(Motion body) {

@@ -287,7 +287,7 @@ public final class Flight {
         impacts.foretell(pair, impact, time);
         int a = pairs.bodyA[pair];
         int b = pairs.bodyB[pair];
-        bystanders.measureImpact(a, b, impact, dt - time);
+        bystanders.measureImpact(a, b, pileBody, impact, dt - time);
         impacts.expectRebound(pair, flyer);
         pairs.impacts[pair] += impacts.touches(pair) ? 1 : 0;
         repredict(flyer, time, dt);

@@ -338,7 +338,7 @@ final class FlightImpacts {
         int b = pairs.bodyB[pair];
         double ax = accelerationX(a) - accelerationX(b);
         double ay = accelerationY(a) - accelerationY(b);
-        return ax * pairs.normalX[pair] + ay * pairs.normalY[pair];
+        return PairTolerances.along(ax, ay, pairs.normalX[pair], pairs.normalY[pair]);
     }
 
     private double accelerationX(int slot) {

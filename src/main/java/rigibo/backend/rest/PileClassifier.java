@@ -111,7 +111,8 @@ public final class PileClassifier {
                 PairTolerances.pressingAcceleration(
                         bodies, a, b, pairs.normalX[pair], pairs.normalY[pair]);
         if (pairs.resting[pair]) {
-            boolean isPressed = pressing > 0 || pairs.normalForce[2 * pair] > 0;
+            double force = pairs.normalForce[2 * pair];
+            boolean isPressed = pressing > 0 || PairTolerances.isPressing(bodies, a, b, force);
             return isPressed && parting(pair) <= PairTolerances.restSpeed(pressing, width);
         }
         return pressing > 0

@@ -36,8 +36,9 @@ final class MovingFloor implements HardCase {
 
     @Override
     public String finding() {
-        return "While storeys land, who may be reached by what is struck is asked by speeds"
-                + " against the world, and other bodies join the pile within a step.";
+        return "Boxes that land side by side give elimination rows that depend on each other, and"
+                + " round-off chooses among them: at EXACT a pile that only stands elsewhere"
+                + " settles in another way, too.";
     }
 
     @Override

@@ -8,6 +8,8 @@ import static rigibo.backend.collision.Motions.moving;
 import static rigibo.backend.collision.Motions.resting;
 
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
@@ -101,6 +103,21 @@ class TimeOfImpactStartTest {
     @Test
     void touchingPairThatPartsIsNotReported() {
         assertThat(find(discAt(0, 0.001))).isEqualTo(TimeOfImpact.NEVER);
+    }
+
+    /**
+     * A box that falls beside one that stands meets nothing, though their common face is upright
+     * only up to round-off: 10⁻¹⁶ of its weight would press.
+     */
+    @ParameterizedTest
+    @ValueSource(doubles = {1e-16, -1e-16})
+    void roundOffOfTheAxisPressesNothing(double tilt) {
+        Motion standing = resting(Polygon.box(1, 1), 0, 0, tilt);
+        Motion falling = moving(Polygon.box(1, 1), 1, 0, 0, 0);
+        falling.accelerationY = -9.81;
+
+        assertThat(impact.find(standing, falling, 0, STEP, TOLERANCE, ImpactSearch.ITP))
+                .isEqualTo(TimeOfImpact.NEVER);
     }
 
     /** What lies in overlap and is lifted off comes back as deep at most by the tolerance more. */

@@ -58,6 +58,7 @@ class PileClassifierTest {
     private static int falling(Pile pile) {
         int slot = pile.body(BodyType.DYNAMIC);
         pile.bodies.accelerationY[slot] = -G;
+        pile.bodies.inverseMass[slot] = 1;
         return slot;
     }
 
@@ -100,6 +101,18 @@ class PileClassifierTest {
     void restBeginsOnlyByLyingStill(double height, double speed, boolean rests) {
         gap(height);
         bodies.velocityY[box] = speed;
+        assertThat(isPiled()).isEqualTo(rests);
+    }
+
+    /**
+     * What falls beside a wall rests on nothing, though its face may be upright only up to
+     * round-off; on a face that carries a billionth of its weight it does.
+     */
+    @ParameterizedTest(name = "at a slope of {0}: rests is {1}")
+    @CsvSource({"1e-16, false", "-1e-16, false", "1e-13, false", "1e-9, true", "-1e-9, false"})
+    void roundOffOfANormalPressesNothing(double slope, boolean rests) {
+        pairs.normalX[contact] = 1;
+        pairs.normalY[contact] = slope;
         assertThat(isPiled()).isEqualTo(rests);
     }
 
@@ -185,6 +198,17 @@ class PileClassifierTest {
         assertThat(isPiled()).isTrue();
         bodies.velocityY[box] = 1e-9;
         assertThat(isPiled()).as("lifted by nothing, it rises for good").isFalse();
+    }
+
+    /** A force that lasts presses, but for one that is round-off of the weight of 8 N. */
+    @ParameterizedTest(name = "{0} N: rests is {1}")
+    @CsvSource({"1e-9, true", "1e-13, false", "1e-320, false"})
+    void roundOffOfAForcePressesNothing(double force, boolean rests) {
+        pairs.normalX[contact] = 1;
+        pairs.normalY[contact] = 0;
+        pairs.resting[contact] = true;
+        pairs.normalForce[2 * contact] = force;
+        assertThat(isPiled()).isEqualTo(rests);
     }
 
     @Test

@@ -49,6 +49,13 @@ public final class ContactSweep {
     /** What may be missed there, as a share of what may be missed elsewhere. */
     private static final double STRICTLY = 0.003;
 
+    /**
+     * Change of speed that is round-off, as a share of the one that does not count. What stands
+     * side by side touches with nothing between it, and round-off alone would decide whether that
+     * closes or parts, carries or not, and with that which contacts are solved again.
+     */
+    private static final double NOISE = 1e-6;
+
     /** By point: the speed at which it may close, for it has a gap left, m/s. */
     private double[] spare = new double[32];
 
@@ -165,10 +172,15 @@ public final class ContactSweep {
     private void leaveAloneWhatParts(int row) {
         double[] d = contacts.data;
         int at = row * PackedContacts.STRIDE;
-        if (d[at + PackedContacts.IMPULSE0] != 0
-                || d[at + PackedContacts.IMPULSE1] != 0
-                || d[at + PackedContacts.IMPULSE_T] != 0
-                || d[at + PackedContacts.ROLLING] > 0) {
+        double carried =
+                d[at + PackedContacts.IMPULSE0]
+                        + d[at + PackedContacts.IMPULSE1]
+                        + Math.abs(d[at + PackedContacts.IMPULSE_T]);
+        double mobility =
+                motions.data[contacts.bodyA[row] + INVERSE_MASS]
+                        + motions.data[contacts.bodyB[row] + INVERSE_MASS];
+        double noise = NOISE * uncounted[row];
+        if (carried * mobility > noise || d[at + PackedContacts.ROLLING] > 0) {
             return;
         }
         double parts = motions.parting(contacts, row, 0) + spare[2 * row];
@@ -176,7 +188,7 @@ public final class ContactSweep {
             double other = motions.parting(contacts, row, 1) + spare[2 * row + 1];
             parts = other < parts ? other : parts;
         }
-        if (parts > 0) {
+        if (parts > -noise) {
             seen[row] = 0;
             due[row] = Math.max(uncounted[row], parts);
         }
@@ -256,7 +268,8 @@ public final class ContactSweep {
             turnA += la0 * j0 + la1 * j1;
             turnB += lb0 * j0 + lb1 * j1;
         }
-        boolean isIdle = isCrowd && old0 == 0 && old1 == 0 && !rolls && parts > uncounted[row];
+        boolean carries = (old0 + old1) * (massA + massB) > NOISE * uncounted[row];
+        boolean isIdle = isCrowd && !carries && !rolls && parts > uncounted[row];
         due[row] = isIdle ? parts : uncounted[row];
         double jx = jn * nx - jt * ny;
         double jy = jn * ny + jt * nx;

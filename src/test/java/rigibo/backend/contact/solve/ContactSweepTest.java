@@ -146,6 +146,47 @@ class ContactSweepTest {
         assertThat(sloppy).as("contacts that missed by more than they may in overlap").isPositive();
     }
 
+    /**
+     * Two columns that fall side by side touch with nothing between them. Round-off of their
+     * sideways speeds decides nothing: which contacts are solved, and how often.
+     */
+    @Test
+    void roundOffBetweenNeighboursChangesNoWork() {
+        SplittableRandom random = new SplittableRandom(4);
+        int height = 33;
+        long solves = 0;
+        for (int i = 0; i < 20; i++) {
+            columns(height);
+            for (int body = 1; body <= 2 * height; body++) {
+                double noise = i == 0 ? 0 : random.nextDouble(-1e-14, 1e-14);
+                motions.data[body * Motions.STRIDE + Motions.VX] = noise;
+            }
+            contacts.work.contactSolves = 0;
+            sweep.run(H, H, 0, 1, 0.01, 10_000);
+            sweep.run(H, H / 2, 0, 1, 0.01, 10_000);
+            solves = i == 0 ? contacts.work.contactSolves : solves;
+            assertThat(contacts.work.contactSolves).as("noise %d", i).isEqualTo(solves);
+        }
+        assertThat(solves).isGreaterThan(2 * height);
+    }
+
+    /** Two columns that do not turn, each body beside one of the other. */
+    private void columns(int height) {
+        island.begin(2 * height);
+        for (int body = 1; body <= 2 * height; body++) {
+            island.body(body, 1, 0);
+            motions.data[body * Motions.STRIDE + Motions.VY] = -1;
+        }
+        for (int body = 1; body <= height; body++) {
+            island.contact(body - 1, body, 0.5, 0.5);
+            island.contact(body == 1 ? 0 : height + body - 1, height + body, 0.5, 0.5);
+            int at = island.contact(body, height + body, 0, 0) * PackedContacts.STRIDE;
+            contacts.data[at + PackedContacts.NX] = 1;
+            contacts.data[at + PackedContacts.NY] = 0;
+        }
+        contacts.groundStart = contacts.count;
+    }
+
     /** What gives way under a force goes as fast in half a kick, with half of the impulse. */
     @Test
     void whatGivesWayGoesByItsForce() {
