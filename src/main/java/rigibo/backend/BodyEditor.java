@@ -66,6 +66,7 @@ final class BodyEditor {
         }
         shapes.add(slot, definition);
         lockRotation(slot, definition.rotationLocked());
+        lockAxes(slot, definition.xLocked(), definition.yLocked());
         writePose(slot, definition.x(), definition.y(), definition.angle());
         join(slot);
         data.roster.isStale = true;
@@ -246,6 +247,27 @@ final class BodyEditor {
             bodies.rotationLocked[slot] = isLocked;
         }
         weigh(slot);
+    }
+
+    void axesLocked(int slot, boolean inX, boolean inY) {
+        waking.wakeNeighbours(slot);
+        motion.endDrive(slot);
+        lockAxes(slot, inX, inY);
+        data.roster.isStale = true;
+        waking.wake(slot);
+    }
+
+    /** The columns of locked axes come with the first body that has one, and so do its stages. */
+    private void lockAxes(int slot, boolean inX, boolean inY) {
+        if ((inX || inY) && bodies.lockedX == null) {
+            data.hold(Need.AXES);
+            plan.compile(plan.effects(), plan.accuracy());
+        }
+        if (bodies.lockedX != null) {
+            bodies.lockedX[slot] = inX;
+            bodies.lockedY[slot] = inY;
+            motion.hold(slot);
+        }
     }
 
     void shape(int slot, Shape shape) {

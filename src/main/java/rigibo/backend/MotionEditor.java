@@ -29,6 +29,7 @@ final class MotionEditor {
         endDrive(slot);
         bodies.velocityX[slot] = vx;
         bodies.velocityY[slot] = vy;
+        hold(slot);
         data.roster.isStale = true;
         waking.wake(slot);
     }
@@ -81,8 +82,10 @@ final class MotionEditor {
         Require.finite("RigidBody.applyImpulse px", px, "m");
         Require.finite("RigidBody.applyImpulse py", py, "m");
         double moment = (px - bodies.x[slot]) * jy - (py - bodies.y[slot]) * jx;
-        double vx = bodies.velocityX[slot] + bodies.inverseMass[slot] * jx;
-        double vy = bodies.velocityY[slot] + bodies.inverseMass[slot] * jy;
+        double freeX = bodies.isLockedInX(slot) ? 0 : bodies.inverseMass[slot];
+        double freeY = bodies.isLockedInY(slot) ? 0 : bodies.inverseMass[slot];
+        double vx = bodies.velocityX[slot] + freeX * jx;
+        double vy = bodies.velocityY[slot] + freeY * jy;
         double w = bodies.spinOf(slot) + bodies.inverseInertiaOf(slot) * moment;
         double most = BodyDefinition.MOST_SPEED;
         Require.within("RigidBody.applyImpulse resulting velocity x", vx, -most, most, "m/s");
@@ -91,6 +94,7 @@ final class MotionEditor {
         Require.within("RigidBody.applyImpulse resulting spin", w, -fastest, fastest, "rad/s");
         bodies.velocityX[slot] = vx;
         bodies.velocityY[slot] = vy;
+        hold(slot);
         if (bodies.turns()) {
             bodies.spin[slot] = w;
         }
@@ -107,6 +111,7 @@ final class MotionEditor {
             throw new IllegalArgumentException(
                     "RigidBody.driveTo needs a kinematic body, was " + bodies.type[slot]);
         }
+        requireFreeWay(slot, x, y);
         double way = Math.abs(x - bodies.x[slot]) + Math.abs(y - bodies.y[slot]);
         double fastest = BodyDefinition.MOST_SPEED;
         // An arc of half a turn is π/2 times as long as its chord.
@@ -121,6 +126,28 @@ final class MotionEditor {
         bodies.driveTime[slot] = seconds;
         steerOn(slot);
         waking.wake(slot);
+    }
+
+    /** A drive along a locked axis would never arrive. */
+    private void requireFreeWay(int slot, double x, double y) {
+        if (bodies.isLockedInX(slot)) {
+            double there = bodies.x[slot];
+            Require.within("RigidBody.driveTo x of what is locked in x", x, there, there, "m");
+        }
+        if (bodies.isLockedInY(slot)) {
+            double there = bodies.y[slot];
+            Require.within("RigidBody.driveTo y of what is locked in y", y, there, there, "m");
+        }
+    }
+
+    /** Takes what velocity a body has along its locked axes. */
+    void hold(int slot) {
+        if (bodies.isLockedInX(slot)) {
+            bodies.velocityX[slot] = 0;
+        }
+        if (bodies.isLockedInY(slot)) {
+            bodies.velocityY[slot] = 0;
+        }
     }
 
     void sleep(int slot) {

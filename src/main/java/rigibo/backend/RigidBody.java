@@ -162,6 +162,16 @@ public final class RigidBody {
         return columns().isRotationLocked(slot);
     }
 
+    /** Whether the body is kept from moving to the left and right. */
+    public boolean xLocked() {
+        return columns().isLockedInX(slot);
+    }
+
+    /** Whether the body is kept from moving up and down. */
+    public boolean yLocked() {
+        return columns().isLockedInY(slot);
+    }
+
     /** The name from the definition; also after removal. */
     public String name() {
         return name;
@@ -398,6 +408,19 @@ public final class RigidBody {
     /** Keeps the body from turning from now on, or lets it turn again, from rest. */
     public void rotationLocked(boolean isLocked) {
         pool.editor(this).rotationLocked(slot, isLocked);
+    }
+
+    /**
+     * Keeps the centre of mass from moving to the left and right from now on, or lets it move
+     * again, from rest. While it is locked every velocity it is given along x is passed over.
+     */
+    public void xLocked(boolean isLocked) {
+        pool.editor(this).axesLocked(slot, isLocked, yLocked());
+    }
+
+    /** Keeps the centre of mass from moving up and down likewise. */
+    public void yLocked(boolean isLocked) {
+        pool.editor(this).axesLocked(slot, xLocked(), isLocked);
     }
 
     /** Changes the shape about the same centre of mass; the mass follows likewise. */

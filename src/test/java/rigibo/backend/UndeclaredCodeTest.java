@@ -69,6 +69,16 @@ class UndeclaredCodeTest {
         "contact.row.DragKick"
     };
 
+    /** Of locked axes, which no effect declares, but a body that is locked. */
+    private static final String[] LOCKS = {
+        "force.LockedAxesKernel",
+        "force.LockedAxesForce",
+        "rest.LockedBodies",
+        "contact.row.LockedAxes",
+        "contact.joint.RowOverlap",
+        "contact.JointedIslands"
+    };
+
     /** Of rotation. */
     private static final String[] TURNING = {
         "contact.row.PackedTurns",
@@ -94,6 +104,7 @@ class UndeclaredCodeTest {
                         "step.StepTurns",
                         "rest.Sleeping")
                 .doesNotContain(FORCES)
+                .doesNotContain(LOCKS)
                 .doesNotContain("contact.solve.RollingSolver", "contact.row.RunningRows");
     }
 

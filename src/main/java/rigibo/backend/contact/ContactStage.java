@@ -4,6 +4,7 @@ import rigibo.backend.collision.Narrowphase;
 import rigibo.backend.contact.row.IslandForces;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.setup.Accuracy;
+import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.Counters;
 import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.Islands;
@@ -14,8 +15,9 @@ public final class ContactStage {
     private final Islands islands;
     private final Counters counters;
     private final IslandSolver solver;
+    private final Bodies bodies;
 
-    /** Of islands with joints, or null where none are declared. */
+    /** Of islands with joints and locked axes, or null where there cannot be any. */
     private final JointedIslands jointed;
 
     /**
@@ -28,13 +30,14 @@ public final class ContactStage {
             Effects effects,
             Accuracy accuracy,
             IslandForces forces) {
+        bodies = data.bodies;
         islands = data.islands;
         counters = data.counters;
         solver = new IslandSolver(data, narrowphase, effects, accuracy, forces);
         jointed =
-                data.joints == null
-                        ? null
-                        : new JointedIslands(data, narrowphase, effects, accuracy, forces);
+                data.hasAssemblies()
+                        ? new JointedIslands(data, narrowphase, effects, accuracy, forces)
+                        : null;
     }
 
     /** Advances every island to the end of a step of {@code dt} seconds. */
@@ -51,7 +54,7 @@ public final class ContactStage {
 
     private void solveJointed(double dt) {
         for (int island = 0; island < islands.count; island++) {
-            if (islands.areJoined(island)) {
+            if (islands.areJoined(island) || isAnyLocked(island)) {
                 jointed.solve(island, dt);
             } else {
                 solver.solve(island, dt);
@@ -59,5 +62,15 @@ public final class ContactStage {
         }
         counters.take(solver.work());
         counters.take(jointed.work());
+    }
+
+    /** Whether a body of an island is kept from moving along an axis. */
+    private boolean isAnyLocked(int island) {
+        boolean isAny = false;
+        int end = bodies.lockedX == null ? 0 : islands.bodyStart[island + 1];
+        for (int i = islands.bodyStart[island]; !isAny && i < end; i++) {
+            isAny = bodies.isHeldByAxis(islands.bodies[i]);
+        }
+        return isAny;
     }
 }

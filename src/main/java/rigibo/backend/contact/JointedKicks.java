@@ -3,6 +3,7 @@ package rigibo.backend.contact;
 import rigibo.backend.contact.joint.JointSolver;
 import rigibo.backend.contact.joint.Stages;
 import rigibo.backend.contact.row.Kick;
+import rigibo.backend.contact.row.LockedAxes;
 import rigibo.backend.contact.row.Motions;
 import rigibo.backend.contact.row.PackedContacts;
 import rigibo.backend.contact.row.WarmStart;
@@ -30,6 +31,9 @@ final class JointedKicks {
     private final JointSolver joints;
     private final Stages stages;
     private final JointedMoment moment;
+
+    /** Axes along which bodies are kept from moving, or null where none is locked. */
+    private final LockedAxes locks;
 
     /** What takes overlap back, or null where nobody wants that. */
     private final OverlapSolver overlap;
@@ -66,6 +70,7 @@ final class JointedKicks {
         this.warmStart = warmStart;
         this.overlap = overlap;
         this.joints = joints;
+        locks = joints.locks;
         this.stages = stages;
         moment = new JointedMoment(motions, contacts, joints);
     }
@@ -122,19 +127,35 @@ final class JointedKicks {
         accelerate(time + h / 2);
         joints.takeFree();
         double fastest = motions.fastest();
-        warmStart.apply(length / kicked, substep);
+        applyWarmStart(length, substep);
         kicked = length;
         joints.solve(h, substep, fastest, NOISE * kick.energy(h));
         contacts.addUpImpulses(1);
         motions.drift(h);
         if (overlap != null) {
             if (contacts.count > 0 && !stages.areComposed() && !joints.takesOverlapBack()) {
-                overlap.correctInPasses(h, substep, PASSES_OVER_OVERLAP);
+                takeOverlapBack(h, substep);
             }
             joints.correct(h);
         }
         last = h;
         slipped = 0;
+    }
+
+    private void takeOverlapBack(double h, int substep) {
+        if (locks != null && locks.areAny()) {
+            joints.lockedOverlap.correct(h, PASSES_OVER_OVERLAP);
+        } else {
+            overlap.correctInPasses(h, substep, PASSES_OVER_OVERLAP);
+        }
+    }
+
+    /** Gives contacts a share of what they carried in the kick before. */
+    private void applyWarmStart(double length, int substep) {
+        warmStart.apply(length / kicked, substep);
+        if (locks != null) {
+            locks.hold();
+        }
     }
 
     private void accelerate(double until) {
@@ -145,6 +166,9 @@ final class JointedKicks {
             stages.accelerate(until - middle);
         } else {
             kick.accelerate(middle, until);
+        }
+        if (locks != null) {
+            locks.hold();
         }
         middle = until;
     }
@@ -169,7 +193,7 @@ final class JointedKicks {
         accelerate(time);
         joints.takeFree();
         double fastest = motions.fastest();
-        warmStart.apply(length / kicked, substep);
+        applyWarmStart(length, substep);
         kicked = length;
         joints.solveAtRest(NO_TIME * h, substep, fastest, NOISE * kick.energy(h));
         contacts.addUpImpulses(1);

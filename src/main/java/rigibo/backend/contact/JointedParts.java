@@ -163,9 +163,10 @@ final class JointedParts {
             return NOT_COMPOSED;
         }
         if (first != Strikes.NEVER) {
-            isOnStops = false;
             kicks.end(time + gone, h, substep);
             boolean isAny = joints.impacts.strike(time + gone, substep);
+            // What could not be answered goes on closing, which stages back in time would feed.
+            isOnStops = !isAny && declared.areAnyContacts();
             // What was reached before the part began, and slowly, would be found there again.
             ended = isAny || gone > INSTANT * h ? ended + 1 : most;
         }

@@ -116,7 +116,16 @@ final class ImpactQueue {
         }
         int a = pairs.bodyA[pair];
         int otherA = pairs.bodyA[other];
-        return a < otherA || a == otherA && pairs.bodyB[pair] < pairs.bodyB[other];
+        int b = pairs.bodyB[pair];
+        int otherB = pairs.bodyB[other];
+        return a != otherA ? a < otherA : b != otherB ? b < otherB : isOfFormerParts(pair, other);
+    }
+
+    /** Of the same two bodies: the parts that meet, which came to them in order. */
+    private boolean isOfFormerParts(int pair, int other) {
+        int a = pairs.shapeA(pair);
+        int otherA = pairs.shapeA(other);
+        return a != otherA ? a < otherA : pairs.shapeB(pair) < pairs.shapeB(other);
     }
 
     private void swap(int i, int j) {

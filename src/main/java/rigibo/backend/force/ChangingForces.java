@@ -8,14 +8,16 @@ import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Field;
 import rigibo.backend.effect.Gravity;
 import rigibo.backend.effect.Wind;
+import rigibo.backend.storage.Bodies;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 
 /** The declared forces that change along the way, compiled from a set of effects. */
 public final class ChangingForces {
 
-    private final ChangingForce[] forces;
+    private ChangingForce[] forces;
 
     /** The forces of a declared set; none where it has none that change. */
     public ChangingForces(Effects effects) {
@@ -34,6 +36,14 @@ public final class ChangingForces {
                                                 water, effects.find(Gravity.class).get())));
         effects.find(Field.class).ifPresent(field -> list.add(new FieldForce(field)));
         forces = list.toArray(ChangingForce[]::new);
+    }
+
+    /** Bears from now on what they do along the locked axes of bodies, some of which have such. */
+    public void holdAxes(Bodies bodies) {
+        if (forces.length > 0) {
+            forces = Arrays.copyOf(forces, forces.length + 1);
+            forces[forces.length - 1] = new LockedAxesForce(bodies);
+        }
     }
 
     private static Wind wind(Effects effects) {

@@ -10,6 +10,9 @@ import rigibo.backend.storage.Bodies;
  */
 public final class Instant {
 
+    /** The body's slot. */
+    public int slot;
+
     public Shape shape;
 
     /** kg, 1/kg, 1/(kg·m²) (0 where it does not turn), m, and the linear drag in 1/s. */
@@ -45,7 +48,8 @@ public final class Instant {
     private double knownSin;
 
     /** Takes over what a body is. */
-    public void take(Bodies bodies, int slot) {
+    public void take(Bodies bodies, int body) {
+        slot = body;
         shape = bodies.shape[slot];
         mass = bodies.mass[slot];
         inverseMass = bodies.inverseMass[slot];

@@ -44,10 +44,10 @@ public final class IslandBuilder {
         }
         numberIslands();
         countAndFill();
-        if (data.joints == null) {
-            islands.jointStart = null;
+        if (data.hasAssemblies()) {
+            fillJoints(data.jointsOrNone());
         } else {
-            fillJoints(data.joints);
+            islands.jointStart = null;
         }
     }
 

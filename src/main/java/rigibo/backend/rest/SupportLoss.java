@@ -132,7 +132,7 @@ public final class SupportLoss {
     }
 
     private boolean isSteadyOnItsSupports(int body) {
-        if (data.isJoined(body)) {
+        if (data.isJoined(body) || bodies.isHeldByAxis(body)) {
             return false;
         }
         findDown(body);

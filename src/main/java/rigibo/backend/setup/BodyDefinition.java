@@ -34,6 +34,8 @@ public final class BodyDefinition {
     private Filter filter = Filter.ALL;
     private boolean awake = true;
     private boolean rotationLocked;
+    private boolean xLocked;
+    private boolean yLocked;
     private boolean sensor;
 
     /** Of the parts of a compound that have their own; null elsewhere, or where none has. */
@@ -68,6 +70,8 @@ public final class BodyDefinition {
         filter = pattern.filter;
         awake = pattern.awake;
         rotationLocked = pattern.rotationLocked;
+        xLocked = pattern.xLocked;
+        yLocked = pattern.yLocked;
         sensor = pattern.sensor;
         if (shape.parts() == pattern.shape.parts()) {
             surfaces = pattern.surfaces;
@@ -266,6 +270,28 @@ public final class BodyDefinition {
     }
 
     /**
+     * Keeps the body's centre of mass from moving to the left and right, whatever pushes it: a
+     * piston, a float in a pipe. Its velocity along x is 0, whatever is stated; along x it is as
+     * heavy as the ground.
+     *
+     * <pre>{@code
+     * pool.add(BodyDefinition.dynamic(Polygon.box(1, 1)).lockX().lockRotation()); // slides up, down
+     * }</pre>
+     */
+    public BodyDefinition lockX() {
+        BodyDefinition next = new BodyDefinition(this);
+        next.xLocked = true;
+        return next;
+    }
+
+    /** Keeps the body's centre of mass from moving up and down likewise: a trolley, a bead. */
+    public BodyDefinition lockY() {
+        BodyDefinition next = new BodyDefinition(this);
+        next.yLocked = true;
+        return next;
+    }
+
+    /**
      * Makes the whole body a sensor, which touches nothing and tells who is inside. {@code Sensors}
      * have to be declared where it is added, and a dynamic one has to state its mass.
      */
@@ -387,6 +413,16 @@ public final class BodyDefinition {
     /** Whether the body is kept from turning. */
     public boolean rotationLocked() {
         return rotationLocked;
+    }
+
+    /** Whether the body is kept from moving to the left and right. */
+    public boolean xLocked() {
+        return xLocked;
+    }
+
+    /** Whether the body is kept from moving up and down. */
+    public boolean yLocked() {
+        return yLocked;
     }
 
     /** Whether the body begins awake. */

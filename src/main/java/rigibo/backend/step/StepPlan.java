@@ -26,11 +26,13 @@ import rigibo.backend.flight.FreeFlight;
 import rigibo.backend.flight.OpenFlight;
 import rigibo.backend.force.ChangingForces;
 import rigibo.backend.force.GravityKernel;
+import rigibo.backend.force.LockedAxesKernel;
 import rigibo.backend.force.ThrustKernel;
 import rigibo.backend.force.TorqueKernel;
 import rigibo.backend.force.WindKernel;
 import rigibo.backend.rest.IslandBuilder;
 import rigibo.backend.rest.JointedBodies;
+import rigibo.backend.rest.LockedBodies;
 import rigibo.backend.rest.PileClassifier;
 import rigibo.backend.rest.Sleeping;
 import rigibo.backend.sense.SensorStage;
@@ -72,6 +74,9 @@ public final class StepPlan {
         parts.clear();
         StepBodies bodies = new StepBodies(data);
         ChangingForces forces = new ChangingForces(declared);
+        if (data.bodies.lockedX != null) {
+            forces.holdAxes(data.bodies);
+        }
         boolean areIntegrated = !forces.isEmpty() || wanted.integrator() != Integrator.BALLISTIC;
         data.bodies.integratePaths(areIntegrated);
         Course course = areIntegrated ? new Course(data, forces, wanted) : null;
@@ -129,6 +134,12 @@ public final class StepPlan {
                                         StepStage.EFFECTS,
                                         "steady wind",
                                         new WindKernel(data, wind)::accelerate));
+        if (data.bodies.lockedX != null) {
+            add(
+                    StepStage.EFFECTS,
+                    "bear what pulls along locked axes",
+                    new LockedAxesKernel(data)::hold);
+        }
         if (course != null) {
             add(StepStage.EFFECTS, "integrate forces that change along the way", course::begin);
         }
@@ -154,6 +165,12 @@ public final class StepPlan {
                     StepStage.CLASSIFY,
                     "take what joints hold for piled",
                     new JointedBodies(data)::pile);
+        }
+        if (data.bodies.lockedX != null) {
+            add(
+                    StepStage.CLASSIFY,
+                    "take what is locked along an axis for piled",
+                    new LockedBodies(data)::pile);
         }
         add(
                 StepStage.CLASSIFY,
@@ -186,6 +203,9 @@ public final class StepPlan {
         addIf(Restitution.class, "impacts", rows);
         addIf(Rotation.class, "faces that turn", rows);
         addIf(Joints.class, "joints", rows);
+        if (data.bodies.lockedX != null) {
+            rows.add("locked axes");
+        }
         return rows.toString();
     }
 

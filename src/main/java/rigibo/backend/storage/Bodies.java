@@ -127,6 +127,11 @@ public final class Bodies {
     /** Whether a body is kept from turning; null where none is. */
     public boolean[] rotationLocked;
 
+    /** Whether a body is kept from moving along x or y; null where none is. */
+    public boolean[] lockedX;
+
+    public boolean[] lockedY;
+
     /** Where a body is driven to, m and rad, and in how many s; 0 s where it is not. */
     public double[] driveX;
 
@@ -267,6 +272,10 @@ public final class Bodies {
                 mask[slot] = ~0;
             }
             case LOCKS -> rotationLocked[slot] = false;
+            case AXES -> {
+                lockedX[slot] = false;
+                lockedY[slot] = false;
+            }
             case DRIVES -> driveTime[slot] = 0;
             case ABSENCES -> disabled[slot] = false;
             case SENSORS -> sensor[slot] = false;
@@ -465,6 +474,21 @@ public final class Bodies {
     /** Whether a body is kept from turning. */
     public boolean isRotationLocked(int slot) {
         return rotationLocked != null && rotationLocked[slot];
+    }
+
+    /** Whether a body is kept from moving to the left and right. */
+    public boolean isLockedInX(int slot) {
+        return lockedX != null && lockedX[slot];
+    }
+
+    /** Whether a body is kept from moving up and down. */
+    public boolean isLockedInY(int slot) {
+        return lockedY != null && lockedY[slot];
+    }
+
+    /** Whether a body is kept from moving along an axis. */
+    public boolean isHeldByAxis(int slot) {
+        return lockedX != null && (lockedX[slot] || lockedY[slot]);
     }
 
     /** Whether a body is neither moved nor met by anybody. */

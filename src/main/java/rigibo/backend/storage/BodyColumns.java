@@ -2,6 +2,7 @@ package rigibo.backend.storage;
 
 import static rigibo.backend.storage.Need.ABSENCES;
 import static rigibo.backend.storage.Need.ALWAYS;
+import static rigibo.backend.storage.Need.AXES;
 import static rigibo.backend.storage.Need.COMPOUNDS;
 import static rigibo.backend.storage.Need.CONTACTS;
 import static rigibo.backend.storage.Need.DRAG;
@@ -56,6 +57,8 @@ final class BodyColumns {
         b.category = v.column("category", SAVED, FILTERS, b.category);
         b.mask = v.column("mask", SAVED, FILTERS, b.mask);
         b.rotationLocked = v.column("rotationLocked", SAVED, LOCKS, b.rotationLocked);
+        b.lockedX = v.column("lockedX", SAVED, AXES, b.lockedX);
+        b.lockedY = v.column("lockedY", SAVED, AXES, b.lockedY);
         b.driveX = v.column("driveX", SAVED, DRIVES, b.driveX);
         b.driveY = v.column("driveY", SAVED, DRIVES, b.driveY);
         b.driveAngle = v.column("driveAngle", SAVED, DRIVES, b.driveAngle);

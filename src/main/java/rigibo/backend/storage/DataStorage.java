@@ -30,6 +30,9 @@ public final class DataStorage {
     /** The joints, or null where none are declared. */
     public JointStore joints;
 
+    /** Stands for the joints where none are declared and bodies are held by an axis. */
+    private JointStore noJoints;
+
     /** When the step in progress began, s since the pool was made. */
     public double time;
 
@@ -48,6 +51,25 @@ public final class DataStorage {
         } else if (joints == null) {
             joints = new JointStore();
         }
+    }
+
+    /**
+     * Whether there may be islands that are solved with equations beside their contacts: joints are
+     * declared, or a body is kept from moving along an axis.
+     */
+    public boolean hasAssemblies() {
+        return joints != null || bodies.lockedX != null;
+    }
+
+    /** The joints, or none where they are not declared. */
+    public JointStore jointsOrNone() {
+        if (joints != null) {
+            return joints;
+        }
+        if (noJoints == null) {
+            noJoints = new JointStore();
+        }
+        return noJoints;
     }
 
     /** Whether a body is held by a joint. */

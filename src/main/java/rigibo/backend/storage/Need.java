@@ -46,11 +46,13 @@ public enum Need {
     /** A shape is solid on one side alone. */
     ONE_SIDED,
     /** A shape touches nothing and tells who is inside. */
-    SENSORS;
+    SENSORS,
+    /** A body is kept from moving along an axis. */
+    AXES;
 
     /** What the first body that has it makes columns of, whatever is declared. */
     public static final List<Need> OF_BODIES =
-            List.of(COMPOUNDS, FILTERS, LOCKS, DRIVES, ABSENCES, ONE_SIDED, SENSORS);
+            List.of(COMPOUNDS, FILTERS, LOCKS, DRIVES, ABSENCES, ONE_SIDED, SENSORS, AXES);
 
     private final List<Class<? extends Effect>> effects;
 

@@ -83,6 +83,12 @@ record Bodies(Chance chance, Temper temper) {
             body = body.then("lockRotation()", BodyDefinition::lockRotation);
         }
         if (chance.happens(0.05)) {
+            body = body.then("lockX()", BodyDefinition::lockX);
+        }
+        if (chance.happens(0.05)) {
+            body = body.then("lockY()", BodyDefinition::lockY);
+        }
+        if (chance.happens(0.05)) {
             body = body.then("sensor()", BodyDefinition::sensor);
         }
         return chance.happens(0.1) ? body.then("awake(false)", b -> b.awake(false)) : body;

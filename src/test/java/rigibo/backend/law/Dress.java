@@ -39,6 +39,25 @@ enum Dress {
             }
             return Pieces.of(plain);
         }
+    },
+
+    /** Every third body kept from moving along x, y or turning, or along two of these. */
+    LOCKED {
+        @Override
+        Shape shape(Shape plain, int index) {
+            return plain;
+        }
+
+        @Override
+        BodyDefinition dress(BodyDefinition body, int index) {
+            return switch (index % 12) {
+                case 0 -> body.lockX();
+                case 3 -> body.lockY();
+                case 6 -> body.lockX().lockRotation();
+                case 9 -> body.lockY().lockRotation();
+                default -> body;
+            };
+        }
     };
 
     /** Of what a polygon reaches, how much is its rounding. */
@@ -46,11 +65,15 @@ enum Dress {
 
     abstract Shape shape(Shape plain, int index);
 
+    BodyDefinition dress(BodyDefinition body, int index) {
+        return body.shape(shape(body.shape(), index));
+    }
+
     RandomScene on(RandomScene scene) {
         List<BodyDefinition> bodies = new ArrayList<>();
         for (BodyDefinition body : scene.bodies()) {
             boolean isFixed = body.type() != BodyType.DYNAMIC;
-            bodies.add(isFixed ? body : body.shape(shape(body.shape(), bodies.size())));
+            bodies.add(isFixed ? body : dress(body, bodies.size()));
         }
         return scene.bodies(bodies);
     }

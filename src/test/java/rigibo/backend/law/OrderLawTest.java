@@ -50,7 +50,7 @@ class OrderLawTest {
                 new Quota(14_000, "loaded contacts in piles"));
     }
 
-    private static Optional<String> sameInAnyOrder(RandomScene scene, Asked asked) {
+    static Optional<String> sameInAnyOrder(RandomScene scene, Asked asked) {
         List<BodyDefinition> shuffled = new ArrayList<>(scene.bodies());
         new Draw(scene.seed()).shuffle(shuffled);
         Pool pool = scene.pool();
@@ -73,7 +73,7 @@ class OrderLawTest {
         return asked.atMost(LIMIT, off, "in another order off by m");
     }
 
-    private static Optional<String> sameAmongStrangers(RandomScene scene, Asked asked) {
+    static Optional<String> sameAmongStrangers(RandomScene scene, Asked asked) {
         List<BodyDefinition> crowd = new ArrayList<>();
         List<BodyDefinition> strangers =
                 Surroundings.tray(scene.seed() + SEEDS.all().size(), scene.accuracy()).bodies();

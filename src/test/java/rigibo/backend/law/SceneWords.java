@@ -28,6 +28,9 @@ final class SceneWords {
                 + (body.statesMass() ? call("mass", body.mass()) : "")
                 + (body.statesInertia() ? call("inertia", body.inertia()) : "")
                 + material(body.material())
+                + (body.xLocked() ? ".lockX()" : "")
+                + (body.yLocked() ? ".lockY()" : "")
+                + (body.rotationLocked() ? ".lockRotation()" : "")
                 + ");";
     }
 

@@ -2,7 +2,11 @@ package rigibo.backend.law;
 
 import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Gravity;
+import rigibo.backend.geometry.Capsule;
 import rigibo.backend.geometry.Circle;
+import rigibo.backend.geometry.Compound;
+import rigibo.backend.geometry.Convex;
+import rigibo.backend.geometry.Part;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.geometry.Shape;
 import rigibo.backend.setup.BodyDefinition;
@@ -53,6 +57,16 @@ enum Symmetry {
         @Override
         Gravity of(Gravity gravity) {
             return new Gravity(-gravity.y(), gravity.x());
+        }
+
+        @Override
+        boolean isLockedInX(BodyDefinition body) {
+            return body.yLocked();
+        }
+
+        @Override
+        boolean isLockedInY(BodyDefinition body) {
+            return body.xLocked();
         }
 
         @Override
@@ -165,6 +179,9 @@ enum Symmetry {
 
     Shape of(Shape shape) {
         if (shape instanceof Polygon polygon) {
+            if (polygon.radius() > 0) {
+                return ofCorners(polygon.stated()).rounded(polygon.radius());
+            }
             return polygon.isBox()
                     ? ofBox(2 * polygon.cornerX(2), 2 * polygon.cornerY(2))
                     : ofCorners(polygon.stated());
@@ -198,12 +215,27 @@ enum Symmetry {
 
     private BodyDefinition of(BodyDefinition body) {
         State state = of(State.of(body), 0);
-        return pattern(body)
+        return locked(body)
                 .at(state.x(), state.y())
                 .angle(state.angle())
                 .velocity(state.velocityX(), state.velocityY())
                 .spin(state.spin())
                 .material(body.material());
+    }
+
+    private BodyDefinition locked(BodyDefinition body) {
+        BodyDefinition plain = pattern(body);
+        BodyDefinition inX = isLockedInX(body) ? plain.lockX() : plain;
+        BodyDefinition inY = isLockedInY(body) ? inX.lockY() : inX;
+        return body.rotationLocked() ? inY.lockRotation() : inY;
+    }
+
+    boolean isLockedInX(BodyDefinition body) {
+        return body.xLocked();
+    }
+
+    boolean isLockedInY(BodyDefinition body) {
+        return body.yLocked();
     }
 
     private static State scaled(State s, double factor) {
@@ -220,10 +252,30 @@ enum Symmetry {
         if (shape instanceof Circle circle) {
             return new Circle(factor * circle.radius());
         }
+        if (shape instanceof Capsule capsule) {
+            return new Capsule(factor * capsule.halfLength(), factor * capsule.radius());
+        }
+        if (shape instanceof Compound compound) {
+            return scaled(compound, factor);
+        }
         double[] xy = ((Polygon) shape).stated();
         for (int i = 0; i < xy.length; i++) {
             xy[i] *= factor;
         }
-        return Polygon.of(xy);
+        double radius = ((Polygon) shape).radius();
+        return radius > 0 ? Polygon.of(xy).rounded(factor * radius) : Polygon.of(xy);
+    }
+
+    private static Compound scaled(Compound compound, double factor) {
+        Part[] parts = new Part[compound.parts()];
+        for (int i = 0; i < parts.length; i++) {
+            Part part = compound.part(i);
+            parts[i] =
+                    Part.of((Convex) scaled(part.shape(), factor))
+                            .at(factor * part.x(), factor * part.y())
+                            .angle(part.angle())
+                            .relativeDensity(part.relativeDensity());
+        }
+        return Compound.of(parts);
     }
 }

@@ -146,7 +146,7 @@ class SymmetryLawTest {
     }
 
     /** Compares until there were so many impacts, or bodies stay in touch. */
-    private static Optional<String> sameInFlight(
+    static Optional<String> sameInFlight(
             Symmetry symmetry, int mostImpacts, double limit, RandomScene scene, Asked asked) {
         Pool pool = scene.pool();
         Pool other = symmetry.of(scene).pool();
@@ -165,8 +165,7 @@ class SymmetryLawTest {
         return asked.atMost(limit, off, symmetry + ": off by m");
     }
 
-    private static Optional<String> sameToTheEnd(
-            Symmetry symmetry, RandomScene scene, Asked asked) {
+    static Optional<String> sameToTheEnd(Symmetry symmetry, RandomScene scene, Asked asked) {
         Pool pool = scene.pool();
         for (int i = 0; i < scene.steps(); i++) {
             pool.step(RandomScene.DT);

@@ -42,7 +42,7 @@ final class ComposedSubsteps {
             PackedJoints packed,
             TautSubsteps taut,
             Accuracy accuracy) {
-        joints = data.joints;
+        joints = data.jointsOrNone();
         this.motions = motions;
         this.rows = rows;
         this.jointRows = jointRows;

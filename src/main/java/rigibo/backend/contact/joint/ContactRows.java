@@ -61,18 +61,20 @@ final class ContactRows {
             }
             end(row);
         }
+        // A point that pushes along locked axes alone has no row.
+        int loads = rows.count - first;
         if (d[at + FRICTION] > 0 && rows.count > first) {
             int row = begin(contact, IMPULSE_T);
             derive(row, contact, -d[at + NY], d[at + NX], d[at + LEVER_TA], d[at + LEVER_TB]);
             rows.target[row] = contacts.surface[contact];
-            bind(row, d[at + FRICTION], first, points);
+            bind(row, d[at + FRICTION], first, loads);
             rows.give[row] = PackedContacts.COMPLIANCE * rows.response[row];
         }
         if (d[at + ROLLING] > 0 && rows.count > first) {
             int row = begin(contact, IMPULSE_R);
             rows.derive(row, contacts.bodyA[contact], 0, 0, -1);
             rows.derive(row, contacts.bodyB[contact], 0, 0, 1);
-            bind(row, d[at + ROLLING], first, points);
+            bind(row, d[at + ROLLING], first, loads);
         }
     }
 

@@ -21,7 +21,7 @@ final class JointResults {
 
     JointResults(DataStorage data, PackedJoints packed, NeutralRows rows) {
         bodies = data.bodies;
-        joints = data.joints;
+        joints = data.jointsOrNone();
         this.packed = packed;
         this.rows = rows;
     }

@@ -57,7 +57,7 @@ final class JointRows {
             Poses poses,
             RowStates states) {
         bodies = data.bodies;
-        joints = data.joints;
+        joints = data.jointsOrNone();
         this.rows = rows;
         this.packed = packed;
         this.states = states;

@@ -1,6 +1,7 @@
 package rigibo.backend.contact.joint;
 
 import rigibo.backend.contact.row.FreshRows;
+import rigibo.backend.contact.row.LockedAxes;
 import rigibo.backend.contact.row.Motions;
 import rigibo.backend.contact.row.PackedContacts;
 import rigibo.backend.contact.row.Recovery;
@@ -107,6 +108,12 @@ public final class JointSolver {
     private final RowPasses passes;
     private final CrowdSolver crowd;
 
+    /** Axes along which bodies are kept from moving, or null where none is locked. */
+    public final LockedAxes locks;
+
+    /** What takes overlap back where bodies of an island are locked, or null likewise. */
+    public final RowOverlap lockedOverlap;
+
     private final int substeps;
 
     /** Whether the packed island has anything that only pushes. */
@@ -153,7 +160,10 @@ public final class JointSolver {
             FreshRows fresh,
             Accuracy accuracy) {
         this.motions = motions;
-        rows = new NeutralRows(motions);
+        boolean areLocks = data.bodies.lockedX != null;
+        locks = areLocks ? new LockedAxes(data.bodies, motions) : null;
+        rows = new NeutralRows(motions, locks);
+        lockedOverlap = areLocks ? new RowOverlap(motions, contacts, rows, accuracy) : null;
         work = new RowWork(motions, rows);
 
         packed = new PackedJoints(data, builder);
@@ -162,7 +172,7 @@ public final class JointSolver {
         contactRows = new ContactRows(motions, contacts, rows, states);
         elimination = new RowElimination(motions, rows);
         solver = new RowSolver(rows, elimination);
-        NeutralRows ahead = new NeutralRows(motions);
+        NeutralRows ahead = new NeutralRows(motions, locks);
         JointRows rowsAhead = new JointRows(data, ahead, packed, poses, states);
         ForeseenElimination foreseen = new ForeseenElimination(motions, rows, ahead, elimination);
         places =
@@ -182,7 +192,7 @@ public final class JointSolver {
         springs = new SpringSubsteps(data.joints, rows, packed, accuracy);
         results = new JointResults(data, packed, rows);
         islands = data.islands;
-        store = data.joints;
+        store = data.jointsOrNone();
         tolerance = accuracy.impactTolerance();
         crowd =
                 new CrowdSolver(

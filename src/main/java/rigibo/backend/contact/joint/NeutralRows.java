@@ -6,6 +6,7 @@ import static rigibo.backend.contact.row.Motions.SPIN;
 import static rigibo.backend.contact.row.Motions.VX;
 import static rigibo.backend.contact.row.Motions.VY;
 
+import rigibo.backend.contact.row.LockedAxes;
 import rigibo.backend.contact.row.Motions;
 
 import java.util.Arrays;
@@ -30,6 +31,12 @@ final class NeutralRows {
      * and iteration takes its effect back where the rows agree.
      */
     static final double REGULAR = 1e-11;
+
+    /**
+     * Share of a row's response below which what locked axes leave of it is round-off: the square
+     * of what a direction is off by that points along the axis.
+     */
+    private static final double ACROSS = 1e-24;
 
     int count;
 
@@ -89,8 +96,12 @@ final class NeutralRows {
 
     private final Motions motions;
 
-    NeutralRows(Motions motions) {
+    /** Axes along which no impulse moves a body, or null where none is locked. */
+    private final LockedAxes locks;
+
+    NeutralRows(Motions motions, LockedAxes locks) {
         this.motions = motions;
+        this.locks = locks;
     }
 
     /** Forgets all rows. */
@@ -162,6 +173,24 @@ final class NeutralRows {
 
     /** Ends a row whose derivatives are written. */
     void finish(int row) {
+        response[row] = locks == null ? ownResponse(row) : lockedResponse(row);
+        unit[row] = isOfAngles(row) ? reach(row) : 1;
+    }
+
+    /** Leaves locked axes out; what is left of a row across all that it could move is nothing. */
+    private double lockedResponse(int row) {
+        double free = ownResponse(row);
+        for (int i = 0; i < bodies[row]; i++) {
+            int offset = body[row * BODIES + i];
+            int at = row * DERIVATIVES + 3 * i;
+            derivative[at] *= locks.freedomX(offset);
+            derivative[at + 1] *= locks.freedomY(offset);
+        }
+        double left = ownResponse(row);
+        return left > ACROSS * free ? left : 0;
+    }
+
+    private double ownResponse(int row) {
         double sum = 0;
         for (int i = 0; i < bodies[row]; i++) {
             for (int k = 0; k < bodies[row]; k++) {
@@ -170,8 +199,7 @@ final class NeutralRows {
                 }
             }
         }
-        response[row] = sum;
-        unit[row] = isOfAngles(row) ? reach(row) : 1;
+        return sum;
     }
 
     private boolean isOfAngles(int row) {

@@ -32,7 +32,7 @@ final class PackedJoints {
     private double[] kept = new double[16];
 
     PackedJoints(DataStorage data, RowBuilder builder) {
-        joints = data.joints;
+        joints = data.jointsOrNone();
         islands = data.islands;
         this.builder = builder;
     }

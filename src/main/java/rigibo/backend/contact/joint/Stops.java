@@ -49,7 +49,7 @@ final class Stops {
             PackedJoints packed,
             double tolerance) {
         bodies = data.bodies;
-        joints = data.joints;
+        joints = data.jointsOrNone();
         this.motions = motions;
         this.contacts = contacts;
         this.rows = rows;

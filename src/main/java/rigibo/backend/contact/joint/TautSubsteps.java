@@ -31,7 +31,7 @@ final class TautSubsteps {
 
     TautSubsteps(DataStorage data) {
         bodies = data.bodies;
-        joints = data.joints;
+        joints = data.jointsOrNone();
         islands = data.islands;
     }
 

@@ -83,10 +83,23 @@ public final class CarriedFrame {
         if (mayMove && islands.areJoined(island)) {
             mayMove = addJoined(island);
         }
-        if (mayMove && carriers.count > 0) {
+        if (mayMove && carriers.count > 0 && mayFollow(island, carriers.numbers[0])) {
             int first = carriers.numbers[0];
             motions.takeFrame(bodies.velocityX[first], bodies.velocityY[first]);
         }
+    }
+
+    /** Whether no body of the island is kept from moving along with a carrier. */
+    private boolean mayFollow(int island, int carrier) {
+        boolean mayFollow = true;
+        int end = bodies.lockedX == null ? 0 : islands.bodyStart[island + 1];
+        for (int i = islands.bodyStart[island]; mayFollow && i < end; i++) {
+            int slot = islands.bodies[i];
+            mayFollow =
+                    !(bodies.lockedX[slot] && bodies.velocityX[carrier] != 0)
+                            && !(bodies.lockedY[slot] && bodies.velocityY[carrier] != 0);
+        }
+        return mayFollow;
     }
 
     /** Adds those that joints hold on to; whether none of these is a place in the world. */

@@ -17,7 +17,7 @@ class EquationFactorTest {
     private static final double ROUND_OFF = 1e-8;
 
     private final Motions motions = new Motions(true);
-    private final NeutralRows rows = new NeutralRows(motions);
+    private final NeutralRows rows = new NeutralRows(motions, null);
 
     private void addBodies(int count, SplittableRandom random) {
         motions.data = new double[(count + 1) * Motions.STRIDE];

@@ -1,0 +1,59 @@
+package rigibo.backend.contact.joint;
+
+import rigibo.backend.contact.row.Motions;
+import rigibo.backend.contact.row.PackedContacts;
+import rigibo.backend.contact.row.Recovery;
+import rigibo.backend.setup.Accuracy;
+
+/**
+ * Takes overlap back in an island in which bodies are kept from moving along an axis, by moving
+ * them as impulses of their rows would, which leave locked axes out.
+ */
+public final class RowOverlap {
+
+    private final Motions motions;
+    private final PackedContacts contacts;
+    private final NeutralRows rows;
+    private final Accuracy accuracy;
+
+    RowOverlap(Motions motions, PackedContacts contacts, NeutralRows rows, Accuracy accuracy) {
+        this.motions = motions;
+        this.contacts = contacts;
+        this.rows = rows;
+        this.accuracy = accuracy;
+    }
+
+    /**
+     * Passes over the rows that are written, up and down, in a substep of h seconds; all passes
+     * together part two bodies no faster than {@link Recovery#MOST_PUSH}.
+     */
+    public void correct(double h, int passes) {
+        double kept = Recovery.kept(contacts.count, accuracy);
+        for (int pass = 0; pass < passes; pass++) {
+            for (int i = 0; i < rows.count; i++) {
+                int row = pass % 2 == 0 ? i : rows.count - 1 - i;
+                if (rows.contact[row] != NeutralRows.NONE && isPoint(row)) {
+                    part(row, kept, h, Recovery.MOST_PUSH / passes);
+                }
+            }
+        }
+    }
+
+    private boolean isPoint(int row) {
+        int part = rows.part[row];
+        return part == PackedContacts.IMPULSE0 || part == PackedContacts.IMPULSE1;
+    }
+
+    private void part(int row, double kept, double h, double speed) {
+        int contact = rows.contact[row];
+        int at = contact * PackedContacts.STRIDE;
+        double width = contacts.data[at + PackedContacts.WIDTH];
+        double gap = motions.gap(contacts, contact, rows.part[row] - PackedContacts.IMPULSE0);
+        double over = -gap - kept * width;
+        if (over > 0) {
+            double rate = contacts.data[at + PackedContacts.RECOVERY] * h;
+            double wanted = Math.min(over * rate / (1 + rate), speed * width * h);
+            rows.move(row, wanted / rows.response[row], Motions.DX);
+        }
+    }
+}

@@ -1,0 +1,31 @@
+package rigibo.backend.force;
+
+import rigibo.backend.storage.Bodies;
+import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.Roster;
+
+/** Takes accelerations along locked axes: what holds a body there bears all force. */
+public final class LockedAxesKernel {
+
+    private final Bodies bodies;
+    private final Roster roster;
+
+    /** A kernel for a storage in which axes are locked. */
+    public LockedAxesKernel(DataStorage data) {
+        bodies = data.bodies;
+        roster = data.roster;
+    }
+
+    /** Takes them from all awake bodies, after all steady forces. */
+    public void hold(double dt) {
+        for (int i = 0; i < roster.awakeCount; i++) {
+            int slot = roster.awake[i];
+            if (bodies.lockedX[slot]) {
+                bodies.accelerationX[slot] = 0;
+            }
+            if (bodies.lockedY[slot]) {
+                bodies.accelerationY[slot] = 0;
+            }
+        }
+    }
+}
