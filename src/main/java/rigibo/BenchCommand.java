@@ -10,6 +10,8 @@ import rigibo.lab.bench.Inquiry;
 import rigibo.lab.bench.moving.Contestant;
 import rigibo.lab.bench.moving.MovingBench;
 import rigibo.lab.bench.moving.MovingReport;
+import rigibo.lab.bench.query.QueryBench;
+import rigibo.lab.bench.query.QueryReport;
 import rigibo.lab.bench.scene.BenchScene;
 import rigibo.lab.bench.scene.BenchScenes;
 import rigibo.lab.bench.scene.MovingScenes;
@@ -40,6 +42,7 @@ final class BenchCommand implements Callable<Integer> {
 
     private static final String SWEEP = "sweep";
     private static final String ALL = "all";
+    private static final String QUERIED = "GAME";
     private static final int MOST_ROUNDS = 100;
     private static final int MOST_STEPS = 100_000;
 
@@ -98,6 +101,13 @@ final class BenchCommand implements Callable<Integer> {
     private List<String> moving = List.of();
 
     @Option(
+            names = "--queries",
+            description =
+                    "Rays among 10,000 discs by ours and by gdx-box2d, and what sensors cost, in"
+                            + " place of scenes.")
+    private boolean areQueries;
+
+    @Option(
             names = "--preset",
             paramLabel = "PRESET",
             split = ",",
@@ -147,13 +157,36 @@ final class BenchCommand implements Callable<Integer> {
         Destination.requireDirectory(spec, "--out", out);
         PrintWriter written = spec.commandLine().getOut();
         try {
-            (moving.isEmpty() ? study() : move()).forEach(written::println);
+            found().forEach(written::println);
             written.flush();
             return 0;
         } catch (IllegalStateException | IOException | UncheckedIOException cause) {
             tell("FAILED: " + cause.getMessage());
             return 1;
         }
+    }
+
+    private List<String> found() throws IOException {
+        if (areQueries) {
+            return ask();
+        }
+        return moving.isEmpty() ? study() : move();
+    }
+
+    private List<String> ask() throws IOException {
+        QueryBench bench =
+                new QueryBench(
+                        chosenEngines().stream()
+                                .flatMap(engine -> Contestant.of(engine, List.of(QUERIED)))
+                                .filter(one -> one.isOurs() || one.isFastestPeer())
+                                .toList(),
+                        runs);
+        QueryReport report = bench.run(this::tell);
+        if (page != null) {
+            Environment measured = environment().withFlags(bench.method());
+            MeasuredPart.write(page, report.markdown(measured.provenance()));
+        }
+        return report.text();
     }
 
     private List<String> study() throws IOException {
@@ -236,16 +269,21 @@ final class BenchCommand implements Callable<Integer> {
                 + (scenes.isEmpty() ? "" : " --scenes " + String.join(",", scenes))
                 + (isSweep ? " --sweep" : "")
                 + (engines.isEmpty() ? "" : " --engines " + String.join(",", engines))
-                + (moving.isEmpty()
-                        ? " --rounds " + rounds
-                        : " --moving "
-                                + String.join(",", moving)
-                                + (presets.isEmpty()
-                                        ? ""
-                                        : " --preset " + String.join(",", presets))
-                                + " --runs "
-                                + runs)
+                + (areQueries ? " --queries --runs " + runs : "")
+                + (areQueries ? "" : timed())
                 + (steps == null ? "" : " --steps " + steps);
+    }
+
+    /** How often scenes are timed, and which of them move. */
+    private String timed() {
+        if (moving.isEmpty()) {
+            return " --rounds " + rounds;
+        }
+        return " --moving "
+                + String.join(",", moving)
+                + (presets.isEmpty() ? "" : " --preset " + String.join(",", presets))
+                + " --runs "
+                + runs;
     }
 
     private void tell(String words) {

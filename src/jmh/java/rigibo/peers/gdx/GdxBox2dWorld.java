@@ -6,6 +6,7 @@ import com.badlogic.gdx.physics.box2d.BodyDef;
 import com.badlogic.gdx.physics.box2d.BodyDef.BodyType;
 import com.badlogic.gdx.physics.box2d.FixtureDef;
 import com.badlogic.gdx.physics.box2d.MassData;
+import com.badlogic.gdx.physics.box2d.RayCastCallback;
 import com.badlogic.gdx.physics.box2d.Shape;
 
 import rigibo.backend.effect.Effects;
@@ -35,6 +36,14 @@ final class GdxBox2dWorld implements World {
     private final int velocityIterations;
     private final int positionIterations;
     private final List<Body> bodies = new ArrayList<>();
+
+    /** Of rays: where they begin and end, and the share of the way to the nearest hit so far. */
+    private final Vector2 from = new Vector2();
+
+    private final Vector2 to = new Vector2();
+    private float nearest;
+    private final RayCastCallback nearestHit =
+            (fixture, point, normal, fraction) -> nearest = fraction;
 
     GdxBox2dWorld(Effects effects, Setting setting) {
         called = new Called(effects);
@@ -180,6 +189,15 @@ final class GdxBox2dWorld implements World {
     @Override
     public double normalImpulse(int a, int b) {
         return log.between(a, b);
+    }
+
+    @Override
+    public double rayCast(double fromX, double fromY, double toX, double toY) {
+        from.set((float) fromX, (float) fromY);
+        to.set((float) toX, (float) toY);
+        nearest = 1;
+        world.rayCast(nearestHit, from, to);
+        return nearest;
     }
 
     @Override

@@ -2,6 +2,7 @@ package rigibo.lab.engine;
 
 import rigibo.backend.ContactEvent;
 import rigibo.backend.Pool;
+import rigibo.backend.RayHit;
 import rigibo.backend.RigidBody;
 import rigibo.backend.StepReport;
 import rigibo.backend.setup.BodyDefinition;
@@ -93,6 +94,11 @@ final class RigiBoWorld implements World {
             sum += isThis || isReverse ? event.impulse() : 0;
         }
         return sum;
+    }
+
+    @Override
+    public double rayCast(double fromX, double fromY, double toX, double toY) {
+        return pool.rayCast(fromX, fromY, toX, toY).map(RayHit::fraction).orElse(1.0);
     }
 
     @Override

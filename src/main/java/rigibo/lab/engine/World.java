@@ -65,6 +65,16 @@ public interface World extends AutoCloseable {
      */
     double normalImpulse(int a, int b);
 
+    /**
+     * Share of the way from one world point in m to another at which a ray enters the first body,
+     * but none that it begins in; 1 where it meets nobody.
+     *
+     * @throws UnsupportedOperationException where the engine is not asked about rays
+     */
+    default double rayCast(double fromX, double fromY, double toX, double toY) {
+        throw new UnsupportedOperationException("rays");
+    }
+
     /** What the last step did, counted; nothing where the engine does not tell. */
     Work lastStep();
 

@@ -46,12 +46,13 @@ public record Contestant(String engine, String setting) {
         return new Stage(asked, Engines.setting(asked, setting), scene);
     }
 
-    boolean isOurs() {
+    /** Whether it is ours. */
+    public boolean isOurs() {
         return engine.equals(RigiBoEngine.NAME);
     }
 
     /** The engine that a Java programmer would take if speed were all. */
-    boolean isFastestPeer() {
+    public boolean isFastestPeer() {
         return Inquiry.shortName(engine).equals(BOX2D);
     }
 

@@ -1,0 +1,46 @@
+package rigibo.lab.bench.query;
+
+import rigibo.lab.bench.moving.Contestant;
+import rigibo.lab.child.MeasuringJava;
+import rigibo.lab.child.Progress;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Consumer;
+
+/**
+ * Asks every contestant, each in a process of its own.
+ *
+ * @param contestants in the order of the report
+ * @param runs by which everything is timed
+ */
+public record QueryBench(List<Contestant> contestants, int runs) {
+
+    private static final int HEAP_MEGABYTES = 512;
+
+    /** How processes are run, in words. */
+    public String method() {
+        return MeasuringJava.onLastCore(HEAP_MEGABYTES).words();
+    }
+
+    /**
+     * Asks them all.
+     *
+     * @param tell is told how far it is
+     * @throws IllegalStateException when a process breaks off, with what it said
+     */
+    public QueryReport run(Consumer<String> tell) {
+        MeasuringJava java = MeasuringJava.onLastCore(HEAP_MEGABYTES);
+        String classPath = System.getProperty("java.class.path");
+        Progress progress = new Progress(contestants.size(), tell);
+        Map<Contestant, Answers> found = new LinkedHashMap<>();
+        for (Contestant contestant : contestants) {
+            List<String> told = List.of(contestant.engine(), contestant.setting(), "" + runs);
+            String line = java.run(classPath, QueryProbe.class, told, QueryProbe.MARK).get(0);
+            found.put(contestant, Answers.parse(line));
+            progress.done();
+        }
+        return new QueryReport(found);
+    }
+}
