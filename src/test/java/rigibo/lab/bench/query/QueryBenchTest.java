@@ -74,7 +74,7 @@ class QueryBenchTest {
         assertThat(new QueryReport(found).text())
                 .contains(
                         "A level ray takes gdx-box2d 1.50 × as long as ours (≥ 2: not met), and"
-                            + " goes as far.",
+                                + " goes as far.",
                         "1000 sensors among 2000 bodies add 200 µs to a step (≤ 300 µs: met).");
     }
 
