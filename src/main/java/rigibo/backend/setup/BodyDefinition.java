@@ -272,7 +272,8 @@ public final class BodyDefinition {
     /**
      * Keeps the body's centre of mass from moving to the left and right, whatever pushes it: a
      * piston, a float in a pipe. Its velocity along x is 0, whatever is stated; along x it is as
-     * heavy as the ground.
+     * heavy as the ground. Of a static body that says nothing until its type changes; a kinematic
+     * one does not move along x either.
      *
      * <pre>{@code
      * pool.add(BodyDefinition.dynamic(Polygon.box(1, 1)).lockX().lockRotation()); // slides up, down
