@@ -119,6 +119,9 @@ public final class JointSolver {
     /** Whether the packed island has anything that only pushes. */
     private boolean haveStops;
 
+    /** Whether all rows are written where bodies are, without contacts: nothing has moved since. */
+    private boolean areWritten;
+
     private int mostStrikes;
 
     private boolean isSmall;
@@ -278,6 +281,7 @@ public final class JointSolver {
         places.begin();
         write(firstKick, 2 * firstKick);
         haveStops = contactRows.areAny();
+        areWritten = !haveStops;
         for (int row = 0; row < rows.count; row++) {
             haveStops |= stops.isStop(row);
         }
@@ -323,6 +327,7 @@ public final class JointSolver {
      */
     public boolean areHeldByEquations(double h) {
         writeRows(h, h);
+        areWritten = !contactRows.areAny();
         boolean areEquations = isWhole && !jointRows.areAnyStiff();
         for (int row = 0; areEquations && row < rows.count; row++) {
             areEquations =
@@ -359,11 +364,12 @@ public final class JointSolver {
     public void findStrikes(
             double h, double lastKick, int substep, boolean areOfNow, boolean isComposed) {
         strikes.watchNothing();
-        rows.clear();
-        poses.take(0);
+        if (!areWritten) {
+            writeRows(h, h);
+            contactRows.write(h, substep);
+        }
+        areWritten = false;
         jointRows.measureAnew();
-        jointRows.write(h, h);
-        contactRows.write(h, substep);
         stops.ask(lastKick);
         strikes.find(h, areOfNow, isComposed);
     }
@@ -405,6 +411,7 @@ public final class JointSolver {
     }
 
     private void writeRows(double kick, double h) {
+        areWritten = false;
         rows.clear();
         poses.take(0);
         jointRows.write(kick, h);
