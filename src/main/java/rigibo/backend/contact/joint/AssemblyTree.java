@@ -84,7 +84,7 @@ final class AssemblyTree {
         reserve();
         count = 0;
         room = 0;
-        for (int e = 0; e < equations.count; e++) {
+        for (int e = 0; e < equations.all; e++) {
             spread[e] = equations.bodyEnd(e) - equations.bodyStart(e);
             takenBy[e] = NONE;
         }
@@ -170,10 +170,10 @@ final class AssemblyTree {
             bodyStart = new int[2 * most + 1];
             groupOf = new int[2 * most];
         }
-        if (spread.length < equations.count) {
-            spread = new int[2 * equations.count];
-            takenBy = new int[2 * equations.count];
-            equationOf = new int[2 * equations.count];
+        if (spread.length < equations.all) {
+            spread = new int[2 * equations.all];
+            takenBy = new int[2 * equations.all];
+            equationOf = new int[2 * equations.all];
         }
     }
 

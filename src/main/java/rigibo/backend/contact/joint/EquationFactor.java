@@ -163,22 +163,29 @@ final class EquationFactor {
             int size = tree.start[n + 1] - tree.start[n];
             from += size * size;
         }
-        if (place.length < equations.count) {
-            place = new int[2 * equations.count];
-            unknown = new double[2 * equations.count];
-            alongX = new double[2 * equations.count];
-            alongY = new double[2 * equations.count];
-            turning = new double[2 * equations.count];
+        if (place.length < equations.all) {
+            place = new int[2 * equations.all];
+            unknown = new double[2 * equations.all];
+            alongX = new double[2 * equations.all];
+            alongY = new double[2 * equations.all];
+            turning = new double[2 * equations.all];
         }
     }
 
     /** What impulses of a body's equations give them through the body. */
     private void assembleBody(int n, int size) {
-        int entry = equations.entry[tree.second[n]];
-        double mass = motions.data[entry * Motions.STRIDE + Motions.INVERSE_MASS];
-        double inertia = motions.data[entry * Motions.STRIDE + Motions.INVERSE_INERTIA];
+        int body = tree.second[n];
+        int entry = equations.entry[body];
+        int copies = equations.copiesOf(body);
+        double mass = copies * motions.data[entry * Motions.STRIDE + Motions.INVERSE_MASS];
+        double inertia = copies * motions.data[entry * Motions.STRIDE + Motions.INVERSE_INERTIA];
         for (int i = 0; i < size; i++) {
-            derive(i, equations.row[tree.equation[tree.start[n] + i]], entry);
+            int e = tree.equation[tree.start[n] + i];
+            if (equations.isWeld(e)) {
+                deriveWeld(i, e, body);
+            } else {
+                derive(i, equations.row[e], entry);
+            }
         }
         for (int i = 0; i < size; i++) {
             double x = mass * alongX[i];
@@ -189,6 +196,14 @@ final class EquationFactor {
                 square[to + j] = x * alongX[j] + y * alongY[j] + turn * turning[j];
             }
         }
+    }
+
+    private void deriveWeld(int i, int e, int body) {
+        double side = equations.bodyOf(equations.bodyStart(e)) == body ? -1 : 1;
+        int along = equations.weldedAlong(e);
+        alongX[i] = along == 0 ? side : 0;
+        alongY[i] = along == 1 ? side : 0;
+        turning[i] = along == 2 ? side : 0;
     }
 
     private void derive(int i, int row, int entry) {
@@ -226,17 +241,12 @@ final class EquationFactor {
         int from = at[n];
         double[] s = square;
         for (int k = 0; k < own; k++) {
-            int row = equations.row[tree.equation[tree.start[n] + k]];
             int pivotLine = from + k * size;
-            if (row == EquationList.NONE) {
-                s[pivotLine + k] = 0;
+            double inverse = inverse(tree.equation[tree.start[n] + k], s[pivotLine + k]);
+            s[pivotLine + k] = inverse;
+            if (inverse == 0) {
                 continue;
             }
-            double regular = NeutralRows.REGULAR * rows.response[row] + rows.give[row];
-            double pivot = s[pivotLine + k] + regular;
-            double least = SINGULAR * Math.max(rows.response[row], Double.MIN_NORMAL);
-            double inverse = 1 / (Math.abs(pivot) > least ? pivot : Math.copySign(least, pivot));
-            s[pivotLine + k] = inverse;
             for (int i = k + 1; i < size; i++) {
                 double factor = s[pivotLine + i] * inverse;
                 if (factor != 0) {
@@ -245,6 +255,19 @@ final class EquationFactor {
             }
             work += (size - k) * (size - k) / 2.0;
         }
+    }
+
+    /** 1/D of an equation whose pivot is so much without what it gives way; 0 where none holds. */
+    private double inverse(int e, double without) {
+        int row = equations.row[e];
+        if (row == EquationList.NONE) {
+            // Copies of a body that turns nothing, or weighs without bounds, are welded for
+            // nothing.
+            return equations.isWeld(e) && without > 0 ? 1 / without : 0;
+        }
+        double pivot = without + NeutralRows.REGULAR * rows.response[row] + rows.give[row];
+        double least = SINGULAR * Math.max(rows.response[row], Double.MIN_NORMAL);
+        return 1 / (Math.abs(pivot) > least ? pivot : Math.copySign(least, pivot));
     }
 
     /** Subtracts a multiple of one line from another one. */

@@ -9,16 +9,27 @@ import java.util.Arrays;
  * bodies that impulses move count. Rows of a joint with bounds, one after the other, share the
  * place of one equation, which stands for one of them or for none: so what holds may change without
  * another order of elimination.
+ *
+ * <p>A body of very many equations would couple them all, and its part of the factor would take the
+ * square of their number. So it is listed as several copies, each with its share of mass and of the
+ * equations, one welded to the next by three equations that no row stands for.
  */
 final class EquationList {
 
     static final int NONE = -1;
 
+    /** Equations of one copy of a body at most, besides those that weld it to others. */
+    static final int MOST_OF_COPY = 24;
+
+    private static final int WELDS = 3;
+
     private final Motions motions;
     private final NeutralRows rows;
 
-    /** How many equations there are, and how many bodies. */
+    /** How many equations there are, with those that weld copies, and how many bodies. */
     int count;
+
+    int all;
 
     int bodyCount;
 
@@ -30,8 +41,14 @@ final class EquationList {
 
     int[] boundedCount = new int[64];
 
-    /** By body its entry of the motions. */
+    /** By body its entry of the motions, how many copies that has, and the next one of them. */
     int[] entry = new int[16];
+
+    private int[] copies = new int[16];
+    private int[] nextCopy = new int[16];
+
+    /** By copy how many equations it has. */
+    private int[] taken = new int[16];
 
     /** By equation where its bodies start, the bodies, and which of its row's bodies each is. */
     private int[] bodyStart = new int[65];
@@ -43,8 +60,10 @@ final class EquationList {
 
     private int[] equation = new int[128];
 
-    /** By entry of the motions its body. */
+    /** By entry of the motions its body, and the last copy of it. */
     private int[] bodyOfEntry = new int[16];
+
+    private int[] lastCopy = new int[16];
 
     /** What the list was made of last: by derivative the offset of its body. */
     private int[] before = new int[256];
@@ -125,20 +144,32 @@ final class EquationList {
         int rowCount = rows.bodies.length;
         boolean isAny = row.length < rowCount || entry.length < motions.count;
         if (row.length < rowCount) {
-            row = new int[rowCount];
-            firstBounded = new int[rowCount];
-            boundedCount = new int[rowCount];
-            bodyStart = new int[rowCount + 1];
-            body = new int[rowCount * NeutralRows.BODIES];
-            equation = new int[rowCount * NeutralRows.BODIES];
+            int welds = WELDS * mostCopies(rowCount);
+            row = new int[rowCount + welds];
+            firstBounded = new int[rowCount + welds];
+            boundedCount = new int[rowCount + welds];
+            bodyStart = new int[rowCount + welds + 1];
+            body = new int[rowCount * NeutralRows.BODIES + 2 * welds];
+            equation = new int[rowCount * NeutralRows.BODIES + 2 * welds];
             before = new int[rowCount * NeutralRows.BODIES];
         }
-        if (entry.length < motions.count) {
-            entry = new int[motions.slots.length];
-            bodyOfEntry = new int[motions.slots.length];
-            equationStart = new int[motions.slots.length + 2];
+        int most = motions.count + mostCopies(rowCount);
+        if (entry.length < most) {
+            int capacity = motions.slots.length + mostCopies(rowCount);
+            entry = new int[capacity];
+            copies = new int[capacity];
+            nextCopy = new int[capacity];
+            taken = new int[capacity];
+            bodyOfEntry = new int[capacity];
+            lastCopy = new int[capacity];
+            equationStart = new int[capacity + 2];
         }
         return isAny;
+    }
+
+    /** Bodies that are copies of others, at most. */
+    private static int mostCopies(int rowCount) {
+        return rowCount * NeutralRows.BODIES / MOST_OF_COPY;
     }
 
     private void link() {
@@ -153,16 +184,78 @@ final class EquationList {
                 if (offset != 0) {
                     if (bodyOfEntry[of] == NONE) {
                         bodyOfEntry[of] = bodyCount;
-                        entry[bodyCount++] = of;
+                        lastCopy[of] = addBody(of);
                     }
-                    if (!isListed(bodyStart[e], at, bodyOfEntry[of])) {
-                        body[at++] = bodyOfEntry[of];
+                    if (!isListed(bodyStart[e], at, lastCopy[of])) {
+                        body[at++] = copyOf(of);
                     }
                 }
             }
         }
         bodyStart[count] = at;
-        linkBodies(at);
+        linkBodies(weld(at));
+    }
+
+    private int addBody(int of) {
+        int added = bodyCount++;
+        entry[added] = of;
+        nextCopy[added] = NONE;
+        taken[added] = 0;
+        copies[bodyOfEntry[of]] = added == bodyOfEntry[of] ? 1 : copies[bodyOfEntry[of]] + 1;
+        return added;
+    }
+
+    /** The copy of an entry's body that takes the next equation. */
+    private int copyOf(int of) {
+        if (taken[lastCopy[of]] == MOST_OF_COPY) {
+            int next = addBody(of);
+            nextCopy[lastCopy[of]] = next;
+            lastCopy[of] = next;
+        }
+        taken[lastCopy[of]]++;
+        return lastCopy[of];
+    }
+
+    /** Adds equations that weld copies to each other; returns where their bodies end. */
+    private int weld(int from) {
+        int at = from;
+        all = count;
+        for (int i = 0; i < bodyCount; i++) {
+            for (int k = 0; k < WELDS && nextCopy[i] != NONE; k++) {
+                row[all] = NONE;
+                boundedCount[all] = 0;
+                bodyStart[all++] = at;
+                body[at++] = i;
+                body[at++] = nextCopy[i];
+            }
+        }
+        bodyStart[all] = at;
+        return at;
+    }
+
+    /** Whether an equation welds two copies of a body. */
+    boolean isWeld(int e) {
+        return e >= count;
+    }
+
+    /** Along which of x, y and the angle an equation welds: 0, 1, 2. */
+    int weldedAlong(int e) {
+        return (e - count) % WELDS;
+    }
+
+    /** How many copies a body has that this one is of. */
+    int copiesOf(int of) {
+        return copies[bodyOfEntry[entry[of]]];
+    }
+
+    /** The next copy of a body after this one, or {@link #NONE}. */
+    int nextCopy(int of) {
+        return nextCopy[of];
+    }
+
+    /** Whether a body is the first of its copies. */
+    boolean isFirst(int of) {
+        return bodyOfEntry[entry[of]] == of;
     }
 
     private boolean isListed(int from, int to, int wanted) {
@@ -183,7 +276,7 @@ final class EquationList {
         for (int i = 1; i <= bodyCount; i++) {
             equationStart[i + 1] += equationStart[i];
         }
-        for (int e = 0; e < count; e++) {
+        for (int e = 0; e < all; e++) {
             for (int k = bodyStart[e]; k < bodyStart[e + 1]; k++) {
                 equation[equationStart[body[k] + 1]++] = e;
             }

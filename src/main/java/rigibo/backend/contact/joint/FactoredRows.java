@@ -55,8 +55,8 @@ final class FactoredRows {
     }
 
     private void reserve() {
-        if (row.length < equations.count) {
-            int capacity = 2 * equations.count;
+        if (row.length < equations.all) {
+            int capacity = 2 * equations.all;
             row = Arrays.copyOf(row, capacity);
             give = Arrays.copyOf(give, capacity);
             derivative = Arrays.copyOf(derivative, capacity * NeutralRows.DERIVATIVES);

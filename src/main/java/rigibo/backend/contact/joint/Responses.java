@@ -81,8 +81,10 @@ final class Responses {
         for (int group = 0; group < tree.groups; group++) {
             groupPlace[group] = end;
             for (int i = tree.bodyStart[group]; i < tree.bodyStart[group + 1]; i++) {
-                place[equations.entry[tree.bodies[i]]] = end;
-                end += 3;
+                if (equations.isFirst(tree.bodies[i])) {
+                    place[equations.entry[tree.bodies[i]]] = end;
+                    end += 3;
+                }
             }
         }
         groupPlace[tree.groups] = end;
@@ -306,6 +308,12 @@ final class Responses {
 
     /** Asks equations of a body to take back what its velocity changed them by. */
     private void askBack(int body, int offset, double x, double y, double turn) {
+        for (int copy = body; copy != NONE; copy = equations.nextCopy(copy)) {
+            askBackCopy(copy, offset, x, y, turn);
+        }
+    }
+
+    private void askBackCopy(int body, int offset, double x, double y, double turn) {
         for (int i = equations.equationStart(body); i < equations.equationEnd(body); i++) {
             int e = equations.equationOf(i);
             int row = equations.row[e];

@@ -144,6 +144,43 @@ class EquationFactorTest {
         isSolved(random);
     }
 
+    /** More equations than one copy of the hub takes: it is solved as several, welded. */
+    @ParameterizedTest(name = "seed {0}")
+    @ValueSource(longs = {10, 11, 12})
+    void hubsAreSolvedAsAWhole(long seed) {
+        SplittableRandom random = new SplittableRandom(seed);
+        addBodies(2 * EquationList.MOST_OF_COPY, random);
+        for (int body = 2; body <= 2 * EquationList.MOST_OF_COPY; body++) {
+            hinge(1, body, random);
+        }
+        hinge(0, 1, random);
+        isSolved(random);
+    }
+
+    /** Twice the joints on one body: at most 2.2 times the work and the room. */
+    @ParameterizedTest(name = "{0} joints")
+    @ValueSource(ints = {200, 800})
+    void hubsTakeWorkAndRoomThatGrowWithTheirJoints(int joints) {
+        EquationFactor one = factorOfHub(joints);
+        EquationFactor two = factorOfHub(2 * joints);
+        assertThat(two.takeWork()).isLessThan(2.2 * one.takeWork());
+        assertThat((double) two.tree().room).isLessThan(2.2 * one.tree().room);
+    }
+
+    private EquationFactor factorOfHub(int joints) {
+        SplittableRandom random = new SplittableRandom(joints);
+        rows.clear();
+        addBodies(joints + 1, random);
+        for (int body = 2; body <= joints + 1; body++) {
+            hinge(1, body, random);
+        }
+        EquationFactor factor = new EquationFactor(motions, rows);
+        factor.layOut();
+        factor.begin();
+        factor.solve();
+        return factor;
+    }
+
     /** A chain of n links takes work that grows with n: twice the links, at most 2.2 times. */
     @ParameterizedTest(name = "{0} links")
     @ValueSource(ints = {64, 256})
