@@ -141,4 +141,29 @@ class JointCrowdsTest {
         assertThat(run(pool, 60)).isLessThan(1e-6);
         assertThat(knots[side - 1][side / 2].y()).isCloseTo(20 - 0.5 * (side - 1), within(1e-6));
     }
+
+    /**
+     * A door of three equations (two of its hinge, one of its spring) takes two kicks a step: its
+     * spin of 2 rad/s and its spring of 1 Hz are 0.1 rad of a step, where 0.25 may lie in a
+     * substep. A factor takes 3 multiplications at most, a solution 12; five solutions are one of
+     * either kick, two of Newton's steps and one to take errors back. The six kicks of a composed
+     * step would take 90 at least.
+     */
+    @Test
+    void doorOnADampedSpringTakesTwoKicksAStep() {
+        Pool pool =
+                new Pool(Effects.of(new Contacts(), new Rotation(), new Joints()), Accuracy.GAME);
+        RigidBody frame = pool.add(BodyDefinition.fixed(Polygon.box(0.2, 0.2)).at(0, 0));
+        RigidBody door =
+                pool.add(
+                        BodyDefinition.dynamic(Polygon.box(2, 0.2))
+                                .at(1.1, 0)
+                                .velocity(0, 2.2)
+                                .spin(2));
+        pool.join(RevoluteJoint.at(frame, door, 0, 0).limits(-2, 2));
+        pool.join(DistanceJoint.rod(frame, 0, -1, door, 1.1, 0).spring(1, 0.7));
+        for (int i = 0; i < 60; i++) {
+            assertThat(pool.step(DT).multiplications()).isBetween(1.0, 2 * 3 + 5 * 12.0);
+        }
+    }
 }
