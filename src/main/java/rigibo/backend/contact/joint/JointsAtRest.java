@@ -35,9 +35,10 @@ public final class JointsAtRest {
     public JointsAtRest(DataStorage data, Motions motions, RowBuilder builder, Accuracy accuracy) {
         bodies = data.bodies;
         islands = data.islands;
-        joints = data.joints;
+        joints = data.jointsOrNone();
         this.motions = motions;
-        rows = new NeutralRows(motions);
+        // What a locked axis takes counts as not held, and is solved.
+        rows = new NeutralRows(motions, null);
         packed = new PackedJoints(data, builder);
         poses = new Poses(data.bodies, motions);
         RowStates states = new RowStates();
