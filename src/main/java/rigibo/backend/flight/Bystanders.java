@@ -61,48 +61,34 @@ final class Bystanders {
 
     /**
      * Finds how far in m the bodies of an impact may get from where they are expected in what is
-     * left of the step, s, when a flyer strikes a body of a pile: {@link #reachOfA} and {@link
-     * #reachOfB}, 0 where that is within the allowance. Speeds are seen from the struck body as it
-     * was, so that a pile on a floor that moves is asked what it is asked on one at rest. The
-     * impact is resolved.
-     *
-     * @param pile which of the two is of the pile
+     * left of the step, s, when a flyer strikes a pile that moves with its carriers at (u, v) m/s:
+     * {@link #reachOfA} and {@link #reachOfB}, 0 where that is within the allowance. The impact is
+     * resolved, and seen from those carriers.
      */
-    void measureImpact(int a, int b, int pile, Impact impact, double left) {
-        double frameX = pile == a ? impact.velocityAX : impact.velocityBX;
-        double frameY = pile == a ? impact.velocityAY : impact.velocityBY;
-        double oldA = length(impact.velocityAX - frameX, impact.velocityAY - frameY);
-        double oldB = length(impact.velocityBX - frameX, impact.velocityBY - frameY);
+    void measureImpact(int a, int b, Impact impact, double u, double v, double left) {
+        impact.velocityAX -= u;
+        impact.velocityAY -= v;
+        impact.velocityBX -= u;
+        impact.velocityBY -= v;
+        double oldAX = impact.velocityAX;
+        double oldAY = impact.velocityAY;
+        double oldBX = impact.velocityBX;
+        double oldBY = impact.velocityBY;
         if (impact.points > 0) {
             law.resolve(impact);
         }
-        double newA = length(impact.velocityAX - frameX, impact.velocityAY - frameY);
-        double newB = length(impact.velocityBX - frameX, impact.velocityBY - frameY);
-        reachOfA = reach(a, Math.max(oldA, newA), left);
-        reachOfB = reach(b, Math.max(oldB, newB), left);
+        reachOfA = reach(a, impact.velocityAX, impact.velocityAY, oldAX, oldAY, left);
+        reachOfB = reach(b, impact.velocityBX, impact.velocityBY, oldBX, oldBY, left);
     }
 
     /** It may be stopped, or thrown back, by whatever else touches it. */
-    private double reach(int slot, double struck, double left) {
+    private double reach(int slot, double vx, double vy, double oldX, double oldY, double left) {
         if (!bodies.isDynamic(slot)) {
             return 0;
         }
-        double fastest = Math.max(struck, fastestAgainstContacts(slot));
+        double fastest = Math.max(length(vx, vy), length(oldX, oldY));
         double way = (fastest + (bodies.turns() ? turning(slot, 0) : 0)) * left;
         return leavesPath(slot, way) ? WEDGED * way : 0;
-    }
-
-    /** The highest speed in m/s of a body against anything that it may touch within the step. */
-    private double fastestAgainstContacts(int slot) {
-        double most = 0;
-        for (int p = bodies.firstPair[slot]; p != Pairs.NONE; p = pairs.nextOf(p, slot)) {
-            if (pairs.points[p] > 0) {
-                double x = meetsX(pairs.bodyB[p], p) - meetsX(pairs.bodyA[p], p);
-                double y = meetsY(pairs.bodyB[p], p) - meetsY(pairs.bodyA[p], p);
-                most = Math.max(most, length(x, y));
-            }
-        }
-        return most;
     }
 
     private static double length(double x, double y) {

@@ -18,8 +18,8 @@ final class Disturbance {
     /** What a flyer that is within reach does. */
     interface Joining {
 
-        /** Makes a flyer part of a pile, at a time in s within a step of dt seconds. */
-        void join(int flyer, double time, double dt);
+        /** Makes a flyer part of a body's pile, at a time in s within a step of dt seconds. */
+        void join(int flyer, int pileBody, double time, double dt);
     }
 
     /**
@@ -127,7 +127,7 @@ final class Disturbance {
             } else if (bystanders.isWithinReach(p, reach, time, dt - time)) {
                 double left = bystanders.reachLeft(p, other, reach, dt);
                 if (flies) {
-                    joining.join(other, time, dt);
+                    joining.join(other, slot, time, dt);
                     // Whoever joins is measured against the pile for the ways both are expected to
                     // go, and this one goes farther.
                     bystanders.isWithinReach(p, reach, time, dt - time);

@@ -47,6 +47,7 @@ public final class Flight {
     private final FlightImpacts impacts;
     private final Bystanders bystanders;
     private final Disturbance disturbance;
+    private final Carriers carriers;
 
     /** Paths under forces that change along the way, or null where there are none. */
     private final Course course;
@@ -84,6 +85,7 @@ public final class Flight {
         impacts = new FlightImpacts(data, narrowphase, accuracy, paths, course);
         bystanders =
                 new Bystanders(data, narrowphase, broadphase, paths, accuracy.impactTolerance());
+        carriers = new Carriers(data);
         disturbance = new Disturbance(data, paths, bystanders, this::join);
     }
 
@@ -93,6 +95,7 @@ public final class Flight {
         queue.clear(pairs.bodyA.length);
         reserve();
         disturbance.begin();
+        carriers.begin();
         for (int i = 0; i < pairs.activeCount; i++) {
             // An edge tells of no point before something is over it.
             int pair = pairs.active[i];
@@ -110,8 +113,9 @@ public final class Flight {
     }
 
     /** A bystander becomes part of a pile. */
-    private void join(int flyer, double time, double dt) {
+    private void join(int flyer, int pileBody, double time, double dt) {
         impacts.bring(flyer, time);
+        carriers.join(flyer, pileBody);
         paths.land(flyer, time);
         repredict(flyer, time, dt);
     }
@@ -281,13 +285,20 @@ public final class Flight {
         if (!bodies.awake[pileBody]) {
             waking.wakeIntoPile(pileBody);
         }
+        carriers.join(flyer, pileBody);
         paths.landEarlier(pileBody, time);
         paths.land(flyer, time);
         Impact impact = impacts.expectedImpact(pair);
         impacts.foretell(pair, impact, time);
         int a = pairs.bodyA[pair];
         int b = pairs.bodyB[pair];
-        bystanders.measureImpact(a, b, pileBody, impact, dt - time);
+        bystanders.measureImpact(
+                a,
+                b,
+                impact,
+                carriers.velocityX(pileBody),
+                carriers.velocityY(pileBody),
+                dt - time);
         impacts.expectRebound(pair, flyer);
         pairs.impacts[pair] += impacts.touches(pair) ? 1 : 0;
         repredict(flyer, time, dt);

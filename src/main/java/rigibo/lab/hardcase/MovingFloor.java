@@ -36,9 +36,9 @@ final class MovingFloor implements HardCase {
 
     @Override
     public String finding() {
-        return "Boxes that land side by side give elimination rows that depend on each other, and"
-                + " round-off chooses among them: at EXACT a pile that only stands elsewhere"
-                + " settles in another way, too.";
+        return "Boxes that lie side by side give elimination rows that depend on each other, and"
+                + " round-off chooses among them: a heap that only lies elsewhere settles in"
+                + " another way, too.";
     }
 
     @Override

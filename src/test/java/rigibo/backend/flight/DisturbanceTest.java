@@ -35,7 +35,7 @@ class DisturbanceTest {
     private final Disturbance disturbance =
             new Disturbance(air.storage.data, paths, bystanders, this::join);
 
-    private void join(int flyer, double time, double dt) {
+    private void join(int flyer, int pileBody, double time, double dt) {
         paths.land(flyer, time);
         joined.add(flyer);
         // Flight measures its pairs by the ways both are expected to go: they meet nobody.

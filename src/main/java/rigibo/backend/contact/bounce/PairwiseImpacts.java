@@ -99,16 +99,27 @@ final class PairwiseImpacts {
      * next step strikes it. Held so that it closes no gap within a substep it would lose its speed.
      */
     void leaveOpen(int substep) {
+        if (isHeld.length < motions.count) {
+            isHeld = new boolean[motions.slots.length];
+        }
+        if (bounces.count > 0) {
+            findHeld();
+        }
         for (int i = 0; i < bounces.count; i++) {
             int row = bounces.elastic[i];
-            int at = row * PackedContacts.STRIDE;
-            boolean carries =
-                    contacts.data[at + PackedContacts.IMPULSE0] > 0
-                            || contacts.data[at + PackedContacts.IMPULSE1] > 0;
-            if (!carries && isApart(row) && slowest(row) < -bounces.bounceSpeeds[i]) {
+            if (areFree(row) && isApart(row) && slowest(row) < -bounces.bounceSpeeds[i]) {
                 contacts.joinsIn(row, substep + 1);
             }
         }
+    }
+
+    /** Whether nothing carries what can be moved of a contact's two bodies. */
+    private boolean areFree(int row) {
+        return isFree(contacts.bodyA[row]) && isFree(contacts.bodyB[row]);
+    }
+
+    private boolean isFree(int at) {
+        return !(motions.data[at + INVERSE_MASS] > 0) || !isHeld[at / Motions.STRIDE];
     }
 
     private boolean isApart(int row) {

@@ -1,0 +1,124 @@
+package rigibo.backend.flight;
+
+import rigibo.backend.storage.Bodies;
+import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.Found;
+import rigibo.backend.storage.Pairs;
+import rigibo.backend.storage.Roster;
+
+import java.util.Arrays;
+
+/**
+ * The velocity of what carries a body, directly or by others that may touch it within the step: of
+ * a driven body that goes straight on. Speeds of a pile on a floor that moves are asked against
+ * that floor, so that it is asked what it is asked on a floor at rest. Where bodies that nobody
+ * moves carry it in different ways, or none does, that is the world's velocity, 0.
+ */
+final class Carriers {
+
+    private final Bodies bodies;
+    private final Pairs pairs;
+    private final Roster roster;
+
+    /** Velocity of what carries each body, m/s; 0 wherever nothing is driven. */
+    private double[] velocityX = new double[16];
+
+    private double[] velocityY = new double[16];
+
+    /** Which bodies were come upon in this step. */
+    private boolean[] isSeen = new boolean[16];
+
+    private final Found carried = new Found();
+
+    /** Whether any body is seen in another frame than the world's. */
+    private boolean isAny;
+
+    /** Whether all that nobody moves and that was come upon moves alike. */
+    private boolean areAlike;
+
+    Carriers(DataStorage data) {
+        bodies = data.bodies;
+        pairs = data.pairs;
+        roster = data.roster;
+    }
+
+    /** Finds what carries whom as a step begins. */
+    void begin() {
+        int capacity = bodies.type.length;
+        if (velocityX.length < capacity) {
+            velocityX = new double[capacity];
+            velocityY = new double[capacity];
+            isSeen = new boolean[capacity];
+        }
+        carried.reserve(capacity);
+        if (isAny) {
+            Arrays.fill(velocityX, 0);
+            Arrays.fill(velocityY, 0);
+            Arrays.fill(isSeen, false);
+            isAny = false;
+        }
+        for (int i = 0; i < roster.awakeCount; i++) {
+            int slot = roster.awake[i];
+            if (bodies.isDriven(slot) && isMoving(slot) && bodies.spinOf(slot) == 0) {
+                isAny = true;
+                carry(slot);
+            }
+        }
+    }
+
+    private boolean isMoving(int slot) {
+        return bodies.velocityX[slot] != 0 || bodies.velocityY[slot] != 0;
+    }
+
+    /** Finds all that hangs together with a driven body, one pile after the other. */
+    private void carry(int carrier) {
+        for (int p = bodies.firstPair[carrier]; p != Pairs.NONE; p = pairs.nextOf(p, carrier)) {
+            carried.clear();
+            areAlike = true;
+            meet(p, pairs.other(p, carrier), carrier);
+            for (int i = 0; i < carried.count; i++) {
+                int slot = carried.numbers[i];
+                for (int q = bodies.firstPair[slot]; q != Pairs.NONE; q = pairs.nextOf(q, slot)) {
+                    meet(q, pairs.other(q, slot), carrier);
+                }
+            }
+            for (int i = 0; areAlike && i < carried.count; i++) {
+                velocityX[carried.numbers[i]] = bodies.velocityX[carrier];
+                velocityY[carried.numbers[i]] = bodies.velocityY[carrier];
+            }
+        }
+    }
+
+    private void meet(int pair, int slot, int carrier) {
+        if (pairs.points[pair] == 0) {
+            return;
+        }
+        if (!bodies.isDynamic(slot)) {
+            areAlike &= movesAs(slot, carrier);
+        } else if (bodies.awake[slot] && !isSeen[slot]) {
+            isSeen[slot] = true;
+            carried.add(slot);
+        }
+    }
+
+    /** What is fixed has no velocity. */
+    private boolean movesAs(int slot, int carrier) {
+        return bodies.velocityX[slot] == bodies.velocityX[carrier]
+                && bodies.velocityY[slot] == bodies.velocityY[carrier]
+                && bodies.spinOf(slot) == 0;
+    }
+
+    /** What joins a pile within the step is carried as the body that it joins. */
+    void join(int flyer, int pileBody) {
+        velocityX[flyer] = velocityX[pileBody];
+        velocityY[flyer] = velocityY[pileBody];
+    }
+
+    double velocityX(int slot) {
+        return velocityX[slot];
+    }
+
+    double velocityY(int slot) {
+        return velocityY[slot];
+    }
+}
