@@ -64,7 +64,7 @@ class ArchitectureTest {
             {"setup"},
             {"effect"},
             {"storage"},
-            {"force", "broadphase", "collision"},
+            {"algebra", "force", "broadphase", "collision"},
             {"impact"},
             {"flight", "contact", "rest", "sense"},
             {"step"},

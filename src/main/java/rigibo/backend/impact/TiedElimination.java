@@ -1,5 +1,7 @@
 package rigibo.backend.impact;
 
+import rigibo.backend.algebra.EnvelopeFactor;
+
 /**
  * Solves all rows of tied impacts that carry something at once, as passes have found them: points
  * that push, friction within its cone, and friction at its cone, which goes with what presses. The

@@ -1,9 +1,9 @@
 package rigibo.backend.contact.solve;
 
+import rigibo.backend.algebra.EnvelopeFactor;
 import rigibo.backend.contact.row.Motions;
 import rigibo.backend.contact.row.PackedContacts;
 import rigibo.backend.contact.row.SingleRows;
-import rigibo.backend.impact.EnvelopeFactor;
 
 import java.util.Arrays;
 

@@ -1,4 +1,4 @@
-package rigibo.backend.impact;
+package rigibo.backend.algebra;
 
 import java.util.Arrays;
 

@@ -1,4 +1,4 @@
-package rigibo.backend.impact;
+package rigibo.backend.algebra;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;

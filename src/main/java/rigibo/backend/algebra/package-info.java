@@ -1,0 +1,2 @@
+/** Systems of linear equations, whatever they stand for. */
+package rigibo.backend.algebra;
