@@ -188,7 +188,7 @@ public final class ContactSweep {
             double other = motions.parting(contacts, row, 1) + spare[2 * row + 1];
             parts = other < parts ? other : parts;
         }
-        if (parts > -noise) {
+        if (parts > noise) {
             seen[row] = 0;
             due[row] = Math.max(uncounted[row], parts);
         }
