@@ -75,10 +75,7 @@ final class PairwiseImpacts {
 
     /** Resolves all impacts that fall into a substep of h seconds. */
     void resolve(double h, int substep) {
-        if (struckIn.length < motions.count) {
-            struckIn = new int[motions.slots.length];
-            isHeld = new boolean[motions.slots.length];
-        }
+        reserve();
         findClosing(h, substep, 0);
         if (closingCount == 0) {
             return;
@@ -99,9 +96,7 @@ final class PairwiseImpacts {
      * next step strikes it. Held so that it closes no gap within a substep it would lose its speed.
      */
     void leaveOpen(int substep) {
-        if (isHeld.length < motions.count) {
-            isHeld = new boolean[motions.slots.length];
-        }
+        reserve();
         if (bounces.count > 0) {
             findHeld();
         }
@@ -110,6 +105,13 @@ final class PairwiseImpacts {
             if (areFree(row) && isApart(row) && slowest(row) < -bounces.bounceSpeeds[i]) {
                 contacts.joinsIn(row, substep + 1);
             }
+        }
+    }
+
+    private void reserve() {
+        if (struckIn.length < motions.count) {
+            struckIn = new int[motions.slots.length];
+            isHeld = new boolean[motions.slots.length];
         }
     }
 

@@ -22,8 +22,8 @@ public final class Equilibrium {
     public static final double UNHELD = 1e-9;
 
     /**
-     * The same of joined bodies, whose joints are solved to round-off: what a chain carries at its
-     * ends is off by as much as it is held too little.
+     * Share of its own loads by which a joined body may be held too little or too much. Joints are
+     * solved to round-off, and what a chain carries at its ends is off by as much as this.
      */
     private static final double UNHELD_BY_JOINTS = 1e-10;
 

@@ -20,8 +20,8 @@ final class ComposedSubsteps {
     private static final double MOST_PHASE = 1.25;
 
     /**
-     * The same of a substep that is not composed where something damps or drives, as a multiple of
-     * the tolerance's square root: at GAME 0.25 rad, which makes a swing's period 0.26 % wrong.
+     * Most phase of a plain substep, ωh, where something damps or drives, as a multiple of the
+     * tolerance's square root: at GAME 0.25 rad, which makes a swing's period 0.26 % wrong.
      */
     private static final double MOST_PHASE_IF_DAMPED = 25;
 

@@ -71,15 +71,13 @@ final class CrowdOverlap {
     }
 
     private void find(int row, double kept, double h) {
-        int contact = rows.contact[row];
-        int at = contact * PackedContacts.STRIDE;
-        double width = contacts.data[at + PackedContacts.WIDTH];
-        double gap = motions.gap(contacts, contact, rows.part[row] - PackedContacts.IMPULSE0);
-        double over = -gap - kept * width;
-        if (over > 0) {
-            double rate = contacts.data[at + PackedContacts.RECOVERY] * h;
+        int point = rows.part[row] - PackedContacts.IMPULSE0;
+        double gap = motions.gap(contacts, rows.contact[row], point);
+        double opens =
+                Recovery.opens(contacts, rows.contact[row], gap, kept, h, Recovery.MOST_PUSH);
+        if (opens > 0) {
             deep[count] = row;
-            wanted[count] = Math.min(over * rate / (1 + rate), Recovery.MOST_PUSH * width * h);
+            wanted[count] = opens;
             push[count++] = 0;
         }
     }

@@ -148,11 +148,7 @@ final class HeldPlaces {
         if (isForeseen) {
             foreseen.push(wanted);
         } else {
-            elimination.factorize();
-            for (int i = 0; i < elimination.size(); i++) {
-                elimination.ask(i, wanted[elimination.row(i)]);
-            }
-            elimination.solve();
+            elimination.solveFor(wanted);
             for (int i = 0; i < elimination.size(); i++) {
                 rows.push(elimination.row(i), elimination.answer(i));
             }

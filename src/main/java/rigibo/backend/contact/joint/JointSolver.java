@@ -192,10 +192,10 @@ public final class JointSolver {
                         accuracy.impactTolerance());
         taut = new TautSubsteps(data);
         composed = new ComposedSubsteps(data, motions, rows, jointRows, packed, taut, accuracy);
-        springs = new SpringSubsteps(data.joints, rows, packed, accuracy);
         results = new JointResults(data, packed, rows);
         islands = data.islands;
         store = data.jointsOrNone();
+        springs = new SpringSubsteps(store, rows, packed, accuracy);
         tolerance = accuracy.impactTolerance();
         crowd =
                 new CrowdSolver(
@@ -541,11 +541,7 @@ public final class JointSolver {
         if (isAny) {
             // Contacts might contradict: what is moved into them is taken back by itself.
             leaveContactsOut();
-            elimination.factorize();
-            for (int i = 0; i < elimination.size(); i++) {
-                elimination.ask(i, wanted[elimination.row(i)]);
-            }
-            elimination.solve();
+            elimination.solveFor(wanted);
             for (int i = 0; i < elimination.size(); i++) {
                 rows.move(elimination.row(i), elimination.answer(i), Motions.DX);
             }

@@ -255,6 +255,15 @@ final class RowElimination {
         }
     }
 
+    /** Factors the set, and finds the pushes for changes of speed in m/s that are given by row. */
+    void solveFor(double[] changes) {
+        factorize();
+        for (int i = 0; i < size; i++) {
+            unknown[i] = changes[set[i]];
+        }
+        solve();
+    }
+
     /** How many rows the set has. */
     int size() {
         return size;

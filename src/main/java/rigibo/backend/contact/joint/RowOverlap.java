@@ -45,15 +45,11 @@ public final class RowOverlap {
     }
 
     private void part(int row, double kept, double h, double speed) {
-        int contact = rows.contact[row];
-        int at = contact * PackedContacts.STRIDE;
-        double width = contacts.data[at + PackedContacts.WIDTH];
-        double gap = motions.gap(contacts, contact, rows.part[row] - PackedContacts.IMPULSE0);
-        double over = -gap - kept * width;
-        if (over > 0) {
-            double rate = contacts.data[at + PackedContacts.RECOVERY] * h;
-            double wanted = Math.min(over * rate / (1 + rate), speed * width * h);
-            rows.move(row, wanted / rows.response[row], Motions.DX);
+        int point = rows.part[row] - PackedContacts.IMPULSE0;
+        double gap = motions.gap(contacts, rows.contact[row], point);
+        double opens = Recovery.opens(contacts, rows.contact[row], gap, kept, h, speed);
+        if (opens > 0) {
+            rows.move(row, opens / rows.response[row], Motions.DX);
         }
     }
 }

@@ -136,7 +136,9 @@ final class RowSolver {
         return solveRounds(most);
     }
 
-    /** The same after a change that leaves the set's rows solved, and others perhaps not. */
+    /**
+     * Goes on solving after a change that left the rows of the set solved, but maybe not others.
+     */
     void solveOn(double most) {
         isNear = true;
         solveRounds(most);

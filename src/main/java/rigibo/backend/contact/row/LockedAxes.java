@@ -23,7 +23,7 @@ public final class LockedAxes {
         return bodies.lockedX[motions.slots[offset / Motions.STRIDE]] ? 0 : 1;
     }
 
-    /** The same along y. */
+    /** 0 where the body at an offset is kept from moving along y, else 1. */
     public double freedomY(int offset) {
         return bodies.lockedY[motions.slots[offset / Motions.STRIDE]] ? 0 : 1;
     }

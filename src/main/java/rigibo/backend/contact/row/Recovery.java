@@ -35,6 +35,19 @@ public final class Recovery {
     private Recovery() {}
 
     /**
+     * How far in m a gap of a contact is to open in h seconds, at so many widths a second at most;
+     * 0 where no more overlaps than is kept, in widths.
+     */
+    public static double opens(
+            PackedContacts contacts, int contact, double gap, double kept, double h, double most) {
+        int at = contact * PackedContacts.STRIDE;
+        double width = contacts.data[at + PackedContacts.WIDTH];
+        double over = -gap - kept * width;
+        double rate = contacts.data[at + PackedContacts.RECOVERY] * h;
+        return over > 0 ? Math.min(over * rate / (1 + rate), most * width * h) : 0;
+    }
+
+    /**
      * Overlap that stays among so many contacts, m for a body of one metre. In a crowd that is ten
      * times the tolerance of impacts, within bounds.
      */
@@ -47,7 +60,8 @@ public final class Recovery {
     }
 
     /**
-     * The same where nothing goes faster than its own pull would make it in a quarter of a step.
+     * Overlap that stays among so many contacts of an island in which nothing goes faster than a
+     * quarter of what its own pull gives it in a step, m for a body of one metre.
      */
     public static double keptIfCalm(int contacts, Accuracy accuracy) {
         double kept = kept(contacts, accuracy);
