@@ -47,29 +47,36 @@ public final class Rounds {
      */
     private static final double SHRINKS = 0.5;
 
-    /** How many times the work of passes elimination is worth; less at fewer substeps. */
-    private static final double WORTH = 1;
+    /**
+     * How many times the work of passes elimination is worth among bodies of one mass that keep
+     * nothing of what they close with: passes are soon done there.
+     */
+    private static final double WORTH = 0.25;
+
+    /**
+     * The same of a body that touches only what nobody moves, which has three unknowns, and of what
+     * a driven body presses, which is as heavy as can be.
+     */
+    private static final double WORTH_ALONE = 2;
+
+    /**
+     * How many times that it is worth, at most, where passes take long: with bodies that differ in
+     * mass, where a bullet is through a box before they are done, and with elastic ones, which lose
+     * nothing of what passes leave.
+     */
+    private static final double MOST_WORTH = 100;
 
     /**
      * How many times the work of passes elimination is worth in an island that hardly moves: once
      * solved it rests, and costs nothing any more.
      */
-    private static final double WORTH_IF_CALM = 48;
+    private static final double WORTH_IF_CALM = 24;
 
-    /**
-     * How many times that it is worth, at most, where bodies differ in mass: passes take the more
-     * of them the heavier what strikes is, and before they are done a bullet is through a box.
-     */
-    private static final double MOST_BY_MASS = 100;
-
-    /** Ratio of masses up to which passes come to an end as fast as among equals. */
-    private static final double LIKE_EQUALS = 4;
-
-    /** Multiplications that the smallest island is worth in a substep: some microseconds. */
-    private static final double LEAST_WORTH = 4_000;
+    /** Multiplications that the smallest island is worth in a substep: a microsecond. */
+    private static final double LEAST_WORTH = 2_500;
 
     /** Multiplications that the impacts of the smallest island are worth in a step. */
-    private static final double LEAST_WORTH_OF_IMPACTS = 3e5;
+    private static final double LEAST_WORTH_OF_IMPACTS = 1e5;
 
     /** What passes take in multiplications: by a contact in a substep, mostly six times. */
     private static final double WORK_OF_PASSES = 6 * 60;
@@ -93,8 +100,8 @@ public final class Rounds {
     /** Share of the fastest speed that counts as solved. */
     private final double share;
 
-    /** Multiplications that a contact of an island is worth in a substep. */
-    private final double worth;
+    /** Multiplications that passes take for a contact in a substep; without a limit at EXACT. */
+    private final double ofPasses;
 
     private final double worthIfCalm;
 
@@ -131,9 +138,8 @@ public final class Rounds {
         share = SETTLED * accuracy.impactTolerance();
         // From EXACT on elimination is worth any work.
         boolean isLimited = substeps < Accuracy.EXACT.substeps();
-        double fewer = Math.max(1, Accuracy.GAME.substeps() / substeps);
         double coarser = Math.min(1, substeps / (double) Accuracy.GAME.substeps());
-        worth = isLimited ? WORTH * fewer * WORK_OF_PASSES : Double.POSITIVE_INFINITY;
+        ofPasses = isLimited ? WORK_OF_PASSES : Double.POSITIVE_INFINITY;
         worthIfCalm =
                 isLimited ? WORTH_IF_CALM * coarser * WORK_OF_PASSES : Double.POSITIVE_INFINITY;
     }
@@ -141,10 +147,18 @@ public final class Rounds {
     /** Begins the packed island, unless it is too large. */
     boolean prepare(boolean isCalm) {
         this.isCalm = isCalm && !motions.isAnyDriven;
-        double byMass = Math.min(MOST_BY_MASS, motions.massRatio() / LIKE_EQUALS);
-        double moving = worth * Math.max(1, byMass);
+        double moving = ofPasses * timesOfPasses();
         double ofContact = isCalm ? Math.max(worthIfCalm, moving) : moving;
         return isDirect && direct.prepare(Math.max(LEAST_WORTH, ofContact * contacts.count));
+    }
+
+    /** How many times the work of passes elimination of an island that moves is worth. */
+    private double timesOfPasses() {
+        double elasticity = contacts.highestElasticity();
+        double kept = elasticity * elasticity;
+        double asLong = Math.max(motions.massRatio(), 1 / Math.max(1 - kept, 1 / MOST_WORTH));
+        boolean isAlone = motions.count == 2 || motions.isAnyDriven;
+        return Math.max(isAlone ? WORTH_ALONE : 0, Math.min(MOST_WORTH, WORTH * asLong));
     }
 
     /** Whether the packed island hardly moves. */
@@ -154,7 +168,7 @@ public final class Rounds {
 
     /** Multiplications that the impacts of so many kicks are worth, be the island calm or not. */
     double worthOfImpacts(int kicks) {
-        return Math.max(LEAST_WORTH_OF_IMPACTS, worth * kicks * contacts.count);
+        return Math.max(LEAST_WORTH_OF_IMPACTS, ofPasses * kicks * contacts.count);
     }
 
     /** The rows are not what they were. */

@@ -74,6 +74,25 @@ class WorkLawTest {
     }
 
     /**
+     * Among bodies of one mass that keep nothing of what they close with, an elimination is worth a
+     * quarter of the passes. What is tiny, alone or calm, and impacts, may take as much again.
+     */
+    @ParameterizedTest
+    @CsvSource({"DRAFT, 30", "DRAFT, 60", "GAME, 30", "GAME, 60"})
+    void whatTumblesIsLeftToPasses(Preset preset, int count) {
+        Pool pool = crowd(preset, count);
+        double passes = 0;
+        double eliminations = 0;
+        for (int i = 0; i < STEPS / 2; i++) {
+            StepReport report = pool.step(RandomScene.DT);
+            passes += PASS * report.contactSolves();
+            eliminations += report.multiplications();
+        }
+        assertThat(passes).as("work of passes").isGreaterThan(PASS * STEPS * count);
+        assertThat(eliminations).isLessThan(passes / 2);
+    }
+
+    /**
      * Elastic discs on discs: what an impact goes through is the whole heap. Impacts and
      * elimination may each take 18 passes over all points a kick, but for small islands, whose
      * impacts may take one million multiplications a step; what is eliminated because it is calm

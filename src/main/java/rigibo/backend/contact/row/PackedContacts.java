@@ -188,6 +188,15 @@ public final class PackedContacts {
         return most;
     }
 
+    /** The highest elasticity of any contact. */
+    public double highestElasticity() {
+        double most = 0;
+        for (int at = 0; at < count * STRIDE; at += STRIDE) {
+            most = Math.max(most, data[at + ELASTICITY]);
+        }
+        return most;
+    }
+
     /** Takes a contact for one that has carried nothing yet. */
     public void unload(int row) {
         int at = row * STRIDE;
