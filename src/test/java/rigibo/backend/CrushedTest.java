@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 import rigibo.backend.effect.Contacts;
 import rigibo.backend.effect.ContinuousImpacts;
@@ -17,10 +18,12 @@ import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.BodyDefinition;
+import rigibo.backend.setup.BodyType;
 import rigibo.backend.setup.Material;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.SplittableRandom;
 
 /** Where something must give, bodies that move do, and say so; what nobody moves never does. */
 class CrushedTest {
@@ -55,6 +58,42 @@ class CrushedTest {
         box(pool, 1.2, 0);
         for (int step = 0; step < 120; step++) {
             assertThat(pool.step(Scenes.DT).crushed()).as("step %d", step).isPositive();
+        }
+    }
+
+    /**
+     * Discs of 1.2 times the area of the room that is closed round them, too many to be solved
+     * whole, begin within it and overlap. They cannot all part, so that the outermost are pushed
+     * against the walls in every step; none of them gets half of its width into one.
+     */
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3})
+    void crowdIsNotPushedThroughWalls(long seed) {
+        double side = 5;
+        Pool pool = new Pool();
+        BodyDefinition wall = BodyDefinition.fixed(Polygon.box(side + 4, 2));
+        pool.add(wall.at(0, -1));
+        pool.add(wall.at(0, side + 1));
+        pool.add(wall.at(-side / 2 - 1, side / 2).angle(Math.PI / 2));
+        pool.add(wall.at(side / 2 + 1, side / 2).angle(Math.PI / 2));
+        Circle disc = new Circle(0.3);
+        SplittableRandom random = new SplittableRandom(seed);
+        double inside = side - 2 * disc.radius();
+        for (double area = 0; area < 1.2 * side * side; area += disc.area()) {
+            double x = inside * (random.nextDouble() - 0.5);
+            double y = side / 2 + inside * (random.nextDouble() - 0.5);
+            pool.add(BodyDefinition.dynamic(disc).at(x, y).material(MATTER));
+        }
+        for (int step = 0; step < 240; step++) {
+            pool.step(Scenes.DT);
+            for (RigidBody body : pool.bodies()) {
+                if (body.type() == BodyType.DYNAMIC) {
+                    double out = Math.max(Math.abs(body.x()), Math.abs(body.y() - side / 2));
+                    assertThat(out)
+                            .as("seed %d, step %d, %s", seed, step, body)
+                            .isLessThan(side / 2);
+                }
+            }
         }
     }
 

@@ -13,8 +13,8 @@ import java.util.SplittableRandom;
 
 /**
  * A closed room that holds more than it has room for. Truth: nothing can be parted there, so that
- * it comes to rest in overlap, which is told; forces are of the size of weights, for no law says
- * more; and a step of rest costs no more than one before.
+ * it comes to rest in overlap, which is told, and stays inside; forces are of the size of weights,
+ * for no law says more; and a step of rest costs no more than one before.
  */
 final class OverfullRoom implements HardCase {
 
@@ -73,6 +73,8 @@ final class OverfullRoom implements HardCase {
         double impulse = largestImpulse(pool) / (weight * Trial.DT);
         trial.measure("impulse at rest", impulse, "weights·dt", MOST_IMPULSE);
         trial.measure("work of a step, against the first second", late / early, "times", MOST_WORK);
+        long outside = bodies.stream().filter(OverfullRoom::isOutside).count();
+        trial.measure("outside of the room", outside, "bodies", NEVER);
         boolean isTold = pool.pool().report().crushed() > 0;
         boolean isDeep = pool.overlapNow() > TOLD_FROM;
         trial.measure("crushed and not told", isDeep && !isTold ? 1 : 0, "rooms", NEVER);
@@ -98,6 +100,10 @@ final class OverfullRoom implements HardCase {
                                     .material(Surroundings.matter(0.5, 0))));
         }
         return bodies;
+    }
+
+    private static boolean isOutside(RigidBody body) {
+        return Math.max(Math.abs(body.x()), Math.abs(body.y() - SIDE / 2)) > SIDE / 2;
     }
 
     private static double work(WatchedPool pool, double seconds) {

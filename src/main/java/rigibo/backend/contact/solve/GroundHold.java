@@ -10,9 +10,9 @@ import rigibo.backend.contact.row.Motions;
 import rigibo.backend.contact.row.PackedContacts;
 
 /**
- * Keeps what is pushed out of other bodies from being pushed into what does not move: whatever went
- * deeper into the ground while overlap was taken back goes back by as much. Its neighbours keep
- * that much more of their overlap: where something must give, bodies that move do.
+ * Keeps what is pushed out of other bodies from being pushed into what does not move: whatever is
+ * deeper in the ground once overlap was taken back than it was to be goes back by as much. Its
+ * neighbours keep that much more of their overlap: where something must give, bodies that move do.
  */
 public final class GroundHold {
 
@@ -22,8 +22,8 @@ public final class GroundHold {
     private final Motions motions;
     private final PackedContacts contacts;
 
-    /** By point of a contact: its gap before overlap is taken back, at most 0, m. */
-    private double[] before = new double[32];
+    /** By point of a contact: the gap that it is to have in the end, at most 0, m. */
+    private double[] wanted = new double[32];
 
     public GroundHold(Motions motions, PackedContacts contacts) {
         this.motions = motions;
@@ -32,14 +32,19 @@ public final class GroundHold {
 
     /** Notes how deep everything is in the ground before overlap is taken back. */
     public void begin() {
-        if (before.length < 2 * contacts.count) {
-            before = new double[2 * contacts.pair.length];
+        if (wanted.length < 2 * contacts.count) {
+            wanted = new double[2 * contacts.pair.length];
         }
         for (int row = contacts.groundStart; row < contacts.count; row++) {
             for (int point = 0; point < contacts.points[row]; point++) {
-                before[2 * row + point] = Math.min(0, motions.gap(contacts, row, point));
+                wanted[2 * row + point] = Math.min(0, motions.gap(contacts, row, point));
             }
         }
+    }
+
+    /** Has a point that is in the ground come out by so much, m. */
+    void open(int row, int point, double by) {
+        wanted[2 * row + point] += by;
     }
 
     /** Takes back what went deeper, in contacts that are there in a substep. */
@@ -56,14 +61,14 @@ public final class GroundHold {
     }
 
     private void hold(int row, int point) {
-        double wanted = before[2 * row + point] - motions.gap(contacts, row, point);
-        if (wanted <= 0) {
+        double deeper = wanted[2 * row + point] - motions.gap(contacts, row, point);
+        if (deeper <= 0) {
             return;
         }
         double[] d = contacts.data;
         int at = row * PackedContacts.STRIDE;
         double response = d[at + (point == 0 ? PackedContacts.K00 : PackedContacts.K11)];
-        double push = wanted / response;
+        double push = deeper / response;
         double x = push * d[at + PackedContacts.NX];
         double y = push * d[at + PackedContacts.NY];
         move(contacts.bodyA[row], -x, -y, -push * d[at + 2 * point + PackedContacts.LEVER_A0]);

@@ -29,6 +29,7 @@ public final class OverlapSolver {
     private final Motions motions;
     private final PackedContacts contacts;
     private final PartingLimit limit;
+    private final GroundHold ground;
     private final Accuracy accuracy;
 
     /** Overlap that stays in the packed island, m for a body of one metre. */
@@ -48,6 +49,7 @@ public final class OverlapSolver {
         this.contacts = contacts;
         this.bodies = bodies;
         limit = new PartingLimit(bodies, motions, contacts);
+        ground = new GroundHold(motions, contacts);
         this.accuracy = accuracy;
     }
 
@@ -80,12 +82,15 @@ public final class OverlapSolver {
             return;
         }
         begin();
+        ground.begin();
+        noteGround(h);
         for (int pass = 0; pass < passes; pass++) {
             boolean isUpwards = pass % 2 == 0;
             for (int i = 0; i < deepCount; i++) {
                 correct(deep[isUpwards ? deepCount - 1 - i : i], h, Recovery.MOST_PUSH / passes);
             }
         }
+        ground.hold(substep);
         end(h);
     }
 
@@ -102,6 +107,17 @@ public final class OverlapSolver {
                             || contacts.points[row] == 2 && motions.gap(contacts, row, 1) < least;
             if (isDeep && contacts.firstSubstep[row] <= substep) {
                 deep[deepCount++] = row;
+            }
+        }
+    }
+
+    /**
+     * Notes how deep bodies may still be in the ground once overlap was taken back in h seconds.
+     */
+    private void noteGround(double h) {
+        for (int row = contacts.groundStart; row < contacts.count; row++) {
+            for (int point = 0; point < contacts.points[row]; point++) {
+                ground.open(row, point, wanted(row, point, h));
             }
         }
     }
