@@ -209,9 +209,17 @@ public final class Narrowphase {
         seams.leaveOutCovered(pair, atA, atB);
     }
 
-    /** A pair of two awake bodies is met twice; the lower slot lists it. */
+    /**
+     * A pair of two bodies that a step moves is met twice. The lower slot lists it, but what is
+     * driven leaves it to whom it carries, as a body that stands does: contacts are solved in the
+     * order of this list, and that must not tell a floor that moves from one at rest.
+     */
     private boolean isListedBy(int slot, int other) {
-        return !bodies.isMoved(other) || slot < other;
+        if (!bodies.isMoved(other)) {
+            return true;
+        }
+        boolean isDynamic = bodies.isDynamic(slot);
+        return isDynamic == bodies.isDynamic(other) ? slot < other : isDynamic;
     }
 
     /** The gap in m that a pair could close within some seconds, by a bound on its speeds. */
