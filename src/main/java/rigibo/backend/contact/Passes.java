@@ -81,6 +81,9 @@ public final class Passes {
     /** Passes that a calm crowd is given in a substep at most. */
     private int mostIfCalm;
 
+    /** Passes that an island of few contacts is given: the more the more its masses differ. */
+    private int mostOfFew;
+
     /** Length of the step, s. */
     private double step;
 
@@ -119,10 +122,13 @@ public final class Passes {
 
     /**
      * Begins a step of {@code dt} seconds of the packed island, which is given so many substeps of
-     * the usual ones: fewer have to find in more passes what a heap needs to come to rest.
+     * the usual ones: fewer have to find in more passes what a heap needs to come to rest. Between
+     * a wall and what is a thousand times as heavy, few contacts are passed over until none is due:
+     * that takes thousands of passes, but no more than the elimination which was given up.
      */
     void begin(double dt, int substeps) {
         step = dt;
+        mostOfFew = (int) (most * Math.max(1, Rounds.timesByMass(motions)));
         mostIfCalm = most / 2 * Math.max(1, usual / substeps);
     }
 
@@ -144,7 +150,7 @@ public final class Passes {
         if (PackedContacts.areCrowd(contacts.count)) {
             sweepCrowd(h, length, substep, fastest);
         } else {
-            sweep.run(h, length, substep, missed, shorter * QUIET * fastest, most);
+            sweep.run(h, length, substep, missed, shorter * QUIET * fastest, mostOfFew);
         }
         guard.limitWork(noise * kick.energy(h));
         guard.limitSpeed(limit);

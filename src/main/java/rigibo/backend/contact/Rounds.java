@@ -155,10 +155,16 @@ public final class Rounds {
     /** How many times the work of passes elimination of an island that moves is worth. */
     private double timesOfPasses() {
         double elasticity = contacts.highestElasticity();
-        double kept = elasticity * elasticity;
-        double asLong = Math.max(motions.massRatio(), 1 / Math.max(1 - kept, 1 / MOST_WORTH));
+        double lost = 1 - elasticity * elasticity;
+        double byElasticity = WORTH / Math.max(lost, 1 / MOST_WORTH);
+        double moving = Math.max(byElasticity, timesByMass(motions));
         boolean isAlone = motions.count == 2 || motions.isAnyDriven;
-        return Math.max(isAlone ? WORTH_ALONE : 0, Math.min(MOST_WORTH, WORTH * asLong));
+        return isAlone ? Math.max(WORTH_ALONE, moving) : moving;
+    }
+
+    /** How many times the work of passes elimination is worth for the sake of masses. */
+    static double timesByMass(Motions motions) {
+        return Math.min(MOST_WORTH, WORTH * motions.massRatio());
     }
 
     /** Whether the packed island hardly moves. */
