@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 import rigibo.backend.effect.Contacts;
 import rigibo.backend.effect.Effects;
@@ -140,6 +142,33 @@ class JointCrowdsTest {
         }
         assertThat(run(pool, 60)).isLessThan(1e-6);
         assertThat(knots[side - 1][side / 2].y()).isCloseTo(20 - 0.5 * (side - 1), within(1e-6));
+    }
+
+    /**
+     * A straight bridge of planks between two fixed ends, as long as its span, on which discs fall.
+     * Nothing pushes it upwards as long as it is straight, and the least way down asks of its
+     * hinges for more than any force: an equation that no elimination answers with a sensible
+     * number. Whatever it does, nothing drives it.
+     */
+    @ParameterizedTest
+    @CsvSource({"DRAFT, 12", "DRAFT, 20", "DRAFT, 40", "GAME, 12", "GAME, 40", "FINE, 20"})
+    void straightBridgeGainsNoEnergy(Presets preset, int planks) {
+        Pool pool = new Pool(EARTH, preset.accuracy);
+        double left = -0.25 * planks;
+        RigidBody before = pool.add(BodyDefinition.fixed(new Circle(0.05)).at(left - 0.05, 8));
+        for (int i = 0; i < planks; i++) {
+            double x = left + 0.5 * i;
+            RigidBody plank = bone(pool, x + 0.25, 8, 0.5, 0.125);
+            pool.join(RevoluteJoint.at(before, plank, x, 8));
+            before = plank;
+        }
+        RigidBody last = pool.add(BodyDefinition.fixed(new Circle(0.05)).at(0.05 - left, 8));
+        pool.join(RevoluteJoint.at(before, last, -left, 8));
+        for (int i = 0; i < planks / 4; i++) {
+            double x = left / 2 + 1.01 * i;
+            pool.add(BodyDefinition.dynamic(new Circle(0.25)).at(x, 10));
+        }
+        run(pool, 120);
     }
 
     /**

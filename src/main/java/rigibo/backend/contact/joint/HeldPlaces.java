@@ -115,6 +115,16 @@ final class HeldPlaces {
         }
     }
 
+    /** Goes back to what {@link #hold} began with, which does no work and misses the places. */
+    void release() {
+        memory.recall();
+    }
+
+    /** Whether they were held in the last drift, within what may be missed. */
+    boolean areHeld() {
+        return worst <= 1;
+    }
+
     /**
      * Limits and ropes that would be passed at the end of the drift enter the set: one that goes
      * along its stop, as a rope that is taut and turns, gives no reason to at the drift's start.

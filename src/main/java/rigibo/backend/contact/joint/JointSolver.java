@@ -4,7 +4,6 @@ import rigibo.backend.contact.row.FreshRows;
 import rigibo.backend.contact.row.LockedAxes;
 import rigibo.backend.contact.row.Motions;
 import rigibo.backend.contact.row.PackedContacts;
-import rigibo.backend.contact.row.Recovery;
 import rigibo.backend.contact.row.RowBuilder;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.SolveMethod;
@@ -38,11 +37,14 @@ public final class JointSolver {
 
     private static final double HARDLY = 1e-3;
 
-    /** Error that is taken back at once, m per metre of the joint's arms. */
-    private static final double SMALL = 1e-4;
-
     /** Work of contacts and equations that is round-off, as a share of the energy of motion. */
     private static final double MOST_WORK = 1e-6;
+
+    /** What equations may do in a kick where bodies turn, as a share of the energy of motion. */
+    private static final double MOST_WORK_OF_TURNING = 0.1;
+
+    /** The same where places are missed all the same, by round-off or because none can be had. */
+    private static final double MOST_WORK_IF_MISSED = 1e-4;
 
     /** Multiplications that one elimination is worth, and from EXACT on. */
     private static final double WORTH = 1e6;
@@ -96,6 +98,7 @@ public final class JointSolver {
 
     private final NeutralRows rows;
     private final HeldPlaces places;
+    private final PlaceRecovery recovery;
     private final PackedJoints packed;
     private final Poses poses;
     private final JointRows jointRows;
@@ -152,9 +155,6 @@ public final class JointSolver {
     private final Islands islands;
     private final JointStore store;
 
-    /** By row: how far it is to be moved, m or rad. */
-    private double[] wanted = new double[64];
-
     public JointSolver(
             DataStorage data,
             Motions motions,
@@ -189,6 +189,15 @@ public final class JointSolver {
                         solver,
                         elimination,
                         foreseen,
+                        accuracy.impactTolerance());
+        recovery =
+                new PlaceRecovery(
+                        data.bodies,
+                        motions,
+                        rows,
+                        jointRows,
+                        poses,
+                        elimination,
                         accuracy.impactTolerance());
         taut = new TautSubsteps(data);
         composed = new ComposedSubsteps(data, motions, rows, jointRows, packed, taut, accuracy);
@@ -450,7 +459,11 @@ public final class JointSolver {
         solver.beginAsBefore(packed, share);
         boolean isSolved = solver.solve(settled);
         places.hold(h, settled, contactRows.carry(), isSmall);
-        secure(isSolved, settled);
+        boolean isGained = gains(noise);
+        if (isGained && !contactRows.areAny()) {
+            places.release();
+        }
+        secure(isSolved && !isGained, settled);
         finish();
     }
 
@@ -466,6 +479,12 @@ public final class JointSolver {
             passes.run(mostPasses, settled);
             solver.holdEquations();
         }
+    }
+
+    /** Whether what holds places has done more work than turning takes and gives in a kick. */
+    private boolean gains(double noise) {
+        double share = places.areHeld() ? MOST_WORK_OF_TURNING : MOST_WORK_IF_MISSED;
+        return !(work.sum() <= share * (energy() + noise));
     }
 
     /** J that rows have done which may do no work. */
@@ -500,7 +519,8 @@ public final class JointSolver {
         double settled = settled(fastest);
         work.begin();
         solver.beginAsBefore(packed, share);
-        secure(solver.solve(settled), settled);
+        boolean isSolved = solver.solve(settled);
+        secure(isSolved && work.sum() <= MOST_WORK_IF_MISSED * (energy() + noise), settled);
         finish();
     }
 
@@ -520,40 +540,7 @@ public final class JointSolver {
             crowd.correctOverlap(h);
             return;
         }
-        poses.take(0);
-        jointRows.measureAnew();
-        if (wanted.length < rows.count) {
-            wanted = new double[rows.bodies.length];
-        }
-        boolean isAny = false;
-        for (int row = 0; row < rows.count; row++) {
-            wanted[row] = 0;
-            if (rows.holdsPlace[row] && elimination.isIn(row)) {
-                double place = jointRows.place(row);
-                double off = rows.isEquation(row) ? place : Math.min(0, place);
-                double size = jointRows.size() / rows.unit[row];
-                double most = Math.max(SMALL, Recovery.MOST_PUSH * Math.abs(h)) * size;
-                wanted[row] = -Math.max(-most, Math.min(most, off));
-                double missed = MISSED * tolerance * size;
-                isAny |= Math.abs(off) > missed + 2 * jointRows.roundOff() / rows.unit[row];
-            }
-        }
-        if (isAny) {
-            // Contacts might contradict: what is moved into them is taken back by itself.
-            leaveContactsOut();
-            elimination.solveFor(wanted);
-            for (int i = 0; i < elimination.size(); i++) {
-                rows.move(elimination.row(i), elimination.answer(i), Motions.DX);
-            }
-        }
-    }
-
-    private void leaveContactsOut() {
-        for (int row = 0; row < rows.count; row++) {
-            if (rows.joint[row] == NeutralRows.NONE) {
-                elimination.put(row, false);
-            }
-        }
+        recovery.correct(h);
     }
 
     /** Tells what joints gave their bodies in a step of dt seconds. */

@@ -1,0 +1,138 @@
+package rigibo.backend.contact.joint;
+
+import static rigibo.backend.contact.row.Motions.DX;
+import static rigibo.backend.contact.row.Motions.DY;
+import static rigibo.backend.contact.row.Motions.STRIDE;
+import static rigibo.backend.contact.row.Motions.TURN;
+
+import rigibo.backend.contact.row.Motions;
+import rigibo.backend.contact.row.Recovery;
+import rigibo.backend.storage.Bodies;
+
+/**
+ * Takes back what joints are off their places by moving bodies, in an island that is eliminated
+ * whole. Joints that hold a straight bridge hold nearly everything along it and nearly nothing
+ * across: what closes them there may throw bodies about, and lift them by no force.
+ */
+final class PlaceRecovery {
+
+    /** Error that is taken back at once, m per metre of the joint's arms. */
+    private static final double SMALL = 1e-4;
+
+    private final Bodies bodies;
+    private final Motions motions;
+    private final NeutralRows rows;
+    private final JointRows jointRows;
+    private final Poses poses;
+    private final RowElimination elimination;
+    private final double tolerance;
+
+    /** By row: how far it is to be moved, m or rad. */
+    private double[] wanted = new double[64];
+
+    /** Bodies before they are moved, laid out as the motions. */
+    private double[] before = new double[64];
+
+    PlaceRecovery(
+            Bodies bodies,
+            Motions motions,
+            NeutralRows rows,
+            JointRows jointRows,
+            Poses poses,
+            RowElimination elimination,
+            double tolerance) {
+        this.bodies = bodies;
+        this.motions = motions;
+        this.rows = rows;
+        this.jointRows = jointRows;
+        this.poses = poses;
+        this.elimination = elimination;
+        this.tolerance = tolerance;
+    }
+
+    /** Moves bodies after a drift of h seconds. */
+    void correct(double h) {
+        poses.take(0);
+        jointRows.measureAnew();
+        if (wanted.length < rows.count) {
+            wanted = new double[rows.bodies.length];
+        }
+        boolean isAny = false;
+        for (int row = 0; row < rows.count; row++) {
+            wanted[row] = 0;
+            if (rows.holdsPlace[row] && elimination.isIn(row)) {
+                isAny |= ask(row, h);
+            }
+        }
+        if (isAny) {
+            // Contacts might contradict: what is moved into them is taken back by itself.
+            leaveContactsOut();
+            move(Recovery.MOST_PUSH * Math.abs(h));
+        }
+    }
+
+    /** Asks a row to move back by what it is off; whether that is more than it may miss. */
+    private boolean ask(int row, double h) {
+        double place = jointRows.place(row);
+        double off = rows.isEquation(row) ? place : Math.min(0, place);
+        double size = jointRows.size() / rows.unit[row];
+        double most = Math.max(SMALL, Recovery.MOST_PUSH * Math.abs(h)) * size;
+        wanted[row] = -Math.max(-most, Math.min(most, off));
+        double missed = JointSolver.MISSED * tolerance * size;
+        return Math.abs(off) > missed + 2 * jointRows.roundOff() / rows.unit[row];
+    }
+
+    private void leaveContactsOut() {
+        for (int row = 0; row < rows.count; row++) {
+            if (rows.joint[row] == NeutralRows.NONE) {
+                elimination.put(row, false);
+            }
+        }
+    }
+
+    /** Moves outlines by what is wanted, or all by a share, so that none goes farther than that. */
+    private void move(double most) {
+        keep();
+        elimination.solveFor(wanted);
+        for (int i = 0; i < elimination.size(); i++) {
+            rows.move(elimination.row(i), elimination.answer(i), DX);
+        }
+        double farthest = farthest();
+        if (farthest > most) {
+            scale(most / farthest);
+        }
+    }
+
+    private void keep() {
+        int length = motions.count * STRIDE;
+        if (before.length < length) {
+            before = new double[motions.data.length];
+        }
+        System.arraycopy(motions.data, 0, before, 0, length);
+    }
+
+    /** The farthest that an outline was moved, as a share of what it reaches. */
+    private double farthest() {
+        double farthest = 0;
+        for (int entry = 1; entry < motions.count; entry++) {
+            int at = entry * STRIDE;
+            double turned = moved(at + TURN);
+            double turning = turned == 0 ? 0 : motions.reach[entry] * turned;
+            double way = moved(at + DX) + moved(at + DY) + turning;
+            farthest = Math.max(farthest, way / bodies.boundingRadius[motions.slots[entry]]);
+        }
+        return farthest;
+    }
+
+    private double moved(int at) {
+        return Math.abs(motions.data[at] - before[at]);
+    }
+
+    private void scale(double share) {
+        for (int at = STRIDE; at < motions.count * STRIDE; at += STRIDE) {
+            for (int i = at + DX; i <= at + TURN; i++) {
+                motions.data[i] = before[i] + share * (motions.data[i] - before[i]);
+            }
+        }
+    }
+}
