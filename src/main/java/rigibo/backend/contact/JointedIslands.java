@@ -79,7 +79,9 @@ final class JointedIslands {
         repose = new JointedRepose(data, motions, kick, builder, results, accuracy);
         stages = new Stages(data.bodies, motions, accuracy);
         OverlapSolver wanted = isCorrecting ? overlap : null;
-        kicks = new JointedKicks(motions, contacts, kick, warmStart, wanted, joints, stages);
+        kicks =
+                new JointedKicks(
+                        motions, contacts, data.pairs, kick, warmStart, wanted, joints, stages);
         parts = new JointedParts(joints, kicks, stages, declared);
     }
 

@@ -8,6 +8,7 @@ import rigibo.backend.contact.row.Motions;
 import rigibo.backend.contact.row.PackedContacts;
 import rigibo.backend.contact.row.WarmStart;
 import rigibo.backend.contact.solve.OverlapSolver;
+import rigibo.backend.storage.Pairs;
 
 /**
  * Kicks and drifts of an island with joints. Between two kicks velocities are those of the middle
@@ -59,6 +60,7 @@ final class JointedKicks {
     JointedKicks(
             Motions motions,
             PackedContacts contacts,
+            Pairs pairs,
             Kick kick,
             WarmStart warmStart,
             OverlapSolver overlap,
@@ -72,7 +74,7 @@ final class JointedKicks {
         this.joints = joints;
         locks = joints.locks;
         this.stages = stages;
-        moment = new JointedMoment(motions, contacts, joints);
+        moment = new JointedMoment(motions, contacts, pairs, joints);
     }
 
     /** Begins a step whose first kick would be so many seconds long. */
@@ -161,9 +163,9 @@ final class JointedKicks {
     private void accelerate(double until) {
         kick.remember();
         if (stages.areComposed()) {
-            // Back in time, too; nobody joins meanwhile, but a force may begin.
+            // Back in time, too; nobody joins later than it begins, but a force may begin.
             kick.refresh(middle, until);
-            stages.accelerate(until - middle);
+            stages.accelerate(middle, until);
         } else {
             kick.accelerate(middle, until);
         }

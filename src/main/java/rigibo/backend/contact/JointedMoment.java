@@ -3,10 +3,13 @@ package rigibo.backend.contact;
 import rigibo.backend.contact.joint.JointSolver;
 import rigibo.backend.contact.row.Motions;
 import rigibo.backend.contact.row.PackedContacts;
+import rigibo.backend.storage.Pairs;
 
 /**
  * A moment of an island with joints, to be gone back to: how bodies move, and what contacts and
- * joints have carried. How contacts were measured stays as it is: the newest is the best.
+ * joints have carried. How contacts were measured stays as it is: the newest is the best. A point
+ * that was not there then has carried nothing, and what a point carried that is there no longer is
+ * left out: no row would ever take it back.
  */
 final class JointedMoment {
 
@@ -20,13 +23,20 @@ final class JointedMoment {
 
     private final Motions motions;
     private final PackedContacts contacts;
+    private final Pairs pairs;
     private final JointSolver joints;
     private double[] bodies = new double[16 * Motions.STRIDE];
     private double[] impulses = new double[16 * KEPT.length];
 
-    JointedMoment(Motions motions, PackedContacts contacts, JointSolver joints) {
+    /** By contact: how many points it had, and what they stem from. */
+    private int[] points = new int[16];
+
+    private int[] features = new int[32];
+
+    JointedMoment(Motions motions, PackedContacts contacts, Pairs pairs, JointSolver joints) {
         this.motions = motions;
         this.contacts = contacts;
+        this.pairs = pairs;
         this.joints = joints;
     }
 
@@ -37,8 +47,13 @@ final class JointedMoment {
         System.arraycopy(motions.data, 0, bodies, 0, motions.count * Motions.STRIDE);
         if (impulses.length < contacts.count * KEPT.length) {
             impulses = new double[contacts.pair.length * KEPT.length];
+            points = new int[contacts.pair.length];
+            features = new int[2 * contacts.pair.length];
         }
         for (int row = 0; row < contacts.count; row++) {
+            points[row] = contacts.points[row];
+            features[2 * row] = pairs.feature[2 * contacts.pair[row]];
+            features[2 * row + 1] = pairs.feature[2 * contacts.pair[row] + 1];
             for (int i = 0; i < KEPT.length; i++) {
                 impulses[row * KEPT.length + i] =
                         contacts.data[row * PackedContacts.STRIDE + KEPT[i]];
@@ -54,7 +69,33 @@ final class JointedMoment {
                 contacts.data[row * PackedContacts.STRIDE + KEPT[i]] =
                         impulses[row * KEPT.length + i];
             }
+            if (contacts.points[row] != points[row]) {
+                handOn(row);
+            }
         }
         joints.recall();
+    }
+
+    /** Hands on what points carried to those that stem from the same. */
+    private void handOn(int row) {
+        int at = row * PackedContacts.STRIDE + PackedContacts.IMPULSE0;
+        for (int point = 0; point < 2; point++) {
+            int feature = pairs.feature[2 * contacts.pair[row] + point];
+            boolean isThere = point < contacts.points[row];
+            contacts.data[at + point] = isThere ? carried(row, feature) : 0;
+        }
+    }
+
+    private double carried(int row, int feature) {
+        for (int point = 0; point < points[row]; point++) {
+            if (features[2 * row + point] == feature) {
+                return impulses[row * KEPT.length + point];
+            }
+        }
+        return 0;
+    }
+
+    static {
+        assert KEPT[1] == PackedContacts.IMPULSE0 + 1;
     }
 }

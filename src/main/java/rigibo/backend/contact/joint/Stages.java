@@ -62,13 +62,17 @@ public final class Stages {
         return shares.length > 1;
     }
 
-    /** Adds to the velocities what so many seconds, or fewer than none, of acceleration give. */
-    public void accelerate(double length) {
+    /**
+     * Moves the velocities from one time to another, both in s after the step's start, which may go
+     * back. A body that joined the island in between is kicked only from when it joined.
+     */
+    public void accelerate(double from, double to) {
         double[] m = motions.data;
         for (int entry = 1; entry < motions.count; entry++) {
             int at = entry * Motions.STRIDE;
             int slot = motions.slots[entry];
             if (m[at + Motions.INVERSE_MASS] > 0) {
+                double length = to - Math.max(from, bodies.pileTime[slot]);
                 m[at + Motions.VX] += length * bodies.accelerationX[slot];
                 m[at + Motions.VY] += length * bodies.accelerationY[slot];
                 if (motions.turns) {

@@ -202,7 +202,12 @@ public final class Strikes {
     private double place(int i) {
         return joint[i] != NeutralRows.NONE
                 ? jointRows.place(row[i])
-                : motions.gap(contacts, contact[i], part[i] - PackedContacts.IMPULSE0);
+                : motions.gap(contacts, contact[i], point(i));
+    }
+
+    /** The point of a contact that is watched: the last one where it has one no longer. */
+    private int point(int i) {
+        return Math.min(contacts.points[contact[i]] - 1, part[i] - PackedContacts.IMPULSE0);
     }
 
     /**
@@ -229,13 +234,12 @@ public final class Strikes {
             place = jointRows.place(row[i]);
             closing = -rows.speed(row[i]);
         } else {
-            int points = contacts.points[contact[i]];
-            int point = Math.min(points - 1, part[i] - PackedContacts.IMPULSE0);
+            int point = point(i);
             place = motions.gap(contacts, contact[i], point);
             double width = contacts.data[contact[i] * PackedContacts.STRIDE + PackedContacts.WIDTH];
             if (Math.abs(place) < NEAR_WIDTH * width) {
                 fresh.measure(contact[i], left);
-                point = Math.min(contacts.points[contact[i]] - 1, point);
+                point = point(i);
                 place = motions.gap(contacts, contact[i], point);
             }
             closing = -motions.parting(contacts, contact[i], point);

@@ -160,6 +160,20 @@ public final class RowBuilder {
         if (pairs.points[pair] == 0) {
             d[at + PackedContacts.GAP0] = OUT_OF_REACH;
         }
+        if (contacts.points[row] < pairs.points[pair]) {
+            carryAtOne(at);
+        }
+    }
+
+    /** Lets the first point carry what both have: of the second no row would take anything back. */
+    private void carryAtOne(int at) {
+        double[] d = contacts.data;
+        d[at + PackedContacts.LOAD0] += d[at + PackedContacts.LOAD1];
+        d[at + PackedContacts.LOAD1] = 0;
+        d[at + PackedContacts.IMPULSE0] += d[at + PackedContacts.IMPULSE1];
+        d[at + PackedContacts.IMPULSE1] = 0;
+        d[at + PackedContacts.BEFORE0] += d[at + PackedContacts.BEFORE1];
+        d[at + PackedContacts.BEFORE1] = 0;
     }
 
     private void writeManifold(int row, int at, int pair) {
