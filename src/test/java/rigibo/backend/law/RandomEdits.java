@@ -4,6 +4,8 @@ import rigibo.backend.Pool;
 import rigibo.backend.RigidBody;
 import rigibo.backend.geometry.Aabb;
 import rigibo.backend.geometry.Circle;
+import rigibo.backend.geometry.Compound;
+import rigibo.backend.geometry.Outline;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.geometry.Shape;
 import rigibo.backend.setup.BodyDefinition;
@@ -134,13 +136,17 @@ final class RandomEdits {
         return "freed " + body;
     }
 
-    /** Another shape that lies within the one before. */
+    /** Another shape that lies within the one before; what has parts changes its matter. */
     private String shrink(RigidBody body) {
         Shape shape = body.shape();
         if (shape instanceof Circle circle) {
             body.shape(Polygon.regular(draw.whole(3, 9), 0.9 * circle.radius()));
+        } else if (shape instanceof Compound) {
+            return change(body);
         } else {
-            body.shape(new Circle(0.9 * ((Polygon) shape).innerRadius()));
+            Outline outline = shape.outline(0);
+            double inner = Math.max(0, outline.innerRadius()) + outline.radius();
+            body.shape(new Circle(0.9 * inner));
         }
         return "shrunk " + body;
     }

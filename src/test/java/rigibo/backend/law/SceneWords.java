@@ -1,12 +1,14 @@
 package rigibo.backend.law;
 
 import rigibo.backend.geometry.Capsule;
+import rigibo.backend.geometry.Chain;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Compound;
 import rigibo.backend.geometry.Part;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.geometry.Shape;
 import rigibo.backend.setup.BodyDefinition;
+import rigibo.backend.setup.Filter;
 import rigibo.backend.setup.Material;
 
 import java.util.Arrays;
@@ -31,6 +33,8 @@ final class SceneWords {
                 + (body.xLocked() ? ".lockX()" : "")
                 + (body.yLocked() ? ".lockY()" : "")
                 + (body.rotationLocked() ? ".lockRotation()" : "")
+                + filter(body.filter())
+                + (body.isSensor() ? ".sensor()" : "")
                 + ");";
     }
 
@@ -56,6 +60,9 @@ final class SceneWords {
                     .mapToObj(i -> part(compound.part(i)))
                     .collect(Collectors.joining(", ", "Compound.of(", ")"));
         }
+        if (shape instanceof Chain chain) {
+            return chain(chain);
+        }
         Polygon polygon = (Polygon) shape;
         String rounded = polygon.radius() > 0 ? ".rounded(" + polygon.radius() + ")" : "";
         return "Polygon.of(" + numbers(polygon.stated()) + ")" + rounded;
@@ -67,7 +74,8 @@ final class SceneWords {
                 + ")"
                 + call("at", part.x(), part.y())
                 + call("angle", part.angle())
-                + (part.relativeDensity() == 1
+                + (part.isSensor() ? ".sensor()" : "")
+                + (part.relativeDensity() == (part.isSensor() ? 0 : 1)
                         ? ""
                         : ".relativeDensity(" + part.relativeDensity() + ")");
     }
@@ -75,7 +83,25 @@ final class SceneWords {
     private static String material(Material m) {
         return ".material(new Material("
                 + numbers(m.density(), m.friction(), m.elasticity())
-                + "))";
+                + ")"
+                + call("oneWay", m.oneWayX(), m.oneWayY())
+                + ")";
+    }
+
+    private static String filter(Filter filter) {
+        return filter.equals(Filter.ALL)
+                ? ""
+                : String.format(
+                        ".filter(new Filter(%d, %d, %d))",
+                        filter.category(), filter.mask(), filter.group());
+    }
+
+    private static String chain(Chain chain) {
+        String corners =
+                IntStream.range(0, chain.corners())
+                        .mapToObj(i -> numbers(chain.cornerX(i), chain.cornerY(i)))
+                        .collect(Collectors.joining(", "));
+        return "Chain." + (chain.isLoop() ? "loop(" : "open(") + corners + ")";
     }
 
     /** A verb of a definition; what is 0 need not be said. */

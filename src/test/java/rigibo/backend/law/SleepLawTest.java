@@ -103,7 +103,7 @@ class SleepLawTest {
                 new Quota(bodies, "bodies asleep"));
     }
 
-    private static Optional<String> sameWithoutSleep(RandomScene scene, Asked asked) {
+    static Optional<String> sameWithoutSleep(RandomScene scene, Asked asked) {
         Pool asleep = withSleep(scene).finished();
         if (!isAsleep(asleep)) {
             return Optional.empty();
@@ -112,7 +112,7 @@ class SleepLawTest {
     }
 
     /** What has fallen asleep is woken and goes on without sleep: it must stay where it is. */
-    private static Optional<String> stillWithoutSleep(RandomScene scene, Asked asked) {
+    static Optional<String> stillWithoutSleep(RandomScene scene, Asked asked) {
         Pool pool = withSleep(scene).finished();
         if (!isAsleep(pool)) {
             return Optional.empty();

@@ -3,6 +3,7 @@ package rigibo.backend.law;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Gravity;
 import rigibo.backend.geometry.Capsule;
+import rigibo.backend.geometry.Chain;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Compound;
 import rigibo.backend.geometry.Convex;
@@ -11,6 +12,7 @@ import rigibo.backend.geometry.Polygon;
 import rigibo.backend.geometry.Shape;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.BodyType;
+import rigibo.backend.setup.Material;
 
 import java.util.List;
 import java.util.stream.Collectors;
@@ -45,6 +47,29 @@ enum Symmetry {
         @Override
         Polygon ofBox(double width, double height) {
             return Polygon.box(width, height);
+        }
+
+        /** The other way along, so that the air stays on its right. */
+        @Override
+        Chain of(Chain chain) {
+            Chain reversed = chain.reversed();
+            double[] xy = corners(reversed);
+            for (int i = 0; i < xy.length; i += 2) {
+                xy[i] = -xy[i];
+            }
+            return chain(chain, xy);
+        }
+
+        @Override
+        Part place(Part part, Part like) {
+            return part.at(-like.x(), like.y()).angle(-like.angle());
+        }
+
+        @Override
+        Material of(Material material) {
+            return material.isOneWay()
+                    ? material.oneWay(-material.oneWayX(), material.oneWayY())
+                    : material;
         }
     },
     /** A quarter turn of places, shapes and gravity; angles stay, so that nothing is rounded. */
@@ -82,6 +107,29 @@ enum Symmetry {
         @Override
         Polygon ofBox(double width, double height) {
             return Polygon.box(height, width);
+        }
+
+        @Override
+        Chain of(Chain chain) {
+            double[] xy = corners(chain);
+            for (int i = 0; i < xy.length; i += 2) {
+                double x = xy[i];
+                xy[i] = -xy[i + 1];
+                xy[i + 1] = x;
+            }
+            return chain(chain, xy);
+        }
+
+        @Override
+        Part place(Part part, Part like) {
+            return part.at(-like.y(), like.x()).angle(like.angle());
+        }
+
+        @Override
+        Material of(Material material) {
+            return material.isOneWay()
+                    ? material.oneWay(-material.oneWayY(), material.oneWayX())
+                    : material;
         }
     },
     /** Lengths 64 times as large in the same time: gravity too. A power of two rounds nothing. */
@@ -186,7 +234,31 @@ enum Symmetry {
                     ? ofBox(2 * polygon.cornerX(2), 2 * polygon.cornerY(2))
                     : ofCorners(polygon.stated());
         }
-        return shape;
+        if (shape instanceof Chain chain) {
+            return of(chain);
+        }
+        return shape instanceof Compound compound ? of(compound) : shape;
+    }
+
+    private Compound of(Compound compound) {
+        Part[] parts = new Part[compound.parts()];
+        for (int i = 0; i < parts.length; i++) {
+            Part part = compound.part(i);
+            parts[i] = like(part, place(Part.of((Convex) of(part.shape())), part));
+        }
+        return Compound.of(parts);
+    }
+
+    Chain of(Chain chain) {
+        return chain;
+    }
+
+    Part place(Part part, Part like) {
+        return part.at(like.x(), like.y()).angle(like.angle());
+    }
+
+    Material of(Material material) {
+        return material;
     }
 
     Polygon ofCorners(double... xy) {
@@ -220,14 +292,16 @@ enum Symmetry {
                 .angle(state.angle())
                 .velocity(state.velocityX(), state.velocityY())
                 .spin(state.spin())
-                .material(body.material());
+                .material(of(body.material()))
+                .filter(body.filter());
     }
 
     private BodyDefinition locked(BodyDefinition body) {
         BodyDefinition plain = pattern(body);
         BodyDefinition inX = isLockedInX(body) ? plain.lockX() : plain;
         BodyDefinition inY = isLockedInY(body) ? inX.lockY() : inX;
-        return body.rotationLocked() ? inY.lockRotation() : inY;
+        BodyDefinition locked = body.rotationLocked() ? inY.lockRotation() : inY;
+        return body.isSensor() ? locked.sensor() : locked;
     }
 
     boolean isLockedInX(BodyDefinition body) {
@@ -258,10 +332,10 @@ enum Symmetry {
         if (shape instanceof Compound compound) {
             return scaled(compound, factor);
         }
-        double[] xy = ((Polygon) shape).stated();
-        for (int i = 0; i < xy.length; i++) {
-            xy[i] *= factor;
+        if (shape instanceof Chain chain) {
+            return chain(chain, times(corners(chain), factor));
         }
+        double[] xy = times(((Polygon) shape).stated(), factor);
         double radius = ((Polygon) shape).radius();
         return radius > 0 ? Polygon.of(xy).rounded(factor * radius) : Polygon.of(xy);
     }
@@ -270,12 +344,38 @@ enum Symmetry {
         Part[] parts = new Part[compound.parts()];
         for (int i = 0; i < parts.length; i++) {
             Part part = compound.part(i);
-            parts[i] =
+            Part other =
                     Part.of((Convex) scaled(part.shape(), factor))
                             .at(factor * part.x(), factor * part.y())
-                            .angle(part.angle())
-                            .relativeDensity(part.relativeDensity());
+                            .angle(part.angle());
+            parts[i] = like(part, other);
         }
         return Compound.of(parts);
+    }
+
+    /** A sensor if the part is one, and as heavy. */
+    private static Part like(Part part, Part other) {
+        Part same = part.isSensor() ? other.sensor() : other;
+        return same.relativeDensity(part.relativeDensity());
+    }
+
+    private static double[] corners(Chain chain) {
+        double[] xy = new double[2 * chain.corners()];
+        for (int i = 0; i < chain.corners(); i++) {
+            xy[2 * i] = chain.cornerX(i);
+            xy[2 * i + 1] = chain.cornerY(i);
+        }
+        return xy;
+    }
+
+    private static Chain chain(Chain like, double... xy) {
+        return like.isLoop() ? Chain.loop(xy) : Chain.open(xy);
+    }
+
+    private static double[] times(double[] xy, double factor) {
+        for (int i = 0; i < xy.length; i++) {
+            xy[i] *= factor;
+        }
+        return xy;
     }
 }

@@ -1,0 +1,248 @@
+package rigibo.backend.law;
+
+import org.junit.jupiter.api.Disabled;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+import rigibo.backend.effect.Sleep;
+
+/** What holds for bodies that all meet holds on chains, through shelves, filters and sensors. */
+class KindsLawTest {
+
+    private static final Seeds SEEDS = Seeds.upTo(60);
+
+    private static final int FEW = 4;
+
+    /** Half of those that sleep where locked ones are left to fly on, which are the fewest. */
+    private static final int ASLEEP = 14;
+
+    /** A body that no force moves along its free axis parts from a wall at 17 µm/s. */
+    private static final Seeds DRIFTING = Seeds.of(2L);
+
+    /** A disc comes rolling into a capsule that leans and sleeps. */
+    private static final Seeds STRUCK_ASLEEP = Seeds.of(4L);
+
+    /** In no step more than the share of what there was at the start, as without. */
+    @ParameterizedTest
+    @CsvSource({
+        "ON_CHAINS, DRAFT, 1e-2",
+        "ON_CHAINS, GAME, 1e-3",
+        "ON_CHAINS, EXACT, 1e-3",
+        "ONE_WAY, DRAFT, 1e-2",
+        "ONE_WAY, GAME, 1e-3",
+        "ONE_WAY, EXACT, 1e-3",
+        "FILTERED, DRAFT, 1e-2",
+        "FILTERED, GAME, 1e-3",
+        "FILTERED, EXACT, 1e-3",
+        "SENSED, DRAFT, 1e-2",
+        "SENSED, GAME, 1e-3",
+        "OF_ALL_KINDS, DRAFT, 1e-2",
+        "OF_ALL_KINDS, GAME, 1e-3",
+        "OF_ALL_KINDS, EXACT, 1e-3"
+    })
+    void pilesGainNoEnergy(Dress dress, Preset preset, double limit) {
+        Laws.hold(
+                SEEDS,
+                seed -> dress.on(Surroundings.tray(seed, preset.accuracy)),
+                (scene, asked) -> DressLawTest.gainsAtMost(limit, scene, asked),
+                new Quota(500, "loaded contacts in piles"));
+    }
+
+    /** A power of two changes no digit. */
+    @ParameterizedTest
+    @CsvSource({
+        "ON_CHAINS, GAME",
+        "ONE_WAY, GAME",
+        "FILTERED, GAME",
+        "SENSED, GAME",
+        "OF_ALL_KINDS, DRAFT",
+        "OF_ALL_KINDS, GAME",
+        "OF_ALL_KINDS, EXACT"
+    })
+    void smallPilesAreTheSameToTheBit(Dress dress, Preset preset) {
+        Laws.hold(
+                SEEDS,
+                seed -> dress.on(Surroundings.tray(seed, preset.accuracy)),
+                (scene, asked) -> SymmetryLawTest.sameToTheEnd(Symmetry.SMALL, scene, asked),
+                new Quota(2000, "loaded contacts"));
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "ON_CHAINS, GAME",
+        "ONE_WAY, GAME",
+        "FILTERED, GAME",
+        "SENSED, GAME",
+        "OF_ALL_KINDS, DRAFT",
+        "OF_ALL_KINDS, GAME",
+        "OF_ALL_KINDS, EXACT"
+    })
+    void strangersNeverMatter(Dress dress, Preset preset) {
+        Laws.hold(
+                SEEDS,
+                seed -> dress.on(Surroundings.tray(seed, preset.accuracy)),
+                OrderLawTest::sameAmongStrangers,
+                new Quota(500, "loaded contacts in piles"));
+    }
+
+    /** As of sharp bodies in one piece: only what is rounded otherwise differs. */
+    @ParameterizedTest
+    @CsvSource({
+        "ON_CHAINS, MIRROR",
+        "ON_CHAINS, QUARTER_TURN",
+        "ONE_WAY, MIRROR",
+        "ONE_WAY, QUARTER_TURN",
+        "FILTERED, MIRROR",
+        "SENSED, QUARTER_TURN",
+        "OF_ALL_KINDS, MIRROR"
+    })
+    void fewBouncesAreTheSameSeenOtherwise(Dress dress, Symmetry symmetry) {
+        Laws.hold(
+                Seeds.upTo(150),
+                seed -> dress.on(Surroundings.landing(seed, Preset.EXACT.accuracy, FEW)),
+                (scene, asked) -> SymmetryLawTest.sameInFlight(symmetry, 2, 1e-10, scene, asked),
+                new Quota(100, "impacts as of " + symmetry));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"ONE_WAY", "FILTERED", "SENSED", "OF_ALL_KINDS"})
+    void orderOfBodiesDoesNotMatterInFlight(Dress dress) {
+        Laws.hold(
+                Seeds.upTo(150),
+                seed -> dress.on(Surroundings.meeting(seed, Preset.EXACT.accuracy)),
+                OrderLawTest::sameInAnyOrder,
+                new Quota(100, "impacts"));
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "ON_CHAINS, GAME",
+        "ONE_WAY, GAME",
+        "FILTERED, GAME",
+        "SENSED, GAME",
+        "OF_ALL_KINDS, DRAFT",
+        "OF_ALL_KINDS, GAME",
+        "OF_ALL_KINDS, EXACT"
+    })
+    void aRestoredPoolGoesOnAlike(Dress dress, Preset preset) {
+        Laws.hold(
+                SEEDS,
+                seed -> dress.on(Surroundings.tray(seed, preset.accuracy)),
+                DressLawTest::goesOnAlike,
+                new Quota(60, "snapshots"));
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "ROUNDED, GAME",
+        "IN_PARTS, GAME",
+        "LOCKED, GAME",
+        "ON_CHAINS, GAME",
+        "ONE_WAY, GAME",
+        "FILTERED, GAME",
+        "SENSED, GAME",
+        "OF_ALL_KINDS, DRAFT",
+        "OF_ALL_KINDS, GAME",
+        "OF_ALL_KINDS, FINE"
+    })
+    void fewThatSleepWouldNotHaveMoved(Dress dress, Preset preset) {
+        holdFew(
+                dress == Dress.LOCKED ? SEEDS.without(DRIFTING) : SEEDS,
+                dress,
+                preset,
+                SleepLawTest::stillWithoutSleep);
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "ROUNDED, GAME",
+        "IN_PARTS, GAME",
+        "LOCKED, GAME",
+        "ON_CHAINS, GAME",
+        "ONE_WAY, GAME",
+        "FILTERED, GAME",
+        "SENSED, GAME",
+        "OF_ALL_KINDS, DRAFT",
+        "OF_ALL_KINDS, GAME",
+        "OF_ALL_KINDS, FINE"
+    })
+    void bodiesEndWhereTheyWouldWithoutSleep(Dress dress, Preset preset) {
+        Seeds seeds = dress == Dress.LOCKED ? SEEDS.without(DRIFTING) : SEEDS;
+        holdFew(
+                dress == Dress.OF_ALL_KINDS ? SEEDS.without(STRUCK_ASLEEP) : seeds,
+                dress,
+                preset,
+                SleepLawTest::sameWithoutSleep);
+    }
+
+    @Disabled("what drifts by less than 1e-4 widths in half a second sleeps, forces or none")
+    @Test
+    void whatDriftsDriftsOn() {
+        holdFew(DRIFTING, Dress.LOCKED, Preset.GAME, SleepLawTest::stillWithoutSleep);
+    }
+
+    @Disabled(
+            "a sleeper that is struck is no pile yet: the impact between it and what it leans on"
+                    + " is passed on pair by pair, 25 times where one is solved for what is awake")
+    @Test
+    void whatStrikesSleepersFliesOnAsWithoutSleep() {
+        holdFew(STRUCK_ASLEEP, Dress.OF_ALL_KINDS, Preset.GAME, SleepLawTest::sameWithoutSleep);
+    }
+
+    private static void holdFew(Seeds seeds, Dress dress, Preset preset, Law law) {
+        Laws.hold(
+                seeds,
+                seed -> dress.on(Surroundings.settling(seed, preset.accuracy, FEW)),
+                law,
+                new Quota(Math.min(ASLEEP, seeds.all().size()), "bodies asleep"));
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "ROUNDED, GAME, 2e-3",
+        "IN_PARTS, GAME, 2e-3",
+        "LOCKED, GAME, 2e-3",
+        "ON_CHAINS, GAME, 2e-3",
+        "ONE_WAY, GAME, 2e-3",
+        "FILTERED, GAME, 2e-3",
+        "SENSED, GAME, 2e-3",
+        "OF_ALL_KINDS, DRAFT, 1e-2",
+        "OF_ALL_KINDS, GAME, 2e-3",
+        "OF_ALL_KINDS, FINE, 1e-3"
+    })
+    void gentleEditsAddNoEnergy(Dress dress, Preset preset, double limit) {
+        Laws.hold(
+                SEEDS,
+                seed -> edited(seed, dress, preset),
+                (scene, asked) -> EditsLawTest.gentlyEdited(limit, scene, asked),
+                new Quota(100, "edits of what touched"));
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "ROUNDED, GAME",
+        "IN_PARTS, GAME",
+        "LOCKED, GAME",
+        "ON_CHAINS, GAME",
+        "ONE_WAY, GAME",
+        "FILTERED, GAME",
+        "SENSED, GAME",
+        "OF_ALL_KINDS, DRAFT",
+        "OF_ALL_KINDS, GAME",
+        "OF_ALL_KINDS, EXACT"
+    })
+    void bodiesPutIntoOthersArePushedOutWithoutHarm(Dress dress, Preset preset) {
+        Laws.hold(
+                SEEDS,
+                seed -> edited(seed, dress, preset),
+                EditsLawTest::roughlyEdited,
+                new Quota(500, "steps that took overlap back"));
+    }
+
+    /** A tray, every other one with sleep. */
+    private static RandomScene edited(long seed, Dress dress, Preset preset) {
+        RandomScene tray = dress.on(Surroundings.tray(seed, preset.accuracy));
+        return seed % 2 == 0 ? tray : tray.effects(tray.effects().with(new Sleep()));
+    }
+}
