@@ -6,7 +6,9 @@ import rigibo.backend.collision.Manifold;
 import rigibo.backend.collision.Motion;
 import rigibo.backend.collision.PointAndRay;
 import rigibo.backend.collision.Pose;
+import rigibo.backend.collision.ShapeCast;
 import rigibo.backend.collision.TimeOfImpact;
+import rigibo.backend.collision.Touching;
 import rigibo.backend.geometry.Angle;
 import rigibo.backend.geometry.Outline;
 import rigibo.backend.geometry.Placement;
@@ -69,7 +71,8 @@ public final class Geometry {
 
     /**
      * Where two shapes touch, or are no farther apart than a reach; of compounds for every two
-     * parts that do.
+     * parts that do. An edge of a chain pushes what comes out of the air: what lies in its matter
+     * has no contact.
      *
      * @param reach largest gap that is still told, m, 0 or more
      */
@@ -82,16 +85,13 @@ public final class Geometry {
         Pose pose = pose(at);
         Pose otherPose = pose(otherAt);
         List<ShapeContact> contacts = new ArrayList<>();
+        Touching touching = new Touching();
         for (int part = 0; part < one.parts(); part++) {
             for (int otherPart = 0; otherPart < other.parts(); otherPart++) {
-                collider.collide(
-                        one.outline(part),
-                        pose,
-                        other.outline(otherPart),
-                        otherPose,
-                        reach,
-                        manifold);
-                if (manifold.count > 0) {
+                Outline a = one.outline(part);
+                Outline b = other.outline(otherPart);
+                collider.collide(a, pose, b, otherPose, reach, manifold);
+                if (manifold.count > 0 && !touching.isInMatter(a, pose, b, otherPose)) {
                     contacts.add(told(manifold, part, otherPart));
                 }
             }
@@ -112,8 +112,8 @@ public final class Geometry {
 
     /**
      * When two moving shapes first touch while they close, s, or empty where they do not. What
-     * starts in overlap and closes touches at once. The gap left is a billionth of the narrower
-     * shape.
+     * starts in overlap and closes touches at once, and what lies in the matter of a chain's edge
+     * comes out of it untouched. The gap left is a billionth of the narrower shape.
      *
      * @param seconds how far to look ahead, s, 0 or more
      */
@@ -122,6 +122,9 @@ public final class Geometry {
         requireShapes("timeOfImpact", one, how, other, otherHow);
         Require.notNegative("Geometry.timeOfImpact seconds", seconds, "s");
         TimeOfImpact search = new TimeOfImpact();
+        Touching touching = new Touching();
+        Pose pose = pose(how.from());
+        Pose otherPose = pose(otherHow.from());
         Motion motion = motion(how);
         Motion otherMotion = motion(otherHow);
         double first = TimeOfImpact.NEVER;
@@ -129,6 +132,9 @@ public final class Geometry {
             for (int otherPart = 0; otherPart < other.parts(); otherPart++) {
                 motion.outline = one.outline(part);
                 otherMotion.outline = other.outline(otherPart);
+                if (touching.isInMatter(motion.outline, pose, otherMotion.outline, otherPose)) {
+                    continue;
+                }
                 double time =
                         search.find(
                                 motion,
@@ -145,7 +151,7 @@ public final class Geometry {
 
     /**
      * The fraction of a straight way, 0 to 1, at which a shape that does not turn meets another
-     * that stands still, or empty where it does not.
+     * that stands still, or empty where it does not. A chain is met out of the air alone.
      *
      * @param dx way to the right, m
      * @param dy way up, m
@@ -153,8 +159,18 @@ public final class Geometry {
     public static OptionalDouble cast(
             Shape moving, Placement from, double dx, double dy, Shape onto, Placement ontoAt) {
         requireShapes("cast", moving, from, onto, ontoAt);
-        Movement how = new Movement(from, dx, dy, 0);
-        return timeOfImpact(moving, how, onto, new Movement(ontoAt, 0, 0, 0), 1);
+        ShapeCast cast = new ShapeCast();
+        Motion motion = motion(new Movement(from, dx, dy, 0));
+        Motion still = motion(new Movement(ontoAt, 0, 0, 0));
+        double first = TimeOfImpact.NEVER;
+        for (int part = 0; part < moving.parts(); part++) {
+            for (int otherPart = 0; otherPart < onto.parts(); otherPart++) {
+                motion.outline = moving.outline(part);
+                still.outline = onto.outline(otherPart);
+                first = Math.min(first, cast.find(motion, still, 1));
+            }
+        }
+        return first <= 1 ? OptionalDouble.of(first) : OptionalDouble.empty();
     }
 
     /** Whether a world point lies in a shape or on its outline. */

@@ -469,7 +469,8 @@ public final class Pool {
     /**
      * The first body that a shape meets on a straight way, without turning: the one added first of
      * several met at once. The hit tells the point and the outward normal of the body met. A shape
-     * that starts in one and goes deeper meets it at once; one that leaves it does not.
+     * that starts in one and goes deeper meets it at once; one that leaves it does not, nor does
+     * one that comes out of the matter of a chain.
      *
      * @param shape may be a compound
      * @param from where it starts
@@ -482,7 +483,10 @@ public final class Pool {
         return casts().cast(shape, from, dx, dy, filter);
     }
 
-    /** Hands every body that a shape reaches into or touches to a visitor, in order of slots. */
+    /**
+     * Hands every body that a shape reaches into or touches to a visitor, in order of slots; of a
+     * chain the edges are asked, whose matter has no end.
+     */
     public void overlapping(Shape shape, Placement at, Filter filter, Consumer<RigidBody> visitor) {
         Require.present("Pool.overlapping visitor", visitor);
         casts().overlapping(shape, at, filter).forEach(visitor);

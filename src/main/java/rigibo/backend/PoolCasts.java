@@ -2,19 +2,17 @@ package rigibo.backend;
 
 import rigibo.backend.broadphase.Broadphase;
 import rigibo.backend.broadphase.RayWalk;
-import rigibo.backend.collision.Collider;
 import rigibo.backend.collision.Distance;
-import rigibo.backend.collision.Manifold;
 import rigibo.backend.collision.Motion;
 import rigibo.backend.collision.PointAndRay;
 import rigibo.backend.collision.Pose;
-import rigibo.backend.collision.TimeOfImpact;
+import rigibo.backend.collision.ShapeCast;
+import rigibo.backend.collision.Touching;
 import rigibo.backend.geometry.Aabb;
 import rigibo.backend.geometry.Angle;
 import rigibo.backend.geometry.Placement;
 import rigibo.backend.geometry.Shape;
 import rigibo.backend.setup.Filter;
-import rigibo.backend.setup.ImpactSearch;
 import rigibo.backend.setup.Require;
 import rigibo.backend.step.StepPlan;
 import rigibo.backend.storage.Bodies;
@@ -30,9 +28,6 @@ import java.util.Set;
 /** Questions that a shape asks of a pool between steps, or a ray of all that it meets. */
 final class PoolCasts {
 
-    /** Gap left where a cast shape meets another, as a share of the narrower one. */
-    private static final double TOLERANCE = 1e-9;
-
     private final Pool pool;
     private final Bodies bodies;
     private final StepPlan plan;
@@ -40,10 +35,9 @@ final class PoolCasts {
     private final Pose pose = new Pose();
     private final Pose otherPose = new Pose();
     private final PointAndRay pointAndRay = new PointAndRay();
-    private final Collider collider = new Collider();
-    private final Manifold manifold = new Manifold();
+    private final Touching touching = new Touching();
     private final Distance distance = new Distance();
-    private final TimeOfImpact timeOfImpact = new TimeOfImpact();
+    private final ShapeCast shapeCast = new ShapeCast();
     private final Motion moving = new Motion();
     private final Motion standing = new Motion();
     private final Aabb box = new Aabb();
@@ -121,8 +115,7 @@ final class PoolCasts {
             standing.outline = bodies.outline[slot];
             for (int part = 0; part < shape.parts(); part++) {
                 moving.outline = shape.outline(part);
-                double time =
-                        timeOfImpact.find(moving, standing, 0, 1, TOLERANCE, ImpactSearch.ITP);
+                double time = shapeCast.find(moving, standing, 1);
                 if (time < first || time == first && isBefore(slot, met)) {
                     first = time;
                     met = slot;
@@ -207,9 +200,9 @@ final class PoolCasts {
     private boolean touches(Shape shape, int slot) {
         boolean touches = false;
         for (int part = 0; part < shape.parts() && !touches; part++) {
-            collider.collide(
-                    shape.outline(part), otherPose, bodies.outline[slot], pose, 0, manifold);
-            touches = manifold.count > 0;
+            touches =
+                    touching.areTouching(
+                            shape.outline(part), otherPose, bodies.outline[slot], pose);
         }
         return touches;
     }

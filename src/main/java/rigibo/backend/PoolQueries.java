@@ -1,10 +1,9 @@
 package rigibo.backend;
 
 import rigibo.backend.broadphase.Broadphase;
-import rigibo.backend.collision.Collider;
-import rigibo.backend.collision.Manifold;
 import rigibo.backend.collision.PointAndRay;
 import rigibo.backend.collision.Pose;
+import rigibo.backend.collision.Touching;
 import rigibo.backend.geometry.Aabb;
 import rigibo.backend.geometry.Outline;
 import rigibo.backend.geometry.Polygon;
@@ -38,8 +37,7 @@ final class PoolQueries {
     private final Pose areaPose = new Pose();
     private final PointAndRay pointAndRay = new PointAndRay();
     private final RayCast ray;
-    private final Collider collider = new Collider();
-    private final Manifold manifold = new Manifold();
+    private final Touching touching = new Touching();
 
     PoolQueries(Pool pool, DataStorage data, StepPlan plan) {
         this.pool = pool;
@@ -146,8 +144,8 @@ final class PoolQueries {
         for (int i = 0; i < found.count; i++) {
             int slot = found.numbers[i];
             int body = place(slot);
-            collider.collide(outline, areaPose, bodies.outline[slot], pose, 0, manifold);
-            if (manifold.count > 0 && !bodies.isSensor(slot)) {
+            if (!bodies.isSensor(slot)
+                    && touching.areTouching(outline, areaPose, bodies.outline[slot], pose)) {
                 inside.add(pool.handle(body));
             }
         }

@@ -13,13 +13,20 @@ import rigibo.backend.effect.Gravity;
 import rigibo.backend.effect.Joints;
 import rigibo.backend.effect.Restitution;
 import rigibo.backend.effect.Rotation;
+import rigibo.backend.effect.Sensors;
 import rigibo.backend.effect.SurfaceSpeed;
 import rigibo.backend.effect.Thrust;
 import rigibo.backend.effect.Wind;
+import rigibo.backend.geometry.Capsule;
+import rigibo.backend.geometry.Chain;
 import rigibo.backend.geometry.Circle;
+import rigibo.backend.geometry.Compound;
+import rigibo.backend.geometry.Part;
 import rigibo.backend.geometry.Polygon;
+import rigibo.backend.geometry.Shape;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.BodyDefinition;
+import rigibo.backend.setup.Filter;
 import rigibo.backend.setup.Material;
 
 import java.util.Random;
@@ -146,6 +153,45 @@ enum Scenes {
                                 .motor(side, 20));
             }
             return pool;
+        }
+    },
+    /** All kinds of shapes in a bowl of edges, stirred: filters, locks, a shelf, sensors. */
+    KINDS {
+        @Override
+        Pool build() {
+            Effects effects = usualWithoutSleep().with(new Sensors());
+            Pool pool = new Pool(effects, Accuracy.GAME);
+            pool.add(BodyDefinition.fixed(Chain.open(9, 30, 9, 0, 4, -1, -4, -1, -9, 0, -9, 30)));
+            Material oneWay = Material.DEFAULT.oneWay(0, 1);
+            pool.add(BodyDefinition.fixed(Polygon.box(4, 0.3)).at(-5, 2).material(oneWay));
+            pool.add(BodyDefinition.fixed(Polygon.box(4, 4)).at(5, 1).sensor());
+            pool.add(BodyDefinition.kinematic(new Capsule(1.5, 0.2)).at(0, 1).spin(1));
+            for (int i = 0; i < 40; i++) {
+                pool.add(kind(i).at(i % 8 * 2 - 7, 3 + i / 8).angle(i));
+            }
+            return pool;
+        }
+
+        private BodyDefinition kind(int i) {
+            BodyDefinition body = BodyDefinition.dynamic(shape(i));
+            return switch (i % 7) {
+                case 0 -> body.filter(Filter.ALL.category(2));
+                case 1 -> body.filter(Filter.ALL.mask(~2));
+                case 2 -> body.lockRotation();
+                default -> body;
+            };
+        }
+
+        private Shape shape(int i) {
+            return switch (i % 4) {
+                case 0 -> new Capsule(0.3, 0.2);
+                case 1 -> Polygon.box(0.6, 0.5).rounded(0.1);
+                case 2 ->
+                        Compound.of(
+                                Part.of(Polygon.box(0.8, 0.2)),
+                                Part.of(Polygon.box(0.2, 0.8)).at(0.3, 0.3));
+                default -> Compound.of(Part.of(new Circle(0.3)), Part.of(new Circle(0.6)).sensor());
+            };
         }
     };
 

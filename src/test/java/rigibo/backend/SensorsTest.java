@@ -13,6 +13,7 @@ import rigibo.backend.effect.Gravity;
 import rigibo.backend.effect.Sensors;
 import rigibo.backend.effect.Sleep;
 import rigibo.backend.geometry.Capsule;
+import rigibo.backend.geometry.Chain;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Compound;
 import rigibo.backend.geometry.Part;
@@ -226,8 +227,9 @@ class SensorsTest {
                                     Part.of(new Circle(0.2)).at(0.3, 0));
                 };
         BodyDefinition body =
-                switch (random.nextInt(3)) {
+                switch (random.nextInt(4)) {
                     case 0 -> BodyDefinition.fixed(shape);
+                    case 3 -> BodyDefinition.fixed(chain(random));
                     case 1 -> BodyDefinition.kinematic(shape).velocity(random.nextDouble(-5, 5), 1);
                     default ->
                             BodyDefinition.dynamic(shape)
@@ -241,6 +243,11 @@ class SensorsTest {
                         .angle(random.nextDouble(7))
                         .filter(new Filter(category, mask, 0));
         return isSensor ? placed.sensor() : placed;
+    }
+
+    private static Chain chain(SplittableRandom random) {
+        double edge = random.nextDouble(0.1, 1);
+        return Chain.open(edge, 0, 0, random.nextDouble(-edge, edge), -edge, 0);
     }
 
     private static Set<RigidBody> bruteForce(Pool pool, RigidBody sensor) {
@@ -259,6 +266,26 @@ class SensorsTest {
 
     private static Placement place(RigidBody body) {
         return Placement.at(body.x(), body.y()).angle(body.angle());
+    }
+
+    /** An edge of a chain is a line to a sensor, whichever side of it is matter. */
+    @Test
+    void seesAChainThatItCrossesAndNoneThatItLiesBehind() {
+        for (double side : new double[] {1, -1}) {
+            Pool pool = new Pool(AWAKE.without(Gravity.class), Accuracy.GAME);
+            pool.add(BodyDefinition.fixed(Chain.open(5, 0, 0, 0.3, -5, 0)));
+            BodyDefinition sensor = BodyDefinition.kinematic(Polygon.box(1, 0.4)).sensor();
+            pool.add(sensor.at(-3, side).velocity(60, 0));
+            RigidBody crossing = pool.add(sensor.at(2, side).velocity(0, -120 * side));
+            List<SensorEvent> seen = new ArrayList<>();
+            for (int i = 0; i < 5; i++) {
+                pool.step(DT);
+                seen.addAll(pool.sensorEvents());
+            }
+            assertThat(seen.stream().map(SensorEvent::sensor)).containsOnly(crossing);
+            assertThat(seen.stream().map(SensorEvent::phase))
+                    .containsExactly(Phase.ENTERED, Phase.LEFT);
+        }
     }
 
     /** Far sensors ask nobody: work goes by who is near. */

@@ -71,6 +71,15 @@ public final class Outline {
                 cornerX, cornerY, new double[] {nx, -nx}, new double[] {ny, -ny}, 0, before, after);
     }
 
+    /**
+     * An edge of a chain as a line that is solid on both sides.
+     *
+     * @param share half of what it is thick, as a share of its length
+     */
+    public Outline asLine(double share) {
+        return of(cornerX, cornerY, 2 * share * halfLength());
+    }
+
     private Outline(
             double[] cornerX,
             double[] cornerY,

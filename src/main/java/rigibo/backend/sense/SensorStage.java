@@ -1,10 +1,10 @@
 package rigibo.backend.sense;
 
 import rigibo.backend.broadphase.Broadphase;
-import rigibo.backend.collision.Collider;
-import rigibo.backend.collision.Manifold;
 import rigibo.backend.collision.Pose;
 import rigibo.backend.collision.TimeOfImpact;
+import rigibo.backend.collision.Touching;
+import rigibo.backend.geometry.Outline;
 import rigibo.backend.setup.ImpactSearch;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.Counters;
@@ -24,8 +24,7 @@ public final class SensorStage {
     private final Broadphase broadphase;
     private final Bodies bodies;
     private final Counters counters;
-    private final Collider collider = new Collider();
-    private final Manifold manifold = new Manifold();
+    private final Touching touching = new Touching();
     private final TimeOfImpact timeOfImpact = new TimeOfImpact();
     private final Pose pose = new Pose();
     private final Pose otherPose = new Pose();
@@ -90,9 +89,8 @@ public final class SensorStage {
         counters.sensed++;
         place(sensor, pose);
         place(visitor, otherPose);
-        collider.collide(
-                bodies.outline[sensor], pose, bodies.outline[visitor], otherPose, 0, manifold);
-        return manifold.count > 0;
+        return touching.areTouching(
+                bodies.outline[sensor], pose, bodies.outline[visitor], otherPose);
     }
 
     private void place(int slot, Pose at) {
@@ -116,7 +114,7 @@ public final class SensorStage {
                     timeOfImpact.find(
                             way.motion, otherWay.motion, from, until, TOLERANCE, ImpactSearch.ITP);
             if (found <= until) {
-                return true;
+                return isMet(bodies.outline[sensor], bodies.outline[visitor], found);
             }
             if (!(until < dt)) {
                 return false;
@@ -129,5 +127,15 @@ public final class SensorStage {
                 otherWay.advance();
             }
         }
+    }
+
+    /** Whether what was found is no edge of a chain that is met from its matter, out of reach. */
+    private boolean isMet(Outline sensor, Outline visitor, double time) {
+        if (!sensor.isEdge() && !visitor.isEdge()) {
+            return true;
+        }
+        way.motion.poseAt(time, pose);
+        otherWay.motion.poseAt(time, otherPose);
+        return touching.areWithin(2 * TOLERANCE, sensor, pose, visitor, otherPose);
     }
 }

@@ -1,0 +1,64 @@
+package rigibo.backend.collision;
+
+import rigibo.backend.geometry.Outline;
+import rigibo.backend.setup.ImpactSearch;
+
+/**
+ * When an outline that goes straight on, without turning, meets another one that stands. An edge of
+ * a chain is met as a line is, and only from the air: what comes out of its matter passes. Holds
+ * scratch, so each thread needs its own.
+ */
+public final class ShapeCast {
+
+    /** Gap left where the two meet, as a share of the narrower one. */
+    private static final double TOLERANCE = 1e-9;
+
+    /** Half of what a line is thick, as a share of its length. */
+    private static final double THIN = 1e-10;
+
+    /** Sine by which something may come from behind the end of an edge: round-off of its axis. */
+    private static final double ROUND_OFF = 1e-9;
+
+    private final TimeOfImpact search = new TimeOfImpact();
+    private final Distance distance = new Distance();
+    private final Pose pose = new Pose();
+    private final Pose otherPose = new Pose();
+
+    /**
+     * The time of the first meeting of two motions that do not turn, from 0 on, or {@link
+     * TimeOfImpact#NEVER}.
+     */
+    public double find(Motion one, Motion other, double until) {
+        Outline outline = one.outline;
+        Outline otherOutline = other.outline;
+        one.outline = solid(outline);
+        other.outline = solid(otherOutline);
+        double time = search.find(one, other, 0, until, TOLERANCE, ImpactSearch.ITP);
+        if (time <= until && (outline.isEdge() || otherOutline.isEdge())) {
+            one.poseAt(time, pose);
+            other.poseAt(time, otherPose);
+            distance.measure(one.outline, pose, other.outline, otherPose);
+            boolean isFromAir =
+                    isInFront(outline, pose, distance.axisX, distance.axisY)
+                            && isInFront(otherOutline, otherPose, -distance.axisX, -distance.axisY);
+            time = isFromAir ? time : TimeOfImpact.NEVER;
+        }
+        one.outline = outline;
+        other.outline = otherOutline;
+        return time;
+    }
+
+    private static Outline solid(Outline outline) {
+        return outline.isEdge() ? outline.asLine(THIN) : outline;
+    }
+
+    /** Whether an axis from an outline is not from the matter of an edge. */
+    private static boolean isInFront(Outline outline, Pose at, double axisX, double axisY) {
+        if (!outline.isEdge()) {
+            return true;
+        }
+        double x = at.cos * outline.normalX(0) - at.sin * outline.normalY(0);
+        double y = at.sin * outline.normalX(0) + at.cos * outline.normalY(0);
+        return axisX * x + axisY * y >= -ROUND_OFF;
+    }
+}

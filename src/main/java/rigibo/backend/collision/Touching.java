@@ -1,0 +1,53 @@
+package rigibo.backend.collision;
+
+import rigibo.backend.geometry.Outline;
+
+/**
+ * Whether outlines reach into or touch each other. An edge of a chain is a line there, on whichever
+ * side its matter lies; what pushes is asked of a {@link Collider}. Holds scratch, so each thread
+ * needs its own. Allocates nothing once an edge was asked of.
+ */
+public final class Touching {
+
+    private final Collider collider = new Collider();
+    private final Manifold manifold = new Manifold();
+
+    /** Made with the first edge of a chain. */
+    private Distance distance;
+
+    private EdgeContact edges;
+
+    /** Whether two outlines have a point in common. */
+    public boolean areTouching(Outline a, Pose poseA, Outline b, Pose poseB) {
+        if (a.isEdge() || b.isEdge()) {
+            return gapOfEdge(a, poseA, b, poseB) <= 0;
+        }
+        collider.collide(a, poseA, b, poseB, 0, manifold);
+        return manifold.count > 0;
+    }
+
+    /**
+     * Whether two outlines of which one is an edge come within a share of the other's width; what
+     * is told of an edge's matter is not within any.
+     */
+    public boolean areWithin(double share, Outline a, Pose poseA, Outline b, Pose poseB) {
+        double width = Math.min(a.smallestWidth(), b.smallestWidth());
+        return gapOfEdge(a, poseA, b, poseB) <= share * width;
+    }
+
+    private double gapOfEdge(Outline a, Pose poseA, Outline b, Pose poseB) {
+        distance = distance == null ? new Distance() : distance;
+        return distance.measure(a, poseA, b, poseB);
+    }
+
+    /** Whether one is an edge and the other lies wholly in the matter behind it. */
+    public boolean isInMatter(Outline a, Pose poseA, Outline b, Pose poseB) {
+        return a.isEdge() && isBehind(a, poseA, b, poseB)
+                || b.isEdge() && isBehind(b, poseB, a, poseA);
+    }
+
+    private boolean isBehind(Outline edge, Pose poseE, Outline other, Pose poseO) {
+        edges = edges == null ? new EdgeContact() : edges;
+        return edges.side(edge, poseE, other, poseO) == EdgeContact.Side.MATTER;
+    }
+}
