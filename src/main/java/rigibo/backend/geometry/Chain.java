@@ -98,8 +98,17 @@ public final class Chain implements Shape {
         return isLoop;
     }
 
-    /** An edge by itself, as a chain of one. */
+    /**
+     * An edge by itself, as a chain of one.
+     *
+     * @param i its number, from 0 to before {@link #parts}
+     * @throws IllegalArgumentException when there is none of that number
+     */
     public Chain edge(int i) {
+        if (i < 0 || i >= parts()) {
+            throw new IllegalArgumentException(
+                    "Chain.edge must be 0 to " + (parts() - 1) + ", was " + i);
+        }
         int next = (i + 1) % corners();
         return new Chain(
                 new double[] {cornerX(i), cornerY(i), cornerX(next), cornerY(next)}, false);

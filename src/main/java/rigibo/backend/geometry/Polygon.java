@@ -121,7 +121,9 @@ public final class Polygon implements Convex {
      *     256 are corners
      */
     public static Polygon hull(double... xy) {
-        return of(Hull.of(xy));
+        double[] corners = Hull.of(xy);
+        PolygonCheck.requireHull(corners);
+        return of(corners);
     }
 
     /**

@@ -47,6 +47,19 @@ final class PolygonCheck {
         }
     }
 
+    /** Points of which no more than two are corners lie on one line. */
+    static void requireHull(double[] corners) {
+        int count = corners.length / 2;
+        if (count < 3 || count > Polygon.MAX_CORNERS) {
+            throw new IllegalArgumentException(
+                    "Polygon.hull must have 3 to "
+                            + Polygon.MAX_CORNERS
+                            + " corners, had "
+                            + count
+                            + (count < 3 ? ": all points lie on one line" : ""));
+        }
+    }
+
     static void requireFinite(String maker, double[] xy) {
         for (int i = 0; i < xy.length; i++) {
             if (!finite(xy[i])) {

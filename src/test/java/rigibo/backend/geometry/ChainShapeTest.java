@@ -44,6 +44,14 @@ class ChainShapeTest {
     }
 
     @Test
+    void hasNoEdgeBeyondItsEnd() {
+        Chain chain = Chain.open(1, 0, 0, 0);
+        assertThat(chain.edge(0)).isEqualTo(chain);
+        assertThatThrownBy(() -> chain.edge(1)).hasMessage("Chain.edge must be 0 to 0, was 1");
+        assertThatThrownBy(() -> chain.edge(-1)).hasMessageContaining("was -1");
+    }
+
+    @Test
     void manyEdgesAreCheckedInNoTime() {
         double[] xy = new double[2 * Chain.MAX_EDGES];
         for (int i = 0; i < Chain.MAX_EDGES; i++) {
