@@ -47,8 +47,8 @@ class EditsLawTest {
     /** m: overlap that no pile has by itself. */
     private static final double VISIBLE = 0.02;
 
-    /** Bodies that push each other up one on the other. */
-    private static final int STOREYS = 4;
+    /** Bodies that push each other up one on the other, where edits have added up to ten. */
+    private static final int STOREYS = 5;
 
     /**
      * Edits that put no body into another: energy grows in no step by more than so much of the
