@@ -141,7 +141,7 @@ public final class Passes {
         hold(h, length, substep, fastest, limit);
         motions.drift(h);
         if (isCorrecting) {
-            overlap.correctInPasses(h, substep, PASSES_OVER_OVERLAP);
+            overlap.correctAndHoldGround(h, substep, PASSES_OVER_OVERLAP);
         }
     }
 

@@ -78,20 +78,36 @@ public final class OverlapSolver {
      */
     public void correctInPasses(double h, int substep, int passes) {
         findDeep(substep);
-        if (deepCount == 0) {
-            return;
+        if (deepCount > 0) {
+            begin();
+            pass(h, passes);
+            end(h);
         }
-        begin();
-        ground.begin();
-        noteGround(h);
+    }
+
+    /**
+     * The same where nothing is joined: what nobody moves is held last, for several bodies together
+     * push one into it.
+     */
+    public void correctAndHoldGround(double h, int substep, int passes) {
+        findDeep(substep);
+        if (deepCount > 0) {
+            begin();
+            ground.begin();
+            noteGround(h);
+            pass(h, passes);
+            ground.hold(substep);
+            end(h);
+        }
+    }
+
+    private void pass(double h, int passes) {
         for (int pass = 0; pass < passes; pass++) {
             boolean isUpwards = pass % 2 == 0;
             for (int i = 0; i < deepCount; i++) {
                 correct(deep[isUpwards ? deepCount - 1 - i : i], h, Recovery.MOST_PUSH / passes);
             }
         }
-        ground.hold(substep);
-        end(h);
     }
 
     private void findDeep(int substep) {
