@@ -57,7 +57,7 @@ public final class Rounds {
      * The same of a body that touches only what nobody moves, which has three unknowns, and of what
      * a driven body presses, which is as heavy as can be.
      */
-    private static final double WORTH_ALONE = 2;
+    private static final double WORTH_ALONE = 8;
 
     /**
      * How many times that it is worth, at most, where passes take long: with bodies that differ in

@@ -25,6 +25,9 @@ public final class OverlapSolver {
      */
     private static final double ROUND_OFF = 1e-9;
 
+    /** Overlap with the ground in widths that shows. */
+    private static final double SHOWS = 0.01;
+
     private final Bodies bodies;
     private final Motions motions;
     private final PackedContacts contacts;
@@ -128,12 +131,16 @@ public final class OverlapSolver {
     }
 
     /**
-     * Notes how deep bodies may still be in the ground once overlap was taken back in h seconds.
+     * Notes how deep bodies may still be in the ground once overlap was taken back in h seconds:
+     * those that it shows of come out at the rate of one contact, however many push them in.
      */
     private void noteGround(double h) {
         for (int row = contacts.groundStart; row < contacts.count; row++) {
+            double width = contacts.data[row * PackedContacts.STRIDE + PackedContacts.WIDTH];
             for (int point = 0; point < contacts.points[row]; point++) {
-                ground.open(row, point, wanted(row, point, h));
+                if (motions.gap(contacts, row, point) < -SHOWS * width) {
+                    ground.open(row, point, wanted(row, point, h));
+                }
             }
         }
     }
