@@ -6,7 +6,6 @@ import rigibo.backend.contact.row.PackedContacts;
 import rigibo.backend.contact.solve.ContactSweep;
 import rigibo.backend.contact.solve.DirectSolver;
 import rigibo.backend.contact.solve.EnergyGuard;
-import rigibo.backend.contact.solve.GroundHold;
 import rigibo.backend.contact.solve.Halfway;
 import rigibo.backend.contact.solve.OverlapSolver;
 import rigibo.backend.setup.Accuracy;
@@ -54,8 +53,8 @@ public final class Rounds {
     private static final double WORTH = 0.25;
 
     /**
-     * The same of a body that touches only what nobody moves, which has three unknowns, and of what
-     * a driven body presses, which is as heavy as can be.
+     * How many times it is worth for a single body on what nobody moves, with its three unknowns,
+     * and for what a driven body presses, which no load can stop.
      */
     private static final double WORTH_ALONE = 8;
 
@@ -89,7 +88,6 @@ public final class Rounds {
     private final ContactSweep sweep;
     private final OverlapSolver overlap;
     private final DirectSolver direct;
-    private final GroundHold ground;
     private final Halfway halfway;
     private final Halfway before;
     private final Halfway best;
@@ -128,7 +126,6 @@ public final class Rounds {
         this.overlap = overlap;
         int substeps = accuracy.substeps();
         direct = new DirectSolver(motions, contacts, overlap, substeps);
-        ground = new GroundHold(motions, contacts);
         halfway = new Halfway(motions, contacts);
         before = new Halfway(motions, contacts);
         best = new Halfway(motions, contacts);
@@ -295,11 +292,9 @@ public final class Rounds {
     void takeOverlapBack(double h, int substep) {
         if (isCorrecting) {
             overlap.begin();
-            ground.begin();
             direct.correct(h, substep);
             overlap.correct(h, substep);
-            ground.hold(substep);
-            overlap.end(h);
+            overlap.end(h, substep);
         }
     }
 }

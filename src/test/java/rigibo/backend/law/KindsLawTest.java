@@ -7,6 +7,9 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 import rigibo.backend.effect.Sleep;
 
+import java.lang.annotation.Retention;
+import java.lang.annotation.RetentionPolicy;
+
 /** What holds for bodies that all meet holds on chains, through shelves, filters and sensors. */
 class KindsLawTest {
 
@@ -22,6 +25,37 @@ class KindsLawTest {
 
     /** A disc comes rolling into a capsule that leans and sleeps. */
     private static final Seeds STRUCK_ASLEEP = Seeds.of(4L);
+
+    /** Every kind at the game's accuracy, and all of them at the coarsest and the finest. */
+    @Retention(RetentionPolicy.RUNTIME)
+    @ParameterizedTest
+    @CsvSource({
+        "ON_CHAINS, GAME",
+        "ONE_WAY, GAME",
+        "FILTERED, GAME",
+        "SENSED, GAME",
+        "OF_ALL_KINDS, DRAFT",
+        "OF_ALL_KINDS, GAME",
+        "OF_ALL_KINDS, EXACT"
+    })
+    private @interface EachKind {}
+
+    /** Every dress that bodies may wear at the game's accuracy, and all kinds beside it. */
+    @Retention(RetentionPolicy.RUNTIME)
+    @ParameterizedTest
+    @CsvSource({
+        "ROUNDED, GAME",
+        "IN_PARTS, GAME",
+        "LOCKED, GAME",
+        "ON_CHAINS, GAME",
+        "ONE_WAY, GAME",
+        "FILTERED, GAME",
+        "SENSED, GAME",
+        "OF_ALL_KINDS, DRAFT",
+        "OF_ALL_KINDS, GAME",
+        "OF_ALL_KINDS, FINE"
+    })
+    private @interface EachDress {}
 
     /** In no step more than the share of what there was at the start, as without. */
     @ParameterizedTest
@@ -50,16 +84,7 @@ class KindsLawTest {
     }
 
     /** A power of two changes no digit. */
-    @ParameterizedTest
-    @CsvSource({
-        "ON_CHAINS, GAME",
-        "ONE_WAY, GAME",
-        "FILTERED, GAME",
-        "SENSED, GAME",
-        "OF_ALL_KINDS, DRAFT",
-        "OF_ALL_KINDS, GAME",
-        "OF_ALL_KINDS, EXACT"
-    })
+    @EachKind
     void smallPilesAreTheSameToTheBit(Dress dress, Preset preset) {
         Laws.hold(
                 SEEDS,
@@ -68,16 +93,7 @@ class KindsLawTest {
                 new Quota(2000, "loaded contacts"));
     }
 
-    @ParameterizedTest
-    @CsvSource({
-        "ON_CHAINS, GAME",
-        "ONE_WAY, GAME",
-        "FILTERED, GAME",
-        "SENSED, GAME",
-        "OF_ALL_KINDS, DRAFT",
-        "OF_ALL_KINDS, GAME",
-        "OF_ALL_KINDS, EXACT"
-    })
+    @EachKind
     void strangersNeverMatter(Dress dress, Preset preset) {
         Laws.hold(
                 SEEDS,
@@ -115,16 +131,7 @@ class KindsLawTest {
                 new Quota(100, "impacts"));
     }
 
-    @ParameterizedTest
-    @CsvSource({
-        "ON_CHAINS, GAME",
-        "ONE_WAY, GAME",
-        "FILTERED, GAME",
-        "SENSED, GAME",
-        "OF_ALL_KINDS, DRAFT",
-        "OF_ALL_KINDS, GAME",
-        "OF_ALL_KINDS, EXACT"
-    })
+    @EachKind
     void aRestoredPoolGoesOnAlike(Dress dress, Preset preset) {
         Laws.hold(
                 SEEDS,
@@ -133,19 +140,7 @@ class KindsLawTest {
                 new Quota(60, "snapshots"));
     }
 
-    @ParameterizedTest
-    @CsvSource({
-        "ROUNDED, GAME",
-        "IN_PARTS, GAME",
-        "LOCKED, GAME",
-        "ON_CHAINS, GAME",
-        "ONE_WAY, GAME",
-        "FILTERED, GAME",
-        "SENSED, GAME",
-        "OF_ALL_KINDS, DRAFT",
-        "OF_ALL_KINDS, GAME",
-        "OF_ALL_KINDS, FINE"
-    })
+    @EachDress
     void fewThatSleepWouldNotHaveMoved(Dress dress, Preset preset) {
         holdFew(
                 dress == Dress.LOCKED ? SEEDS.without(DRIFTING) : SEEDS,
@@ -154,19 +149,7 @@ class KindsLawTest {
                 SleepLawTest::stillWithoutSleep);
     }
 
-    @ParameterizedTest
-    @CsvSource({
-        "ROUNDED, GAME",
-        "IN_PARTS, GAME",
-        "LOCKED, GAME",
-        "ON_CHAINS, GAME",
-        "ONE_WAY, GAME",
-        "FILTERED, GAME",
-        "SENSED, GAME",
-        "OF_ALL_KINDS, DRAFT",
-        "OF_ALL_KINDS, GAME",
-        "OF_ALL_KINDS, FINE"
-    })
+    @EachDress
     void bodiesEndWhereTheyWouldWithoutSleep(Dress dress, Preset preset) {
         Seeds seeds = dress == Dress.LOCKED ? SEEDS.without(DRIFTING) : SEEDS;
         holdFew(

@@ -40,10 +40,10 @@ public final class JointSolver {
     /** Work of contacts and equations that is round-off, as a share of the energy of motion. */
     private static final double MOST_WORK = 1e-6;
 
-    /** What equations may do in a kick where bodies turn, as a share of the energy of motion. */
+    /** Most work of equations in a kick whose places are held, as a share of the energy. */
     private static final double MOST_WORK_OF_TURNING = 0.1;
 
-    /** The same where places are missed all the same, by round-off or because none can be had. */
+    /** Most work where Newton's steps do not reach the places: turning does not explain it. */
     private static final double MOST_WORK_IF_MISSED = 1e-4;
 
     /** Multiplications that one elimination is worth, and from EXACT on. */

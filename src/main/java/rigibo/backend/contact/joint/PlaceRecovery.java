@@ -5,6 +5,7 @@ import static rigibo.backend.contact.row.Motions.DY;
 import static rigibo.backend.contact.row.Motions.STRIDE;
 import static rigibo.backend.contact.row.Motions.TURN;
 
+import rigibo.backend.contact.row.Displacement;
 import rigibo.backend.contact.row.Motions;
 import rigibo.backend.contact.row.Recovery;
 import rigibo.backend.storage.Bodies;
@@ -25,13 +26,11 @@ final class PlaceRecovery {
     private final JointRows jointRows;
     private final Poses poses;
     private final RowElimination elimination;
+    private final Displacement moved;
     private final double tolerance;
 
     /** By row: how far it is to be moved, m or rad. */
     private double[] wanted = new double[64];
-
-    /** Bodies before they are moved, laid out as the motions. */
-    private double[] before = new double[64];
 
     PlaceRecovery(
             Bodies bodies,
@@ -47,6 +46,7 @@ final class PlaceRecovery {
         this.jointRows = jointRows;
         this.poses = poses;
         this.elimination = elimination;
+        moved = new Displacement(motions);
         this.tolerance = tolerance;
     }
 
@@ -92,23 +92,15 @@ final class PlaceRecovery {
 
     /** Moves outlines by what is wanted, or all by a share, so that none goes farther than that. */
     private void move(double most) {
-        keep();
+        moved.begin();
         elimination.solveFor(wanted);
         for (int i = 0; i < elimination.size(); i++) {
             rows.move(elimination.row(i), elimination.answer(i), DX);
         }
         double farthest = farthest();
         if (farthest > most) {
-            scale(most / farthest);
+            moved.scaleAll(most / farthest);
         }
-    }
-
-    private void keep() {
-        int length = motions.count * STRIDE;
-        if (before.length < length) {
-            before = new double[motions.data.length];
-        }
-        System.arraycopy(motions.data, 0, before, 0, length);
     }
 
     /** The farthest that an outline was moved, as a share of what it reaches. */
@@ -116,23 +108,11 @@ final class PlaceRecovery {
         double farthest = 0;
         for (int entry = 1; entry < motions.count; entry++) {
             int at = entry * STRIDE;
-            double turned = moved(at + TURN);
+            double turned = Math.abs(moved.of(at + TURN));
             double turning = turned == 0 ? 0 : motions.reach[entry] * turned;
-            double way = moved(at + DX) + moved(at + DY) + turning;
+            double way = Math.abs(moved.of(at + DX)) + Math.abs(moved.of(at + DY)) + turning;
             farthest = Math.max(farthest, way / bodies.boundingRadius[motions.slots[entry]]);
         }
         return farthest;
-    }
-
-    private double moved(int at) {
-        return Math.abs(motions.data[at] - before[at]);
-    }
-
-    private void scale(double share) {
-        for (int at = STRIDE; at < motions.count * STRIDE; at += STRIDE) {
-            for (int i = at + DX; i <= at + TURN; i++) {
-                motions.data[i] = before[i] + share * (motions.data[i] - before[i]);
-            }
-        }
     }
 }

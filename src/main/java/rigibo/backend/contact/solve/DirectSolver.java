@@ -3,6 +3,7 @@ package rigibo.backend.contact.solve;
 import static rigibo.backend.contact.solve.FlatRows.KINDS;
 import static rigibo.backend.contact.solve.FlatRows.TANGENT;
 
+import rigibo.backend.contact.row.Displacement;
 import rigibo.backend.contact.row.Motions;
 import rigibo.backend.contact.row.PackedContacts;
 import rigibo.backend.contact.row.Recovery;
@@ -62,8 +63,8 @@ public final class DirectSolver {
     /** A load that gives a row less speed than this in m/s is none. */
     private double least;
 
-    /** Where bodies were before their overlap is taken back, laid out as the motions. */
-    private double[] places = new double[64];
+    /** What taking overlap back has moved. */
+    private final Displacement way;
 
     /** A solver that tries the harder the more substeps an accuracy asks for. */
     public DirectSolver(
@@ -71,6 +72,7 @@ public final class DirectSolver {
         this.motions = motions;
         this.contacts = contacts;
         this.overlap = overlap;
+        way = new Displacement(motions);
         order = new ContactOrder(motions, contacts);
         rows = new FlatRows(motions, contacts, order);
         factor = new RowFactor(contacts, rows, order);
@@ -211,7 +213,7 @@ public final class DirectSolver {
         }
         if (widest > 0) {
             factor.solve(unknown);
-            keepPlaces();
+            way.begin();
             for (int i = 0; i < size; i++) {
                 rows.move(set[i], unknown[i]);
             }
@@ -240,14 +242,6 @@ public final class DirectSolver {
                 && motions.gap(contacts, row, point) <= Recovery.KEPT_OVERLAP * width;
     }
 
-    private void keepPlaces() {
-        int length = motions.count * Motions.STRIDE;
-        if (places.length < length) {
-            places = new double[motions.data.length];
-        }
-        System.arraycopy(motions.data, 0, places, 0, length);
-    }
-
     /**
      * Limits how far any body is moved, m. Contradicting overlaps, of a body between two that do
      * not give way, would otherwise be resolved by moving it around them.
@@ -255,18 +249,12 @@ public final class DirectSolver {
     private void limitWay(double most) {
         double farthest = 0;
         for (int at = Motions.STRIDE; at < motions.count * Motions.STRIDE; at += Motions.STRIDE) {
-            double x = motions.data[at + Motions.DX] - places[at + Motions.DX];
-            double y = motions.data[at + Motions.DY] - places[at + Motions.DY];
+            double x = way.of(at + Motions.DX);
+            double y = way.of(at + Motions.DY);
             farthest = Math.max(farthest, Math.max(Math.abs(x), Math.abs(y)));
         }
-        if (farthest <= most) {
-            return;
-        }
-        double share = most / farthest;
-        for (int at = Motions.STRIDE; at < motions.count * Motions.STRIDE; at += Motions.STRIDE) {
-            for (int i = at + Motions.DX; i <= at + Motions.TURN; i++) {
-                motions.data[i] = places[i] + share * (motions.data[i] - places[i]);
-            }
+        if (farthest > most) {
+            way.scaleAll(most / farthest);
         }
     }
 

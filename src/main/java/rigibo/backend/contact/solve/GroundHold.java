@@ -14,7 +14,7 @@ import rigibo.backend.contact.row.PackedContacts;
  * deeper in the ground once overlap was taken back than it was to be goes back by as much. Its
  * neighbours keep that much more of their overlap: where something must give, bodies that move do.
  */
-public final class GroundHold {
+final class GroundHold {
 
     /** Passes over the contacts with the ground: a body in a corner has two. */
     private static final int PASSES = 4;
@@ -25,13 +25,13 @@ public final class GroundHold {
     /** By point of a contact: the gap that it is to have in the end, at most 0, m. */
     private double[] wanted = new double[32];
 
-    public GroundHold(Motions motions, PackedContacts contacts) {
+    GroundHold(Motions motions, PackedContacts contacts) {
         this.motions = motions;
         this.contacts = contacts;
     }
 
     /** Notes how deep everything is in the ground before overlap is taken back. */
-    public void begin() {
+    void begin() {
         if (wanted.length < 2 * contacts.count) {
             wanted = new double[2 * contacts.pair.length];
         }
@@ -48,7 +48,7 @@ public final class GroundHold {
     }
 
     /** Takes back what went deeper, in contacts that are there in a substep. */
-    public void hold(int substep) {
+    void hold(int substep) {
         for (int pass = 0; pass < PASSES; pass++) {
             for (int row = contacts.groundStart; row < contacts.count; row++) {
                 if (contacts.firstSubstep[row] <= substep) {

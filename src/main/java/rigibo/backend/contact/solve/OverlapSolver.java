@@ -65,13 +65,22 @@ public final class OverlapSolver {
                         : Recovery.kept(contacts.count, accuracy);
     }
 
-    /** Begins to take overlap back. */
+    /** Begins to take overlap back where nothing is joined. */
     public void begin() {
         limit.begin();
+        ground.begin();
     }
 
-    /** Ends what was taken back in h seconds. */
-    public void end(double h) {
+    /**
+     * Ends what was taken back in h seconds, of the contacts that are there in a substep. What
+     * nobody moves is held last, for several bodies together push one into it.
+     */
+    public void end(double h, int substep) {
+        ground.hold(substep);
+        endWithin(h);
+    }
+
+    private void endWithin(double h) {
         limit.end((1 - ROUND_OFF) * Recovery.MOST_PUSH * h);
     }
 
@@ -82,25 +91,20 @@ public final class OverlapSolver {
     public void correctInPasses(double h, int substep, int passes) {
         findDeep(substep);
         if (deepCount > 0) {
-            begin();
+            limit.begin();
             pass(h, passes);
-            end(h);
+            endWithin(h);
         }
     }
 
-    /**
-     * The same where nothing is joined: what nobody moves is held last, for several bodies together
-     * push one into it.
-     */
+    /** Passes over them where nothing is joined, so that the ground can be held last. */
     public void correctAndHoldGround(double h, int substep, int passes) {
         findDeep(substep);
         if (deepCount > 0) {
             begin();
-            ground.begin();
             noteGround(h);
             pass(h, passes);
-            ground.hold(substep);
-            end(h);
+            end(h, substep);
         }
     }
 

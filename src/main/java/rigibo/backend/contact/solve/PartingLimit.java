@@ -1,5 +1,6 @@
 package rigibo.backend.contact.solve;
 
+import rigibo.backend.contact.row.Displacement;
 import rigibo.backend.contact.row.Motions;
 import rigibo.backend.contact.row.PackedContacts;
 import rigibo.backend.storage.Bodies;
@@ -13,26 +14,20 @@ final class PartingLimit {
     private final Bodies bodies;
     private final Motions motions;
     private final PackedContacts contacts;
-
-    /** Where all entries were, laid out as the motions. */
-    private double[] before = new double[16 * Motions.STRIDE];
+    private final Displacement moved;
 
     PartingLimit(Bodies bodies, Motions motions, PackedContacts contacts) {
         this.bodies = bodies;
         this.motions = motions;
         this.contacts = contacts;
+        moved = new Displacement(motions);
     }
 
     /** Notes where all bodies are. */
     void begin() {
-        if (!contacts.areFloating()) {
-            return;
+        if (contacts.areFloating()) {
+            moved.begin();
         }
-        int length = motions.count * Motions.STRIDE;
-        if (before.length < length) {
-            before = new double[motions.data.length];
-        }
-        System.arraycopy(motions.data, 0, before, 0, length);
     }
 
     /**
@@ -48,9 +43,7 @@ final class PartingLimit {
         for (int entry = 1; entry < motions.count; entry++) {
             common = Math.min(common, share(entry, widths));
         }
-        for (int entry = 1; entry < motions.count; entry++) {
-            scale(entry * Motions.STRIDE, common);
-        }
+        moved.scaleAll(common);
     }
 
     private boolean holdBack(double widths) {
@@ -58,7 +51,7 @@ final class PartingLimit {
         for (int entry = 1; entry < motions.count; entry++) {
             double share = share(entry, widths);
             if (share < 1) {
-                scale(entry * Motions.STRIDE, share);
+                moved.scale(entry * Motions.STRIDE, share);
                 isAny = true;
             }
         }
@@ -71,8 +64,8 @@ final class PartingLimit {
         double y = 0;
         for (int at = Motions.STRIDE; at < motions.count * Motions.STRIDE; at += Motions.STRIDE) {
             double own = 1 / motions.data[at + Motions.INVERSE_MASS];
-            x += own * (motions.data[at + Motions.DX] - before[at + Motions.DX]);
-            y += own * (motions.data[at + Motions.DY] - before[at + Motions.DY]);
+            x += own * moved.of(at + Motions.DX);
+            y += own * moved.of(at + Motions.DY);
         }
         double mass = motions.mass();
         motions.moveAll(-x / mass, -y / mass);
@@ -80,17 +73,10 @@ final class PartingLimit {
 
     private double share(int entry, double widths) {
         int at = entry * Motions.STRIDE;
-        double x = motions.data[at + Motions.DX] - before[at + Motions.DX];
-        double y = motions.data[at + Motions.DY] - before[at + Motions.DY];
+        double x = moved.of(at + Motions.DX);
+        double y = moved.of(at + Motions.DY);
         double square = x * x + y * y;
         double most = widths * bodies.smallestWidth[motions.slots[entry]];
         return square > most * most ? most / Math.sqrt(square) : 1;
-    }
-
-    private void scale(int at, double share) {
-        for (int column = at + Motions.DX; column <= at + Motions.TURN; column++) {
-            double moved = motions.data[column] - before[column];
-            motions.data[column] = before[column] + share * moved;
-        }
     }
 }
