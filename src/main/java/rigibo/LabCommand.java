@@ -98,10 +98,16 @@ final class LabCommand implements Callable<Integer> {
     private static final class Haste {
         @Option(
                 names = "--quick",
-                description = "Presets and other engines only: a minute and a half. The usual way.")
+                description =
+                        "Presets and other engines only: a minute and a half, and the long"
+                                + " problems, which take minutes each. The usual way.")
         private boolean isQuick;
 
-        @Option(names = "--full", description = "Every knob, carefully: half an hour.")
+        @Option(
+                names = "--full",
+                description =
+                        "Every knob, carefully, and the hard cases: hours. Of long problems, those"
+                                + " of crowds, presets and other engines only, once each.")
         private boolean isFull;
     }
 

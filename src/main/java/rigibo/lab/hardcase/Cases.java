@@ -7,6 +7,7 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.function.Consumer;
+import java.util.function.Predicate;
 import java.util.stream.Stream;
 
 /**
@@ -18,9 +19,20 @@ public final class Cases {
     /** More would be slowed down by each other on small machines; the runs share nothing. */
     private static final int MOST_THREADS = 2;
 
-    private final List<HardCase> cases = new ArrayList<>();
-    private final List<Preset> presets = new ArrayList<>();
+    private final List<Run> runs = new ArrayList<>();
     private final Sampling sampling;
+
+    /** One of them. */
+    private record Run(HardCase hardCase, Preset preset) {
+
+        String name() {
+            return name(hardCase, preset);
+        }
+
+        static String name(HardCase hardCase, Preset preset) {
+            return hardCase.row() + " " + preset;
+        }
+    }
 
     /**
      * Every chosen case at every preset that it is counted for.
@@ -37,16 +49,36 @@ public final class Cases {
         for (HardCase hardCase : chosen) {
             for (Preset preset : atPresets) {
                 if (preset.compareTo(hardCase.fastest()) >= 0) {
-                    cases.add(hardCase);
-                    presets.add(preset);
+                    runs.add(new Run(hardCase, preset));
                 }
             }
         }
     }
 
+    private Cases(Sampling sampling) {
+        this.sampling = sampling;
+    }
+
+    /** Those of them whose name does not satisfy a condition. */
+    Cases without(Predicate<String> condition) {
+        Cases rest = new Cases(sampling);
+        runs.stream().filter(run -> !condition.test(run.name())).forEach(rest.runs::add);
+        return rest;
+    }
+
     /** How many runs there are. */
     public int count() {
-        return cases.size();
+        return runs.size();
+    }
+
+    /** Row and preset of each, in order. */
+    List<String> names() {
+        return runs.stream().map(Run::name).toList();
+    }
+
+    /** As {@link #names()} tells the run of a result. */
+    static String name(HardCase.Result result) {
+        return Run.name(result.hardCase(), result.preset());
     }
 
     /**
@@ -60,10 +92,8 @@ public final class Cases {
         ExecutorService workers = Executors.newFixedThreadPool(threads);
         try {
             List<Future<HardCase.Result>> futures = new ArrayList<>();
-            for (int i = 0; i < cases.size(); i++) {
-                HardCase hardCase = cases.get(i);
-                Preset preset = presets.get(i);
-                futures.add(workers.submit(() -> run(hardCase, preset)));
+            for (Run run : runs) {
+                futures.add(workers.submit(() -> run(run.hardCase(), run.preset())));
             }
             return collect(futures, each);
         } finally {

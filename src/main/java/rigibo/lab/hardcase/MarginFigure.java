@@ -42,16 +42,16 @@ public final class MarginFigure {
                     Preset.FINE, Palette.GREEN,
                     Preset.EXACT, Palette.INK);
 
-    private final Map<String, List<HardCase.Result>> rows = new LinkedHashMap<>();
-    private final List<HardCase.Result> results;
+    private final Map<String, List<Margin>> rows = new LinkedHashMap<>();
+    private final List<Margin> margins;
     private final double width;
 
     /** A figure, so many px wide. */
-    public MarginFigure(List<HardCase.Result> results, double width) {
-        this.results = results;
+    public MarginFigure(List<Margin> margins, double width) {
+        this.margins = margins;
         this.width = width;
-        for (HardCase.Result result : results) {
-            rows.computeIfAbsent(result.hardCase().row(), row -> new ArrayList<>()).add(result);
+        for (Margin margin : margins) {
+            rows.computeIfAbsent(margin.row(), row -> new ArrayList<>()).add(margin);
         }
     }
 
@@ -77,10 +77,10 @@ public final class MarginFigure {
         }
         drawing.line(across.at(1), HEAD, across.at(1), bottom, 2, Palette.DIM);
         double y = HEAD + ROW / 2;
-        for (Map.Entry<String, List<HardCase.Result>> row : rows.entrySet()) {
+        for (Map.Entry<String, List<Margin>> row : rows.entrySet()) {
             drawing.text(LEFT - 10, y + 5, Anchor.END, WORDS, Palette.INK, row.getKey());
-            for (HardCase.Result result : row.getValue()) {
-                mark(drawing, across, y, result);
+            for (Margin margin : row.getValue()) {
+                mark(drawing, across, y, margin);
             }
             y += ROW;
         }
@@ -105,11 +105,11 @@ public final class MarginFigure {
         }
     }
 
-    private static void mark(Drawing drawing, LogScale across, double y, HardCase.Result result) {
-        Preset preset = result.preset();
-        double margin = Math.max(LEAST, Math.min(MOST, result.worst().margin()));
-        Spot at = new Spot(across.at(margin), y);
-        if (result.passes()) {
+    private static void mark(Drawing drawing, LogScale across, double y, Margin margin) {
+        Preset preset = margin.preset();
+        double times = Math.max(LEAST, Math.min(MOST, margin.worst().margin()));
+        Spot at = new Spot(across.at(times), y);
+        if (margin.passes()) {
             MARKS.get(preset).solid(drawing, at, RADIUS, COLORS.get(preset));
         } else {
             Mark.cross(drawing, at, RADIUS, COLORS.get(preset));
@@ -122,7 +122,7 @@ public final class MarginFigure {
 
     /** What it shows, in words. */
     public List<String> sentences() {
-        long passed = results.stream().filter(HardCase.Result::passes).count();
+        long passed = margins.stream().filter(Margin::passes).count();
         List<String> sentences = new ArrayList<>();
         sentences.add(
                 String.format(
@@ -130,16 +130,16 @@ public final class MarginFigure {
                         "%d of %d cases keep their limits; each is held to a closed form or an"
                                 + " invariant, without sleep.",
                         passed,
-                        results.size()));
-        for (HardCase.Result result : results) {
-            if (!result.passes()) {
-                Measure worst = result.worst();
+                        margins.size()));
+        for (Margin margin : margins) {
+            if (!margin.passes()) {
+                Measure worst = margin.worst();
                 sentences.add(
                         String.format(
                                 Locale.ROOT,
                                 "%s at %s fails: %s %.3g, at most %.3g %s.",
-                                result.hardCase().row(),
-                                result.preset(),
+                                margin.row(),
+                                margin.preset(),
                                 worst.name(),
                                 worst.figure(),
                                 worst.limit(),

@@ -2,6 +2,7 @@ package rigibo.lab.precision;
 
 import rigibo.lab.engine.Engine;
 import rigibo.lab.engine.Setting;
+import rigibo.lab.precision.probe.Patience;
 
 import java.util.List;
 
@@ -11,8 +12,9 @@ import java.util.List;
  * @param problem id
  * @param engine that is asked
  * @param settings at which it is, in the order they are told
+ * @param patience with all of them
  */
-record Exam(String problem, Engine engine, List<Setting> settings) {
+record Exam(String problem, Engine engine, List<Setting> settings, Patience patience) {
 
     /** Those that take turns: of settings that are the same under several names, one. */
     List<Setting> measured() {

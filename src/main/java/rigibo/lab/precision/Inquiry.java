@@ -4,12 +4,14 @@ import rigibo.lab.engine.Engine;
 import rigibo.lab.engine.Line;
 import rigibo.lab.engine.RigiBoEngine;
 import rigibo.lab.engine.Setting;
+import rigibo.lab.precision.probe.Patience;
 import rigibo.lab.problem.Problem;
 import rigibo.lab.problem.Problems;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Stream;
 
 /**
  * What is asked of the laboratory.
@@ -34,19 +36,26 @@ public record Inquiry(List<String> problems, Extent extent, long seed, Path out)
             Problem problem = Problems.numbered(id);
             for (Engine engine : engines) {
                 if (problem.isForAll() || engine.name().equals(RigiBoEngine.NAME)) {
-                    exams.add(exam(problem, engine));
+                    exams.addAll(exams(problem, engine));
                 }
             }
         }
         return exams;
     }
 
-    private Exam exam(Problem problem, Engine engine) {
+    /**
+     * One, whose settings take turns. Of a long problem every setting is an exam of its own: it has
+     * no turn to wait for, and so an interrupted report loses one setting and not all of them.
+     */
+    private List<Exam> exams(Problem problem, Engine engine) {
         List<Setting> settings =
                 engine.settings().stream()
                         .filter(setting -> isAsked(problem, setting.line()))
                         .toList();
-        return new Exam(problem.id(), engine, settings);
+        Stream<List<Setting>> parts =
+                problem.isLong() ? settings.stream().map(List::of) : Stream.of(settings);
+        Patience patience = extent.patience(problem);
+        return parts.map(part -> new Exam(problem.id(), engine, part, patience)).toList();
     }
 
     private boolean isAsked(Problem problem, Line line) {

@@ -12,8 +12,9 @@ import rigibo.lab.engine.Engines;
 import rigibo.lab.engine.Line;
 import rigibo.lab.engine.Setting;
 import rigibo.lab.hardcase.Cases;
-import rigibo.lab.hardcase.HardCase;
+import rigibo.lab.hardcase.Margin;
 import rigibo.lab.hardcase.MarginFigure;
+import rigibo.lab.hardcase.Margins;
 import rigibo.lab.hardcase.Preset;
 import rigibo.lab.hardcase.Sampling;
 import rigibo.lab.report.Section;
@@ -87,10 +88,10 @@ final class MoreFigures {
 
     private Section margins() {
         tell.accept("hard cases");
-        List<HardCase.Result> results =
-                new Cases(List.of(), List.of(Preset.values()), Sampling.USUAL).run(result -> {});
-        MarginFigure wide = new MarginFigure(results, FigureSize.WIDE.width());
-        MarginFigure narrow = new MarginFigure(results, FigureSize.NARROW.width());
+        Cases cases = new Cases(List.of(), List.of(Preset.values()), Sampling.USUAL);
+        List<Margin> margins = Margins.of(cases, inquiry.out()).find(tell);
+        MarginFigure wide = new MarginFigure(margins, FigureSize.WIDE.width());
+        MarginFigure narrow = new MarginFigure(margins, FigureSize.NARROW.width());
         return new Section(
                 "cases",
                 "Hard cases",

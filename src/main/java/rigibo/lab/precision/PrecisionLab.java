@@ -9,7 +9,6 @@ import rigibo.lab.engine.Engines;
 import rigibo.lab.engine.MeasuredClasses;
 import rigibo.lab.engine.Setting;
 import rigibo.lab.precision.probe.Finding;
-import rigibo.lab.precision.probe.Patience;
 import rigibo.lab.precision.probe.ProblemProbe;
 import rigibo.lab.problem.Problem;
 
@@ -33,7 +32,6 @@ final class PrecisionLab {
     private static final String LOG = "points.log";
 
     private final List<Exam> exams;
-    private final Patience patience;
     private final Kept kept;
     private final long seed;
     private final BlockingQueue<MeasuringJava> free;
@@ -41,7 +39,6 @@ final class PrecisionLab {
     PrecisionLab(Inquiry inquiry) {
         List<Engine> engines = Engines.all();
         exams = inquiry.exams(engines);
-        patience = inquiry.extent().patience();
         seed = inquiry.seed();
         String key = MeasuredClasses.key(engines, Pool.class, Problem.class, ProblemProbe.class);
         kept = new Kept(inquiry.out().resolve(LOG), key);
@@ -102,7 +99,7 @@ final class PrecisionLab {
     private void run(Exam exam, Progress progress) {
         MeasuringJava java = free.remove();
         List<String> arguments = new ArrayList<>();
-        arguments.addAll(List.of(exam.problem(), exam.engine().name(), patience.words()));
+        arguments.addAll(List.of(exam.problem(), exam.engine().name(), exam.patience().words()));
         exam.measured().forEach(setting -> arguments.add(setting.name()));
         try {
             String classPath = System.getProperty("java.class.path");
@@ -141,9 +138,13 @@ final class PrecisionLab {
         return kept.of(name(exam, setting)).map(Finding::parse);
     }
 
-    private String name(Exam exam, Setting setting) {
+    private static String name(Exam exam, Setting setting) {
         return String.join(
-                " | ", exam.problem(), exam.engine().name(), setting.name(), patience.words());
+                " | ",
+                exam.problem(),
+                exam.engine().name(),
+                setting.name(),
+                exam.patience().words());
     }
 
     private static Point point(Exam exam, Setting setting, Finding found) {

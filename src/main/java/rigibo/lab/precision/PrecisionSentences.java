@@ -30,8 +30,9 @@ final class PrecisionSentences {
                         + " for "
                         + all.size()
                         + " reference problems.");
-        if (all.stream().anyMatch(asked -> !asked.lines().isEmpty())) {
-            sentences.add(FrontWords.of(all));
+        List<Asked> atKnobs = all.stream().filter(asked -> !asked.lines().isEmpty()).toList();
+        if (!atKnobs.isEmpty()) {
+            sentences.add(FrontWords.of(atKnobs));
         }
         List<Comparison> comparisons = comparisons();
         if (!comparisons.isEmpty()) {

@@ -25,6 +25,11 @@ public interface Problem {
     /** What can be turned that it answers to; the presets and other engines are always asked. */
     List<Line> lines();
 
+    /** Whether a run takes minutes, so that it is timed but once. */
+    default boolean isLong() {
+        return false;
+    }
+
     /** Whether other engines can be asked, too. */
     default boolean isForAll() {
         return true;

@@ -8,6 +8,7 @@ import rigibo.lab.engine.Engine;
 import rigibo.lab.engine.Engines;
 import rigibo.lab.engine.RigiBoEngine;
 import rigibo.lab.engine.Setting;
+import rigibo.lab.precision.probe.Patience;
 
 import java.util.List;
 import java.util.stream.Stream;
@@ -19,7 +20,8 @@ class ExamTest {
     private static List<String> measured(String... names) {
         List<Setting> settings =
                 Stream.of(names).map(name -> Engines.setting(ENGINE, name)).toList();
-        return new Exam("R2", ENGINE, settings).measured().stream().map(Setting::name).toList();
+        return new Exam("R2", ENGINE, settings, Patience.NONE)
+                .measured().stream().map(Setting::name).toList();
     }
 
     /** All of them are what GAME is made of. */

@@ -13,6 +13,9 @@ public record Patience(double warmMillis, double timedMillis, int repeats, doubl
     /** Errors only. */
     public static final Patience NONE = new Patience(0, 0, 0, 0);
 
+    /** Each setting once: finding the errors of a run of minutes has warmed everything. */
+    public static final Patience ONE_ROUND = new Patience(0, 0, 1, 0);
+
     /** As told on a command line. */
     public String words() {
         return warmMillis + "," + timedMillis + "," + repeats + "," + mostMillis;

@@ -1,0 +1,52 @@
+package rigibo.lab.hardcase;
+
+import rigibo.backend.Pool;
+import rigibo.lab.child.ClassFiles;
+import rigibo.lab.child.Kept;
+import rigibo.lab.child.Progress;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.function.Consumer;
+
+/**
+ * How far cases are from their limits. Every run is kept: an interrupted report goes on with it.
+ */
+public final class Margins {
+
+    private static final String LOG = "cases.log";
+
+    private final Cases cases;
+    private final Kept kept;
+
+    private Margins(Cases cases, Kept kept) {
+        this.cases = cases;
+        this.kept = kept;
+    }
+
+    /** Of some cases, kept in a directory. */
+    public static Margins of(Cases cases, Path directory) {
+        String engine = ClassFiles.of(Pool.class).hash();
+        String key = engine + "-" + ClassFiles.of(HardCase.class).hash();
+        return new Margins(cases, new Kept(directory.resolve(LOG), key));
+    }
+
+    /**
+     * Runs what is missing.
+     *
+     * @param tell is told how far it is
+     * @return of all runs, in the order of the list
+     */
+    public List<Margin> find(Consumer<String> tell) {
+        Cases missing = cases.without(name -> kept.of(name).isPresent());
+        Progress progress = new Progress(missing.count(), tell);
+        missing.run(
+                result -> {
+                    kept.add(Cases.name(result), Margin.of(result).line());
+                    progress.done();
+                });
+        return cases.names().stream()
+                .map(name -> Margin.parse(kept.of(name).orElseThrow()))
+                .toList();
+    }
+}
