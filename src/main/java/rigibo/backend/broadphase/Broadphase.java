@@ -1,8 +1,6 @@
 package rigibo.backend.broadphase;
 
 import rigibo.backend.geometry.Aabb;
-import rigibo.backend.geometry.Outline;
-import rigibo.backend.setup.BodyType;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.Found;
@@ -11,39 +9,10 @@ import rigibo.backend.storage.Pairs;
 import rigibo.backend.storage.Roster;
 
 /**
- * Lays size fixtures and finds the pairs whose fixtures overlap. A fixture is the body's bounds
- * over the step to come plus a margin, and is laid anew only when the body is about to leave it.
+ * Lays size fixtures and finds the pairs whose fixtures overlap. A fixture is laid anew only when
+ * the body is about to leave it.
  */
 public final class Broadphase {
-
-    /**
-     * Margin round a fixture as a share of the body's bounding radius: fewer refits, more pairs.
-     */
-    private static final double MARGIN = 0.1;
-
-    /**
-     * Steps to come that a fixture is laid ahead for, up to one radius: a body in motion then keeps
-     * its fixture for some steps instead of leaving its margin in each.
-     */
-    private static final double STEPS_AHEAD = 3;
-
-    /**
-     * The same for a body that has no neighbours: it seldom meets any, and if it does its fixture
-     * is laid anew. Some look farther ahead than others: bodies that were thrown alike would else
-     * all leave their fixtures in one step.
-     */
-    private static final int LEAST_AHEAD_ALONE = 8;
-
-    private static final int BITS_AHEAD_ALONE = 4;
-
-    /** The golden ratio's multiples spread what lies close together, as in a hash table. */
-    private static final long SPREAD = 0x9E3779B97F4A7C15L;
-
-    /** The bits of a double that are neither its sign nor its power of two. */
-    private static final long DIGITS = (1L << 52) - 1;
-
-    /** A fixture that is larger than it would be laid now by this factor is laid anew. */
-    private static final double LOOSE = 1.25;
 
     private final Bodies bodies;
     private final Pairs pairs;
@@ -56,7 +25,7 @@ public final class Broadphase {
     private final FixtureTree tree = new FixtureTree();
     private final RayWalk walk = new RayWalk(tree);
     private final Found found = new Found();
-    private final Aabb swept = new Aabb();
+    private final SizeFixtures fixtures;
 
     /** The slots that {@link Bodies#refitted} marks. */
     private final Found moved = new Found();
@@ -67,13 +36,14 @@ public final class Broadphase {
         bodies = data.bodies;
         pairs = data.pairs;
         roster = data.roster;
+        fixtures = new SizeFixtures(bodies);
     }
 
     /** Lays the first fixtures of a new body, one for each of its shapes. */
     public void add(int body) {
         for (int slot = body; slot != Pairs.NONE; slot = bodies.nextShapeOf(slot)) {
-            sweep(body, slot, 0, 0);
-            writeFixture(body, slot, 0);
+            fixtures.sweep(body, slot, 0, 0);
+            fixtures.write(body, slot, 0);
             hang(slot);
             noteRefit(slot);
         }
@@ -115,7 +85,7 @@ public final class Broadphase {
     /** Lays the fixtures of a body that was placed anew. */
     public void refit(int body) {
         for (int slot = body; slot != Pairs.NONE; slot = bodies.nextShapeOf(slot)) {
-            sweep(body, slot, 0, 0);
+            fixtures.sweep(body, slot, 0, 0);
             lay(body, slot, 0);
         }
     }
@@ -162,7 +132,7 @@ public final class Broadphase {
     private void coverAwake(double dt) {
         if (bodies.turns()) {
             for (int i = 0; i < roster.awakeCount; i++) {
-                cover(roster.awake[i], dt, turned(roster.awake[i], dt), true);
+                cover(roster.awake[i], dt, fixtures.turned(roster.awake[i], dt), true);
             }
         } else {
             for (int i = 0; i < roster.awakeCount; i++) {
@@ -177,7 +147,7 @@ public final class Broadphase {
      */
     public void follow(int body, double left) {
         int before = moved.count;
-        cover(body, left, bodies.turns() ? turned(body, left) : 0, false);
+        cover(body, left, bodies.turns() ? fixtures.turned(body, left) : 0, false);
         while (moved.count > before) {
             meetNeighbours(body, moved.numbers[--moved.count]);
         }
@@ -190,12 +160,9 @@ public final class Broadphase {
     public void lookRound(int body, double x, double y, double reach) {
         double radius = bodies.boundingRadius[body] + reach;
         for (int slot = body; slot != Pairs.NONE; slot = bodies.nextShapeOf(slot)) {
-            swept.minX = Math.min(bodies.fixtureMinX[slot], x - radius);
-            swept.minY = Math.min(bodies.fixtureMinY[slot], y - radius);
-            swept.maxX = Math.max(bodies.fixtureMaxX[slot], x + radius);
-            swept.maxY = Math.max(bodies.fixtureMaxY[slot], y + radius);
-            if (!isCovered(slot)) {
-                writeFixture(body, slot, 0);
+            fixtures.sweepBeside(slot, x, y, radius);
+            if (!fixtures.isCovered(slot)) {
+                fixtures.write(body, slot, 0);
                 tree.grow(
                         bodies.leaf[slot],
                         bodies.fixtureMinX[slot],
@@ -238,8 +205,8 @@ public final class Broadphase {
 
     private void coverPose(int body) {
         for (int slot = body; slot != Pairs.NONE; slot = bodies.nextShapeOf(slot)) {
-            sweep(body, slot, 0, 0);
-            if (!isCovered(slot)) {
+            fixtures.sweep(body, slot, 0, 0);
+            if (!fixtures.isCovered(slot)) {
                 lay(body, slot, 0);
             }
         }
@@ -287,93 +254,19 @@ public final class Broadphase {
         boolean isAlone = bodies.firstPair[body] == Pairs.NONE;
         for (int slot = body; slot != Pairs.NONE; slot = bodies.nextShapeOf(slot)) {
             if (isAlone && !bodies.outline[slot].isEdge()) {
-                sweepAround(body, dt);
+                fixtures.sweepAround(body, dt);
             } else {
-                sweep(body, slot, dt, turned);
+                fixtures.sweep(body, slot, dt, turned);
             }
-            if (!isCovered(slot) || isToFit && !isAlone && isLoose(body, slot, dt)) {
+            if (!fixtures.isCovered(slot)
+                    || isToFit && !isAlone && fixtures.isLoose(body, slot, dt)) {
                 lay(body, slot, dt);
             }
         }
     }
 
-    private boolean isCovered(int slot) {
-        return swept.minX >= bodies.fixtureMinX[slot]
-                && swept.minY >= bodies.fixtureMinY[slot]
-                && swept.maxX <= bodies.fixtureMaxX[slot]
-                && swept.maxY <= bodies.fixtureMaxY[slot];
-    }
-
-    /**
-     * A body that was fast, or might have been, keeps no neighbours that it cannot meet any more.
-     */
-    private boolean isLoose(int body, int slot, double dt) {
-        double radius = size(body, slot);
-        double aheadX = Math.abs(ahead(bodies.velocityX[body], STEPS_AHEAD * dt, radius));
-        double aheadY = Math.abs(ahead(bodies.velocityY[body], STEPS_AHEAD * dt, radius));
-        double needed =
-                (swept.maxX - swept.minX)
-                        + (swept.maxY - swept.minY)
-                        + (4 * MARGIN * radius + aheadX + aheadY);
-        double laid =
-                (bodies.fixtureMaxX[slot] - bodies.fixtureMinX[slot])
-                        + (bodies.fixtureMaxY[slot] - bodies.fixtureMinY[slot]);
-        return laid > LOOSE * needed;
-    }
-
-    /** How far in m turning may move the outline in dt seconds. */
-    private double turned(int body, double dt) {
-        return Math.abs(bodies.spin[body]) * dt * bodies.sweepRadius[body];
-    }
-
-    /**
-     * Bounds over the way of the next dt seconds; a body that turns may reach as far as its radius.
-     */
-    private void sweep(int body, int slot, double dt, double turned) {
-        double x = bodies.x[body];
-        double y = bodies.y[body];
-        bodies.outline[slot].bounds(x, y, bodies.cos[body], bodies.sin[body], swept);
-        double radius = bodies.boundingRadius[body];
-        swept.minX = Math.max(swept.minX - turned, x - radius);
-        swept.minY = Math.max(swept.minY - turned, y - radius);
-        swept.maxX = Math.min(swept.maxX + turned, x + radius);
-        swept.maxY = Math.min(swept.maxY + turned, y + radius);
-        stretch(body, dt);
-    }
-
-    /** The same of a body that may turn as it likes: its bounding circle. */
-    private void sweepAround(int body, double dt) {
-        double radius = bodies.boundingRadius[body];
-        swept.minX = bodies.x[body] - radius;
-        swept.minY = bodies.y[body] - radius;
-        swept.maxX = bodies.x[body] + radius;
-        swept.maxY = bodies.y[body] + radius;
-        stretch(body, dt);
-    }
-
-    /** Adds a bound on the way in dt seconds: with the acceleration, and without. */
-    private void stretch(int body, double dt) {
-        double plainX = dt * bodies.velocityX[body];
-        double plainY = dt * bodies.velocityY[body];
-        double pulledX = plainX + dt * dt * bodies.accelerationX[body] / 2;
-        double pulledY = plainY + dt * dt * bodies.accelerationY[body] / 2;
-        swept.minX += lesser(lesser(plainX, pulledX), 0);
-        swept.minY += lesser(lesser(plainY, pulledY), 0);
-        swept.maxX += greater(greater(plainX, pulledX), 0);
-        swept.maxY += greater(greater(plainY, pulledY), 0);
-    }
-
-    /** Math.min would take care of signed zeros, which takes it thrice as long. */
-    private static double lesser(double a, double b) {
-        return a < b ? a : b;
-    }
-
-    private static double greater(double a, double b) {
-        return a > b ? a : b;
-    }
-
     private void lay(int body, int slot, double dt) {
-        writeFixture(body, slot, dt);
+        fixtures.write(body, slot, dt);
         hangAnew(slot);
         noteRefit(slot);
     }
@@ -392,45 +285,6 @@ public final class Broadphase {
             bodies.refitted[slot] = true;
             moved.add(slot);
         }
-    }
-
-    /** A static body's fixture is its bounds; others have a margin, and more of it ahead. */
-    private void writeFixture(int body, int slot, double dt) {
-        double radius = size(body, slot);
-        double margin = bodies.type[body] == BodyType.STATIC ? 0 : MARGIN * radius;
-        boolean isAlone = bodies.firstPair[body] == Pairs.NONE;
-        double steps = isAlone ? stepsAheadAlone(body) : STEPS_AHEAD;
-        double aheadX = ahead(bodies.velocityX[body], steps * dt, radius);
-        double aheadY = ahead(bodies.velocityY[body], steps * dt, radius);
-        bodies.fixtureMinX[slot] = swept.minX - margin + Math.min(0, aheadX);
-        bodies.fixtureMinY[slot] = swept.minY - margin + Math.min(0, aheadY);
-        bodies.fixtureMaxX[slot] = swept.maxX + margin + Math.max(0, aheadX);
-        bodies.fixtureMaxY[slot] = swept.maxY + margin + Math.max(0, aheadY);
-    }
-
-    /** What the margin is a share of, m: an edge of a chain has one of its own. */
-    private double size(int body, int slot) {
-        Outline outline = bodies.outline[slot];
-        return outline.isEdge() ? outline.halfLength() : bodies.boundingRadius[body];
-    }
-
-    /**
-     * At random, as it were, by the digits of where the body is: no other body has a part in it,
-     * and neither has the scale or the side of a mirror, which are not in the digits.
-     */
-    private int stepsAheadAlone(int slot) {
-        long bits = SPREAD * digits(bodies.x[slot]);
-        bits = SPREAD * (bits + digits(bodies.y[slot]));
-        return LEAST_AHEAD_ALONE + (int) (bits >>> Long.SIZE - BITS_AHEAD_ALONE);
-    }
-
-    private static long digits(double number) {
-        return Double.doubleToRawLongBits(number) & DIGITS;
-    }
-
-    /** The way in some seconds, up to a most either way, m. */
-    private static double ahead(double velocity, double seconds, double most) {
-        return Math.max(-most, Math.min(most, seconds * velocity));
     }
 
     /** A contact that just ended is kept for one more step, in which its end is told. */
