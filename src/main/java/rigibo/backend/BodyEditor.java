@@ -36,6 +36,9 @@ final class BodyEditor {
     /** Changes how bodies move. */
     final MotionEditor motion;
 
+    /** Changes what bodies are kept from. */
+    final LockEditor locks;
+
     BodyEditor(Pool pool, DataStorage data, StepPlan plan) {
         this.pool = pool;
         this.data = data;
@@ -45,6 +48,7 @@ final class BodyEditor {
         supportLoss = new SupportLoss(data, waking);
         shapes = new BodyShapes(data);
         motion = new MotionEditor(data, waking);
+        locks = new LockEditor(data, plan, waking, motion);
     }
 
     int add(BodyDefinition definition) {
@@ -65,8 +69,7 @@ final class BodyEditor {
             bodies.clearAngularAcceleration(slot);
         }
         shapes.add(slot, definition);
-        lockRotation(slot, definition.rotationLocked());
-        lockAxes(slot, definition.xLocked(), definition.yLocked());
+        locks.begin(slot, definition);
         writePose(slot, definition.x(), definition.y(), definition.angle());
         join(slot);
         data.roster.isStale = true;
@@ -165,7 +168,7 @@ final class BodyEditor {
         if (type == BodyType.STATIC) {
             bodies.halt(slot);
         }
-        weigh(slot);
+        Weight.write(bodies, slot);
         data.roster.isStale = true;
         pairAnew(slot);
     }
@@ -173,7 +176,7 @@ final class BodyEditor {
     void material(int slot, Material material) {
         MassProperties plate = Weight.of(bodies, slot, bodies.shape[slot], material);
         shapes.material(slot, material);
-        weigh(slot, plate);
+        Weight.write(bodies, slot, plate);
         mixAnew(slot);
     }
 
@@ -230,46 +233,6 @@ final class BodyEditor {
         waking.wake(slot);
     }
 
-    void rotationLocked(int slot, boolean isLocked) {
-        waking.wakeNeighbours(slot);
-        lockRotation(slot, isLocked);
-        data.roster.isStale = true;
-        waking.wake(slot);
-    }
-
-    /** The column of locks comes with the first body that has one. */
-    private void lockRotation(int slot, boolean isLocked) {
-        if (isLocked) {
-            bodies.hold(Need.LOCKS);
-            bodies.haltTurning(slot);
-        }
-        if (bodies.rotationLocked != null) {
-            bodies.rotationLocked[slot] = isLocked;
-        }
-        weigh(slot);
-    }
-
-    void axesLocked(int slot, boolean inX, boolean inY) {
-        waking.wakeNeighbours(slot);
-        motion.endDrive(slot);
-        lockAxes(slot, inX, inY);
-        data.roster.isStale = true;
-        waking.wake(slot);
-    }
-
-    /** The columns of locked axes come with the first body that has one, and so do its stages. */
-    private void lockAxes(int slot, boolean inX, boolean inY) {
-        if ((inX || inY) && bodies.lockedX == null) {
-            data.hold(Need.AXES);
-            plan.compile(plan.effects(), plan.accuracy());
-        }
-        if (bodies.lockedX != null) {
-            bodies.lockedX[slot] = inX;
-            bodies.lockedY[slot] = inY;
-            motion.hold(slot);
-        }
-    }
-
     void shape(int slot, Shape shape) {
         requireMass("shape", bodies.type[slot], shape);
         requireSensors("RigidBody.shape", false, shape);
@@ -277,7 +240,7 @@ final class BodyEditor {
         waking.wakeNeighbours(slot);
         if (shape.parts() == 1 && bodies.shape[slot].parts() == 1 && !isChain(shape)) {
             shapes.write(slot, shape);
-            weigh(slot, plate);
+            Weight.write(bodies, slot, plate);
             refit(slot);
         } else {
             exchange(slot, shape, plate);
@@ -322,7 +285,7 @@ final class BodyEditor {
             plan.broadphase().remove(slot);
         }
         shapes.exchange(slot, shape);
-        weigh(slot, plate);
+        Weight.write(bodies, slot, plate);
         join(slot);
     }
 
@@ -348,7 +311,7 @@ final class BodyEditor {
             if (bodies.isBody(slot)) {
                 shapes.write(slot, bodies.shape[slot]);
                 shapes.writeSurfaces(slot);
-                weigh(slot);
+                Weight.write(bodies, slot);
                 if (!hadContacts) {
                     join(slot);
                 }
@@ -397,7 +360,7 @@ final class BodyEditor {
                 bodies.aim(slot);
                 shapes.write(slot, bodies.shape[slot]);
                 shapes.writeSurfaces(slot);
-                weigh(slot);
+                Weight.write(bodies, slot);
                 motion.steerOn(slot);
                 bodies.keepStart(slot);
                 if (bodies.turns()) {
@@ -424,20 +387,5 @@ final class BodyEditor {
             bodies.keepStartAngle(slot);
         }
         bodies.restartStillness(slot);
-    }
-
-    private void weigh(int slot) {
-        weigh(slot, Weight.of(bodies, slot));
-    }
-
-    private void weigh(int slot, MassProperties plate) {
-        boolean moves = bodies.type[slot] == BodyType.DYNAMIC;
-        bodies.mass[slot] = plate.mass();
-        bodies.inverseMass[slot] = moves ? 1 / plate.mass() : 0;
-        if (bodies.turns()) {
-            bodies.inertia[slot] = plate.inertia();
-            boolean turns = moves && !bodies.isRotationLocked(slot);
-            bodies.inverseInertia[slot] = turns ? 1 / plate.inertia() : 0;
-        }
     }
 }

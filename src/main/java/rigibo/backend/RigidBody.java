@@ -407,7 +407,7 @@ public final class RigidBody {
 
     /** Keeps the body from turning from now on, or lets it turn again, from rest. */
     public void rotationLocked(boolean isLocked) {
-        pool.editor(this).rotationLocked(slot, isLocked);
+        pool.editor(this).locks.rotation(slot, isLocked);
     }
 
     /**
@@ -415,12 +415,12 @@ public final class RigidBody {
      * again, from rest. While it is locked every velocity it is given along x is passed over.
      */
     public void xLocked(boolean isLocked) {
-        pool.editor(this).axesLocked(slot, isLocked, yLocked());
+        pool.editor(this).locks.axes(slot, isLocked, yLocked());
     }
 
     /** Keeps the centre of mass from moving up and down likewise. */
     public void yLocked(boolean isLocked) {
-        pool.editor(this).axesLocked(slot, xLocked(), isLocked);
+        pool.editor(this).locks.axes(slot, xLocked(), isLocked);
     }
 
     /** Changes the shape about the same centre of mass; the mass follows likewise. */
