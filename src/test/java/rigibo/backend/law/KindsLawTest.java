@@ -10,7 +10,7 @@ import rigibo.backend.effect.Sleep;
 import java.lang.annotation.Retention;
 import java.lang.annotation.RetentionPolicy;
 
-/** What holds for bodies that all meet holds on chains, through shelves, filters and sensors. */
+/** What holds of sleep and of edits holds for bodies of every shape and kind. */
 class KindsLawTest {
 
     private static final Seeds SEEDS = Seeds.upTo(60);
@@ -25,20 +25,6 @@ class KindsLawTest {
 
     /** A disc comes rolling into a capsule that leans and sleeps. */
     private static final Seeds STRUCK_ASLEEP = Seeds.of(4L);
-
-    /** Every kind at the game's accuracy, and all of them at the coarsest and the finest. */
-    @Retention(RetentionPolicy.RUNTIME)
-    @ParameterizedTest
-    @CsvSource({
-        "ON_CHAINS, GAME",
-        "ONE_WAY, GAME",
-        "FILTERED, GAME",
-        "SENSED, GAME",
-        "OF_ALL_KINDS, DRAFT",
-        "OF_ALL_KINDS, GAME",
-        "OF_ALL_KINDS, EXACT"
-    })
-    private @interface EachKind {}
 
     /** Every dress that bodies may wear at the game's accuracy, and all kinds beside it. */
     @Retention(RetentionPolicy.RUNTIME)
@@ -56,89 +42,6 @@ class KindsLawTest {
         "OF_ALL_KINDS, FINE"
     })
     private @interface EachDress {}
-
-    /** In no step more than the share of what there was at the start, as without. */
-    @ParameterizedTest
-    @CsvSource({
-        "ON_CHAINS, DRAFT, 1e-2",
-        "ON_CHAINS, GAME, 1e-3",
-        "ON_CHAINS, EXACT, 1e-3",
-        "ONE_WAY, DRAFT, 1e-2",
-        "ONE_WAY, GAME, 1e-3",
-        "ONE_WAY, EXACT, 1e-3",
-        "FILTERED, DRAFT, 1e-2",
-        "FILTERED, GAME, 1e-3",
-        "FILTERED, EXACT, 1e-3",
-        "SENSED, DRAFT, 1e-2",
-        "SENSED, GAME, 1e-3",
-        "OF_ALL_KINDS, DRAFT, 1e-2",
-        "OF_ALL_KINDS, GAME, 1e-3",
-        "OF_ALL_KINDS, EXACT, 1e-3"
-    })
-    void pilesGainNoEnergy(Dress dress, Preset preset, double limit) {
-        Laws.hold(
-                SEEDS,
-                seed -> dress.on(Surroundings.tray(seed, preset.accuracy)),
-                (scene, asked) -> DressLawTest.gainsAtMost(limit, scene, asked),
-                new Quota(500, "loaded contacts in piles"));
-    }
-
-    /** A power of two changes no digit. */
-    @EachKind
-    void smallPilesAreTheSameToTheBit(Dress dress, Preset preset) {
-        Laws.hold(
-                SEEDS,
-                seed -> dress.on(Surroundings.tray(seed, preset.accuracy)),
-                (scene, asked) -> SymmetryLawTest.sameToTheEnd(Symmetry.SMALL, scene, asked),
-                new Quota(2000, "loaded contacts"));
-    }
-
-    @EachKind
-    void strangersNeverMatter(Dress dress, Preset preset) {
-        Laws.hold(
-                SEEDS,
-                seed -> dress.on(Surroundings.tray(seed, preset.accuracy)),
-                OrderLawTest::sameAmongStrangers,
-                new Quota(500, "loaded contacts in piles"));
-    }
-
-    /** As of sharp bodies in one piece: only what is rounded otherwise differs. */
-    @ParameterizedTest
-    @CsvSource({
-        "ON_CHAINS, MIRROR",
-        "ON_CHAINS, QUARTER_TURN",
-        "ONE_WAY, MIRROR",
-        "ONE_WAY, QUARTER_TURN",
-        "FILTERED, MIRROR",
-        "SENSED, QUARTER_TURN",
-        "OF_ALL_KINDS, MIRROR"
-    })
-    void fewBouncesAreTheSameSeenOtherwise(Dress dress, Symmetry symmetry) {
-        Laws.hold(
-                Seeds.upTo(150),
-                seed -> dress.on(Surroundings.landing(seed, Preset.EXACT.accuracy, FEW)),
-                (scene, asked) -> SymmetryLawTest.sameInFlight(symmetry, 2, 1e-10, scene, asked),
-                new Quota(100, "impacts as of " + symmetry));
-    }
-
-    @ParameterizedTest
-    @CsvSource({"ONE_WAY", "FILTERED", "SENSED", "OF_ALL_KINDS"})
-    void orderOfBodiesDoesNotMatterInFlight(Dress dress) {
-        Laws.hold(
-                Seeds.upTo(150),
-                seed -> dress.on(Surroundings.meeting(seed, Preset.EXACT.accuracy)),
-                OrderLawTest::sameInAnyOrder,
-                new Quota(100, "impacts"));
-    }
-
-    @EachKind
-    void aRestoredPoolGoesOnAlike(Dress dress, Preset preset) {
-        Laws.hold(
-                SEEDS,
-                seed -> dress.on(Surroundings.tray(seed, preset.accuracy)),
-                DressLawTest::goesOnAlike,
-                new Quota(60, "snapshots"));
-    }
 
     @EachDress
     void fewThatSleepWouldNotHaveMoved(Dress dress, Preset preset) {
