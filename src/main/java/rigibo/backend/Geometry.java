@@ -19,6 +19,7 @@ import rigibo.backend.setup.Require;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalDouble;
+import java.util.function.DoubleSupplier;
 
 /**
  * What the engine knows of two shapes, without a pool. Every function may be called from any
@@ -127,25 +128,26 @@ public final class Geometry {
         Pose otherPose = pose(otherHow.from());
         Motion motion = motion(how);
         Motion otherMotion = motion(otherHow);
-        double first = TimeOfImpact.NEVER;
-        for (int part = 0; part < one.parts(); part++) {
-            for (int otherPart = 0; otherPart < other.parts(); otherPart++) {
-                motion.outline = one.outline(part);
-                otherMotion.outline = other.outline(otherPart);
-                if (touching.isInMatter(motion.outline, pose, otherMotion.outline, otherPose)) {
-                    continue;
-                }
-                double time =
-                        search.find(
-                                motion,
-                                otherMotion,
-                                0,
-                                seconds,
-                                IMPACT_TOLERANCE,
-                                ImpactSearch.ITP);
-                first = Math.min(first, time);
-            }
-        }
+        double first =
+                first(
+                        one,
+                        motion,
+                        other,
+                        otherMotion,
+                        () ->
+                                touching.isInMatter(
+                                                motion.outline,
+                                                pose,
+                                                otherMotion.outline,
+                                                otherPose)
+                                        ? TimeOfImpact.NEVER
+                                        : search.find(
+                                                motion,
+                                                otherMotion,
+                                                0,
+                                                seconds,
+                                                IMPACT_TOLERANCE,
+                                                ImpactSearch.ITP));
         return first <= seconds ? OptionalDouble.of(first) : OptionalDouble.empty();
     }
 
@@ -162,15 +164,22 @@ public final class Geometry {
         ShapeCast cast = new ShapeCast();
         Motion motion = motion(new Movement(from, dx, dy, 0));
         Motion still = motion(new Movement(ontoAt, 0, 0, 0));
+        double first = first(moving, motion, onto, still, () -> cast.find(motion, still, 1));
+        return first <= 1 ? OptionalDouble.of(first) : OptionalDouble.empty();
+    }
+
+    /** The least of what is found for every two parts, whose outlines the motions are given. */
+    private static double first(
+            Shape one, Motion how, Shape other, Motion otherHow, DoubleSupplier find) {
         double first = TimeOfImpact.NEVER;
-        for (int part = 0; part < moving.parts(); part++) {
-            for (int otherPart = 0; otherPart < onto.parts(); otherPart++) {
-                motion.outline = moving.outline(part);
-                still.outline = onto.outline(otherPart);
-                first = Math.min(first, cast.find(motion, still, 1));
+        for (int part = 0; part < one.parts(); part++) {
+            for (int otherPart = 0; otherPart < other.parts(); otherPart++) {
+                how.outline = one.outline(part);
+                otherHow.outline = other.outline(otherPart);
+                first = Math.min(first, find.getAsDouble());
             }
         }
-        return first <= 1 ? OptionalDouble.of(first) : OptionalDouble.empty();
+        return first;
     }
 
     /** Whether a world point lies in a shape or on its outline. */

@@ -142,12 +142,7 @@ final class MotionEditor {
 
     /** Takes what velocity a body has along its locked axes. */
     void hold(int slot) {
-        if (bodies.isLockedInX(slot)) {
-            bodies.velocityX[slot] = 0;
-        }
-        if (bodies.isLockedInY(slot)) {
-            bodies.velocityY[slot] = 0;
-        }
+        bodies.holdAxes(slot, bodies.velocityX, bodies.velocityY);
     }
 
     void sleep(int slot) {

@@ -13,6 +13,7 @@ import rigibo.backend.storage.Pairs;
  */
 final class JointedMoment {
 
+    /** What is kept of a contact; the impulses of its points come first, in their order. */
     private static final int[] KEPT = {
         PackedContacts.IMPULSE0,
         PackedContacts.IMPULSE1,
@@ -78,11 +79,11 @@ final class JointedMoment {
 
     /** Hands on what points carried to those that stem from the same. */
     private void handOn(int row) {
-        int at = row * PackedContacts.STRIDE + PackedContacts.IMPULSE0;
+        int at = row * PackedContacts.STRIDE;
         for (int point = 0; point < 2; point++) {
             int feature = pairs.feature[2 * contacts.pair[row] + point];
             boolean isThere = point < contacts.points[row];
-            contacts.data[at + point] = isThere ? carried(row, feature) : 0;
+            contacts.data[at + KEPT[point]] = isThere ? carried(row, feature) : 0;
         }
     }
 
@@ -93,9 +94,5 @@ final class JointedMoment {
             }
         }
         return 0;
-    }
-
-    static {
-        assert KEPT[1] == PackedContacts.IMPULSE0 + 1;
     }
 }

@@ -19,13 +19,7 @@ public final class LockedAxesKernel {
     /** Takes them from all awake bodies, after all steady forces. */
     public void hold(double dt) {
         for (int i = 0; i < roster.awakeCount; i++) {
-            int slot = roster.awake[i];
-            if (bodies.lockedX[slot]) {
-                bodies.accelerationX[slot] = 0;
-            }
-            if (bodies.lockedY[slot]) {
-                bodies.accelerationY[slot] = 0;
-            }
+            bodies.holdAxes(roster.awake[i], bodies.accelerationX, bodies.accelerationY);
         }
     }
 }

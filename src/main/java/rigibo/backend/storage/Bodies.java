@@ -491,6 +491,16 @@ public final class Bodies {
         return lockedX != null && (lockedX[slot] || lockedY[slot]);
     }
 
+    /** Takes from a vector of a body, in two columns, what it has along locked axes. */
+    public void holdAxes(int slot, double[] alongX, double[] alongY) {
+        if (isLockedInX(slot)) {
+            alongX[slot] = 0;
+        }
+        if (isLockedInY(slot)) {
+            alongY[slot] = 0;
+        }
+    }
+
     /** Whether a body is neither moved nor met by anybody. */
     public boolean isDisabled(int slot) {
         return disabled != null && disabled[slot];
