@@ -196,7 +196,7 @@ final class DeclaredRows {
         return impacts.resolveJointly(h, substep);
     }
 
-    /** The same of velocities as they are, within next to no time. */
+    /** Resolves impacts at the velocities as they are, within next to no time. */
     boolean strikeAtOnce(double h, int substep) {
         return impacts == null || impacts.resolveAtOnce(h, substep);
     }

@@ -173,7 +173,7 @@ final class JointedParts {
         return gone;
     }
 
-    /** Goes as far as the first stop, or not at all if that is no way. */
+    /** Goes as far as the first stop; does nothing where that is no distance. */
     private double reach(double time, double part, double first) {
         double to = first;
         for (int look = 0; look < MOST_LOOKS; look++) {

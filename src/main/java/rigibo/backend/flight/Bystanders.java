@@ -12,9 +12,10 @@ import rigibo.backend.storage.Pairs;
 import rigibo.backend.storage.PointSpeeds;
 
 /**
- * Flyers beside a body of a pile that is struck, or that is about to bounce: where it goes in what
- * is left of the step only the pile's solver will tell, and by then they would be past. So those
- * that it could reach join the pile. It moves what touches nothing as exactly as flight does.
+ * Flyers near a body of a pile that is struck or about to bounce. Where that body goes in the rest
+ * of the step only the pile's solver will tell, and by then they would have passed it. So those
+ * that it could reach join the pile, whose solver moves what touches nothing as exactly as flight
+ * does.
  */
 final class Bystanders {
 
@@ -41,9 +42,9 @@ final class Bystanders {
     private final Pose poseB = new Pose();
 
     /**
-     * Allows bodies to leave their paths by twice the square root of the tolerance of impacts,
-     * which lies half way, by orders of magnitude, between that tolerance (m) and the width of a
-     * body.
+     * Allows bodies to leave their paths by twice the square root of the impact tolerance, in
+     * widths. The root is the geometric mean of the tolerance (m) and the width of a body of one
+     * metre.
      */
     Bystanders(
             DataStorage data,
@@ -60,10 +61,10 @@ final class Bystanders {
     }
 
     /**
-     * Finds how far in m the bodies of an impact may get from where they are expected in what is
-     * left of the step, s, when a flyer strikes a pile that moves with its carriers at (u, v) m/s:
-     * {@link #reachOfA} and {@link #reachOfB}, 0 where that is within the allowance. The impact is
-     * resolved, and seen from those carriers.
+     * Finds how far (m) the bodies of an impact may get in the rest of the step (s) from where they
+     * are expected: {@link #reachOfA} and {@link #reachOfB}, 0 where that is within the allowance.
+     * A flyer strikes a pile whose carriers move at (u, v) m/s; the impact is resolved in their
+     * frame.
      */
     void measureImpact(int a, int b, Impact impact, double u, double v, double left) {
         impact.velocityAX -= u;
@@ -117,7 +118,10 @@ final class Bystanders {
         return isSeen ? WEDGED * (length(x, y) + turning) * dt : 0;
     }
 
-    /** A long wall that turns moves at a contact as it does there, not as its far end does. */
+    /**
+     * Speed of a body at a contact, m/s: there a long wall that turns is slower than at its far
+     * end.
+     */
     private double meetsX(int slot, int pair) {
         return bodies.isDynamic(slot)
                 ? bodies.velocityX[slot]
@@ -143,9 +147,9 @@ final class Bystanders {
     }
 
     /**
-     * Measures a pair with a body of a pile that may get as far as {@code reach} m in what is left
-     * of the step, s; returns whether the other is within it. Where both were in piles from the
-     * start they are measured where they began, else where they are by then.
+     * Measures a pair of which one body, of a pile, may get {@code reach} m away in the rest of the
+     * step (s); returns whether the other is within that reach. Two that were in piles from the
+     * start are measured where they began, others where they are by then.
      */
     boolean isWithinReach(int pair, double reach, double time, double left) {
         int a = pairs.bodyA[pair];
@@ -174,11 +178,11 @@ final class Bystanders {
     }
 
     /**
-     * How far in m a body may get that another strikes which may get as far as {@code reach}: its
-     * share, by their masses, of what is left of that where it has closed the gap, but for what
-     * their own ways close in a step of dt seconds; 0 where that is within the allowance. A flyer
-     * goes its whole way: it may fall on what a floor has stopped, and then is stopped by the
-     * floor.
+     * How far (m) a body may get when another strikes it whose reach is {@code reach}. That reach
+     * first closes the gap, as far as the two do not close it on their own ways in dt seconds; of
+     * what is left the struck body gets its share by mass. 0 where that is within the allowance. A
+     * flyer keeps its whole way: it may fall on what a floor has stopped, and then is stopped by
+     * the floor.
      */
     double reachLeft(int pair, int struck, double reach, double dt) {
         double left = reach - Math.max(0, pairs.gap(pair) - narrowphase.reach(pair, dt));
@@ -187,7 +191,7 @@ final class Bystanders {
         return leavesPath(struck, handedOn) ? handedOn : 0;
     }
 
-    /** The speed that a body leaves with of that by which the other of a pair strikes it. */
+    /** Speed with which the struck body of a pair leaves, as a share of the speed of the other. */
     private double shareOf(int struck, int pair) {
         double inverse = bodies.inverseMass[struck];
         double both = inverse + bodies.inverseMass[pairs.other(pair, struck)];

@@ -9,10 +9,10 @@ import rigibo.backend.storage.Roster;
 import java.util.Arrays;
 
 /**
- * The velocity of what carries a body, directly or by others that may touch it within the step: of
- * a driven body that goes straight on. Speeds of a pile on a floor that moves are asked against
- * that floor, so that it is asked what it is asked on a floor at rest. Where bodies that nobody
- * moves carry it in different ways, or none does, that is the world's velocity, 0.
+ * The velocity of the driven body that carries a pile, directly or through bodies that may touch
+ * within the step. Speeds in the pile are measured against it, so that a pile on a floor that moves
+ * straight on is judged as on a floor at rest. Where nothing that moves straight on carries a body,
+ * or where fixed or driven bodies carry it in different ways, the velocity is that of the world, 0.
  */
 final class Carriers {
 
@@ -33,7 +33,7 @@ final class Carriers {
     /** Whether any body is seen in another frame than the world's. */
     private boolean isAny;
 
-    /** Whether all that nobody moves and that was come upon moves alike. */
+    /** Whether all fixed and driven bodies that the pile at hand touches move alike. */
     private boolean areAlike;
 
     Carriers(DataStorage data) {

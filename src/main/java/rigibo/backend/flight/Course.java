@@ -73,9 +73,8 @@ public final class Course {
     }
 
     /**
-     * Lays a body's path between two times in s after the step's start, from the first of which its
-     * columns hold. Where its forces are beyond all bounds it goes on as it was until the next
-     * step.
+     * Lays a body's path between two times in s after the step's start; its columns hold at the
+     * first. Where its forces are beyond all bounds it goes on as before until the next step.
      */
     void lay(int slot, double begin, double end) {
         isLaid(slot, begin, end);
@@ -130,9 +129,9 @@ public final class Course {
     }
 
     /**
-     * Gives a body, whose columns were brought to a time on its path, the velocity it has there: of
-     * what the path lacks at its end, σ(3σ − 2) after the share σ of its length, as on the cubic
-     * that has both ends in common with it.
+     * Gives a body, whose columns were brought to a time on its path, the velocity it has there.
+     * After a share σ of the path's length it gets σ(3σ − 2) of what the path's velocity lacks at
+     * its end, as on the cubic with the same ends.
      */
     void catchUp(int slot, double time) {
         boolean lacksSpin = turning != null && turning.lacksSpin(slot);

@@ -121,10 +121,9 @@ final class Deviation {
     }
 
     /**
-     * How many substeps h keep k·h below 1, with k the share of a force, per second, that a change
-     * of velocity along it takes away. Where a strong drag and another force are in balance,
-     * nothing else would tell before the balance is lost. The path has been looked at where it
-     * starts.
+     * How many substeps of length h keep k·h below 1. Drag changes a force by the share k per
+     * second, which a look shortly after the start tells: where a strong drag and another force are
+     * in balance, nothing else would tell before the balance is lost. The start has been looked at.
      */
     private int substepsByDrag(double length) {
         if (method == Integrator.EULER || method == Integrator.VERLET) {

@@ -8,10 +8,11 @@ import rigibo.backend.storage.Pairs;
 import java.util.Arrays;
 
 /**
- * How far bodies of piles may leave the paths that flyers expect of them, for they are struck, or
- * are about to bounce. What they may reach becomes part of the pile, or a contact, and so does what
- * that may reach in its turn. A way is used up by the gaps on it, and what hands it on keeps its
- * share by mass. Each body is looked round once for each way that is longer than those before.
+ * How far bodies of piles may leave the paths that flyers expect of them, because they are struck
+ * or about to bounce. What such a body may reach becomes part of the pile, or a contact, and so
+ * does what that may reach in its turn. A reach is used up by the gaps on its way, and a body that
+ * is struck gets its share of it by mass. The neighbours of a body are looked at again whenever its
+ * reach has grown.
  */
 final class Disturbance {
 
@@ -23,8 +24,8 @@ final class Disturbance {
     }
 
     /**
-     * How many times farther than known a body has to get for its neighbours to be looked at again:
-     * what equal bodies of full elasticity hand to and fro would else grow by round-off for ever.
+     * Factor by which a body's reach has to grow for its neighbours to be looked at again: without
+     * it, what equal bodies of full elasticity hand to and fro would grow by round-off for ever.
      */
     private static final double GROWN = 1.05;
 
@@ -34,7 +35,9 @@ final class Disturbance {
     private final Bystanders bystanders;
     private final Joining joining;
 
-    /** Whose neighbours are to be looked at, in the order found, and whose are. */
+    /**
+     * Bodies whose neighbours are to be looked at, in the order found; and those being looked at.
+     */
     private final Found waiting = new Found();
 
     private final Found present = new Found();
@@ -85,7 +88,7 @@ final class Disturbance {
         }
     }
 
-    /** Notes how far a body may get, m, if it is of a pile and that is news. */
+    /** Notes how far (m) a body of a pile may get, if that is farther than was known. */
     void note(int slot, double reach) {
         boolean isPiled = bodies.isDynamic(slot) && bodies.awake[slot] && !paths.isFlyer(slot);
         if (isPiled && reach > GROWN * reachOf[slot]) {
@@ -97,7 +100,7 @@ final class Disturbance {
         }
     }
 
-    /** Lets join, at a time, whom the noted ones may reach in what is left of a step. */
+    /** Lets the bodies that the noted ones may reach in the rest of a step join at a time. */
     void spread(double time, double dt) {
         while (waiting.count > 0) {
             takeWaiting();

@@ -28,8 +28,8 @@ public final class Flight {
     private static final double TIE_PER_METRE = 1e-3;
 
     /**
-     * How often an edge of a chain looks for a meeting that is its own, and by how much of the
-     * other's width it goes on.
+     * How often an edge of a chain looks for an impact of its own, and how far it goes on between
+     * two looks, as a share of the other's width.
      */
     private static final int MOST_LOOKS = 16;
 
@@ -151,7 +151,7 @@ public final class Flight {
         }
     }
 
-    /** How long in s the two take to come on by a little of what the narrower one is wide. */
+    /** How long (s) the two take to approach by that share of the narrower one's width. */
     private double lookAhead() {
         double speed =
                 Math.abs(motionA.velocityX - motionB.velocityX)
@@ -169,8 +169,8 @@ public final class Flight {
     }
 
     /**
-     * What comes near to where two edges of a chain meet is met by one of them, if by any: the
-     * other goes on to look.
+     * When a pair meets, which for the edge of a chain may be later than found: where two edges
+     * meet, what comes near strikes one of them, if any, and the other goes on looking.
      */
     private double firstThatIsMet(int pair, double found, double dt) {
         double time = found;
@@ -203,8 +203,8 @@ public final class Flight {
     }
 
     /**
-     * Makes room for an instant at which all pairs meet, those included that were come upon since;
-     * those that do are kept, for that may be in the midst of an instant.
+     * Makes room for an instant at which all pairs meet, those found within the step included.
+     * Pairs already taken for that instant are kept.
      */
     private void reserve() {
         int pairCapacity = pairs.bodyA.length;
@@ -216,8 +216,8 @@ public final class Flight {
     }
 
     /**
-     * Takes the earliest impact from the queue, and all that fall on the same instant and hang
-     * together with it by bodies that pass something on: strangers' impacts are none of its matter.
+     * Takes the earliest impact from the queue, and all at the same instant that are connected to
+     * it by bodies which pass an impulse on. Others at that instant are resolved apart.
      */
     private void takeTies() {
         reserve();

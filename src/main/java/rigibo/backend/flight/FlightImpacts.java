@@ -159,9 +159,10 @@ final class FlightImpacts {
     }
 
     /**
-     * A pair rests from the end of its bounces on. One that could go on for ever, too fast to rest,
-     * is left to the solver of piles, or stands at a wall where nothing may be lost; and so is one
-     * whose impact the search gave up to find, before the two have met.
+     * Ends the bounces of a pair for this step. It rests once they are over. A pair that could
+     * bounce on for ever, too fast to rest, is left to the solver of piles, or stands at a wall
+     * where nothing may be lost; so does one whose impact the search gave up to find, before the
+     * two have met.
      */
     private void end(int pair, double time, double restsAt, double dt) {
         if (!touches(pair)) {
@@ -183,8 +184,9 @@ final class FlightImpacts {
     }
 
     /**
-     * What loses nothing at a wall may wait for the next step. Two that both move would have to
-     * take the way of their common centre of mass meanwhile, so they are left to the pile.
+     * Whether a pair may wait for the next step. At a wall what loses nothing may; two that both
+     * move would have to go on with their common centre of mass meanwhile, so they are left to the
+     * pile.
      */
     private boolean mayWait(int pair) {
         boolean bothMove =
@@ -223,8 +225,8 @@ final class FlightImpacts {
     }
 
     /**
-     * Expects a body that has met a pile to go on as from a wall. The pile gives way at most, so
-     * that whatever follows behind is not met later than expected.
+     * Expects a body that has met a pile to rebound as from a wall. A pile gives way rather than
+     * pushes, so that whatever follows behind is met no later than expected.
      */
     void expectRebound(int pair, int lander) {
         if (!touches(pair)) {

@@ -31,7 +31,7 @@ final class Freedoms {
         return x * x + y * y;
     }
 
-    /** The square of what the two of place differ by from another's. */
+    /** The squared distance of the two freedoms of place from another's. */
     double squaredChange(Freedoms other) {
         double dx = x - other.x;
         double dy = y - other.y;

@@ -121,7 +121,7 @@ final class ImpactQueue {
         return a != otherA ? a < otherA : b != otherB ? b < otherB : isOfFormerParts(pair, other);
     }
 
-    /** Of the same two bodies: the parts that meet, which came to them in order. */
+    /** Whether, of two pairs of the same bodies, the first is of earlier parts of theirs. */
     private boolean isOfFormerParts(int pair, int other) {
         int a = pairs.shapeA(pair);
         int otherA = pairs.shapeA(other);

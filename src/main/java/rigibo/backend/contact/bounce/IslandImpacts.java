@@ -46,7 +46,7 @@ public final class IslandImpacts {
         return joint.resolve(h, substep);
     }
 
-    /** The same of velocities as they are, within next to no time. */
+    /** Resolves impacts at the velocities as they are, within next to no time. */
     public boolean resolveAtOnce(double h, int substep) {
         return joint.resolveAtOnce(h, substep);
     }

@@ -19,10 +19,14 @@ import java.util.Arrays;
  */
 final class LoadsFromAbove {
 
-    /** Share of what its own pull and supports give a body that it may be left with. */
+    /**
+     * Speed that a body may be left with, as a share of what its own pull and its supports give it.
+     */
     private static final double UNHELD = 1e-10;
 
-    /** A body that is held is held better as long as a round leaves no more of its speed. */
+    /**
+     * A round goes on to hold a body better as long as it leaves at most this share of its speed.
+     */
     private static final double IMPROVES = 0.5;
 
     /** Rounds over the contacts of one body: by their normals alone, and with friction. */
@@ -80,7 +84,7 @@ final class LoadsFromAbove {
         }
     }
 
-    /** By how far each lies along what pulls at them all; equals by their entries. */
+    /** Sorts bodies by how far they lie along their common pull, equals by their entries. */
     private void sort() {
         double pullX = 0;
         double pullY = 0;

@@ -16,7 +16,7 @@ import rigibo.backend.storage.DataStorage;
  */
 public final class Repose {
 
-    /** How many times what counts as solved a still body may go at. */
+    /** Fastest speed of a still body, as a multiple of what counts as solved. */
     private static final double QUIET = 16;
 
     /** Fastest speed of a calm body, as a share of what its own pull gives it in a step. */
@@ -84,7 +84,7 @@ public final class Repose {
         return stillness.isEveryBodyStill(dt, QUIET * share);
     }
 
-    /** Whether none goes so fast that its own pull would take long to do it. */
+    /** Whether every body is calm: slower than a share of what its own pull gives it in a step. */
     public boolean isCalm(double dt) {
         return stillness.isEveryBodyStill(dt, CALM);
     }

@@ -132,7 +132,7 @@ final class Stillness {
         return Math.max(Math.abs(x), Math.abs(y)) + radius * Math.abs(spin);
     }
 
-    /** The speed at which a body moves within so many seconds by what no rest is without, m/s. */
+    /** The speed (m/s) at which a body at rest may creep for so many seconds. */
     private double creep(int entry, double length) {
         return STILL * bodies.smallestWidth[motions.slots[entry]] / length;
     }

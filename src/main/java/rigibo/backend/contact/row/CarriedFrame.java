@@ -102,7 +102,10 @@ public final class CarriedFrame {
         return mayFollow;
     }
 
-    /** Adds those that joints hold on to; whether none of these is a place in the world. */
+    /**
+     * Adds the bodies that joints hold on to; returns whether none of these is a place in the
+     * world.
+     */
     private boolean addJoined(int island) {
         boolean mayMove = true;
         for (int i = islands.jointStart[island];
@@ -121,7 +124,7 @@ public final class CarriedFrame {
         return add(joints.bodyA[joint]) && add(joints.bodyB[joint]);
     }
 
-    /** Adds a body that nobody moves; whether it goes straight on, as all before it. */
+    /** Adds a fixed or driven body; returns whether it goes straight on, as all before it. */
     private boolean add(int slot) {
         if (bodies.isDynamic(slot)) {
             return true;

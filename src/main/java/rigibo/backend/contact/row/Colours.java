@@ -19,7 +19,7 @@ import java.util.Arrays;
  */
 final class Colours {
 
-    /** Colours that are handed out by what is to spare; those from here on in turn. */
+    /** Colours that are handed out by which are free; from here on they are handed out in turn. */
     private static final int FEW = 64;
 
     private final Bodies bodies;

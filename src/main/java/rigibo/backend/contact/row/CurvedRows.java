@@ -146,7 +146,10 @@ public final class CurvedRows {
         return motions.slide(contacts, row, arm(row, true), arm(row, false));
     }
 
-    /** What is round turns without a change: what counts is the corner of the core. */
+    /**
+     * Lever of the tangent at the corner of an outline's core, m; 0 for a disc. A round corner
+     * turns about that of its core without any change at the contact.
+     */
     private double arm(int row, boolean isOfA) {
         int pair = contacts.pair[row];
         Outline outline = bodies.outline[isOfA ? pairs.shapeA(pair) : pairs.shapeB(pair)];

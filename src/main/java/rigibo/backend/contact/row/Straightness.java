@@ -6,7 +6,10 @@ import rigibo.backend.setup.ImpactMode;
 /** How far a contact may deviate from a straight line in a step and still count as straight. */
 public final class Straightness {
 
-    /** Share of the tolerance that shows where bodies are few: what turns on keeps its energy. */
+    /**
+     * Share of the tolerance that is allowed where bodies are few, so that what turns on keeps its
+     * energy.
+     */
     private static final double FINER = 1e-2;
 
     private final Motions motions;
@@ -14,7 +17,10 @@ public final class Straightness {
     /** As a share of a body's width. */
     private final double tolerance;
 
-    /** Whether bodies are followed where they are few, too: they are if impacts are. */
+    /**
+     * Whether bodies are followed where they are few: they are if impacts are resolved in the order
+     * of time.
+     */
     public final boolean follows;
 
     public Straightness(Motions motions, Accuracy accuracy) {

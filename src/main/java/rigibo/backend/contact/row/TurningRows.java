@@ -63,7 +63,10 @@ public final class TurningRows {
         this.fresh = fresh;
     }
 
-    /** How many substeps the bodies of an island need for the rest of a step, usually as usual. */
+    /**
+     * How many substeps an island needs for the rest of a step: as many as usual, unless its bodies
+     * turn fast.
+     */
     public int substepsFor(int island, double left, int usual) {
         double wanted = 1;
         int end = islands.bodyStart[island + 1];

@@ -7,7 +7,7 @@ import rigibo.backend.contact.row.SingleRows;
 /**
  * The single rows of the packed contacts laid out flat, in the order of elimination: row {@code
  * 3·place + kind}, where kind is the point of a normal row or {@link SingleRows#TANGENT}.
- * Elimination asks each of them many times over what {@link PackedContacts} holds for passes.
+ * Elimination reads each row many times; {@link PackedContacts} is laid out for passes.
  */
 final class FlatRows {
 
@@ -163,7 +163,7 @@ final class FlatRows {
         return impulse[k] - approach(k) / (answer[k] + give[k]);
     }
 
-    /** The speed that it would give the row, m/s. */
+    /** The speed that the impulse which solves a row alone would give it, m/s. */
     double answerAfterOwnChange(int k) {
         return answer[k] * wanted(k);
     }

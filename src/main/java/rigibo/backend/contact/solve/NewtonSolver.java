@@ -19,7 +19,7 @@ final class NewtonSolver {
     /** Systems solved at a time: near the solution each of them doubles the digits. */
     private static final int MOST_STEPS = 8;
 
-    /** How many times what they carry or miss rows may be changed by in a step. */
+    /** Largest change of rows in a step, as a multiple of what they carry or miss. */
     private static final double FARTHEST = 1e4;
 
     private final PackedContacts contacts;
