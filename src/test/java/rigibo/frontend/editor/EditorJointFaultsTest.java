@@ -1,0 +1,157 @@
+package rigibo.frontend.editor;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import static rigibo.frontend.editor.TwoBoxes.erase;
+import static rigibo.frontend.editor.TwoBoxes.joined;
+import static rigibo.frontend.editor.TwoBoxes.problems;
+import static rigibo.frontend.editor.TwoBoxes.withTwoBoxes;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+import rigibo.frontend.editor.draft.Draft;
+import rigibo.frontend.editor.draft.NewLevel;
+import rigibo.frontend.puzzle.level.LevelJoint;
+import rigibo.frontend.scene.Canvas;
+import rigibo.frontend.scene.Key;
+import rigibo.frontend.scene.Legibility;
+import rigibo.frontend.scene.RecordingCanvas;
+import rigibo.frontend.scene.Settings;
+import rigibo.frontend.scene.Words;
+
+import tools.jackson.databind.json.JsonMapper;
+import tools.jackson.databind.node.JsonNodeFactory;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Locale;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+
+/** What is wrong with joints, and what is said of them, in every language. */
+class EditorJointFaultsTest {
+
+    /** What an icon and margins leave of a line among the problems, px. */
+    private static final double ROOM = View.PROBLEMS.width() - 16 - 22 - 8;
+
+    private static final Path LEVEL_ROOM = Path.of("src/main/java/rigibo/frontend/puzzle");
+
+    @Test
+    void whatMovesByNoForcesIsToldAtTheJoint() {
+        Author author = Author.with(NewLevel.draft());
+        author.take(LevelJoint.Type.WELD);
+        author.clickWorld(2, 2);
+        author.clickWorld(7, 1.2);
+        assertThat(problems(author)).anyMatch(told -> told.startsWith("/joints/0 E118"));
+        assertThat(author.look().texts()).contains("Moves nothing");
+    }
+
+    @Test
+    void jointsWithoutTheirEffectAreTold() {
+        Author author = joined(LevelJoint.Type.WELD);
+        author.press("joints");
+        assertThat(problems(author)).anyMatch(told -> told.contains("E119"));
+        assertThat(author.look().texts()).contains("Joints not declared");
+    }
+
+    @Test
+    void aRopeThatIsTooShortAndLimitsPastTheStartAreTold() {
+        Author author = joined(LevelJoint.Type.ROPE);
+        author.press(plain(Math.hypot(0.1, 1.6)));
+        erase(author, 5);
+        author.type("1");
+        assertThat(problems(author)).anyMatch(told -> told.startsWith("/joints/0/length E122"));
+        assertThat(author.look().texts()).contains("Rope too short");
+        Author slide = joined(LevelJoint.Type.SLIDE);
+        slide.press("Limits");
+        slide.press("-1");
+        erase(slide, 2);
+        slide.type("0.5");
+        assertThat(problems(slide)).anyMatch(told -> told.startsWith("/joints/0/limits E123"));
+        assertThat(slide.look().texts()).contains("Begins past a limit");
+        slide.clickWorld(6, 8);
+        slide.press("Begins past a limit");
+        assertThat(slide.look().texts()).contains("Slide");
+    }
+
+    private static String plain(double value) {
+        return String.format(Locale.ROOT, "%.3f", value);
+    }
+
+    static Stream<String> languages() {
+        return Settings.LANGUAGES.stream();
+    }
+
+    @ParameterizedTest
+    @MethodSource("languages")
+    void everyFieldOfEveryKindIsLegible(String language) {
+        for (LevelJoint.Type type : LevelJoint.Type.values()) {
+            Author author = withTwoBoxes(language);
+            author.take(type);
+            author.clickWorld(4.2, 5.8);
+            author.clickWorld(4.3, 4.2);
+            Words words = new Words(language);
+            for (String part : List.of("limits", "motor", "springy")) {
+                String name = words.of("editor.joint." + part);
+                if (author.look().texts().contains(name)) {
+                    author.press(name);
+                }
+                author.scene.step();
+                assertThat(Legibility.faults(author.scene)).as(type + part).isEmpty();
+                assertThat(author.look().texts()).noneMatch(text -> text.endsWith("…"));
+            }
+        }
+    }
+
+    /** A rule without words ended the editor as soon as a level broke it. */
+    @ParameterizedTest
+    @MethodSource("languages")
+    void everyRuleHasANameInEveryLanguage(String language) throws IOException {
+        Words words = new Words(language);
+        RecordingCanvas canvas = withTwoBoxes().look();
+        Pattern code = Pattern.compile("\"(E\\d{3}) ");
+        try (Stream<Path> files = Files.walk(LEVEL_ROOM)) {
+            List<Path> sources = files.filter(file -> file.toString().endsWith(".java")).toList();
+            assertThat(sources).isNotEmpty();
+            for (Path source : sources.stream().sorted(Comparator.naturalOrder()).toList()) {
+                Matcher codes = code.matcher(Files.readString(source));
+                while (codes.find()) {
+                    String name = words.of("editor.problem." + codes.group(1));
+                    assertThat(canvas.textWidth(name, 16, Canvas.Font.WORDS))
+                            .as(name)
+                            .isBetween(1.0, ROOM);
+                }
+            }
+        }
+    }
+
+    /** A damaged file says what is wrong with it; it does not end the editor. */
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "7",
+                "{\"type\": 5}",
+                "{\"type\": \"hinge\", \"a\": 3, \"b\": {}, \"at\": \"x\"}",
+                "{\"type\": \"rope\", \"from\": [1, \"a\"], \"to\": [{}, 2]}",
+                "{\"type\": \"weld\", \"at\": [1, 2], \"spring\": {\"hertz\": []}}",
+                "{\"type\": \"hinge\", \"at\": [1, 2], \"limits\": [{}, \"x\"]}",
+                "{\"type\": \"slide\", \"at\": [1, 2], \"motor\": {\"speed\": {}}}"
+            })
+    void aDamagedJointIsTold(String joint) {
+        var node = new JsonMapper().readTree(joint);
+        Draft draft =
+                NewLevel.draft().with("/joints", JsonNodeFactory.instance.arrayNode().add(node));
+        Author author = Author.with(draft);
+        author.scene.keyPressed(Key.TAB);
+        author.drag(2, 2, 3, 3);
+        author.drag(1, 2, 2, 3);
+        assertThat(problems(author)).anyMatch(told -> told.startsWith("/joints/0"));
+    }
+}
