@@ -32,6 +32,14 @@ final class Pile {
         return slot;
     }
 
+    /** A body of 1 kg that is pulled down by g m/s². */
+    int falling(double g) {
+        int slot = body(BodyType.DYNAMIC);
+        bodies.accelerationY[slot] = -g;
+        bodies.inverseMass[slot] = 1;
+        return slot;
+    }
+
     /** A contact that this step looks at; the normal points up, from the lower slot. */
     int contact(int a, int b, int points) {
         int pair = pairs.add(bodies, Math.min(a, b), Math.max(a, b));
