@@ -70,15 +70,7 @@ class MainTest {
     @CsvSource({
         "cases --preset BEST, DRAFT",
         "cases --only 1000, 20/10",
-        "cases --csv no/such/place.csv, no/such/place.csv"
-    })
-    void wrongChoiceOfCasesIsRefusedWithTheRightOnes(String typed, String named) {
-        assertThat(run(typed.split(" "))).isEqualTo(2);
-        assertThat(err.toString()).contains(typed.split(" ")[1], named);
-    }
-
-    @ParameterizedTest
-    @CsvSource({
+        "cases --csv no/such/place.csv, no/such/place.csv",
         "lab --figures waves, EFFECTS",
         "lab --scenes moon, R1",
         "lab --figures effects --scenes moon, flyers",
@@ -86,15 +78,7 @@ class MainTest {
         "lab --figures effects --runs 0, 1 to 1000",
         "lab --runs many, many",
         "lab --out README.md, not a directory",
-        "lab --markdown no/such/place.md, no/such/place.md"
-    })
-    void wrongChoiceOfTheLabIsRefusedWithTheRightOnes(String typed, String named) {
-        assertThat(run(typed.split(" "))).isEqualTo(2);
-        assertThat(err.toString()).contains(typed.split(" ")[1], named);
-    }
-
-    @ParameterizedTest
-    @CsvSource({
+        "lab --markdown no/such/place.md, no/such/place.md",
         "bench --scenes moon, large-pyramid",
         "bench --engines bullet, rigibo",
         "bench --moving moon, rain-boxes-10",
@@ -106,7 +90,7 @@ class MainTest {
         "bench --markdown no/such/place.md, no/such/place.md",
         "bench --out README.md, not a directory"
     })
-    void wrongChoiceOfTheBenchIsRefusedWithTheRightOnes(String typed, String named) {
+    void wrongChoiceIsRefusedWithTheRightOnes(String typed, String named) {
         assertThat(run(typed.split(" "))).isEqualTo(2);
         assertThat(err.toString()).contains(typed.split(" ")[1], named);
     }

@@ -17,7 +17,6 @@ import rigibo.frontend.scene.Words;
 
 import java.util.List;
 import java.util.function.Function;
-import java.util.stream.Stream;
 
 /** The effects bar of each demo. */
 class DemoEffectsTest {
@@ -38,16 +37,6 @@ class DemoEffectsTest {
                     "sleep",
                     "air-drag",
                     "wind");
-
-    static Stream<Function<Words, Demo>> demos() {
-        return Stream.of(
-                CrateDemo::new,
-                WheelDemo::new,
-                FrictionDemo::new,
-                FloodDemo::new,
-                PendulumDemo::new,
-                CarDemo::new);
-    }
 
     private static Scene open(Function<Words, Demo> maker) {
         return new DemoScene(new RecordingDirector(), maker);
@@ -75,13 +64,13 @@ class DemoEffectsTest {
     }
 
     @ParameterizedTest
-    @MethodSource("demos")
+    @MethodSource("rigibo.frontend.demo.EveryDemo#all")
     void litIsWhatTheDemoDeclares(Function<Words, Demo> maker) {
         assertThat(lit(open(maker))).hasSameElementsAs(declared(maker));
     }
 
     @ParameterizedTest
-    @MethodSource("demos")
+    @MethodSource("rigibo.frontend.demo.EveryDemo#all")
     void saysInItsOwnWordsWhyItCallsForEach(Function<Words, Demo> maker) {
         Demo demo = maker.apply(new Words("en"));
         assertThat(demo.reasons())
@@ -92,7 +81,7 @@ class DemoEffectsTest {
 
     /** Whatever is switched, the demo goes on, can be read, and R brings its own set back. */
     @ParameterizedTest
-    @MethodSource("demos")
+    @MethodSource("rigibo.frontend.demo.EveryDemo#all")
     void everyEffectCanBeTriedAndRRestoresTheSet(Function<Words, Demo> maker) {
         Scene scene = open(maker);
         for (String chip : chips(RecordingCanvas.of(scene))) {
@@ -107,7 +96,7 @@ class DemoEffectsTest {
     }
 
     @ParameterizedTest
-    @MethodSource("demos")
+    @MethodSource("rigibo.frontend.demo.EveryDemo#all")
     void aSwitchedEffectIsMarkedUntilItIsBack(Function<Words, Demo> maker) {
         Scene scene = open(maker);
         click(scene, "gravity");

@@ -19,7 +19,6 @@ import rigibo.frontend.scene.ghost.Ghost;
 import rigibo.frontend.scene.widget.Slider;
 
 import java.util.function.Function;
-import java.util.stream.Stream;
 
 /** A ghost goes along with a demo, whatever is done to that, and changes nothing in it. */
 class GhostInDemosTest {
@@ -27,22 +26,12 @@ class GhostInDemosTest {
     private static final double STEP = 1.0 / 60;
     private static final int STEPS = 300;
 
-    static Stream<Function<Words, Demo>> demos() {
-        return Stream.of(
-                CrateDemo::new,
-                WheelDemo::new,
-                FrictionDemo::new,
-                FloodDemo::new,
-                PendulumDemo::new,
-                CarDemo::new);
-    }
-
     /**
      * At the scene's own accuracy a ghost is the scene, to the bit, if what hand, motor, blast and
      * hose do to the one reaches the other, too.
      */
     @ParameterizedTest
-    @MethodSource("demos")
+    @MethodSource("rigibo.frontend.demo.EveryDemo#all")
     void ghostAtTheSameAccuracyStaysInTheScene(Function<Words, Demo> maker) {
         Demo demo = maker.apply(new Words("en"));
         Workbench bench = built(demo);
@@ -63,7 +52,7 @@ class GhostInDemosTest {
     }
 
     @ParameterizedTest
-    @MethodSource("demos")
+    @MethodSource("rigibo.frontend.demo.EveryDemo#all")
     void sceneDoesNotFeelItsGhost(Function<Words, Demo> maker) {
         Demo plain = maker.apply(new Words("en"));
         Workbench alone = built(plain);
@@ -77,7 +66,7 @@ class GhostInDemosTest {
 
     /** G turns up the ghost's side; the dial begins another ghost; G again ends it. */
     @ParameterizedTest
-    @MethodSource("demos")
+    @MethodSource("rigibo.frontend.demo.EveryDemo#all")
     void ghostIsTurnedUpByKeyAndCanBeRead(Function<Words, Demo> maker) {
         Scene scene = new DemoScene(new RecordingDirector(), maker);
         scene.keyPressed(Key.G);

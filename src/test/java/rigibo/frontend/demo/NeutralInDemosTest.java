@@ -21,7 +21,6 @@ import rigibo.frontend.scene.Words;
 
 import java.util.List;
 import java.util.function.Function;
-import java.util.stream.Stream;
 
 /** What no demo calls for changes nothing in any of them, as long as it does nothing. */
 class NeutralInDemosTest {
@@ -40,16 +39,6 @@ class NeutralInDemosTest {
                     new Buoyancy(-1e4, 1000, 5),
                     new Field(at -> at.push(0, 0)));
 
-    static Stream<Function<Words, Demo>> demos() {
-        return Stream.of(
-                CrateDemo::new,
-                WheelDemo::new,
-                FrictionDemo::new,
-                FloodDemo::new,
-                PendulumDemo::new,
-                CarDemo::new);
-    }
-
     /** Nothing sleeps where a function of the caller's is declared: it may change with time. */
     private static boolean isForeign(Effect effect, Effects called) {
         boolean keepsAwake = effect.holdsFunction() && called.declares(Sleep.class);
@@ -63,7 +52,7 @@ class NeutralInDemosTest {
     }
 
     @ParameterizedTest
-    @MethodSource("demos")
+    @MethodSource("rigibo.frontend.demo.EveryDemo#all")
     void neutralEffectsLeaveTheHashOfADemo(Function<Words, Demo> demo) {
         Effects called = demo.apply(new Words("en")).effects();
         long plain = run(demo.apply(new Words("en")), called).stateHash();

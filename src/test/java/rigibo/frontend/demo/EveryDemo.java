@@ -1,0 +1,23 @@
+package rigibo.frontend.demo;
+
+import rigibo.frontend.scene.Words;
+
+import java.util.function.Function;
+import java.util.stream.Stream;
+
+/** The demos, for tests that ask all of them. */
+final class EveryDemo {
+
+    private EveryDemo() {}
+
+    /** Makes each of them. */
+    static Stream<Function<Words, Demo>> all() {
+        return Stream.of(
+                CrateDemo::new,
+                WheelDemo::new,
+                FrictionDemo::new,
+                FloodDemo::new,
+                PendulumDemo::new,
+                CarDemo::new);
+    }
+}
