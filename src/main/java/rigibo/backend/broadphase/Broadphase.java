@@ -57,6 +57,7 @@ public final class Broadphase {
     private final RayWalk walk = new RayWalk(tree);
     private final Found found = new Found();
     private final Aabb swept = new Aabb();
+    private final Aabb part = new Aabb();
 
     /** The slots that {@link Bodies#refitted} marks. */
     private final Found moved = new Found();
@@ -184,16 +185,26 @@ public final class Broadphase {
     }
 
     /**
-     * Within a step: nobody can tell which way a body at (x, y) in m goes on, so its fixture has to
-     * cover all within a reach of it in m, beside what it covers.
+     * Within a step: nobody can tell which way a body at (x, y) in m goes on, turned by an angle of
+     * which cosine and sine are given, so its fixture has to cover all within a reach of it in m,
+     * beside what it covers. No point of it goes farther than that, so that a part of a body covers
+     * what is near itself, not all that is near the body.
      */
-    public void lookRound(int body, double x, double y, double reach) {
+    public void lookRound(int body, double x, double y, double cos, double sin, double reach) {
+        boolean isWhole = bodies.nextShapeOf(body) == Pairs.NONE;
         double radius = bodies.boundingRadius[body] + reach;
         for (int slot = body; slot != Pairs.NONE; slot = bodies.nextShapeOf(slot)) {
-            swept.minX = Math.min(bodies.fixtureMinX[slot], x - radius);
-            swept.minY = Math.min(bodies.fixtureMinY[slot], y - radius);
-            swept.maxX = Math.max(bodies.fixtureMaxX[slot], x + radius);
-            swept.maxY = Math.max(bodies.fixtureMaxY[slot], y + radius);
+            swept.minX = x - radius;
+            swept.minY = y - radius;
+            swept.maxX = x + radius;
+            swept.maxY = y + radius;
+            if (!isWhole) {
+                clipToPart(slot, x, y, cos, sin, reach);
+            }
+            swept.minX = Math.min(bodies.fixtureMinX[slot], swept.minX);
+            swept.minY = Math.min(bodies.fixtureMinY[slot], swept.minY);
+            swept.maxX = Math.max(bodies.fixtureMaxX[slot], swept.maxX);
+            swept.maxY = Math.max(bodies.fixtureMaxY[slot], swept.maxY);
             if (!isCovered(slot)) {
                 writeFixture(body, slot, 0);
                 tree.grow(
@@ -205,6 +216,14 @@ public final class Broadphase {
                 meetNeighbours(body, slot);
             }
         }
+    }
+
+    private void clipToPart(int slot, double x, double y, double cos, double sin, double reach) {
+        bodies.outline[slot].bounds(x, y, cos, sin, part);
+        swept.minX = Math.max(swept.minX, part.minX - reach);
+        swept.minY = Math.max(swept.minY, part.minY - reach);
+        swept.maxX = Math.min(swept.maxX, part.maxX + reach);
+        swept.maxY = Math.min(swept.maxY, part.maxY + reach);
     }
 
     /**
