@@ -1,6 +1,7 @@
 package rigibo.backend;
 
 import rigibo.backend.effect.Effects;
+import rigibo.backend.effect.Sensors;
 import rigibo.backend.geometry.Aabb;
 import rigibo.backend.geometry.Placement;
 import rigibo.backend.geometry.Shape;
@@ -69,6 +70,9 @@ public final class Pool {
     /** Made when somebody asks what sensors see, or edits a body that they may see. */
     private PoolSensors sensors;
 
+    /** Asked of the effects once: a question that allocates nothing asks each time. */
+    private boolean senses;
+
     /** Null where no joints are declared. */
     private PoolJoints joints;
 
@@ -102,7 +106,7 @@ public final class Pool {
         report = new StepReport(this, data);
         editor = new BodyEditor(this, data, plan);
         totals = new PoolTotals(this, data);
-        declareJoints();
+        declare();
     }
 
     Pool(Snapshot snapshot) {
@@ -185,7 +189,8 @@ public final class Pool {
         Require.present("Pool.join definition", definition);
         busy.requireChangeable("join bodies");
         if (joints == null) {
-            throw new IllegalStateException("Pool.join needs the effect Joints, not declared");
+            throw new IllegalStateException(
+                    "Pool.join needs the effect Joints, which is not declared");
         }
         return joints.join(definition);
     }
@@ -201,14 +206,25 @@ public final class Pool {
         joints.remove(joint);
     }
 
-    /** All joints in the order they were joined; a view that cannot be changed through itself. */
+    /**
+     * All joints in the order they were joined, none where {@code Joints} are not declared; a view
+     * that cannot be changed through itself.
+     */
     public List<Joint> joints() {
         return joints == null ? List.of() : joints.all();
     }
 
-    /** The joints that broke in the last step; a list of its own. */
+    /**
+     * The joints that broke in the last step; a list of its own.
+     *
+     * @throws IllegalStateException when the effect {@code Joints} is not declared
+     */
     public List<JointBreak> brokenJoints() {
-        return joints == null ? List.of() : joints.broken();
+        if (joints == null) {
+            throw new IllegalStateException(
+                    "Pool.brokenJoints needs the effect Joints, which is not declared");
+        }
+        return joints.broken();
     }
 
     /**
@@ -301,10 +317,11 @@ public final class Pool {
         Require.present("Pool.effects", effects);
         busy.requireChangeable("change the effects");
         editor.effects(effects);
-        declareJoints();
+        declare();
     }
 
-    private void declareJoints() {
+    private void declare() {
+        senses = plan.effects().declares(Sensors.class);
         if (data.joints == null && joints != null) {
             joints.removeAll();
             joints = null;
@@ -382,11 +399,12 @@ public final class Pool {
     }
 
     /**
-     * What sensors saw in the last step; a list of its own. Empty where {@code Sensors} are not
-     * declared.
+     * What sensors saw in the last step; a list of its own.
+     *
+     * @throws IllegalStateException when the effect {@code Sensors} is not declared
      */
     public List<SensorEvent> sensorEvents() {
-        return sensors().list();
+        return sensors("sensorEvents").list();
     }
 
     /**
@@ -394,25 +412,31 @@ public final class Pool {
      * makes no step and refuses to be changed with {@link IllegalStateException}.
      *
      * @param reader is handed one object again and again, whose contents hold until it returns
-     * @throws IllegalStateException when called within a step
+     * @throws IllegalStateException when called within a step, and when the effect {@code Sensors}
+     *     is not declared
      */
     public void forEachSensorEvent(Consumer<? super SensorView> reader) {
         Require.present("Pool.forEachSensorEvent reader", reader);
         busy.requireBetweenSteps("read sensors");
-        sensors().forEach(reader);
+        sensors("forEachSensorEvent").forEach(reader);
     }
 
     /**
      * The bodies that the last step left inside of any sensor of a body, each once. Refuses bodies
      * as {@link #remove} does.
+     *
+     * @throws IllegalStateException when the effect {@code Sensors} is not declared
      */
     public List<RigidBody> inside(RigidBody sensor) {
-        return List.copyOf(sensors().inside(own(sensor).slot()));
+        return List.copyOf(sensors("inside").inside(own(sensor).slot()));
     }
 
-    /** Whether the last step left a body inside of any sensor of another one. */
+    /**
+     * Whether the last step left a body inside of any sensor of another one. Refuses as {@link
+     * #inside} does.
+     */
     public boolean isInside(RigidBody sensor, RigidBody visitor) {
-        return sensors().inside(own(sensor).slot()).contains(own(visitor));
+        return sensors("isInside").inside(own(sensor).slot()).contains(own(visitor));
     }
 
     /**
@@ -601,6 +625,15 @@ public final class Pool {
             sensors = new PoolSensors(this, data, busy);
         }
         return sensors;
+    }
+
+    /** Whom a caller asks about sensors; an empty answer would hide that nobody looks. */
+    private PoolSensors sensors(String question) {
+        if (!senses) {
+            throw new IllegalStateException(
+                    "Pool." + question + " needs the effect Sensors, which is not declared");
+        }
+        return sensors();
     }
 
     List<SavedContact> savedContacts() {

@@ -314,6 +314,36 @@ class CompoundBodyTest {
         assertThat(pool.step(DT).bodies()).isZero();
     }
 
+    /**
+     * Two cups of 20 m whose walls are 4 m apart stand on a floor, and a marble strikes a wall of
+     * one. The wall that it shakes may get 0.4 m in the step (twice the marble's way), so that no
+     * part of one cup is near a part of the other: what pairs are of is 3 parts by the floor each,
+     * and the marble by what it may meet.
+     */
+    @Test
+    void aPartThatIsStruckLooksRoundItselfAlone() {
+        Compound cup =
+                Compound.of(
+                        Part.of(Polygon.box(20, 0.5)),
+                        Part.of(Polygon.box(0.5, 10)).at(-9.75, 5.25),
+                        Part.of(Polygon.box(0.5, 10)).at(9.75, 5.25));
+        Pool pool = new Pool(AWAKE, Accuracy.GAME);
+        pool.add(BodyDefinition.fixed(Polygon.box(80, 1)).at(0, -0.5));
+        RigidBody left = pool.add(BodyDefinition.dynamic(cup));
+        left.moveTo(-12, left.y() - left.originY() + 0.25, 0);
+        RigidBody right = pool.add(BodyDefinition.dynamic(cup));
+        right.moveTo(12, left.y(), 0);
+        run(pool, 5);
+        RigidBody marble =
+                pool.add(BodyDefinition.dynamic(new Circle(0.2)).at(0, 9).velocity(-12, 0));
+        int most = 0;
+        for (int i = 0; i < 20; i++) {
+            most = Math.max(most, pool.step(DT).pairs());
+        }
+        assertThat(marble.velocityX()).as("has struck").isGreaterThan(-12);
+        assertThat(most).isLessThanOrEqualTo(9);
+    }
+
     /** A scene without compounds does not pay for one that another pool has. */
     @Test
     void columnsComeWithTheFirstCompound() {

@@ -51,6 +51,9 @@ class JointsTest {
                 .isInstanceOf(IllegalStateException.class)
                 .hasMessageContaining("Joints");
         assertThat(pool.joints()).isEmpty();
+        assertThatThrownBy(pool::brokenJoints)
+                .isInstanceOf(IllegalStateException.class)
+                .hasMessageContaining("Pool.brokenJoints needs the effect Joints");
     }
 
     /**

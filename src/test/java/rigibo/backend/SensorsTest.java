@@ -3,6 +3,7 @@ package rigibo.backend;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -332,12 +333,34 @@ class SensorsTest {
         assertThatThrownBy(() -> pool.add(BodyDefinition.dynamic(withSensor)))
                 .hasMessageContaining("Sensors");
         assertThat(pool.bodies()).isEmpty();
-        assertThat(pool.sensorEvents()).isEmpty();
         assertThatThrownBy(() -> Effects.of(new Sensors())).hasMessageContaining("Contacts");
         Pool sensing = new Pool(SENSING, Accuracy.GAME);
         assertThatThrownBy(() -> sensing.add(BodyDefinition.dynamic(new Circle(1)).sensor()))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining("BodyDefinition.mass");
+    }
+
+    /** No answer would look like that of sensors which see nobody. */
+    @Test
+    void undeclaredEveryQuestionIsRefusedByName() {
+        Pool pool = new Pool();
+        RigidBody body = pool.add(BodyDefinition.dynamic(new Circle(1)));
+        Consumer<SensorView> reader = seen -> {};
+        List<ThrowingCallable> questions =
+                List.of(
+                        pool::sensorEvents,
+                        () -> pool.forEachSensorEvent(reader),
+                        () -> pool.inside(body),
+                        () -> pool.isInside(body, body));
+        for (ThrowingCallable question : questions) {
+            assertThatThrownBy(question)
+                    .isInstanceOf(IllegalStateException.class)
+                    .hasMessageContaining("needs the effect Sensors, which is not declared");
+        }
+        pool.effects(SENSING);
+        assertThat(pool.inside(body)).isEmpty();
+        pool.effects(Effects.usual());
+        assertThatThrownBy(() -> pool.inside(body)).hasMessageContaining("Pool.inside");
     }
 
     /** A sensor changes no bit of what the bodies do that it sees. */

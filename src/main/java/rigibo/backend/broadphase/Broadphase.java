@@ -154,13 +154,14 @@ public final class Broadphase {
     }
 
     /**
-     * Within a step: nobody can tell which way a body at (x, y) in m goes on, so its fixture has to
-     * cover all within a reach of it in m, beside what it covers.
+     * Within a step: nobody can tell which way a body at (x, y) in m goes on, turned by an angle of
+     * which cosine and sine are given, so its fixture has to cover all within a reach of it in m,
+     * beside what it covers. No point of it goes farther than that, so that a part of a body covers
+     * what is near itself, not all that is near the body.
      */
-    public void lookRound(int body, double x, double y, double reach) {
-        double radius = bodies.boundingRadius[body] + reach;
+    public void lookRound(int body, double x, double y, double cos, double sin, double reach) {
         for (int slot = body; slot != Pairs.NONE; slot = bodies.nextShapeOf(slot)) {
-            fixtures.sweepBeside(slot, x, y, radius);
+            fixtures.sweepBeside(body, slot, x, y, cos, sin, reach);
             if (!fixtures.isCovered(slot)) {
                 fixtures.write(body, slot, 0);
                 tree.grow(

@@ -47,6 +47,8 @@ final class SizeFixtures {
     /** What the shape in hand sweeps. */
     private final Aabb swept = new Aabb();
 
+    private final Aabb part = new Aabb();
+
     SizeFixtures(Bodies bodies) {
         this.bodies = bodies;
     }
@@ -81,12 +83,31 @@ final class SizeFixtures {
         stretch(body, dt);
     }
 
-    /** Bounds of the fixture there is and of all within a radius (m) of a point (m). */
-    void sweepBeside(int slot, double x, double y, double radius) {
-        swept.minX = Math.min(bodies.fixtureMinX[slot], x - radius);
-        swept.minY = Math.min(bodies.fixtureMinY[slot], y - radius);
-        swept.maxX = Math.max(bodies.fixtureMaxX[slot], x + radius);
-        swept.maxY = Math.max(bodies.fixtureMaxY[slot], y + radius);
+    /**
+     * Bounds of the fixture there is and of all within a reach (m) of a shape whose body is at a
+     * pose (m, cosine and sine): of a part what is near itself, not all that is near the body.
+     */
+    void sweepBeside(int body, int slot, double x, double y, double cos, double sin, double reach) {
+        double radius = bodies.boundingRadius[body] + reach;
+        swept.minX = x - radius;
+        swept.minY = y - radius;
+        swept.maxX = x + radius;
+        swept.maxY = y + radius;
+        if (bodies.nextShapeOf(body) != Pairs.NONE) {
+            clipToPart(slot, x, y, cos, sin, reach);
+        }
+        swept.minX = Math.min(bodies.fixtureMinX[slot], swept.minX);
+        swept.minY = Math.min(bodies.fixtureMinY[slot], swept.minY);
+        swept.maxX = Math.max(bodies.fixtureMaxX[slot], swept.maxX);
+        swept.maxY = Math.max(bodies.fixtureMaxY[slot], swept.maxY);
+    }
+
+    private void clipToPart(int slot, double x, double y, double cos, double sin, double reach) {
+        bodies.outline[slot].bounds(x, y, cos, sin, part);
+        swept.minX = Math.max(swept.minX, part.minX - reach);
+        swept.minY = Math.max(swept.minY, part.minY - reach);
+        swept.maxX = Math.min(swept.maxX, part.maxX + reach);
+        swept.maxY = Math.min(swept.maxY, part.maxY + reach);
     }
 
     /** Adds a bound on the way in dt seconds: with the acceleration, and without. */

@@ -47,6 +47,9 @@ final class JointedParts {
 
     private int most;
 
+    /** Whether impacts of an instant had no end: in the rest of the step stops are solved. */
+    private boolean isWedged;
+
     /** Whether bodies lie on something, which does not end until something is struck. */
     private boolean isOnStops;
 
@@ -62,6 +65,7 @@ final class JointedParts {
     void begin(double plainPart) {
         plain = plainPart;
         isOnStops = false;
+        isWedged = false;
     }
 
     /**
@@ -72,8 +76,8 @@ final class JointedParts {
         h = length;
         substep = number;
         dt = step;
-        ended = 0;
         most = Math.min(MOST_ENDED, joints.mostStrikes());
+        ended = isWedged ? most : 0;
         double done = 0;
         while (h - done > NOTHING * h) {
             double time = start + done;
@@ -141,6 +145,14 @@ final class JointedParts {
         boolean isAny = joints.impacts.strike(time, substep);
         // What could not be answered at velocities of now will not be when it is asked again.
         ended = isAny || !wereOfNow ? ended + 1 : most;
+        endWhatIsWedged();
+    }
+
+    private void endWhatIsWedged() {
+        if (joints.impacts.areEndless()) {
+            isWedged = true;
+            ended = most;
+        }
     }
 
     /** Advances a part, up to where the first stop is reached; returns how far that is, s. */
@@ -169,6 +181,7 @@ final class JointedParts {
             isOnStops = !isAny && declared.areAnyContacts();
             // What was reached before the part began, and slowly, would be found there again.
             ended = isAny || gone > INSTANT * h ? ended + 1 : most;
+            endWhatIsWedged();
         }
         return gone;
     }

@@ -143,7 +143,7 @@ final class Bystanders {
     /** Finds all that lies within a reach of a body at a time, as pairs. */
     void lookRound(int slot, double time, double reach) {
         paths.poseAt(slot, time, poseA);
-        broadphase.lookRound(slot, poseA.x, poseA.y, reach);
+        broadphase.lookRound(slot, poseA.x, poseA.y, poseA.cos, poseA.sin, reach);
     }
 
     /**

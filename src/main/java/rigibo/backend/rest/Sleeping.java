@@ -11,9 +11,22 @@ import rigibo.backend.storage.Roster;
 /**
  * Puts islands to sleep by displacement: every body has stayed close to where it was for long
  * enough. Displacement instead of speed, so that a slowly sliding body stays awake however slow,
- * and one that trembles in place may sleep.
+ * and one that trembles in place may sleep. What is slow and drifts on, for nothing resists it,
+ * stays awake as well.
  */
 public final class Sleeping {
+
+    /**
+     * By how much of the way the last velocity may differ from the mean one where a body goes on
+     * evenly: what nothing resists does to round-off, what creeps or trembles does not.
+     */
+    private static final double EVEN = 1e-6;
+
+    /**
+     * Share of the distance below which a drift in the time of falling asleep does not count: it
+     * would take a thousand such times to be told from rest.
+     */
+    private static final double UNTOLD = 1e-3;
 
     private final DataStorage data;
     private final Bodies bodies;
@@ -62,12 +75,49 @@ public final class Sleeping {
 
     /** How long in s a body has stayed in place whose outline has turned so far in m, at most. */
     private double stillTime(int slot, double turned, double dt) {
-        if (moved(slot) + turned > sleep.distance() * bodies.smallestWidth[slot]) {
+        double limit = sleep.distance() * bodies.smallestWidth[slot];
+        double time = bodies.stillTime[slot] + dt;
+        if (moved(slot) + turned > limit || time >= sleep.seconds() && driftsOn(slot, time)) {
             bodies.restartStillness(slot);
         } else {
-            bodies.stillTime[slot] += dt;
+            bodies.stillTime[slot] = time;
         }
         return bodies.stillTime[slot];
+    }
+
+    /** Whether a body that has stayed in place for a time in s did so only because it is slow. */
+    private boolean driftsOn(int slot, double time) {
+        double x = time * bodies.velocityX[slot];
+        double y = time * bodies.velocityY[slot];
+        double turn = time * bodies.spinOf(slot) * bodies.boundingRadius[slot];
+        double squared = x * x + y * y + turn * turn;
+        double untold = UNTOLD * sleep.distance() * bodies.smallestWidth[slot];
+        return squared > untold * untold && (isEven(slot, x, y, turn, squared) || isLoose(slot));
+    }
+
+    /**
+     * Whether a body has gone and turned, along the way in m on which its last velocities would
+     * have taken it, as far as they would: across, it may have settled.
+     */
+    private boolean isEven(int slot, double x, double y, double turn, double squared) {
+        double turned = bodies.turns() ? bodies.angle[slot] - bodies.stillAngle[slot] : 0;
+        double along =
+                x * (bodies.x[slot] - bodies.stillX[slot])
+                        + y * (bodies.y[slot] - bodies.stillY[slot])
+                        + turn * turned * bodies.boundingRadius[slot];
+        return Math.abs(along - squared) <= EVEN * squared;
+    }
+
+    /** Whether nothing presses on a body or is joined to it that could hold it. */
+    private boolean isLoose(int slot) {
+        for (int p = bodies.firstPair[slot]; p != Pairs.NONE; p = pairs.nextOf(p, slot)) {
+            for (int point = 2 * p; point < 2 * p + pairs.points[p]; point++) {
+                if (pairs.normalForce[point] > 0) {
+                    return false;
+                }
+            }
+        }
+        return data.joints == null || data.joints.firstOf(slot) == JointStore.NONE;
     }
 
     /** How far in m the body is from where it was. */

@@ -12,6 +12,7 @@ import rigibo.backend.geometry.Polygon;
 import rigibo.backend.geometry.Shape;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.BodyType;
+import rigibo.backend.setup.Filter;
 import rigibo.backend.setup.Material;
 import rigibo.fuzz.chance.Chance;
 
@@ -91,7 +92,24 @@ record Bodies(Chance chance, Temper temper) {
         if (chance.happens(0.05)) {
             body = body.then("sensor()", BodyDefinition::sensor);
         }
+        if (chance.happens(0.1)) {
+            Stated<Filter> filter = filter();
+            body = body.then("filter(" + filter.java() + ")", b -> b.filter(filter.value()));
+        }
         return chance.happens(0.1) ? body.then("awake(false)", b -> b.awake(false)) : body;
+    }
+
+    /** Most meet all; what shares a category or a group is by chance. */
+    Stated<Filter> filter() {
+        if (chance.happens(0.5)) {
+            return new Stated<>("Filter.ALL", () -> Filter.ALL);
+        }
+        int category = 1 << chance.whole(0, 3);
+        int mask = chance.oneOf(~0, ~2, 3, 0);
+        int group = chance.oneOf(0, 0, 1, -1);
+        return new Stated<>(
+                "new Filter(" + category + ", " + mask + ", " + group + ")",
+                () -> new Filter(category, mask, group));
     }
 
     Stated<Shape> shape() {
@@ -109,11 +127,11 @@ record Bodies(Chance chance, Temper temper) {
     }
 
     /** Capsules, polygons with round corners, and compounds of two boxes or a box and a disc. */
-    private Stated<Shape> newer(double width) {
+    Stated<Shape> newer(double width) {
         double length = temper.length(chance);
         double round = 0.1 * Math.min(width, length);
         double aside = temper.length(chance);
-        return switch (chance.whole(0, 3)) {
+        return switch (chance.whole(0, 4)) {
             case 0 ->
                     new Stated<>(
                             call("new Capsule", length / 2, width / 2),
@@ -135,6 +153,17 @@ record Bodies(Chance chance, Temper temper) {
                                     Compound.of(
                                             Part.of(Polygon.box(width, length)),
                                             Part.of(Polygon.box(length, width)).at(aside, 0)));
+            case 3 ->
+                    new Stated<>(
+                            "Compound.of(Part.of("
+                                    + call("new Circle", width)
+                                    + "), Part.of("
+                                    + call("new Circle", aside)
+                                    + ").sensor())",
+                            () ->
+                                    Compound.of(
+                                            Part.of(new Circle(width)),
+                                            Part.of(new Circle(aside)).sensor()));
             default ->
                     new Stated<>(
                             "Compound.of(Part.of("
@@ -151,8 +180,27 @@ record Bodies(Chance chance, Temper temper) {
         };
     }
 
-    /** Ground that goes up and down from right to left, so that what is solid is below. */
+    /**
+     * Ground that goes up and down from right to left, so that what is solid is below; or a cave.
+     */
     private Stated<Shape> chain() {
+        return chance.happens(0.3) ? cave() : ground();
+    }
+
+    /** Clockwise round the scene, or a part of it, so that what is solid is outside. */
+    private Stated<Shape> cave() {
+        double[] xy = new double[2 * chance.whole(3, 24)];
+        double reach = temper.reach() * chance.between(0.5, 2);
+        for (int i = 0; i < xy.length; i += 2) {
+            double around = -2 * Math.PI * i / xy.length;
+            double rough = reach * chance.between(0.8, 1);
+            xy[i] = rough * StrictMath.cos(around);
+            xy[i + 1] = rough * StrictMath.sin(around);
+        }
+        return new Stated<>("Chain.loop(" + numbers(xy) + ")", () -> Chain.loop(xy));
+    }
+
+    private Stated<Shape> ground() {
         double[] xy = new double[2 * chance.whole(2, 20)];
         double edge = temper.length(chance);
         for (int i = 0; i < xy.length; i += 2) {

@@ -22,7 +22,9 @@ public final class Programs {
     private final Temper temper;
     private final Verbs verbs;
     private final Connections connections;
+    private final EverydayVerbs everyday;
     private final Questions questions;
+    private final ShapeQuestions shapeQuestions;
     private final Refusals refusals;
     private int bodies;
 
@@ -34,7 +36,9 @@ public final class Programs {
         Bodies drawnBodies = new Bodies(chance, temper);
         verbs = new Verbs(chance, temper, drawnBodies);
         connections = new Connections(chance, temper);
+        everyday = new EverydayVerbs(chance, temper, drawnBodies);
         questions = new Questions(chance, temper);
+        shapeQuestions = new ShapeQuestions(chance, temper, drawnBodies);
         refusals = new Refusals(chance);
         bodies = expected;
     }
@@ -60,14 +64,17 @@ public final class Programs {
         List<Share> shares =
                 List.of(
                         new Share(0.35, verbs::steps),
-                        new Share(0.24, () -> verbs.ofBody(body())),
+                        new Share(0.16, () -> verbs.ofBody(body())),
+                        new Share(0.08, () -> everyday.ofBody(body())),
+                        new Share(0.02, everyday::explode),
                         new Share(0.04, () -> connections.join(body(), body())),
                         new Share(0.02, connections::change),
                         new Share(0.05, verbs::ofPool),
                         new Share(0.06, this::add),
-                        new Share(0.10, () -> questions.ask(body(), body())),
+                        new Share(0.07, () -> questions.ask(body(), body())),
+                        new Share(0.03, () -> shapeQuestions.ask(body(), body())),
                         new Share(0.04, questions::copy),
-                        new Share(0.10, () -> refusals.draw(body())));
+                        new Share(0.08, () -> refusals.draw(body())));
         double drawn = chance.between(0, 1);
         for (Share share : shares) {
             drawn -= share.probability();

@@ -1,7 +1,5 @@
 package rigibo.backend.law;
 
-import org.junit.jupiter.api.Disabled;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -19,12 +17,6 @@ class KindsLawTest {
 
     /** Half of those that sleep where locked ones are left to fly on, which are the fewest. */
     private static final int ASLEEP = 14;
-
-    /** A body that no force moves along its free axis parts from a wall at 17 µm/s. */
-    private static final Seeds DRIFTING = Seeds.of(2L);
-
-    /** A disc comes rolling into a capsule that leans and sleeps. */
-    private static final Seeds STRUCK_ASLEEP = Seeds.of(4L);
 
     /** Every dress that bodies may wear at the game's accuracy, and all kinds beside it. */
     @Retention(RetentionPolicy.RUNTIME)
@@ -45,35 +37,12 @@ class KindsLawTest {
 
     @EachDress
     void fewThatSleepWouldNotHaveMoved(Dress dress, Preset preset) {
-        holdFew(
-                dress == Dress.LOCKED ? SEEDS.without(DRIFTING) : SEEDS,
-                dress,
-                preset,
-                SleepLawTest::stillWithoutSleep);
+        holdFew(SEEDS, dress, preset, SleepLawTest::stillWithoutSleep);
     }
 
     @EachDress
     void bodiesEndWhereTheyWouldWithoutSleep(Dress dress, Preset preset) {
-        Seeds seeds = dress == Dress.LOCKED ? SEEDS.without(DRIFTING) : SEEDS;
-        holdFew(
-                dress == Dress.OF_ALL_KINDS ? SEEDS.without(STRUCK_ASLEEP) : seeds,
-                dress,
-                preset,
-                SleepLawTest::sameWithoutSleep);
-    }
-
-    @Disabled("what drifts by less than 1e-4 widths in half a second sleeps, forces or none")
-    @Test
-    void whatDriftsDriftsOn() {
-        holdFew(DRIFTING, Dress.LOCKED, Preset.GAME, SleepLawTest::stillWithoutSleep);
-    }
-
-    @Disabled(
-            "a sleeper that is struck is no pile yet: the impact between it and what it leans on"
-                    + " is passed on pair by pair, 25 times where one is solved for what is awake")
-    @Test
-    void whatStrikesSleepersFliesOnAsWithoutSleep() {
-        holdFew(STRUCK_ASLEEP, Dress.OF_ALL_KINDS, Preset.GAME, SleepLawTest::sameWithoutSleep);
+        holdFew(SEEDS, dress, preset, SleepLawTest::sameWithoutSleep);
     }
 
     private static void holdFew(Seeds seeds, Dress dress, Preset preset, Law law) {

@@ -43,6 +43,9 @@ public final class JointImpacts {
     private final HitNotes notes;
     private final Impact impact = new Impact();
 
+    /** Whether the last instant had more impacts than may be, and what was left had no answer. */
+    private boolean isEndless;
+
     /** By row: its speed before, and whether it strikes. */
     private double[] before = new double[64];
 
@@ -86,6 +89,7 @@ public final class JointImpacts {
     public boolean strike(double time, int substep) {
         notes.start = time;
         write(substep);
+        isEndless = false;
         boolean isAny = false;
         for (int i = 0; i < MOST && choose(); i++) {
             if (!solve(1) && !solve(0)) {
@@ -95,9 +99,17 @@ public final class JointImpacts {
         }
         if (isAny && choose()) {
             chooseAll();
-            solve(0);
+            isEndless = !solve(0) || choose();
         }
         return isAny;
+    }
+
+    /**
+     * Whether the instant that was struck last would have gone on for ever: what is wedged between
+     * points that nothing makes give way is thrown from one to the other in no time.
+     */
+    public boolean areEndless() {
+        return isEndless;
     }
 
     private void write(int substep) {

@@ -1,0 +1,63 @@
+package rigibo.backend;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+import rigibo.backend.effect.Effects;
+import rigibo.backend.effect.Sleep;
+import rigibo.backend.geometry.Polygon;
+import rigibo.backend.setup.Accuracy;
+import rigibo.backend.setup.BodyDefinition;
+import rigibo.backend.setup.Material;
+
+/**
+ * A body that may only turn, and a beater beside it that reaches into its place: where both ends of
+ * a face are pressed on, no turning lets both give way, and it is thrown from one to the other in
+ * no time.
+ */
+class WedgedTest {
+
+    private static final double DT = 1 / 60.0;
+
+    /** Of an instant without end, and one more for what is left. */
+    private static final int ENDLESS = 65;
+
+    /** As often in a step as a substep has parts: what comes at its time. */
+    private static final int TIMED = 96;
+
+    @ParameterizedTest(name = "{0} rad/s, elasticity {1}")
+    @CsvSource({
+        "50, 0",
+        "50, 0.5",
+        "50, 1",
+        "200, 0",
+        "200, 0.5",
+        "200, 1",
+        "1000, 0",
+        "1000, 0.5",
+        "1000, 1",
+        "10000, 0",
+        "10000, 0.5",
+        "10000, 1"
+    })
+    void isStruckNoMoreOftenThanOnceWithoutEnd(double spin, double elasticity) {
+        Pool pool = new Pool(Effects.usual().without(Sleep.class), Accuracy.GAME);
+        Material material = new Material(1000, 0.5, elasticity);
+        RigidBody body =
+                pool.add(
+                        BodyDefinition.dynamic(Polygon.box(1, 1))
+                                .at(1.05, 0)
+                                .material(material)
+                                .lockX()
+                                .lockY());
+        pool.add(BodyDefinition.kinematic(Polygon.regular(5, 0.6)).spin(spin).material(material));
+        for (int i = 0; i < 120; i++) {
+            assertThat(pool.step(DT).impacts()).isLessThanOrEqualTo(ENDLESS + TIMED);
+            assertThat(pool.report().quarantined()).isZero();
+        }
+        assertThat(body.x()).isEqualTo(1.05);
+        assertThat(body.y()).isZero();
+    }
+}
