@@ -4,6 +4,7 @@ import rigibo.backend.contact.row.Motions;
 import rigibo.backend.contact.row.PackedContacts;
 import rigibo.backend.contact.row.Recovery;
 import rigibo.backend.setup.Accuracy;
+import rigibo.backend.storage.DataStorage;
 
 import java.util.Arrays;
 
@@ -71,6 +72,7 @@ final class CrowdSolver {
     private int mostPasses;
 
     CrowdSolver(
+            DataStorage data,
             Motions motions,
             PackedContacts contacts,
             NeutralRows rows,
@@ -89,8 +91,8 @@ final class CrowdSolver {
         equations = factor.equations();
         tree = factor.tree();
         settled = SETTLED * tolerance;
-        responses = new Responses(motions, rows, factor);
-        bounded = new BoundedRows(motions, rows, packed, equations, responses);
+        responses = new Responses(data.bodies, motions, rows, factor);
+        bounded = new BoundedRows(motions, rows, jointRows, packed, equations, responses);
         overlap = new CrowdOverlap(motions, contacts, rows, responses, accuracy);
     }
 
@@ -345,7 +347,7 @@ final class CrowdSolver {
                 double off = jointRows.place(row) - rows.place[row];
                 factor.ask(e, -off / h);
                 double most = MISSED_PLACE * tolerance * jointRows.size();
-                worst = Math.max(worst, Math.abs(off) / most);
+                worst = Math.max(worst, rows.inMetres(row, off) / most);
             } else {
                 factor.ask(e, -rows.residual(row));
             }
@@ -362,6 +364,7 @@ final class CrowdSolver {
         double seen = MISSED_PLACE * tolerance;
         responses.begin();
         responses.rest();
+        jointRows.measureAnew();
         boolean isAny = bounded.correct(most, seen);
         for (int group = 0; group < tree.groups; group++) {
             if (askBack(group, most) > seen) {
@@ -380,7 +383,10 @@ final class CrowdSolver {
         }
     }
 
-    /** Asks a group to move back by what it is off its places; the most, m or rad. */
+    /**
+     * Asks a group to move back by what it is off its places, by so much at most; answers the most,
+     * both as shares of the joints' sizes.
+     */
     private double askBack(int group, double most) {
         double farthest = 0;
         for (int i = tree.equationStart[group]; i < tree.equationStart[group + 1]; i++) {
@@ -388,10 +394,12 @@ final class CrowdSolver {
             int row = equations.row[e];
             double asked = 0;
             if (row != EquationList.NONE) {
-                asked = -Math.max(-most, Math.min(most, off(row))) - responses.along(row);
+                double size = jointRows.size(row);
+                double within = Math.max(-most * size, Math.min(most * size, off(row)));
+                asked = -within - responses.along(row);
+                farthest = Math.max(farthest, Math.abs(asked) / size);
             }
             factor.ask(e, asked);
-            farthest = Math.max(farthest, Math.abs(asked));
         }
         return farthest;
     }

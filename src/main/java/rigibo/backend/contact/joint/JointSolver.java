@@ -208,7 +208,15 @@ public final class JointSolver {
         tolerance = accuracy.impactTolerance();
         crowd =
                 new CrowdSolver(
-                        motions, contacts, rows, jointRows, poses, packed, contactRows, accuracy);
+                        data,
+                        motions,
+                        contacts,
+                        rows,
+                        jointRows,
+                        poses,
+                        packed,
+                        contactRows,
+                        accuracy);
         passes = new RowPasses(rows);
         stops = new Stops(data, motions, contacts, rows, jointRows, packed, tolerance);
         strikes =

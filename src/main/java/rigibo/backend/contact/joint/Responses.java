@@ -1,6 +1,7 @@
 package rigibo.backend.contact.joint;
 
 import rigibo.backend.contact.row.Motions;
+import rigibo.backend.storage.Bodies;
 
 import java.util.Arrays;
 
@@ -25,6 +26,7 @@ final class Responses {
     /** Groups that a row can be between. */
     private static final int SIDES = NeutralRows.BODIES;
 
+    private final Bodies bodies;
     private final Motions motions;
     private final NeutralRows rows;
     private final EquationFactor factor;
@@ -53,7 +55,8 @@ final class Responses {
     private double[] response = new double[1024];
     private int used;
 
-    Responses(Motions motions, NeutralRows rows, EquationFactor factor) {
+    Responses(Bodies bodies, Motions motions, NeutralRows rows, EquationFactor factor) {
+        this.bodies = bodies;
         this.motions = motions;
         this.rows = rows;
         this.factor = factor;
@@ -138,7 +141,8 @@ final class Responses {
 
     /**
      * Moves bodies by what is taken for their displacements, or by a share of all, so that no
-     * outline goes farther than so many m: what joints hold nearly all of would throw others about.
+     * outline goes farther than so many of its widths: what joints hold nearly all of would throw
+     * others about.
      */
     void move(double most) {
         double farthest = 0;
@@ -148,7 +152,8 @@ final class Responses {
                     Math.abs(velocity[v])
                             + Math.abs(velocity[v + 1])
                             + motions.reach[entry] * Math.abs(velocity[v + 2]);
-            farthest = Math.max(farthest, way);
+            double width = 2 * bodies.boundingRadius[motions.slots[entry]];
+            farthest = Math.max(farthest, way / width);
         }
         double share = farthest > most ? most / farthest : 1;
         for (int entry = 1; entry < motions.count; entry++) {
