@@ -2,7 +2,6 @@ package rigibo.backend.contact.joint;
 
 import rigibo.backend.contact.row.Motions;
 import rigibo.backend.contact.row.PackedContacts;
-import rigibo.backend.contact.row.Recovery;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.storage.DataStorage;
 
@@ -360,7 +359,7 @@ final class CrowdSolver {
      * seconds: limits first, then equations, which hold in the end.
      */
     private void correct(double h) {
-        double most = Recovery.MOST_PUSH * Math.abs(h);
+        double most = Responses.MOST_MOVED * Math.abs(h);
         double seen = MISSED_PLACE * tolerance;
         responses.begin();
         responses.rest();
@@ -379,7 +378,7 @@ final class CrowdSolver {
             }
         }
         if (isAny) {
-            responses.move(most);
+            responses.move(h);
         }
     }
 

@@ -174,10 +174,10 @@ public final class JointSolver {
         jointRows = new JointRows(data, rows, packed, poses, states);
         contactRows = new ContactRows(motions, contacts, rows, states);
         elimination = new RowElimination(motions, rows);
-        solver = new RowSolver(rows, elimination);
+        solver = new RowSolver(motions, rows, elimination);
         NeutralRows ahead = new NeutralRows(motions, locks);
         JointRows rowsAhead = new JointRows(data, ahead, packed, poses, states);
-        ForeseenElimination foreseen = new ForeseenElimination(motions, rows, ahead, elimination);
+        UnsymmetricElimination foreseen = new UnsymmetricElimination(motions, rows, elimination);
         places =
                 new HeldPlaces(
                         motions,
