@@ -148,9 +148,9 @@ class EditsLawTest {
     }
 
     private static double stepGain(Pool pool) {
-        double before = pool.kineticEnergy() + pool.potentialEnergy();
+        double before = Energy.of(pool);
         pool.step(RandomScene.DT);
-        return pool.kineticEnergy() + pool.potentialEnergy() - before;
+        return Energy.of(pool) - before;
     }
 
     private static double mass(Pool pool) {

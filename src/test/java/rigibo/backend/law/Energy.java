@@ -1,5 +1,6 @@
 package rigibo.backend.law;
 
+import rigibo.backend.Joint;
 import rigibo.backend.Pool;
 
 /** The books of a pool's energy. */
@@ -36,6 +37,12 @@ final class Energy {
     }
 
     private double now() {
-        return pool.kineticEnergy() + pool.potentialEnergy();
+        return of(pool);
+    }
+
+    /** Of motion, height and springs, J. */
+    static double of(Pool pool) {
+        double springs = pool.joints().stream().mapToDouble(Joint::energy).sum();
+        return pool.kineticEnergy() + pool.potentialEnergy() + springs;
     }
 }

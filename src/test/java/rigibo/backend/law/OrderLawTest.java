@@ -74,13 +74,19 @@ class OrderLawTest {
     }
 
     static Optional<String> sameAmongStrangers(RandomScene scene, Asked asked) {
-        List<BodyDefinition> crowd = new ArrayList<>();
-        List<BodyDefinition> strangers =
-                Surroundings.tray(scene.seed() + SEEDS.all().size(), scene.accuracy()).bodies();
-        strangers.forEach(body -> crowd.add(body.at(body.x() + ELSEWHERE, body.y())));
+        List<BodyDefinition> strangers = new ArrayList<>();
+        Surroundings.tray(scene.seed() + SEEDS.all().size(), scene.accuracy())
+                .bodies()
+                .forEach(body -> strangers.add(body.at(body.x() + ELSEWHERE, body.y())));
+        List<BodyDefinition> crowd = new ArrayList<>(strangers);
         crowd.addAll(scene.bodies());
+        List<Link> links = new ArrayList<>();
+        if (!scene.links().isEmpty()) {
+            links.addAll(Links.on(scene.bodies(strangers)).links());
+        }
+        links.addAll(scene.links());
         Pool pool = scene.pool();
-        Pool other = scene.bodies(crowd).pool();
+        Pool other = scene.bodies(crowd).links(links).pool();
         int different = 0;
         for (int i = 0; i < scene.steps(); i++) {
             pool.step(RandomScene.DT);

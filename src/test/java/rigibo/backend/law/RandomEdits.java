@@ -1,7 +1,12 @@
 package rigibo.backend.law;
 
+import rigibo.backend.DistanceJoint;
+import rigibo.backend.Joint;
 import rigibo.backend.Pool;
+import rigibo.backend.RevoluteJoint;
 import rigibo.backend.RigidBody;
+import rigibo.backend.WeldJoint;
+import rigibo.backend.effect.Joints;
 import rigibo.backend.geometry.Aabb;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Compound;
@@ -10,6 +15,7 @@ import rigibo.backend.geometry.Polygon;
 import rigibo.backend.geometry.Shape;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.BodyType;
+import rigibo.backend.setup.JointKind;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -21,6 +27,9 @@ final class RandomEdits {
     private static final double HALF_WIDTH = 1.9;
 
     private static final double HIGHEST = 8;
+
+    /** Of edits where bodies may be joined. */
+    private static final double JOINTS = 0.3;
 
     private final Pool pool;
     private final Draw draw;
@@ -54,6 +63,9 @@ final class RandomEdits {
         }
         RigidBody body = draw.chance(0.5) ? touching() : loose();
         ofTouching += touches(body) ? 1 : 0;
+        if (pool.effects().declares(Joints.class) && draw.chance(JOINTS)) {
+            return body.joints().isEmpty() ? join(body) : edit(draw.oneOf(body.joints()));
+        }
         return switch (draw.whole(0, 7)) {
             case 0 -> remove(body);
             case 1 -> add();
@@ -72,6 +84,10 @@ final class RandomEdits {
             return gentle();
         }
         RigidBody body = loose();
+        if (!body.joints().isEmpty()) {
+            // Elsewhere it would wind up springs.
+            return change(body);
+        }
         return switch (draw.whole(0, 2)) {
             case 0 -> {
                 body.shape(draw.shape(draw.between(0.1, 1)));
@@ -156,7 +172,51 @@ final class RandomEdits {
         return "changed " + body;
     }
 
+    /** To the body next to it, as both are placed. */
+    private String join(RigidBody body) {
+        RigidBody other = loose();
+        if (other == body) {
+            return "joined nothing";
+        }
+        double x = (body.x() + other.x()) / 2;
+        double y = (body.y() + other.y()) / 2;
+        pool.join(
+                switch (draw.whole(0, 2)) {
+                    case 0 -> RevoluteJoint.at(body, other, x, y);
+                    case 1 -> WeldJoint.at(body, other, x, y);
+                    default -> {
+                        double ax = body.x();
+                        double ay = body.y();
+                        yield DistanceJoint.rod(body, ax, ay, other, other.x(), other.y());
+                    }
+                });
+        return "joined " + body;
+    }
+
+    /** What only takes energy away: bodies that a joint let overlap stay joined. */
+    private String edit(Joint joint) {
+        JointKind kind = joint.kind();
+        boolean bends = kind == JointKind.REVOLUTE;
+        if (draw.chance(0.5) || !bends && kind != JointKind.PRISMATIC) {
+            if (joint.definition().settings().collideConnected()) {
+                pool.remove(joint);
+            }
+            return "parted";
+        }
+        double now = bends ? joint.angle() : joint.translation();
+        if (draw.chance(0.5)) {
+            joint.limits(now - draw.between(0, 0.3), now + draw.between(0, 0.3));
+            return "limited " + joint;
+        }
+        joint.motor(0, draw.ofAnySize(0.01, 10));
+        return "braked " + joint;
+    }
+
+    /** What is joined stays, for a joint that is torn apart pulls bodies up. */
     private String teleport(RigidBody body) {
+        if (!body.joints().isEmpty()) {
+            return "left " + body;
+        }
         double[] place = freePlace(body.shape());
         if (place.length > 0) {
             body.moveTo(place[0], place[1], draw.between(-9, 9));

@@ -1,12 +1,15 @@
 package rigibo.backend.law;
 
 import rigibo.backend.Pool;
+import rigibo.backend.RigidBody;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.BodyType;
 
+import java.util.IdentityHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.stream.Collectors;
 
 /**
@@ -17,23 +20,39 @@ import java.util.stream.Collectors;
  * @param accuracy how exactly
  * @param steps of {@link #DT} that a law looks at
  * @param bodies in the order they are added
+ * @param links in the order they are joined; those of bodies that are left out are left out too
  */
 record RandomScene(
-        long seed, Effects effects, Accuracy accuracy, int steps, List<BodyDefinition> bodies) {
+        long seed,
+        Effects effects,
+        Accuracy accuracy,
+        int steps,
+        List<BodyDefinition> bodies,
+        List<Link> links) {
 
     /** A game's step, s. */
     static final double DT = 1.0 / 60;
 
+    /** Bodies that nothing joins. */
+    RandomScene(
+            long seed, Effects effects, Accuracy accuracy, int steps, List<BodyDefinition> bodies) {
+        this(seed, effects, accuracy, steps, bodies, List.of());
+    }
+
     RandomScene bodies(List<BodyDefinition> others) {
-        return new RandomScene(seed, effects, accuracy, steps, List.copyOf(others));
+        return new RandomScene(seed, effects, accuracy, steps, List.copyOf(others), links);
+    }
+
+    RandomScene links(List<Link> others) {
+        return new RandomScene(seed, effects, accuracy, steps, bodies, List.copyOf(others));
     }
 
     RandomScene effects(Effects others) {
-        return new RandomScene(seed, others, accuracy, steps, bodies);
+        return new RandomScene(seed, others, accuracy, steps, bodies, links);
     }
 
     RandomScene steps(int count) {
-        return new RandomScene(seed, effects, accuracy, count, bodies);
+        return new RandomScene(seed, effects, accuracy, count, bodies, links);
     }
 
     /** Whether a body is left that forces and contacts move. */
@@ -43,7 +62,11 @@ record RandomScene(
 
     Pool pool() {
         Pool pool = new Pool(effects, accuracy);
-        bodies.forEach(pool::add);
+        Map<BodyDefinition, RigidBody> added = new IdentityHashMap<>();
+        bodies.forEach(body -> added.put(body, pool.add(body)));
+        links.stream()
+                .filter(link -> added.keySet().containsAll(link.bodies()))
+                .forEach(link -> link.join(pool, added::get));
         return pool;
     }
 
@@ -59,6 +82,11 @@ record RandomScene(
     /** Enough to build it again by hand. */
     String words() {
         String lines = bodies.stream().map(SceneWords::of).collect(Collectors.joining("\n"));
-        return steps + " steps of 1/60 s, " + accuracy + ",\n" + effects + "\n" + lines;
+        String joined =
+                links.stream()
+                        .filter(link -> bodies.containsAll(link.bodies()))
+                        .map(link -> "\n" + link.words(bodies))
+                        .collect(Collectors.joining());
+        return steps + " steps of 1/60 s, " + accuracy + ",\n" + effects + "\n" + lines + joined;
     }
 }

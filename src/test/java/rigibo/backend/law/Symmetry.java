@@ -14,7 +14,9 @@ import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.BodyType;
 import rigibo.backend.setup.Material;
 
+import java.util.IdentityHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.stream.Collectors;
 
 /** Another way to look at a scene, in which the same laws hold. */
@@ -278,11 +280,18 @@ enum Symmetry {
     }
 
     RandomScene of(RandomScene scene) {
+        Map<BodyDefinition, BodyDefinition> seen = new IdentityHashMap<>();
+        scene.bodies().forEach(body -> seen.put(body, of(body)));
         List<BodyDefinition> bodies =
-                scene.bodies().stream().map(this::of).collect(Collectors.toList());
+                scene.bodies().stream().map(seen::get).collect(Collectors.toList());
+        List<Link> links =
+                scene.links().stream()
+                        .filter(link -> seen.keySet().containsAll(link.bodies()))
+                        .map(link -> link.seenBy(this, seen::get))
+                        .collect(Collectors.toList());
         Effects effects = scene.effects();
         Effects turned = effects.find(Gravity.class).map(g -> effects.with(of(g))).orElse(effects);
-        return scene.bodies(bodies).effects(turned);
+        return scene.bodies(bodies).links(links).effects(turned);
     }
 
     private BodyDefinition of(BodyDefinition body) {

@@ -175,7 +175,7 @@ class SymmetryLawTest {
         return asked.atMost(0, difference(symmetry, pool, other), symmetry + ": off by m");
     }
 
-    private static double difference(Symmetry symmetry, Pool pool, Pool other) {
+    static double difference(Symmetry symmetry, Pool pool, Pool other) {
         double off = 0;
         for (int i = 0; i < pool.bodies().size(); i++) {
             State expected = symmetry.of(State.of(pool.bodies().get(i)), pool.time());

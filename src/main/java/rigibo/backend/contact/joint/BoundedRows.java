@@ -13,11 +13,12 @@ final class BoundedRows {
 
     private static final int NONE = EquationList.NONE;
 
-    /** m or rad up to which a limit that carried is taken to carry again. */
+    /** Share of a joint's size up to which a limit that carried is taken to carry again. */
     private static final double CLOSED = 1e-4;
 
     private final Motions motions;
     private final NeutralRows rows;
+    private final JointRows joints;
     private final PackedJoints packed;
     private final EquationList equations;
     private final Responses responses;
@@ -37,12 +38,14 @@ final class BoundedRows {
     BoundedRows(
             Motions motions,
             NeutralRows rows,
+            JointRows joints,
             PackedJoints packed,
             EquationList equations,
             Responses responses) {
         this.responses = responses;
         this.motions = motions;
         this.rows = rows;
+        this.joints = joints;
         this.packed = packed;
         this.equations = equations;
     }
@@ -72,12 +75,16 @@ final class BoundedRows {
         for (int e = 0; e < equations.count; e++) {
             for (int i = 0; i < equations.boundedCount[e]; i++) {
                 int row = equations.firstBounded[e] + i;
-                boolean isClosed = !rows.holdsPlace[row] || rows.place[row] < CLOSED;
+                boolean isClosed = !rows.holdsPlace[row] || isClosed(row);
                 if (isClosed && equations.row[e] == NONE && isWithin(row, carried(row))) {
                     enter(e, row);
                 }
             }
         }
+    }
+
+    private boolean isClosed(int row) {
+        return rows.place[row] <= 0 || rows.place[row] < CLOSED * joints.size(row);
     }
 
     /** What a row of a joint carried in the kick before, for the length of this one. */
@@ -231,15 +238,21 @@ final class BoundedRows {
         return false;
     }
 
-    /** Moves bodies back that are beyond limits by more than what is seen, by so much at most. */
+    /**
+     * Moves bodies back that are beyond limits by more than what is seen, by so much at most, both
+     * as shares of the joints' sizes.
+     */
     boolean correct(double most, double seen) {
         boolean isAny = false;
         for (int i = 0; i < count; i++) {
             int row = bounded[i];
-            if (rows.holdsPlace[row] && rows.place[row] < -seen && !holds[row]) {
-                isAny = true;
-                double off = Math.min(most, -rows.place[row]);
-                responses.displace(row, off / rows.response[row]);
+            if (rows.holdsPlace[row] && rows.place[row] < 0 && !holds[row]) {
+                double size = joints.size(row);
+                double off = Math.min(most * size, -rows.place[row]);
+                if (off > seen * size) {
+                    isAny = true;
+                    responses.displace(row, off / rows.response[row]);
+                }
             }
         }
         return isAny;

@@ -52,7 +52,7 @@ final class CrowdOverlap {
                 part(pass % 2 == 0 ? i : count - 1 - i);
             }
         }
-        responses.move(Recovery.MOST_PUSH * h);
+        responses.move(h);
     }
 
     private void find(double h) {

@@ -2,8 +2,8 @@ package rigibo.backend.contact.joint;
 
 import rigibo.backend.contact.row.Motions;
 import rigibo.backend.contact.row.PackedContacts;
-import rigibo.backend.contact.row.Recovery;
 import rigibo.backend.setup.Accuracy;
+import rigibo.backend.storage.DataStorage;
 
 import java.util.Arrays;
 
@@ -71,6 +71,7 @@ final class CrowdSolver {
     private int mostPasses;
 
     CrowdSolver(
+            DataStorage data,
             Motions motions,
             PackedContacts contacts,
             NeutralRows rows,
@@ -89,8 +90,8 @@ final class CrowdSolver {
         equations = factor.equations();
         tree = factor.tree();
         settled = SETTLED * tolerance;
-        responses = new Responses(motions, rows, factor);
-        bounded = new BoundedRows(motions, rows, packed, equations, responses);
+        responses = new Responses(data.bodies, motions, rows, factor);
+        bounded = new BoundedRows(motions, rows, jointRows, packed, equations, responses);
         overlap = new CrowdOverlap(motions, contacts, rows, responses, accuracy);
     }
 
@@ -345,7 +346,7 @@ final class CrowdSolver {
                 double off = jointRows.place(row) - rows.place[row];
                 factor.ask(e, -off / h);
                 double most = MISSED_PLACE * tolerance * jointRows.size();
-                worst = Math.max(worst, Math.abs(off) / most);
+                worst = Math.max(worst, rows.inMetres(row, off) / most);
             } else {
                 factor.ask(e, -rows.residual(row));
             }
@@ -358,10 +359,11 @@ final class CrowdSolver {
      * seconds: limits first, then equations, which hold in the end.
      */
     private void correct(double h) {
-        double most = Recovery.MOST_PUSH * Math.abs(h);
+        double most = Responses.MOST_MOVED * Math.abs(h);
         double seen = MISSED_PLACE * tolerance;
         responses.begin();
         responses.rest();
+        jointRows.measureAnew();
         boolean isAny = bounded.correct(most, seen);
         for (int group = 0; group < tree.groups; group++) {
             if (askBack(group, most) > seen) {
@@ -376,11 +378,14 @@ final class CrowdSolver {
             }
         }
         if (isAny) {
-            responses.move(most);
+            responses.move(h);
         }
     }
 
-    /** Asks a group to move back by what it is off its places; the most, m or rad. */
+    /**
+     * Asks a group to move back by what it is off its places, by so much at most; answers the most,
+     * both as shares of the joints' sizes.
+     */
     private double askBack(int group, double most) {
         double farthest = 0;
         for (int i = tree.equationStart[group]; i < tree.equationStart[group + 1]; i++) {
@@ -388,10 +393,12 @@ final class CrowdSolver {
             int row = equations.row[e];
             double asked = 0;
             if (row != EquationList.NONE) {
-                asked = -Math.max(-most, Math.min(most, off(row))) - responses.along(row);
+                double size = jointRows.size(row);
+                double within = Math.max(-most * size, Math.min(most * size, off(row)));
+                asked = -within - responses.along(row);
+                farthest = Math.max(farthest, Math.abs(asked) / size);
             }
             factor.ask(e, asked);
-            farthest = Math.max(farthest, Math.abs(asked));
         }
         return farthest;
     }

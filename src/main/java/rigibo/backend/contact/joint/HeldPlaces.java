@@ -34,7 +34,7 @@ final class HeldPlaces {
     private final Poses poses;
     private final RowSolver solver;
     private final RowElimination elimination;
-    private final ForeseenElimination foreseen;
+    private final UnsymmetricElimination foreseen;
     private final RowMemory memory;
     private final double tolerance;
 
@@ -59,7 +59,7 @@ final class HeldPlaces {
             Poses poses,
             RowSolver solver,
             RowElimination elimination,
-            ForeseenElimination foreseen,
+            UnsymmetricElimination foreseen,
             double tolerance) {
         this.motions = motions;
         this.rows = rows;
@@ -151,12 +151,16 @@ final class HeldPlaces {
     private void foresee(double h) {
         ahead.clear();
         rowsAhead.write(h, h);
-        foreseen.factorize();
+        elimination.factorize();
+        foreseen.factorize(ahead);
     }
 
     private void step() {
         if (isForeseen) {
-            foreseen.push(wanted);
+            foreseen.solve(wanted);
+            for (int i = 0; i < elimination.size(); i++) {
+                rows.push(elimination.row(i), foreseen.answer(i));
+            }
         } else {
             elimination.solveFor(wanted);
             for (int i = 0; i < elimination.size(); i++) {

@@ -450,6 +450,12 @@ final class JointRows {
                 : joints.upper[slot] - geometry.coordinate(slot);
     }
 
+    /** How large the joint of a row is at the poses taken, in units of the row, m or rad. */
+    double size(int row) {
+        place(row);
+        return size() / rows.unit[row];
+    }
+
     /**
      * How large the joint is that was measured last, m: errors are shares of it. The arms of what
      * can be moved count, and the way between the anchors, but no less than what a body is wide: a

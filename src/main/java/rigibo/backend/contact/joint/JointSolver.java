@@ -174,10 +174,10 @@ public final class JointSolver {
         jointRows = new JointRows(data, rows, packed, poses, states);
         contactRows = new ContactRows(motions, contacts, rows, states);
         elimination = new RowElimination(motions, rows);
-        solver = new RowSolver(rows, elimination);
+        solver = new RowSolver(motions, rows, elimination);
         NeutralRows ahead = new NeutralRows(motions, locks);
         JointRows rowsAhead = new JointRows(data, ahead, packed, poses, states);
-        ForeseenElimination foreseen = new ForeseenElimination(motions, rows, ahead, elimination);
+        UnsymmetricElimination foreseen = new UnsymmetricElimination(motions, rows, elimination);
         places =
                 new HeldPlaces(
                         motions,
@@ -208,7 +208,15 @@ public final class JointSolver {
         tolerance = accuracy.impactTolerance();
         crowd =
                 new CrowdSolver(
-                        motions, contacts, rows, jointRows, poses, packed, contactRows, accuracy);
+                        data,
+                        motions,
+                        contacts,
+                        rows,
+                        jointRows,
+                        poses,
+                        packed,
+                        contactRows,
+                        accuracy);
         passes = new RowPasses(rows);
         stops = new Stops(data, motions, contacts, rows, jointRows, packed, tolerance);
         strikes =

@@ -232,18 +232,17 @@ final class NeutralRows {
 
     /** What an impulse of one row gives another through a body that both have, 1/kg. */
     double through(int row, int i, int other, int k) {
-        return through(derivative, row, i, other, k);
+        return through(derivative, row, i, derivative, other, k);
     }
 
-    /** The same with other derivatives of the row that is moved. */
-    double through(double[] moved, int row, int i, int other, int k) {
+    /** The same with other derivatives of the row that is moved, and of the one that pushes. */
+    double through(double[] moved, int row, int i, double[] pushed, int other, int k) {
         double[] m = motions.data;
         int offset = body[row * BODIES + i];
         int at = row * DERIVATIVES + 3 * i;
         int to = other * DERIVATIVES + 3 * k;
-        return m[offset + INVERSE_MASS]
-                        * (moved[at] * derivative[to] + moved[at + 1] * derivative[to + 1])
-                + m[offset + INVERSE_INERTIA] * moved[at + 2] * derivative[to + 2];
+        return m[offset + INVERSE_MASS] * (moved[at] * pushed[to] + moved[at + 1] * pushed[to + 1])
+                + m[offset + INVERSE_INERTIA] * moved[at + 2] * pushed[to + 2];
     }
 
     /** J·v: how fast the row's coordinate changes, m/s or rad/s. */

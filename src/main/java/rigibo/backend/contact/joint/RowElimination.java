@@ -129,13 +129,20 @@ final class RowElimination {
         return all;
     }
 
+    /** Lays out the set and its envelope, unless it is factored. */
+    void lay() {
+        if (!isFactored) {
+            listSet(false);
+            layEnvelope();
+        }
+    }
+
     /** Factors the set, unless it is factored. */
     void factorize() {
         if (isFactored) {
             return;
         }
-        listSet(false);
-        layEnvelope();
+        lay();
         Arrays.fill(lastOf, 0, motions.count, NONE);
         for (int i = 0; i < size; i++) {
             assemble(i);

@@ -1,11 +1,15 @@
 package rigibo.backend.contact.joint;
 
+import rigibo.backend.contact.row.Motions;
+
 /**
  * Solves the rows of an island to the end. Equations are always eliminated; of the rows with bounds
  * those are that are within them. Rows that leave their bounds leave the set and rows that are
  * driven off their bounds enter it, all at once as long as they get fewer, else one at a time by
  * the last index, which ends (Júdice and Pires, Basic-set algorithm for a generalized linear
- * complementarity problem, 1994). Bounds that follow from loads follow between two such solutions.
+ * complementarity problem, 1994). Bounds that follow from loads follow between two such solutions;
+ * where a few of these did not end, what slides is solved together with its loads ({@link
+ * SlidingRows}).
  */
 final class RowSolver {
 
@@ -16,6 +20,9 @@ final class RowSolver {
     private static final int MOST_EXCHANGES = 60;
 
     private static final int MOST_ROUNDS = 20;
+
+    /** Rounds in which bounds follow loads before what slides is solved with them. */
+    private static final int ROUNDS_APART = 3;
 
     /** Solutions with the same set that take back what elimination lost of digits. */
     private static final int REFINEMENTS = 3;
@@ -31,6 +38,10 @@ final class RowSolver {
 
     private final NeutralRows rows;
     private final RowElimination elimination;
+    private final SlidingRows sliding;
+
+    /** How rows were before what slides was solved with its loads. */
+    private final RowMemory apart;
 
     /** By row: at which bound it is while it is out of the set, −1 or 1. */
     private int[] side = new int[64];
@@ -45,9 +56,14 @@ final class RowSolver {
 
     private boolean isNear;
 
-    RowSolver(NeutralRows rows, RowElimination elimination) {
+    /** Whether what slides is solved with its loads. */
+    private boolean isTogether;
+
+    RowSolver(Motions motions, NeutralRows rows, RowElimination elimination) {
         this.rows = rows;
         this.elimination = elimination;
+        sliding = new SlidingRows(motions, rows, elimination);
+        apart = new RowMemory(motions, rows);
     }
 
     /**
@@ -146,15 +162,39 @@ final class RowSolver {
 
     private boolean solveRounds(double most) {
         settled = Math.max(most, ROUND_OFF * strongest());
+        isTogether = false;
         for (int round = 0; round < MOST_ROUNDS && !elimination.isSpent(); round++) {
-            if (!exchange()) {
-                break;
+            if (round == ROUNDS_APART) {
+                isTogether = true;
+                apart.keep();
             }
-            if (!follow()) {
+            boolean isSolved = exchange();
+            if (isSolved && !follow()) {
                 return true;
+            }
+            if (!isSolved && !isTogether) {
+                return false;
+            }
+            if (!isSolved) {
+                // Rows that jam have no answer, or several: back to where they were.
+                isTogether = false;
+                goApart();
             }
         }
         return false;
+    }
+
+    /** Goes back to how rows were before what slides was solved with its loads. */
+    private void goApart() {
+        apart.recall();
+        for (int row = 0; row < rows.count; row++) {
+            if (!rows.isEquation(row)) {
+                rows.bound(row);
+                double within = within(row, rows.impulse[row]);
+                rows.push(row, within - rows.impulse[row]);
+                place(row);
+            }
+        }
     }
 
     private double strongest() {
@@ -170,7 +210,11 @@ final class RowSolver {
         int fewest = Integer.MAX_VALUE;
         int patience = PATIENCE;
         for (int i = 0; i < MOST_EXCHANGES && !elimination.isSpent(); i++) {
-            eliminate();
+            if (isTogether) {
+                eliminateTogether();
+            } else {
+                eliminate();
+            }
             find();
             if (wrong == 0) {
                 return true;
@@ -199,6 +243,15 @@ final class RowSolver {
                 rows.push(elimination.row(k), elimination.answer(k));
             }
         }
+    }
+
+    /** The same where what slides goes with its loads, whose bounds are then those of now. */
+    private void eliminateTogether() {
+        sliding.begin(side);
+        for (int i = 0; i < REFINEMENTS && !(sliding.ask() <= settled && i > 0); i++) {
+            sliding.push();
+        }
+        sliding.bound();
     }
 
     /** Asks the set's rows for what they lack; the most, m/s. */

@@ -98,8 +98,7 @@ final class Stops {
         if (rows.joint[row] == NeutralRows.NONE) {
             return tolerance * width(row);
         }
-        jointRows.place(row);
-        return tolerance * jointRows.size() / rows.unit[row];
+        return tolerance * jointRows.size(row);
     }
 
     private double width(int row) {

@@ -5,22 +5,21 @@ import rigibo.backend.contact.row.Motions;
 import java.util.Arrays;
 
 /**
- * N = J'·M⁻¹·Jᵀ of a set of rows, where J' are the derivatives at the end of a drift and J those at
- * its start, along which impulses act: Newton's matrix of the places at the end. Where a light body
- * carries a load of many times its weight, J·M⁻¹·Jᵀ is no substitute: light links that turn by a
- * millionth would already make its steps grow. Factored as L·U within the envelope of the set,
- * which both triangles share.
+ * N = J'·M⁻¹·Pᵀ of a set of rows, where impulses act along other derivatives P than what is
+ * measured by J'. Factored as L·U within the envelope of the set, which both triangles share.
+ *
+ * <p>Newton's matrix of the places at the end of a drift is one: J' are the derivatives there, and
+ * P those at its start. Where a light body carries a load of many times its weight, J·M⁻¹·Jᵀ is no
+ * substitute: light links that turn by a millionth would already make its steps grow. The matrix of
+ * what slides is another: with each load acts what it lets rub.
  */
-final class ForeseenElimination {
+final class UnsymmetricElimination {
 
     private static final double SINGULAR = 1e-13;
     private static final int NONE = -1;
 
     private final Motions motions;
     private final NeutralRows rows;
-
-    /** The rows of {@link #rows} as they will be at the end of the drift. */
-    private final NeutralRows ahead;
 
     private final RowElimination elimination;
 
@@ -36,17 +35,31 @@ final class ForeseenElimination {
 
     private int[] before = new int[256];
 
-    ForeseenElimination(
-            Motions motions, NeutralRows rows, NeutralRows ahead, RowElimination elimination) {
+    /** J' of rows that hold places, and P, laid out as the derivatives of the rows. */
+    private double[] measured;
+
+    private double[] pushed;
+
+    UnsymmetricElimination(Motions motions, NeutralRows rows, RowElimination elimination) {
         this.motions = motions;
         this.rows = rows;
-        this.ahead = ahead;
         this.elimination = elimination;
     }
 
-    /** Factors the set that is factored in the elimination. */
-    void factorize() {
-        elimination.factorize();
+    /** Factors the set of the elimination, with the derivatives of places at a drift's end. */
+    void factorize(NeutralRows ahead) {
+        factorize(ahead.derivative, rows.derivative);
+    }
+
+    /** Factors the set of the elimination, whose impulses act along other derivatives. */
+    void factorize(double[] actsAlong) {
+        factorize(rows.derivative, actsAlong);
+    }
+
+    private void factorize(double[] measuredBy, double[] actsAlong) {
+        measured = measuredBy;
+        pushed = actsAlong;
+        elimination.lay();
         reserve();
         Arrays.fill(lastOf, 0, motions.count, NONE);
         for (int i = 0; i < elimination.size(); i++) {
@@ -103,8 +116,8 @@ final class ForeseenElimination {
 
     /** What an impulse of one row gives the place of another through a body of both, 1/kg. */
     private double through(int row, int i, int from, int k) {
-        double[] place = rows.holdsPlace[row] ? ahead.derivative : rows.derivative;
-        return rows.through(place, row, i, from, k);
+        double[] place = rows.holdsPlace[row] ? measured : rows.derivative;
+        return rows.through(place, row, i, pushed, from, k);
     }
 
     private void eliminate(int i) {
@@ -131,8 +144,11 @@ final class ForeseenElimination {
         pivot[i] = Math.abs(left) > least ? left : Math.copySign(least, left);
     }
 
-    /** Pushes the rows of the set, so that places change at rates that are asked, by row. */
-    void push(double[] asked) {
+    /**
+     * Finds by what the rows of the set are to be pushed, so that they change at speeds that are
+     * asked by row; {@link #answer} tells it.
+     */
+    void solve(double[] asked) {
         int size = elimination.size();
         for (int i = 0; i < size; i++) {
             int at = elimination.start[i] - elimination.first[i];
@@ -149,8 +165,10 @@ final class ForeseenElimination {
                 unknown[k] -= upper[at + k] * unknown[i];
             }
         }
-        for (int i = 0; i < size; i++) {
-            rows.push(elimination.row(i), unknown[i]);
-        }
+    }
+
+    /** What a row of the set is to be pushed by. */
+    double answer(int i) {
+        return unknown[i];
     }
 }
