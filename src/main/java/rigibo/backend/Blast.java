@@ -16,6 +16,9 @@ final class Blast {
     private final PointAndRay pointAndRay = new PointAndRay();
     private final Pose pose = new Pose();
 
+    /** Who has been pushed, once for each shape. */
+    private final Found struck = new Found();
+
     Blast(Bodies bodies, PoolQueries queries, BodyEditor editor) {
         this.bodies = bodies;
         this.queries = queries;
@@ -27,11 +30,20 @@ final class Blast {
         double x = explosion.x();
         double y = explosion.y();
         Found found = queries.near(new Aabb(x - reach, y - reach, x + reach, y + reach));
-        for (int i = 0; i < found.count; i++) {
-            int slot = found.numbers[i];
-            if (bodies.isDynamic(slot) && queries.meets(slot, explosion.filter())) {
-                strike(explosion, slot);
+        VelocitiesKept kept = new VelocitiesKept(bodies, found);
+        try {
+            for (int i = 0; i < found.count; i++) {
+                int slot = found.numbers[i];
+                if (bodies.isDynamic(slot) && queries.meets(slot, explosion.filter())) {
+                    strike(explosion, slot);
+                }
             }
+        } catch (IllegalArgumentException tooFast) {
+            kept.giveBack();
+            throw tooFast;
+        }
+        for (int i = 0; i < struck.count; i++) {
+            editor.motion.wake(struck.numbers[i]);
         }
     }
 
@@ -53,7 +65,8 @@ final class Blast {
         double nx = dx / length;
         double ny = dy / length;
         double impulse = share * explosion.impulsePerMetre() * width(outline, -ny, nx);
-        editor.motion.applyImpulse(body, impulse * nx, impulse * ny, atX, atY);
+        editor.motion.push(body, impulse * nx, impulse * ny, atX, atY);
+        struck.add(body);
     }
 
     /** Extent in m of an outline along a unit direction of the world. */
@@ -68,5 +81,36 @@ final class Blast {
             most = Math.max(most, along);
         }
         return most - least + 2 * outline.radius();
+    }
+
+    /** What moves as it does before the first is struck: nobody changes where one is refused. */
+    private static final class VelocitiesKept {
+
+        private final Bodies bodies;
+        private final Found shapes;
+        private final double[] velocities;
+
+        VelocitiesKept(Bodies bodies, Found shapes) {
+            this.bodies = bodies;
+            this.shapes = shapes;
+            velocities = new double[3 * shapes.count];
+            for (int i = 0; i < shapes.count; i++) {
+                int body = bodies.bodyOf(shapes.numbers[i]);
+                velocities[3 * i] = bodies.velocityX[body];
+                velocities[3 * i + 1] = bodies.velocityY[body];
+                velocities[3 * i + 2] = bodies.spinOf(body);
+            }
+        }
+
+        void giveBack() {
+            for (int i = 0; i < shapes.count; i++) {
+                int body = bodies.bodyOf(shapes.numbers[i]);
+                bodies.velocityX[body] = velocities[3 * i];
+                bodies.velocityY[body] = velocities[3 * i + 1];
+                if (bodies.turns()) {
+                    bodies.spin[body] = velocities[3 * i + 2];
+                }
+            }
+        }
     }
 }

@@ -77,6 +77,12 @@ final class MotionEditor {
     }
 
     void applyImpulse(int slot, double jx, double jy, double px, double py) {
+        push(slot, jx, jy, px, py);
+        waking.wake(slot);
+    }
+
+    /** Changes the velocity of a body and wakes nobody. */
+    void push(int slot, double jx, double jy, double px, double py) {
         Require.finite("RigidBody.applyImpulse jx", jx, "N·s");
         Require.finite("RigidBody.applyImpulse jy", jy, "N·s");
         Require.finite("RigidBody.applyImpulse px", px, "m");
@@ -98,7 +104,6 @@ final class MotionEditor {
         if (bodies.turns()) {
             bodies.spin[slot] = w;
         }
-        waking.wake(slot);
     }
 
     void driveTo(int slot, double x, double y, double angle, double seconds) {

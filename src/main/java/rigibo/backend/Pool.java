@@ -531,7 +531,8 @@ public final class Pool {
     /**
      * Strikes all dynamic bodies that a blast reaches, and wakes them.
      *
-     * @throws IllegalArgumentException when a body would become faster than light
+     * @throws IllegalArgumentException when a body would become faster than light: then none is
+     *     struck
      */
     public void explode(Explosion explosion) {
         Require.present("Pool.explode explosion", explosion);

@@ -242,4 +242,15 @@ class EverydayTest {
         assertThat(body.originX()).isEqualTo(5);
         assertThat(body.originY()).isEqualTo(6);
     }
+
+    /** Its fixture was just laid when it was disabled, which a snapshot tells. */
+    @Test
+    void aPoolWithADisabledBodyGoesOnAsItsSnapshot() {
+        Pool pool = new Pool();
+        pool.add(BodyDefinition.dynamic(new Circle(0.5))).disable();
+        Pool restored = Pool.restore(pool.snapshot());
+        pool.step(1 / 60.0);
+        restored.step(1 / 60.0);
+        assertThat(restored.stateHash()).isEqualTo(pool.stateHash());
+    }
 }

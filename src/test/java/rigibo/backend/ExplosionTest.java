@@ -81,6 +81,19 @@ class ExplosionTest {
         assertThat(floor.velocityX()).isZero();
     }
 
+    /** The second of them is so light that it would be faster than light. */
+    @Test
+    void aBlastThatIsTooStrongForOneStrikesNobody() {
+        Pool pool = new Pool();
+        pool.add(BodyDefinition.dynamic(new Circle(0.5)).at(1, 0).awake(false));
+        pool.add(BodyDefinition.dynamic(new Circle(0.5)).at(-1, 0).mass(1e-12).awake(false));
+        long before = pool.stateHash();
+        assertThatThrownBy(() -> pool.explode(Explosion.at(0, 0).radius(5)))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("velocity");
+        assertThat(pool.stateHash()).isEqualTo(before);
+    }
+
     @Test
     void numbersThatAreNoneAreRefused() {
         assertThatThrownBy(() -> Explosion.at(Double.NaN, 0)).hasMessageContaining("Explosion.x");

@@ -55,8 +55,11 @@ public final class Broadphase {
      */
     public void rebuild() {
         for (int slot = 0; slot < bodies.slots.high; slot++) {
-            if (bodies.type[slot] != null && !bodies.isDisabled(bodies.bodyOf(slot))) {
-                hang(slot);
+            if (bodies.type[slot] != null) {
+                if (!bodies.isDisabled(bodies.bodyOf(slot))) {
+                    hang(slot);
+                }
+                // What was disabled since is passed over when its turn comes, and unmarked.
                 if (bodies.refitted[slot]) {
                     moved.add(slot);
                 }

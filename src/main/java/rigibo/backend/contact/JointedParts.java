@@ -142,17 +142,21 @@ final class JointedParts {
         isOnStops = false;
         boolean wereOfNow = kicks.areVelocitiesOfNow();
         kicks.end(time, h, substep);
-        boolean isAny = joints.impacts.strike(time, substep);
+        boolean isAny = strike(time);
         // What could not be answered at velocities of now will not be when it is asked again.
-        ended = isAny || !wereOfNow ? ended + 1 : most;
-        endWhatIsWedged();
+        ended = isWedged || !isAny && wereOfNow ? most : ended + 1;
     }
 
-    private void endWhatIsWedged() {
+    /** Strikes all that is on its stop; whether there was anything that had an end. */
+    private boolean strike(double time) {
+        kicks.keep();
+        boolean isAny = joints.impacts.strike(time, substep);
         if (joints.impacts.areEndless()) {
+            // Thrown to and fro in no time, bodies may have become faster than anything here.
+            kicks.recall();
             isWedged = true;
-            ended = most;
         }
+        return isAny && !isWedged;
     }
 
     /** Advances a part, up to where the first stop is reached; returns how far that is, s. */
@@ -176,12 +180,11 @@ final class JointedParts {
         }
         if (first != Strikes.NEVER) {
             kicks.end(time + gone, h, substep);
-            boolean isAny = joints.impacts.strike(time + gone, substep);
+            boolean isAny = strike(time + gone);
             // What could not be answered goes on closing, which stages back in time would feed.
             isOnStops = !isAny && declared.areAnyContacts();
             // What was reached before the part began, and slowly, would be found there again.
-            ended = isAny || gone > INSTANT * h ? ended + 1 : most;
-            endWhatIsWedged();
+            ended = isWedged || !isAny && gone <= INSTANT * h ? most : ended + 1;
         }
         return gone;
     }

@@ -53,7 +53,7 @@ final class Outline {
         boolean isPlain =
                 body.shape() instanceof Circle
                         || body.shape() instanceof Polygon polygon && polygon.radius() == 0;
-        return isPlain && !body.isSensor();
+        return isPlain && !body.isSensor() && body.isEnabled();
     }
 
     boolean isDisc() {
