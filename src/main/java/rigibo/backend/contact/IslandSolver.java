@@ -147,7 +147,7 @@ final class IslandSolver {
         repose = new Repose(data, motions, contacts, own, wanted, kick, builder, accuracy);
         balance = new EnergyBalance(data.bodies, motions, contacts);
         Straightness straight = new Straightness(motions, accuracy);
-        landings = new Landings(motions, contacts, kick, straight.follows);
+        landings = new Landings(motions, contacts, kick, accuracy);
         FreshRows fresh = new FreshRows(data, narrowphase, motions, contacts, builder);
         declared = new DeclaredRows(data, effects, motions, contacts, kick, fresh, straight);
         boolean isBlock = accuracy.contactSolver() != ContactSolver.SEQUENTIAL;

@@ -147,11 +147,15 @@ public final class Passes {
 
     /** Keeps contacts from closing and sliding. */
     void hold(double h, double length, int substep, double fastest, double limit) {
+        // Against what is driven and what stands no load is enough. Loads that grow with every pass
+        // would lose the digits in which friction holds what is pressed, and throw it out instead.
+        sweep.limitPresses(motions.mass() * limit);
         if (PackedContacts.areCrowd(contacts.count)) {
             sweepCrowd(h, length, substep, fastest);
         } else {
             sweep.run(h, length, substep, missed, shorter * QUIET * fastest, mostOfFew);
         }
+        sweep.limitPresses(Double.POSITIVE_INFINITY);
         guard.limitWork(noise * kick.energy(h));
         guard.limitSpeed(limit);
         contacts.addUpImpulses(1);

@@ -39,12 +39,6 @@ final class RockingBlock implements HardCase {
     }
 
     @Override
-    public String finding() {
-        return "A corner that lands in the first substep of a step is foreseen without what"
-                + " contacts carry.";
-    }
-
-    @Override
     public void run(Trial trial) {
         int count = trial.sampling().count(4, 30);
         for (int i = 0; i < count; i++) {

@@ -130,6 +130,8 @@ class WorkLawTest {
 
     /**
      * Between a wall and what is driven against it no load is enough: passes would go on for ever.
+     * But what is driven presses with no more than what throws both boxes at 8 times its speed, and
+     * each pass adds at least a tenth of what throws one of them at that speed.
      */
     @Test
     void passesEndWhateverAnAccuracyAsksFor() {
@@ -140,7 +142,8 @@ class WorkLawTest {
         pool.add(BodyDefinition.dynamic(Polygon.box(1, 1)).at(0.5, 0));
         pool.add(BodyDefinition.dynamic(Polygon.box(1, 1)).at(1.5, 0));
         StepReport report = pool.step(RandomScene.DT);
-        assertThat(report.contactSolves()).isBetween(1_000L, 2_048L * 65 * report.contacts());
+        assertThat(report.contactSolves())
+                .isBetween(65L * report.contacts(), 160L * 65 * report.contacts());
     }
 
     private static Pool crowd(Preset preset, int count) {

@@ -1,5 +1,8 @@
 package rigibo.backend.contact.row;
 
+import rigibo.backend.setup.Accuracy;
+import rigibo.backend.setup.ImpactMode;
+
 /**
  * Times within a substep at which something lands: a corner of a rocking block, a disc that reaches
  * the next plate of a bowl. A contact that is solved for a whole substep stops a body before it has
@@ -22,13 +25,19 @@ public final class Landings {
      */
     private static final double IMPACT = 2;
 
-    /** Gap in widths at which a body has landed. */
-    private static final double LANDED = 1e-5;
+    /** Share of the tolerance of impacts that a landed body may be above the ground. */
+    private static final double LANDED = 0.1;
+
+    /** That in widths at the finest accuracy: speeds are not foreseen to the last digit. */
+    private static final double LEAST_LANDED = 1e-6;
 
     private final Motions motions;
     private final PackedContacts contacts;
     private final Kick kick;
     private final boolean isLookedForAtAll;
+
+    /** Gap in widths at which a body has landed. */
+    private final double landed;
 
     /** Whether landings in the packed island are looked for. */
     private boolean isLookedFor;
@@ -51,12 +60,12 @@ public final class Landings {
 
     private double kicked;
 
-    /** {@code isLookedForAtAll} where impacts come at their times. */
-    public Landings(Motions motions, PackedContacts contacts, Kick kick, boolean isLookedForAtAll) {
+    public Landings(Motions motions, PackedContacts contacts, Kick kick, Accuracy accuracy) {
+        isLookedForAtAll = accuracy.impacts() == ImpactMode.EVENTS;
+        landed = Math.max(LEAST_LANDED, LANDED * accuracy.impactTolerance());
         this.motions = motions;
         this.contacts = contacts;
         this.kick = kick;
-        this.isLookedForAtAll = isLookedForAtAll;
     }
 
     /** Begins a packed island. */
@@ -196,6 +205,6 @@ public final class Landings {
     }
 
     private double near(int i) {
-        return LANDED * contacts.data[i / 2 * PackedContacts.STRIDE + PackedContacts.WIDTH];
+        return landed * contacts.data[i / 2 * PackedContacts.STRIDE + PackedContacts.WIDTH];
     }
 }

@@ -62,6 +62,9 @@ public final class ContactSweep {
     /** Whether the packed island has more contacts than elimination takes. */
     private boolean isCrowd;
 
+    /** The most that a driven body presses with, N·s. */
+    private double strongestPress = Double.POSITIVE_INFINITY;
+
     /** Length of the substep over that of its kick: 2 for half a kick, else 1. */
     private double softness;
 
@@ -89,6 +92,11 @@ public final class ContactSweep {
         for (int pass = 0; pass < most && solved > 0; pass++) {
             solved = pass(pass % 2 == 1);
         }
+    }
+
+    /** Lets no driven body press with more than so much, N·s. */
+    public void limitPresses(double impulse) {
+        strongestPress = impulse;
     }
 
     /**
@@ -219,6 +227,7 @@ public final class ContactSweep {
         double turnA = 0;
         double turnB = 0;
         double friction = d[at + PackedContacts.FRICTION];
+        boolean isPressing = massA == 0 && a != 0 || massB == 0 && b != 0;
         boolean slips = false;
         if (friction > 0 && !rolls) {
             double leverA = d[at + PackedContacts.LEVER_TA];
@@ -250,10 +259,11 @@ public final class ContactSweep {
         double jn;
         double parts = w0;
         if (contacts.points[row] == 1) {
-            double wanted = old0 - w0 * d[at + PackedContacts.M00];
-            double kept = push(wanted);
-            d[at + PackedContacts.IMPULSE0] = kept;
-            jn = kept - old0;
+            d[at + PackedContacts.IMPULSE0] = push(old0 - w0 * d[at + PackedContacts.M00]);
+            if (isPressing) {
+                limitPress(d, at);
+            }
+            jn = d[at + PackedContacts.IMPULSE0] - old0;
             turnA += la0 * jn;
             turnB += lb0 * jn;
         } else {
@@ -262,6 +272,9 @@ public final class ContactSweep {
             double w1 = vn + lb1 * spinB - la1 * spinA + spare[2 * row + 1] + give * old1;
             parts = w1 < w0 ? w1 : w0;
             solvePair(d, at, w0, w1);
+            if (isPressing) {
+                limitPress(d, at);
+            }
             double j0 = d[at + PackedContacts.IMPULSE0] - old0;
             double j1 = d[at + PackedContacts.IMPULSE1] - old1;
             jn = j0 + j1;
@@ -287,6 +300,15 @@ public final class ContactSweep {
         // What slips is braked by a load that has just changed.
         double unseen = slips ? friction * Math.abs(jn) * (massA + massB) : 0;
         seen[row] = changed[entryA] + changed[entryB] - unseen;
+    }
+
+    /** Scales the load of a driven body's contact back to the strongest press. */
+    private void limitPress(double[] d, int at) {
+        double load = d[at + PackedContacts.IMPULSE0] + d[at + PackedContacts.IMPULSE1];
+        if (load > strongestPress) {
+            d[at + PackedContacts.IMPULSE0] *= strongestPress / load;
+            d[at + PackedContacts.IMPULSE1] *= strongestPress / load;
+        }
     }
 
     /** Rolling and friction, where both may hold. */
