@@ -201,7 +201,7 @@ class DressLawTest {
                 new Quota(scenes, "snapshots"));
     }
 
-    private static Optional<String> gainsAtMost(double limit, RandomScene scene, Asked asked) {
+    static Optional<String> gainsAtMost(double limit, RandomScene scene, Asked asked) {
         Pool pool = scene.pool();
         Energy energy = new Energy(pool);
         for (int i = 0; i < scene.steps(); i++) {
@@ -227,7 +227,7 @@ class DressLawTest {
         return asked.atMost(limit, deepest / width, "overlap in smallest widths");
     }
 
-    private static Optional<String> goesOnAlike(RandomScene scene, Asked asked) {
+    static Optional<String> goesOnAlike(RandomScene scene, Asked asked) {
         Pool pool = scene.pool();
         for (int i = 0; i < scene.steps() / 2; i++) {
             pool.step(RandomScene.DT);
