@@ -36,6 +36,16 @@ public final class Geometry {
     /** Gap left at an impact, as a share of the narrower shape. */
     private static final double IMPACT_TOLERANCE = 1e-9;
 
+    /** Gap up to which what the search found is asked whether it touches, likewise. */
+    private static final double MEETING = 1e-6;
+
+    /**
+     * How often a search goes on beside an end of a chain, and by how much of the narrower shape.
+     */
+    private static final int MOST_LOOKS = 1000;
+
+    private static final double LOOK_AHEAD = 1e-2;
+
     private Geometry() {}
 
     /** The least gap of two shapes; of compounds that of the two parts which are nearest. */
@@ -141,14 +151,61 @@ public final class Geometry {
                                                 otherMotion.outline,
                                                 otherPose)
                                         ? TimeOfImpact.NEVER
-                                        : search.find(
-                                                motion,
-                                                otherMotion,
-                                                0,
-                                                seconds,
-                                                IMPACT_TOLERANCE,
-                                                ImpactSearch.ITP));
+                                        : firstMeeting(search, motion, otherMotion, seconds));
         return first <= seconds ? OptionalDouble.of(first) : OptionalDouble.empty();
+    }
+
+    /**
+     * Beside an open end of a chain the search comes near an edge in a direction in which it does
+     * not push: then it goes on a little later.
+     */
+    private static double firstMeeting(
+            TimeOfImpact search, Motion motion, Motion other, double seconds) {
+        boolean isEdge = motion.outline.isEdge() || other.outline.isEdge();
+        double time =
+                search.find(motion, other, 0, seconds, IMPACT_TOLERANCE, ImpactSearch.ITP);
+        for (int look = 0; isEdge && look < MOST_LOOKS && time <= seconds; look++) {
+            if (areTouching(motion, other, time)) {
+                return time;
+            }
+            double next = time + lookAhead(motion, other);
+            time =
+                    next < seconds
+                            ? search.find(
+                                    motion,
+                                    other,
+                                    next,
+                                    seconds,
+                                    IMPACT_TOLERANCE,
+                                    ImpactSearch.ITP)
+                            : TimeOfImpact.NEVER;
+        }
+        return isEdge ? TimeOfImpact.NEVER : time;
+    }
+
+    private static boolean areTouching(Motion motion, Motion other, double time) {
+        Pose pose = new Pose();
+        Pose otherPose = new Pose();
+        motion.poseAt(time, pose);
+        other.poseAt(time, otherPose);
+        Manifold manifold = new Manifold();
+        double near = MEETING * Math.min(width(motion), width(other));
+        new Collider().collide(motion.outline, pose, other.outline, otherPose, near, manifold);
+        return manifold.count > 0;
+    }
+
+    private static double width(Motion motion) {
+        return motion.outline.smallestWidth();
+    }
+
+    /** How long in s the two take to come on by a little of what the narrower one is wide. */
+    private static double lookAhead(Motion motion, Motion other) {
+        double speed =
+                Math.abs(motion.velocityX - other.velocityX)
+                        + Math.abs(motion.velocityY - other.velocityY)
+                        + Math.abs(motion.spin) * motion.outline.boundingRadius()
+                        + Math.abs(other.spin) * other.outline.boundingRadius();
+        return LOOK_AHEAD * Math.min(width(motion), width(other)) / speed;
     }
 
     /**

@@ -27,6 +27,7 @@ import rigibo.backend.setup.Filter;
 import java.util.HashSet;
 import java.util.List;
 import java.util.OptionalDouble;
+import java.util.SplittableRandom;
 import java.util.Random;
 import java.util.Set;
 
@@ -297,5 +298,46 @@ class ShapeQueriesTest {
         assertThatThrownBy(() -> Geometry.gap(null, turned, floor, turned))
                 .hasMessageContaining("Geometry.gap shape");
         assertThatThrownBy(() -> Placement.at(Double.NaN, 0)).hasMessageContaining("Placement.x");
+    }
+
+    /**
+     * A rod turns beside the end of an open chain, whose matter it may pass on its way: what is
+     * told is where the two touch, and not where they are near in a direction that does not push.
+     */
+    @Test
+    void whatTurnsBesideAnOpenEndIsMetWhereTheyTouch() {
+        Chain ground = Chain.open(3, 0, 0, 0);
+        Movement still = new Movement(Placement.ORIGIN, 0, 0, 0);
+        SplittableRandom random = new SplittableRandom(7);
+        int met = 0;
+        for (int i = 0; i < 2000; i++) {
+            Shape rod = new Capsule(random.nextDouble(0.3, 1), random.nextDouble(0.02, 0.1));
+            Placement from =
+                    new Placement(
+                            random.nextDouble(-1.5, 0.5),
+                            random.nextDouble(-1, 1.5),
+                            random.nextDouble(0, 3));
+            Movement turning =
+                    new Movement(
+                            from,
+                            random.nextDouble(-0.5, 0.5),
+                            random.nextDouble(-0.5, 0.5),
+                            random.nextDouble(-6, 6));
+            OptionalDouble time = Geometry.timeOfImpact(ground, still, rod, turning, 1);
+            boolean isApart = Geometry.gap(ground, Placement.ORIGIN, rod, from).gap() > 0;
+            if (isApart && time.isPresent()) {
+                double t = time.getAsDouble();
+                Placement at =
+                        new Placement(
+                                from.x() + t * turning.velocityX(),
+                                from.y() + t * turning.velocityY(),
+                                from.angle() + t * turning.angularVelocity());
+                assertThat(Geometry.contacts(ground, Placement.ORIGIN, rod, at, 1e-5))
+                        .as("%s %s", rod, turning)
+                        .isNotEmpty();
+                met++;
+            }
+        }
+        assertThat(met).isGreaterThan(75);
     }
 }
