@@ -169,7 +169,11 @@ public final class Narrowphase {
             Outline outlineB = bodies.outline[pairs.shapeB(pair)];
             collider.collide(outlineA, atA, outlineB, atB, reach, manifold);
         }
-        keep(pair);
+        double x = middle(pair, atA.x, atB.x);
+        double y = middle(pair, atA.y, atB.y);
+        keep(pair, x - pairs.middleX[pair], y - pairs.middleY[pair]);
+        pairs.middleX[pair] = x;
+        pairs.middleY[pair] = y;
         pairs.reach[pair] = Double.NaN;
     }
 
@@ -268,10 +272,19 @@ public final class Narrowphase {
         return spin * bodies.sweepRadius[slot];
     }
 
-    private void keep(int pair) {
+    /** A coordinate from which a pair's points are seen, wherever its bodies go together. */
+    private double middle(int pair, double ofA, double ofB) {
+        if (!bodies.isDynamic(pairs.bodyA[pair])) {
+            return ofA;
+        }
+        return bodies.isDynamic(pairs.bodyB[pair]) ? (ofA + ofB) / 2 : ofB;
+    }
+
+    /** Keeps the manifold of bodies that have gone a way together since the one before, m. */
+    private void keep(int pair, double wayX, double wayY) {
         int first = 2 * pair;
-        int from0 = manifold.count > 0 ? predecessor(pair, 0) : Pairs.NONE;
-        int from1 = manifold.count > 1 ? predecessor(pair, 1) : Pairs.NONE;
+        int from0 = manifold.count > 0 ? predecessor(pair, 0, wayX, wayY) : Pairs.NONE;
+        int from1 = manifold.count > 1 ? predecessor(pair, 1, wayX, wayY) : Pairs.NONE;
         inherit(pairs.normalForce, first, from0, from1);
         inherit(pairs.load, first, from0, from1);
         pairs.former[first] = from0 == Pairs.NONE ? Pairs.NONE : from0 - first;
@@ -309,7 +322,7 @@ public final class Narrowphase {
      * along the surface, whatever features they stem from: two equal boxes on each other would else
      * lose their load whenever round-off lets the corner of the other one stand out.
      */
-    private int predecessor(int pair, int i) {
+    private int predecessor(int pair, int i, double wayX, double wayY) {
         int first = 2 * pair;
         int old = pairs.points[pair];
         if (old == 2 && manifold.count == 2) {
@@ -328,20 +341,20 @@ public final class Narrowphase {
                 return point;
             }
         }
-        return samePlace(pair, i);
+        return samePlace(pair, i, wayX, wayY);
     }
 
     /**
-     * The old point in the place of a new one. A corner is named anew where a face comes to lie
-     * before it, or where a seam turned its normal.
+     * The old point in the place of a new one, as seen from where the bodies are. A corner is named
+     * anew where a face comes to lie before it, or where a seam turned its normal.
      */
-    private int samePlace(int pair, int i) {
+    private int samePlace(int pair, int i, double wayX, double wayY) {
         double width = PairTolerances.width(bodies, pairs.bodyA[pair], pairs.bodyB[pair]);
         double least = SAME_PLACE * width;
         int nearest = Pairs.NONE;
         for (int point = 2 * pair; point < 2 * pair + pairs.points[pair]; point++) {
-            double away = away(point, i);
-            boolean isOthers = manifold.count == 2 && away(point, 1 - i) < away;
+            double away = away(point, i, wayX, wayY);
+            boolean isOthers = manifold.count == 2 && away(point, 1 - i, wayX, wayY) < away;
             if (away < least && !isOthers) {
                 least = away;
                 nearest = point;
@@ -350,9 +363,10 @@ public final class Narrowphase {
         return nearest;
     }
 
-    private double away(int point, int i) {
-        return length(
-                manifold.pointX[i] - pairs.pointX[point], manifold.pointY[i] - pairs.pointY[point]);
+    private double away(int point, int i, double wayX, double wayY) {
+        double x = manifold.pointX[i] - pairs.pointX[point] - wayX;
+        double y = manifold.pointY[i] - pairs.pointY[point] - wayY;
+        return length(x, y);
     }
 
     private double along(double x, double y) {

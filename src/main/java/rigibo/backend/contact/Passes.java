@@ -43,6 +43,18 @@ public final class Passes {
     private static final double MISSED_IN_A_CROWD = 3;
 
     /**
+     * How many times what may be missed a contact of a crowd may sink in before passes go on: a
+     * blow that many bodies pass on to the ground is not answered by the usual ones.
+     */
+    private static final double SUNK = 2;
+
+    /** How many times the passes are made anew for the sake of that. */
+    private static final int LONGER = 7;
+
+    /** Contacts that these solve in a substep at most: no crowd's worst step is to take longer. */
+    private static final int MOST_SOLVES = 80_000;
+
+    /**
      * As many as the finest accuracy that has a name is given; what asks for more gains nothing.
      */
     private static final int MOST_PASSES = 2048;
@@ -72,6 +84,9 @@ public final class Passes {
 
     /** How many substeps a step has for each of the game's, at most 1. */
     private final double shorter;
+
+    /** How many times passes are made anew; at a draft's accuracy what sinks in does. */
+    private final int longer;
 
     private final double noise;
     private final boolean isCorrecting;
@@ -105,6 +120,7 @@ public final class Passes {
         isCorrecting = accuracy.correction() == Correction.SOFT;
         usual = accuracy.substeps();
         shorter = Math.min(1, usual / (double) Accuracy.GAME.substeps());
+        longer = usual < Accuracy.GAME.substeps() ? 0 : LONGER;
         noise = NOISE * shorter * shorter;
         int passes = Math.max(LEAST_PASSES, usual * usual * usual / CUBES_PER_PASS);
         most = Math.min(MOST_PASSES, accuracy.velocityIterations() * passes);
@@ -167,6 +183,11 @@ public final class Passes {
         double ofFall = gained > 0 ? Math.min(1, fastest / gained) : 0;
         double quiet = shorter * Math.max(QUIET, ofFall * QUIET_IN_A_CROWD) * fastest;
         int passes = fastest < CALM * gained ? mostIfCalm : most;
-        sweep.run(h, length, substep, MISSED_IN_A_CROWD * missed, quiet, passes);
+        double share = MISSED_IN_A_CROWD * missed;
+        sweep.run(h, length, substep, share, quiet, passes);
+        int affordable = Math.min(longer, MOST_SOLVES / (passes * contacts.count));
+        for (int i = 0; i < affordable && sweep.isSinking(h, substep, SUNK * share); i++) {
+            sweep.goOn(passes);
+        }
     }
 }

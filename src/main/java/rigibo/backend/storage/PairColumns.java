@@ -40,6 +40,8 @@ final class PairColumns {
         p.passage = v.column("passage", SAVED, ONE_SIDED, p.passage);
         p.pointX = v.twins("pointX", SAVED, ALWAYS, p.pointX);
         p.pointY = v.twins("pointY", SAVED, ALWAYS, p.pointY);
+        p.middleX = v.column("middleX", SAVED, ALWAYS, p.middleX);
+        p.middleY = v.column("middleY", SAVED, ALWAYS, p.middleY);
         p.separation = v.twins("separation", SAVED, ALWAYS, p.separation);
         p.feature = v.twins("feature", SAVED, ALWAYS, p.feature);
         p.former = v.twins("former", SCRATCH, ALWAYS, p.former);

@@ -70,6 +70,14 @@ public final class Pairs {
     public double[] separation = new double[2 * FIRST_CAPACITY];
     public int[] feature = new int[2 * FIRST_CAPACITY];
 
+    /**
+     * Where the bodies were when the points were measured, m: the centre of the one that is not
+     * dynamic, or else halfway between both.
+     */
+    public double[] middleX = new double[FIRST_CAPACITY];
+
+    public double[] middleY = new double[FIRST_CAPACITY];
+
     /** Per point: which one of the manifold before it continues, 0 or 1, or {@link #NONE}. */
     public int[] former = new int[2 * FIRST_CAPACITY];
 
@@ -366,6 +374,8 @@ public final class Pairs {
         normalX[pair] = 0;
         normalY[pair] = 0;
         faceOf[pair] = NONE;
+        middleX[pair] = 0;
+        middleY[pair] = 0;
         points[pair] = 0;
         reach[pair] = Double.NaN;
         clearPoint(2 * pair);

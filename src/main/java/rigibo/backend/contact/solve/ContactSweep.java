@@ -88,10 +88,28 @@ public final class ContactSweep {
     public void run(double h, double kick, int substep, double share, double quiet, int most) {
         softness = h / kick;
         begin(h, substep, share / h, quiet);
+        goOn(most);
+    }
+
+    /** Makes so many passes more, until no contact is due. */
+    public void goOn(int most) {
         int solved = 1;
         for (int pass = 0; pass < most && solved > 0; pass++) {
             solved = pass(pass % 2 == 1);
         }
+    }
+
+    /** Whether a contact would sink in by more than so many widths in the substep of h seconds. */
+    public boolean isSinking(double h, int substep, double most) {
+        boolean isSinking = false;
+        for (int row = 0; !isSinking && row < contacts.count; row++) {
+            double width = contacts.data[row * PackedContacts.STRIDE + PackedContacts.WIDTH];
+            for (int point = 0; point < contacts.points[row]; point++) {
+                double parts = motions.parting(contacts, row, point) + spare[2 * row + point];
+                isSinking |= contacts.firstSubstep[row] <= substep && -parts * h > most * width;
+            }
+        }
+        return isSinking;
     }
 
     /** Lets no driven body press with more than so much, N·s. */
