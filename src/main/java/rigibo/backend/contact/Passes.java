@@ -147,7 +147,7 @@ public final class Passes {
 
     /** Keeps contacts from closing and sliding. */
     void hold(double h, double length, int substep, double fastest, double limit) {
-        if (PackedContacts.areCrowd(contacts.count)) {
+        if (contacts.areCrowd()) {
             sweepCrowd(h, length, substep, fastest);
         } else {
             sweep.run(h, length, substep, missed, shorter * QUIET * fastest, mostOfFew);
