@@ -11,10 +11,12 @@ import rigibo.backend.storage.Pairs;
  * floor of boxes is one plane, yet each box by itself has sides and corners: whatever slides over
  * it would bump into the side that the box before it covers.
  *
- * <p>A point on a face is covered where the space before the face all about it is the neighbour's:
- * where only a strip of it is, a body stands in the corner of a floor and a wall, a little inside
- * both. A point on a corner is covered where it lies on a neighbour that reaches farther along the
- * normal: then the neighbour is the nearer one, and the contact with it says all.
+ * <p>A point on a face is covered where the space before the face is the neighbour's, at the point
+ * and on all sides on which the mover reaches farther: where only a strip of it is, a body stands
+ * in the corner of a floor and a wall, a little inside both. Where the mover does not come to, the
+ * neighbour may leave the face, as below the kink between two plates that rise. A point on a corner
+ * is covered where it lies on a neighbour that reaches farther along the normal: then the neighbour
+ * is the nearer one, and the contact with it says all.
  */
 final class Seams {
 
@@ -164,7 +166,7 @@ final class Seams {
             outY = fixedPose.sin * polygon.normalX(i) + fixedPose.cos * polygon.normalY(i);
             if (outX * coveredX + outY * coveredY > -ROUND_OFF) {
                 double separation = placeOnFace(polygon, i);
-                if (separation > best && findFace() && !isCovered(pair)) {
+                if (separation > best && findFace() && (!isFaceCovered(pair) || emerges(pair))) {
                     best = separation;
                     bestX = outX;
                     bestY = outY;
@@ -214,7 +216,9 @@ final class Seams {
                         : isBehind ? endY + outY * polygon.radius() : footY;
         boolean isOver = Math.min(fromStart, toEnd) > -CLOSED * width;
         double separation = above - below;
-        return isOver || separation > -touching() ? separation : Double.NEGATIVE_INFINITY;
+        // What is deeper inside than it is wide came in by another face.
+        double least = isOver ? -width : -touching();
+        return separation > least ? separation : Double.NEGATIVE_INFINITY;
     }
 
     /** Moves the point to the mover's lowest above a face; returns how much lower it is yet, m. */
@@ -243,30 +247,101 @@ final class Seams {
     }
 
     private boolean isCovered(int pair) {
-        boolean isOnFace = false;
-        boolean isSought = false;
+        return findFace() && comesToFace() ? isFaceCovered(pair) : isCornerCovered(pair);
+    }
+
+    private boolean isFaceCovered(int pair) {
         for (int p = bodies.firstPair[mover]; p != Pairs.NONE; p = pairs.nextOf(p, mover)) {
             int slot = pairs.other(p, mover);
-            if (p != pair && !bodies.isDynamic(slot) && touches(p) && !areOneChain(pair, p)) {
-                isOnFace = isSought ? isOnFace : findFace();
-                isSought = true;
-                int shape = pairs.shapeOf(p, slot);
-                if (isOnFace ? coversFace(slot, shape) : coversCorner(slot, shape)) {
-                    return true;
-                }
+            if (mayCover(pair, p, slot) && coversFace(slot, pairs.shapeOf(p, slot))) {
+                return true;
             }
         }
         return false;
     }
 
+    /**
+     * Whether the face, which is inside neighbours at the point, comes out of them where the mover
+     * may get at it: boxes that are laid like tiles make a floor too.
+     */
+    private boolean emerges(int pair) {
+        return emerges(pair, 1, ahead) || emerges(pair, -1, behind);
+    }
+
+    /** The same to one side of the point, where the face goes on for so many metres. */
+    private boolean emerges(int pair, int side, double room) {
+        double gone = 0;
+        for (int p = bodies.firstPair[mover]; p != Pairs.NONE; p = pairs.nextOf(p, mover)) {
+            int slot = pairs.other(p, mover);
+            if (mayCover(pair, p, slot)) {
+                gone = comesOut(slot, pairs.shapeOf(p, slot), side, gone, room);
+            }
+        }
+        return gone > 0 && room - gone > CLOSED * width && isVisible(pair, side * gone);
+    }
+
+    /**
+     * How far along the face from the point a shape ends that covers it so far along, m: by
+     * bisection, for what a line has in common with a convex shape is one piece.
+     */
+    private double comesOut(int slot, int shape, int side, double gone, double room) {
+        if (!(depthAlong(slot, shape, side * gone) > FLUSH * width)) {
+            return gone;
+        }
+        if (depthAlong(slot, shape, side * room) > 0) {
+            return room;
+        }
+        double inside = gone;
+        double outside = room;
+        while (outside - inside > FLUSH * width) {
+            double middle = (inside + outside) / 2;
+            if (depthAlong(slot, shape, side * middle) > 0) {
+                inside = middle;
+            } else {
+                outside = middle;
+            }
+        }
+        return outside;
+    }
+
+    private double depthAlong(int slot, int shape, double along) {
+        return depth(slot, shape, x - along * outY, y + along * outX);
+    }
+
+    /** Whether no neighbour lies between the mover and a point so far along the face, m. */
+    private boolean isVisible(int pair, double along) {
+        double px = x - along * outY;
+        double py = y + along * outX;
+        double toX = moverPose.x - px;
+        double toY = moverPose.y - py;
+        double step = CLOSED * width / Math.sqrt(toX * toX + toY * toY);
+        for (int p = bodies.firstPair[mover]; p != Pairs.NONE; p = pairs.nextOf(p, mover)) {
+            int slot = pairs.other(p, mover);
+            if (mayCover(pair, p, slot)
+                    && depth(slot, pairs.shapeOf(p, slot), px + step * toX, py + step * toY) > 0) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private boolean isCornerCovered(int pair) {
+        for (int p = bodies.firstPair[mover]; p != Pairs.NONE; p = pairs.nextOf(p, mover)) {
+            int slot = pairs.other(p, mover);
+            if (mayCover(pair, p, slot) && coversCorner(slot, pairs.shapeOf(p, slot))) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private boolean mayCover(int pair, int other, int slot) {
+        return other != pair && !bodies.isDynamic(slot) && !areOneChain(pair, other);
+    }
+
     /** Edges of one chain know each other. */
     private boolean areOneChain(int pair, int other) {
         return bodies.outline[fixedShape].isEdge() && pairs.other(other, mover) == fixed;
-    }
-
-    /** What only flies past a neighbour may still meet what the neighbour covers now. */
-    private boolean touches(int pair) {
-        return pairs.gap(pair) <= touching();
     }
 
     private double touching() {
@@ -307,18 +382,42 @@ final class Seams {
         return false;
     }
 
-    private boolean coversFace(int slot, int shape) {
-        return coversFace(slot, shape, ahead) && coversFace(slot, shape, -behind);
+    /** Whether the mover may meet the face, and not only the corner at its end. */
+    private boolean comesToFace() {
+        double roomAhead = Math.min(ahead, moverReaches(1));
+        return Math.max(roomAhead, Math.min(behind, moverReaches(-1))) > FLUSH * width;
     }
 
-    /** Whether the space before the face is covered as far as the face goes on to one side. */
-    private boolean coversFace(int slot, int shape, double room) {
-        double length = Math.abs(room);
-        double other = ahead + behind - length;
-        if (length < CLOSED * width && length < other) {
+    /**
+     * Whether it covers the face as far as the mover may come to it on both sides of the point, and
+     * at least next to the point.
+     */
+    private boolean coversFace(int slot, int shape) {
+        double least = 2 * CLOSED * width;
+        double roomAhead = Math.min(ahead, Math.max(least, moverReaches(1)));
+        double roomBehind = Math.min(behind, Math.max(least, moverReaches(-1)));
+        return coversFace(slot, shape, 1, roomAhead, roomBehind)
+                && coversFace(slot, shape, -1, roomBehind, roomAhead);
+    }
+
+    /** How much farther along the face than the point the mover reaches, or against it, m. */
+    private double moverReaches(int side) {
+        Outline outline = bodies.outline[moverShape];
+        double most = 0;
+        for (int i = 0; i < outline.corners(); i++) {
+            double dx = worldX(moverPose, outline, i) - x;
+            double dy = worldY(moverPose, outline, i) - y;
+            most = Math.max(most, side * (outX * dy - outY * dx) + outline.radius());
+        }
+        return most;
+    }
+
+    /** Whether the space before the face is covered to one side, of so much room in m to both. */
+    private boolean coversFace(int slot, int shape, int side, double room, double other) {
+        if (room < CLOSED * width && room < other) {
             return true;
         }
-        double along = Math.copySign(Math.min(ABOUT * width, length / 2), room);
+        double along = side * Math.min(ABOUT * width, room / 2);
         double before = CLOSED * width;
         return depth(
                         slot,

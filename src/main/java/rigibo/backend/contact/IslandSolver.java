@@ -277,7 +277,7 @@ final class IslandSolver {
                 rounds.forget();
             }
         }
-        if (isWhole && rounds.isCalm()) {
+        if (isWhole && (rounds.isCalm() || landings.areLookedFor())) {
             closeLoadedGaps(CLOSED);
         }
         isWhole = isWhole && rounds.settle(h, kicked, substep, fastest, limit);
@@ -419,7 +419,7 @@ final class IslandSolver {
             double touching = share * d[at + PackedContacts.WIDTH];
             for (int point = 0; point < contacts.points[row]; point++) {
                 double gap = motions.gap(contacts, row, point);
-                if (d[at + PackedContacts.IMPULSE0 + point] > 0 && gap > 0 && gap < touching) {
+                if (contacts.carries(row, point) && gap > 0 && gap < touching) {
                     d[at + PackedContacts.GAP0 + point] -= gap;
                 }
             }

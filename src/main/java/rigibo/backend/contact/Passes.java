@@ -166,7 +166,7 @@ public final class Passes {
         // Against what is driven and what stands no load is enough. Loads that grow with every pass
         // would lose the digits in which friction holds what is pressed, and throw it out instead.
         sweep.limitPresses(motions.mass() * limit);
-        if (PackedContacts.areCrowd(contacts.count)) {
+        if (contacts.areCrowd()) {
             sweepCrowd(h, length, substep, fastest);
         } else {
             sweep.run(h, length, substep, missed, shorter * QUIET * fastest, mostOfFew);

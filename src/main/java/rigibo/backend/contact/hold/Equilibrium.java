@@ -1,5 +1,6 @@
 package rigibo.backend.contact.hold;
 
+import rigibo.backend.contact.row.PackedContacts;
 import rigibo.backend.contact.row.Recovery;
 import rigibo.backend.contact.row.RowBuilder;
 import rigibo.backend.setup.Accuracy;
@@ -134,7 +135,9 @@ public final class Equilibrium {
     private boolean areContactsSteady(int island) {
         reserve();
         int contacts = islands.pairStart[island + 1] - islands.pairStart[island];
-        kept = Recovery.keptIfCalm(contacts, accuracy);
+        int bodyCount = islands.bodyStart[island + 1] - islands.bodyStart[island];
+        boolean isCrowd = PackedContacts.areCrowd(contacts, bodyCount);
+        kept = Recovery.keptIfCalm(isCrowd, accuracy);
         for (int i = islands.bodyStart[island]; i < islands.bodyStart[island + 1]; i++) {
             int slot = islands.bodies[i];
             leftX[slot] = bodies.accelerationX[slot];

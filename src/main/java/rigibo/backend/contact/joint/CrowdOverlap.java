@@ -62,7 +62,7 @@ final class CrowdOverlap {
             push = new double[rows.bodies.length];
         }
         count = 0;
-        double kept = Recovery.kept(contacts.count, accuracy);
+        double kept = Recovery.kept(contacts.areCrowd(), accuracy);
         for (int row = 0; row < rows.count; row++) {
             if (rows.contact[row] != NeutralRows.NONE && rows.load[row] == NeutralRows.NONE) {
                 find(row, kept, h);

@@ -28,7 +28,7 @@ public final class RowOverlap {
      * together part two bodies no faster than {@link Recovery#MOST_PUSH}.
      */
     public void correct(double h, int passes) {
-        double kept = Recovery.kept(contacts.count, accuracy);
+        double kept = Recovery.kept(contacts.areCrowd(), accuracy);
         for (int pass = 0; pass < passes; pass++) {
             for (int i = 0; i < rows.count; i++) {
                 int row = pass % 2 == 0 ? i : rows.count - 1 - i;

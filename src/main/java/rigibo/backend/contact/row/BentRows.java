@@ -55,7 +55,7 @@ public final class BentRows {
             turning.begin(left);
         }
         reserve();
-        boolean isCrowd = PackedContacts.areCrowd(contacts.count);
+        boolean isCrowd = contacts.areCrowd();
         boolean isAny = false;
         for (int row = 0; row < contacts.count; row++) {
             turns[row] = turning != null && turning.isTurning(row, left);

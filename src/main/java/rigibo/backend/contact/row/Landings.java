@@ -12,7 +12,7 @@ import rigibo.backend.setup.ImpactMode;
 public final class Landings {
 
     /** Parts that a substep is taken in at most. */
-    private static final int MOST_PARTS = 8;
+    private static final int MOST_PARTS = 16;
 
     /**
      * Speed of a landing that is neglected, as a share of the speed that a substep's kick gives.
@@ -24,6 +24,12 @@ public final class Landings {
      * struck.
      */
     private static final double IMPACT = 2;
+
+    /**
+     * Share of the strongest acceleration that what is known of a gap may be wrong by, since bodies
+     * turn and loads change meanwhile: landing a little late costs more than landing early.
+     */
+    private static final double UNSURE = 0.1;
 
     /** Share of the tolerance of impacts that a landed body may be above the ground. */
     private static final double LANDED = 0.1;
@@ -45,15 +51,21 @@ public final class Landings {
     /** Parts of the present substep so far. */
     private int parts;
 
-    /** Velocities as the last part began, laid out as the motions. */
+    /** Velocities as the last part began, and what they gained in it a second, as the motions. */
     private double[] before = new double[(Motions.FEW + 1) * Motions.STRIDE];
 
-    private double[] now = new double[(Motions.FEW + 1) * Motions.STRIDE];
+    private double[] gained = new double[(Motions.FEW + 1) * Motions.STRIDE];
+
+    /** By body: whether it gained more than its acceleration explains. */
+    private boolean[] isStruck = new boolean[Motions.FEW + 1];
 
     /** By point: whether it had a gap as the last part began, and whether it has landed since. */
     private boolean[] isOpen = new boolean[32];
 
     private boolean[] hasLanded = new boolean[32];
+
+    /** Whether the last part began with a landing, whose impact is in what bodies gained. */
+    private boolean beganByLanding;
 
     /** How long the last part was, s, 0 where a kick begins anew; and the kick in its midst. */
     private double lastPart;
@@ -72,6 +84,11 @@ public final class Landings {
     public void begin() {
         isLookedFor = isLookedForAtAll && motions.areFew() && contacts.lastJoining <= 0;
         lastPart = 0;
+    }
+
+    /** Whether a substep of the packed island may end where something lands. */
+    public boolean areLookedFor() {
+        return isLookedFor;
     }
 
     /** Begins a substep. */
@@ -118,36 +135,28 @@ public final class Landings {
         if (!isLookedFor) {
             return h;
         }
-        int length = motions.count * Motions.STRIDE;
-        System.arraycopy(motions.data, 0, now, 0, length);
-        foresee(h, length);
+        measureGain();
+        beganByLanding = lastPart == 0;
         noteOpen();
         double until = ++parts < MOST_PARTS ? firstLanding(h) : h;
-        System.arraycopy(now, 0, motions.data, 0, length);
-        double[] swap = before;
-        before = now;
-        now = swap;
+        System.arraycopy(motions.data, 0, before, 0, motions.count * Motions.STRIDE);
         kicked = (lastPart + until) / 2;
         lastPart = until;
         return until;
     }
 
-    /** Lets all go on as they did, if no impact did it. */
-    private void foresee(double h, int length) {
-        if (lastPart == 0) {
-            return;
-        }
-        double ahead = (lastPart + h) / (2 * kicked);
+    /** What bodies gained in the last part they go on to gain, if no impact gave it to them. */
+    private void measureGain() {
         double most = IMPACT * kick.strongest() * kicked;
-        for (int at = Motions.STRIDE; at < length; at += Motions.STRIDE) {
-            double x = now[at + Motions.VX] - before[at + Motions.VX];
-            double y = now[at + Motions.VY] - before[at + Motions.VY];
-            if (Math.abs(x) + Math.abs(y) <= most) {
-                double turn = now[at + Motions.SPIN] - before[at + Motions.SPIN];
-                motions.data[at + Motions.VX] += ahead * x;
-                motions.data[at + Motions.VY] += ahead * y;
-                motions.data[at + Motions.SPIN] += ahead * turn;
-            }
+        for (int body = 1; body < motions.count; body++) {
+            int at = body * Motions.STRIDE;
+            double x = motions.data[at + Motions.VX] - before[at + Motions.VX];
+            double y = motions.data[at + Motions.VY] - before[at + Motions.VY];
+            double turn = motions.data[at + Motions.SPIN] - before[at + Motions.SPIN];
+            isStruck[body] = lastPart == 0 || beganByLanding || Math.abs(x) + Math.abs(y) > most;
+            gained[at + Motions.VX] = x / kicked;
+            gained[at + Motions.VY] = y / kicked;
+            gained[at + Motions.SPIN] = turn / kicked;
         }
     }
 
@@ -163,19 +172,38 @@ public final class Landings {
 
     /**
      * The time of the first landing: when the gap is as small as counts as landed, but not so small
-     * that the contact would stop the body already.
+     * that the contact would stop the body already. Places go on by the velocity in the middle of a
+     * part, as they do in the substep.
      */
     private double firstLanding(double h) {
         double soft = soft(h);
-        double unknown = unknown(h);
         double until = h;
         for (int i = 0; i < 2 * contacts.count; i++) {
-            if (isOpen[i] && closing(i) > soft) {
-                double closing = closing(i) + unknown;
-                until = Math.min(until, (gap(i) - near(i) / 2) / closing);
+            if (isOpen[i]) {
+                double gains = gains(i);
+                double closing = closing(i) + gains * lastPart / 2;
+                double way = gap(i) - near(i) / 2;
+                double square = closing * closing + 2 * gains * way;
+                double after = 2 * way / (closing + Math.sqrt(square));
+                if (after > 0 && closing + gains * after > soft) {
+                    until = Math.min(until, after);
+                }
             }
         }
         return until;
+    }
+
+    /**
+     * How fast a point's gap gains closing speed, m/s². Where the loads of contacts are not known
+     * yet it is more than it can be: a part that ends too early is better than one that ends too
+     * late, for the next part knows them.
+     */
+    private double gains(int i) {
+        int a = contacts.bodyA[i / 2];
+        int b = contacts.bodyB[i / 2];
+        return isStruck[a / Motions.STRIDE] || isStruck[b / Motions.STRIDE]
+                ? IMPACT * kick.strongest()
+                : UNSURE * kick.strongest() - motions.parting(gained, contacts, i / 2, i % 2);
     }
 
     /** Speed of a landing in a substep of h seconds that counts as none, m/s. */
@@ -193,15 +221,6 @@ public final class Landings {
 
     private double closing(int i) {
         return -motions.parting(contacts, i / 2, i % 2);
-    }
-
-    /**
-     * What may still be added to that by the middle of a part of h seconds. In the first part of a
-     * step the loads of contacts are not known yet; a part that ends too early is better than one
-     * that ends too late, for the next part knows them.
-     */
-    private double unknown(double h) {
-        return lastPart > 0 ? 0 : IMPACT * kick.strongest() * h / 2;
     }
 
     private double near(int i) {

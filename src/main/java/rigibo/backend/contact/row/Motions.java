@@ -185,17 +185,22 @@ public final class Motions {
 
     /** Speed in m/s at which a contact's point parts; negative when it closes. */
     public double parting(PackedContacts contacts, int row, int point) {
+        return parting(data, contacts, row, point);
+    }
+
+    /** The same by other velocities, laid out as the motions. */
+    double parting(double[] m, PackedContacts contacts, int row, int point) {
         double[] d = contacts.data;
         int at = row * PackedContacts.STRIDE;
         int a = contacts.bodyA[row];
         int b = contacts.bodyB[row];
         double speed =
-                d[at + PackedContacts.NX] * (data[b + VX] - data[a + VX])
-                        + d[at + PackedContacts.NY] * (data[b + VY] - data[a + VY]);
+                d[at + PackedContacts.NX] * (m[b + VX] - m[a + VX])
+                        + d[at + PackedContacts.NY] * (m[b + VY] - m[a + VY]);
         return turns
                 ? speed
-                        + d[at + 2 * point + PackedContacts.LEVER_B0] * data[b + SPIN]
-                        - d[at + 2 * point + PackedContacts.LEVER_A0] * data[a + SPIN]
+                        + d[at + 2 * point + PackedContacts.LEVER_B0] * m[b + SPIN]
+                        - d[at + 2 * point + PackedContacts.LEVER_A0] * m[a + SPIN]
                 : speed;
     }
 

@@ -104,6 +104,9 @@ public final class PackedContacts {
      */
     public static final double COMPLIANCE = 1e-10;
 
+    /** Contacts of one body that may carry something, at most. */
+    static final int LOADED_PER_BODY = 4;
+
     /** The first substep of a contact that there was when the step began. */
     public static final int ALWAYS = -1;
 
@@ -117,6 +120,9 @@ public final class PackedContacts {
     public int[] points = new int[16];
     public int[] firstSubstep = new int[16];
     public int count;
+
+    /** Bodies of the island, which move as its contacts tell them to. */
+    private int bodies;
 
     /** Speed along the tangent at which friction lets B run on A: driven, or turning, m/s. */
     public double[] surface = new double[16];
@@ -160,14 +166,30 @@ public final class PackedContacts {
         impact.armBY[i] = -acrossB * nx + alongB * ny;
     }
 
-    /** Whether so many contacts are too many for elimination. */
-    public static boolean areCrowd(int contacts) {
-        return contacts * SingleRows.ROWS_PER_CONTACT > SingleRows.MOST_ELIMINATED;
+    /**
+     * Whether so many contacts of so many bodies that move are too many for elimination. Most of
+     * the contacts that one body may reach carry nothing: it has no more than three unknowns.
+     */
+    public static boolean areCrowd(int contacts, int bodies) {
+        int loaded = Math.min(contacts, LOADED_PER_BODY * bodies);
+        return loaded * SingleRows.ROWS_PER_CONTACT > SingleRows.MOST_ELIMINATED;
+    }
+
+    /** Whether the packed contacts are too many for elimination. */
+    public boolean areCrowd() {
+        return areCrowd(count, bodies);
     }
 
     /** Whether none is against what cannot give way: the bodies float. */
     public boolean areFloating() {
         return groundStart == count;
+    }
+
+    /**
+     * The largest share of the contacts that carries something in a pile, where each stands on two.
+     */
+    public double shareLoaded() {
+        return Math.min(1, 2.0 * bodies / count);
     }
 
     /** The largest change of speed by which a contact answers, m/s. */
@@ -197,6 +219,12 @@ public final class PackedContacts {
         return most;
     }
 
+    /** Whether a point carries something, or did in the kick before: what it does is left out. */
+    public boolean carries(int row, int point) {
+        int at = row * STRIDE + point;
+        return data[at + IMPULSE0] > 0 || data[at + BEFORE0] > 0;
+    }
+
     /** Takes a contact for one that has carried nothing yet. */
     public void unload(int row) {
         int at = row * STRIDE;
@@ -213,8 +241,9 @@ public final class PackedContacts {
         lastJoining = Math.max(lastJoining, substep);
     }
 
-    /** Empties the pack. */
-    void clear() {
+    /** Empties the pack for an island of so many bodies. */
+    void clear(int bodies) {
+        this.bodies = bodies;
         count = 0;
         impacts = 0;
         isAnyRunning = false;

@@ -48,11 +48,11 @@ public final class Recovery {
     }
 
     /**
-     * Overlap that stays among so many contacts, m for a body of one metre. In a crowd that is ten
-     * times the tolerance of impacts, within bounds.
+     * Overlap that stays, m for a body of one metre. In a crowd that is ten times the tolerance of
+     * impacts, within bounds.
      */
-    public static double kept(int contacts, Accuracy accuracy) {
-        if (!PackedContacts.areCrowd(contacts)) {
+    public static double kept(boolean isCrowd, Accuracy accuracy) {
+        if (!isCrowd) {
             return KEPT_OVERLAP;
         }
         double wanted = KEPT_BY_TOLERANCE * accuracy.impactTolerance();
@@ -60,11 +60,11 @@ public final class Recovery {
     }
 
     /**
-     * Overlap that stays among so many contacts of an island in which nothing goes faster than a
-     * quarter of what its own pull gives it in a step, m for a body of one metre.
+     * Overlap that stays in an island in which nothing goes faster than a quarter of what its own
+     * pull gives it in a step, m for a body of one metre.
      */
-    public static double keptIfCalm(int contacts, Accuracy accuracy) {
-        double kept = kept(contacts, accuracy);
-        return PackedContacts.areCrowd(contacts) ? KEPT_IF_CALM * kept : kept;
+    public static double keptIfCalm(boolean isCrowd, Accuracy accuracy) {
+        double kept = kept(isCrowd, accuracy);
+        return isCrowd ? KEPT_IF_CALM * kept : kept;
     }
 }

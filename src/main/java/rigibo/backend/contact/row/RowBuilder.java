@@ -77,8 +77,9 @@ public final class RowBuilder {
         int driven = motions.count;
         mass = motions.mass();
         int pairCount = islands.pairStart[island + 1] - islands.pairStart[island];
-        halts = PackedContacts.areCrowd(pairCount) ? HALTS_IN_A_CROWD : CRUSHED;
-        contacts.clear();
+        int bodyCount = islands.bodyStart[island + 1] - islands.bodyStart[island];
+        halts = PackedContacts.areCrowd(pairCount, bodyCount) ? HALTS_IN_A_CROWD : CRUSHED;
+        contacts.clear(bodyCount);
         colours.find(island);
         for (int i = 0; i < pairCount; i++) {
             addRow(colours.order[i], firstKick);

@@ -169,7 +169,7 @@ public final class ContactSweep {
         }
         Arrays.fill(changed, 0, motions.count, 0);
         double perSubstep = 1 / h;
-        isCrowd = PackedContacts.areCrowd(contacts.count);
+        isCrowd = contacts.areCrowd();
         double strictly = isCrowd ? STRICTLY : 1;
         for (int row = 0; row < contacts.count; row++) {
             boolean isThere = contacts.firstSubstep[row] <= substep;

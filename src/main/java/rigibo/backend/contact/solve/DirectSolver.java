@@ -85,7 +85,7 @@ public final class DirectSolver {
      * multiplications than a substep is worth.
      */
     public boolean prepare(double worthOfSubstep) {
-        if (PackedContacts.areCrowd(contacts.count)) {
+        if (contacts.areCrowd()) {
             return false;
         }
         worth = worthOfSubstep;

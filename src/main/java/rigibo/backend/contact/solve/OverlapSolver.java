@@ -58,11 +58,9 @@ public final class OverlapSolver {
 
     /** Begins the packed island, which hardly moves if it is calm. */
     public void prepare(boolean isCalm) {
-        this.isCalm = isCalm && PackedContacts.areCrowd(contacts.count);
-        kept =
-                isCalm
-                        ? Recovery.keptIfCalm(contacts.count, accuracy)
-                        : Recovery.kept(contacts.count, accuracy);
+        boolean isCrowd = contacts.areCrowd();
+        this.isCalm = isCalm && isCrowd;
+        kept = isCalm ? Recovery.keptIfCalm(isCrowd, accuracy) : Recovery.kept(isCrowd, accuracy);
     }
 
     /** Begins to take overlap back where nothing is joined. */

@@ -60,14 +60,18 @@ final class RowFactor {
         factor.clearWork();
     }
 
-    /** Multiplications that factoring takes where all rows are loaded, by their envelope. */
+    /**
+     * Multiplications that factoring takes, by the envelope of all rows and the share of them that
+     * may be loaded.
+     */
     double workOfAll() {
         double all = 0;
         for (int place = 0; place < contacts.count; place++) {
             double width = FlatRows.KINDS * (place - order.firstNeighbour[place] + 1);
             all += FlatRows.KINDS * width * width / 2;
         }
-        return all;
+        double loaded = contacts.shareLoaded();
+        return loaded * loaded * loaded * all;
     }
 
     void forget() {

@@ -10,7 +10,7 @@ public final class PackedIsland {
 
     /** Empties it, and makes room for so many bodies. */
     public void begin(int bodies) {
-        contacts.clear();
+        contacts.clear(bodies);
         motions.count = bodies + 1;
         if (motions.slots.length < motions.count) {
             motions.slots = new int[motions.count];
