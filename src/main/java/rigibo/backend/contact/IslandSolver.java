@@ -231,6 +231,7 @@ final class IslandSolver {
                 endKick(time, h, substep);
                 landings.close();
             }
+            landings.keepClosed();
             double part = landings.untilNext(left);
             declared.bend(part, part);
             beginPart(time, part, substep, dt - time);
@@ -277,7 +278,7 @@ final class IslandSolver {
                 rounds.forget();
             }
         }
-        if (isWhole && (rounds.isCalm() || landings.areLookedFor())) {
+        if (isWhole && rounds.isCalm()) {
             closeLoadedGaps(CLOSED);
         }
         isWhole = isWhole && rounds.settle(h, kicked, substep, fastest, limit);
@@ -419,7 +420,7 @@ final class IslandSolver {
             double touching = share * d[at + PackedContacts.WIDTH];
             for (int point = 0; point < contacts.points[row]; point++) {
                 double gap = motions.gap(contacts, row, point);
-                if (contacts.carries(row, point) && gap > 0 && gap < touching) {
+                if (d[at + PackedContacts.IMPULSE0 + point] > 0 && gap > 0 && gap < touching) {
                     d[at + PackedContacts.GAP0 + point] -= gap;
                 }
             }

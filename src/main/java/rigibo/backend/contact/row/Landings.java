@@ -86,11 +86,6 @@ public final class Landings {
         lastPart = 0;
     }
 
-    /** Whether a substep of the packed island may end where something lands. */
-    public boolean areLookedFor() {
-        return isLookedFor;
-    }
-
     /** Begins a substep. */
     public void beginSubstep() {
         parts = 0;
@@ -122,6 +117,21 @@ public final class Landings {
         for (int i = 0; i < 2 * contacts.count; i++) {
             if (hasLanded[i]) {
                 widen(i, -gap(i));
+            }
+        }
+    }
+
+    /**
+     * Closes the gaps at which points have landed for as long as they carry. What the kick before
+     * left out as an impact carries too: its body must not fall for half a kick.
+     */
+    public void keepClosed() {
+        for (int i = 0; isLookedFor && i < 2 * contacts.count; i++) {
+            if (isPoint(i) && contacts.carries(i / 2, i % 2)) {
+                double gap = gap(i);
+                if (gap > 0 && gap <= near(i)) {
+                    widen(i, -gap);
+                }
             }
         }
     }
