@@ -1,5 +1,7 @@
 package rigibo.backend.contact.row;
 
+import java.util.Arrays;
+
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.ImpactMode;
 
@@ -64,6 +66,11 @@ public final class Landings {
 
     private boolean[] hasLanded = new boolean[32];
 
+    /** By point: whether it has landed since the step began, if any has. */
+    private boolean[] isLanded = new boolean[32];
+
+    private boolean isAnyLanded;
+
     /** Whether the last part began with a landing, whose impact is in what bodies gained. */
     private boolean beganByLanding;
 
@@ -83,6 +90,7 @@ public final class Landings {
     /** Begins a packed island. */
     public void begin() {
         isLookedFor = isLookedForAtAll && motions.areFew() && contacts.lastJoining <= 0;
+        isAnyLanded = false;
         lastPart = 0;
     }
 
@@ -114,8 +122,13 @@ public final class Landings {
      */
     public void close() {
         lastPart = 0;
+        if (!isAnyLanded) {
+            isAnyLanded = true;
+            Arrays.fill(isLanded, 0, 2 * contacts.count, false);
+        }
         for (int i = 0; i < 2 * contacts.count; i++) {
             if (hasLanded[i]) {
+                isLanded[i] = true;
                 widen(i, -gap(i));
             }
         }
@@ -126,8 +139,8 @@ public final class Landings {
      * left out as an impact carries too: its body must not fall for half a kick.
      */
     public void keepClosed() {
-        for (int i = 0; isLookedFor && i < 2 * contacts.count; i++) {
-            if (isPoint(i) && contacts.carries(i / 2, i % 2)) {
+        for (int i = 0; isAnyLanded && i < 2 * contacts.count; i++) {
+            if (isLanded[i] && isPoint(i) && contacts.carries(i / 2, i % 2)) {
                 double gap = gap(i);
                 if (gap > 0 && gap <= near(i)) {
                     widen(i, -gap);
@@ -174,6 +187,7 @@ public final class Landings {
         if (isOpen.length < 2 * contacts.count) {
             isOpen = new boolean[2 * contacts.pair.length];
             hasLanded = new boolean[2 * contacts.pair.length];
+            isLanded = Arrays.copyOf(isLanded, 2 * contacts.pair.length);
         }
         for (int i = 0; i < 2 * contacts.count; i++) {
             isOpen[i] = isPoint(i) && gap(i) > near(i);
