@@ -162,8 +162,7 @@ public final class Geometry {
     private static double firstMeeting(
             TimeOfImpact search, Motion motion, Motion other, double seconds) {
         boolean isEdge = motion.outline.isEdge() || other.outline.isEdge();
-        double time =
-                search.find(motion, other, 0, seconds, IMPACT_TOLERANCE, ImpactSearch.ITP);
+        double time = search.find(motion, other, 0, seconds, IMPACT_TOLERANCE, ImpactSearch.ITP);
         for (int look = 0; isEdge && look < MOST_LOOKS && time <= seconds; look++) {
             if (areTouching(motion, other, time)) {
                 return time;

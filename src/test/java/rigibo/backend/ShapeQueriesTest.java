@@ -27,9 +27,9 @@ import rigibo.backend.setup.Filter;
 import java.util.HashSet;
 import java.util.List;
 import java.util.OptionalDouble;
-import java.util.SplittableRandom;
 import java.util.Random;
 import java.util.Set;
+import java.util.SplittableRandom;
 
 /**
  * Casts, overlaps and nearest points against the list of all bodies, one by one: of 10⁵ bodies of

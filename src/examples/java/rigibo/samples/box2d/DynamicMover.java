@@ -35,8 +35,8 @@ public final class DynamicMover implements Exhibit {
                 pool.add(
                         BodyDefinition.fixed(
                                 Chain.open(
-                                        7, 5, 6.8, 0.2, 5, 0, 3, 0.4, 1.5, 0, -1.5, 0, -3, 0.6,
-                                        -5, 0, -6.8, 0.3, -7, 5)));
+                                        7, 5, 6.8, 0.2, 5, 0, 3, 0.4, 1.5, 0, -1.5, 0, -3, 0.6, -5,
+                                        0, -6.8, 0.3, -7, 5)));
         Material shelf = new Material(1000, 0.5, 0).oneWay(0, 1);
         pool.add(BodyDefinition.fixed(Polygon.box(2.4, 0.15)).at(3.6, 1.9).material(shelf));
         pool.add(BodyDefinition.fixed(Polygon.box(2.4, 0.15)).at(-3.6, 2).material(shelf));

@@ -1,9 +1,9 @@
 package rigibo.backend.contact.row;
 
-import java.util.Arrays;
-
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.ImpactMode;
+
+import java.util.Arrays;
 
 /**
  * Times within a substep at which something lands: a corner of a rocking block, a disc that reaches
