@@ -44,6 +44,9 @@ final class Seams {
     private int fixed;
     private double width;
 
+    /** Gap in m up to which a neighbour counts. */
+    private double near;
+
     /** The slots of the shapes of both that the pair is of. */
     private int moverShape;
 
@@ -115,23 +118,37 @@ final class Seams {
                 && !bodies.outline[fixedShape].isDisc();
     }
 
+    /**
+     * What only flies past a neighbour may still meet what the neighbour covers now: its point is
+     * left out only where there is a face to take its place.
+     */
     private void leaveOut(int pair) {
-        int a = pairs.bodyA[pair];
         width = bodies.smallestWidth[mover];
-        outX = fixed == a ? pairs.normalX[pair] : -pairs.normalX[pair];
-        outY = fixed == a ? pairs.normalY[pair] : -pairs.normalY[pair];
         for (int i = pairs.points[pair] - 1; i >= 0; i--) {
             int point = 2 * pair + i;
-            x = pairs.pointX[point] - outX * pairs.separation[point] / 2;
-            y = pairs.pointY[point] - outY * pairs.separation[point] / 2;
+            look(pair, point);
+            near = Double.POSITIVE_INFINITY;
             if (isCovered(pair)) {
                 if (isAlone(pair, i) && turnsToFace(pair, point)) {
                     keepOnly(pair, i);
                     return;
                 }
-                pairs.removePoint(pair, i);
+                look(pair, point);
+                near = touching();
+                if (isCovered(pair)) {
+                    pairs.removePoint(pair, i);
+                }
             }
         }
+    }
+
+    /** Goes to a point of the contact, on the fixed body, and looks along its normal. */
+    private void look(int pair, int point) {
+        int side = fixed == pairs.bodyA[pair] ? 1 : -1;
+        outX = side * pairs.normalX[pair];
+        outY = side * pairs.normalY[pair];
+        x = pairs.pointX[point] - outX * pairs.separation[point] / 2;
+        y = pairs.pointY[point] - outY * pairs.separation[point] / 2;
     }
 
     /** Whether the other point, if there is one, only looks along a normal that is none. */
@@ -336,7 +353,10 @@ final class Seams {
     }
 
     private boolean mayCover(int pair, int other, int slot) {
-        return other != pair && !bodies.isDynamic(slot) && !areOneChain(pair, other);
+        return other != pair
+                && !bodies.isDynamic(slot)
+                && pairs.gap(other) <= near
+                && !areOneChain(pair, other);
     }
 
     /** Edges of one chain know each other. */

@@ -231,7 +231,7 @@ final class IslandSolver {
                 endKick(time, h, substep);
                 landings.close();
             }
-            landings.keepClosed();
+            landings.keepClosed(h);
             double part = landings.untilNext(left);
             declared.bend(part, part);
             beginPart(time, part, substep, dt - time);

@@ -43,8 +43,8 @@ public final class Passes {
     private static final double MISSED_IN_A_CROWD = 3;
 
     /**
-     * How many times what may be missed a contact of a crowd may sink in before passes go on: a
-     * blow that many bodies pass on to the ground is not answered by the usual ones.
+     * How many times what may be missed a contact of a crowd may sink in before passes go on: an
+     * impact that many bodies pass on to the ground is not answered by the usual ones.
      */
     private static final double SUNK = 2;
 

@@ -3,8 +3,6 @@ package rigibo.backend.contact.row;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.ImpactMode;
 
-import java.util.Arrays;
-
 /**
  * Times within a substep at which something lands: a corner of a rocking block, a disc that reaches
  * the next plate of a bowl. A contact that is solved for a whole substep stops a body before it has
@@ -66,11 +64,6 @@ public final class Landings {
 
     private boolean[] hasLanded = new boolean[32];
 
-    /** By point: whether it has landed since the step began, if any has. */
-    private boolean[] isLanded = new boolean[32];
-
-    private boolean isAnyLanded;
-
     /** Whether the last part began with a landing, whose impact is in what bodies gained. */
     private boolean beganByLanding;
 
@@ -90,7 +83,6 @@ public final class Landings {
     /** Begins a packed island. */
     public void begin() {
         isLookedFor = isLookedForAtAll && motions.areFew() && contacts.lastJoining <= 0;
-        isAnyLanded = false;
         lastPart = 0;
     }
 
@@ -122,31 +114,37 @@ public final class Landings {
      */
     public void close() {
         lastPart = 0;
-        if (!isAnyLanded) {
-            isAnyLanded = true;
-            Arrays.fill(isLanded, 0, 2 * contacts.count, false);
-        }
         for (int i = 0; i < 2 * contacts.count; i++) {
             if (hasLanded[i]) {
-                isLanded[i] = true;
                 widen(i, -gap(i));
             }
         }
     }
 
     /**
-     * Closes the gaps at which points have landed for as long as they carry. What the kick before
-     * left out as an impact carries too: its body must not fall for half a kick.
+     * Closes the gaps at which points have landed for as long as they carry, in a substep of h
+     * seconds. What the kick before left out as an impact carries too: its body must not fall for
+     * half a kick. What turns opens gaps by itself.
      */
-    public void keepClosed() {
-        for (int i = 0; isAnyLanded && i < 2 * contacts.count; i++) {
-            if (isLanded[i] && isPoint(i) && contacts.carries(i / 2, i % 2)) {
+    public void keepClosed(double h) {
+        for (int i = 0; isLookedFor && i < 2 * contacts.count; i++) {
+            if (isPoint(i) && contacts.carries(i / 2, i % 2)) {
                 double gap = gap(i);
-                if (gap > 0 && gap <= near(i)) {
+                if (gap > 0 && gap <= near(i) && turned(i, h) <= near(i)) {
                     widen(i, -gap);
                 }
             }
         }
+    }
+
+    /** How far in m the outlines of a contact leave their lines in h seconds, by turning. */
+    private double turned(int i, double h) {
+        return sagitta(contacts.bodyA[i / 2], h) + sagitta(contacts.bodyB[i / 2], h);
+    }
+
+    private double sagitta(int at, double h) {
+        double turn = motions.data[at + Motions.SPIN] * h;
+        return turn * turn / 2 * motions.reach[at / Motions.STRIDE];
     }
 
     private void widen(int i, double by) {
@@ -187,7 +185,6 @@ public final class Landings {
         if (isOpen.length < 2 * contacts.count) {
             isOpen = new boolean[2 * contacts.pair.length];
             hasLanded = new boolean[2 * contacts.pair.length];
-            isLanded = Arrays.copyOf(isLanded, 2 * contacts.pair.length);
         }
         for (int i = 0; i < 2 * contacts.count; i++) {
             isOpen[i] = isPoint(i) && gap(i) > near(i);

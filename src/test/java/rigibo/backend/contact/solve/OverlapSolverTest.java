@@ -84,7 +84,7 @@ class OverlapSolverTest {
     private double parted(boolean isCalm, double pullX, double pullY) {
         bodies.accelerationX[0] = pullX;
         bodies.accelerationY[0] = pullY;
-        island.begin(2);
+        island.begin(CROWD);
         island.body(1, 1, 0);
         island.body(2, 1, 0);
         overlap(island.contact(1, 2, 0.5, 0.5), 0.01);
