@@ -70,9 +70,9 @@ final class FlatPlateBowl implements HardCase {
     public String finding() {
         return slider == Slider.DISC
                 ? ""
-                : "Plates that end where they meet take 1 % more of a box than two corners lose, at"
-                        + " any number of substeps: a corner comes to the kink where the manifold"
-                        + " changes.";
+                : "A box that turns between the landings of its two corners falls for a moment onto"
+                        + " the one that has landed: plates laid like tiles take up to a tenth more"
+                        + " of it than their kinks do.";
     }
 
     @Override
