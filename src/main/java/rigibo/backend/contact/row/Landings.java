@@ -124,10 +124,11 @@ public final class Landings {
     /**
      * Closes the gaps at which points have landed for as long as they carry, in a substep of h
      * seconds. What the kick before left out as an impact carries too: its body must not fall for
-     * half a kick. What turns opens gaps by itself.
+     * half a kick. What turns opens gaps by itself, and what a driven body squeezes does not fall.
      */
     public void keepClosed(double h) {
-        for (int i = 0; isLookedFor && i < 2 * contacts.count; i++) {
+        boolean mayFall = isLookedFor && !motions.isAnyDriven;
+        for (int i = 0; mayFall && i < 2 * contacts.count; i++) {
             if (isPoint(i) && contacts.carries(i / 2, i % 2)) {
                 double gap = gap(i);
                 if (gap > 0 && gap <= near(i) && turned(i, h) <= near(i)) {
