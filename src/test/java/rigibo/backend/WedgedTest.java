@@ -24,8 +24,8 @@ class WedgedTest {
     /** Of an instant without end, and one more for what is left. */
     private static final int ENDLESS = 65;
 
-    /** As often in a step as a substep has parts: what comes at its time. */
-    private static final int TIMED = 96;
+    /** Of what comes at its time: each of the four substeps at GAME ends 48 parts at most. */
+    private static final int TIMED = 4 * 48;
 
     @ParameterizedTest(name = "{0} rad/s, elasticity {1}")
     @CsvSource({
