@@ -24,8 +24,8 @@ class WedgedTest {
     /** Of an instant without end, and one more for what is left. */
     private static final int ENDLESS = 65;
 
-    /** Of what comes at its time: each of the four substeps at GAME ends 48 parts at most. */
-    private static final int TIMED = 4 * 48;
+    /** What comes at its time, at both ends: each of GAME's four substeps ends 48 parts at most. */
+    private static final int TIMED = 2 * 4 * 48;
 
     @ParameterizedTest(name = "{0} rad/s, elasticity {1}")
     @CsvSource({
