@@ -71,8 +71,8 @@ final class FlatPlateBowl implements HardCase {
         return slider == Slider.DISC
                 ? ""
                 : "A box that turns between the landings of its two corners falls for a moment onto"
-                        + " the one that has landed: plates laid like tiles take up to a tenth more"
-                        + " of it than their kinks do.";
+                        + " the one that has landed: at GAME it loses up to a tenth more than the"
+                        + " kinks take.";
     }
 
     @Override
