@@ -74,6 +74,8 @@ record OwnClasses(List<Class<? extends Effect>> owners, List<String> classes) {
                             "collision.NormalSource",
                             "collision.PolygonCircle",
                             "collision.PolygonPolygon",
+                            "collision.SeamCover",
+                            "collision.SeamPoint",
                             "collision.Seams",
                             "flight.FreeFlight",
                             "flight.Trajectories",

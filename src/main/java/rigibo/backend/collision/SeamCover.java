@@ -1,0 +1,210 @@
+package rigibo.backend.collision;
+
+import rigibo.backend.geometry.Outline;
+import rigibo.backend.storage.Bodies;
+import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.Pairs;
+
+/**
+ * Whether a point of a fixed body is covered by its neighbours, the other fixed bodies that the
+ * mover may meet.
+ *
+ * <p>A point on a face is covered where the space before the face is the neighbour's, at the point
+ * and on all sides on which the mover reaches farther: where only a strip of it is, a body stands
+ * in the corner of a floor and a wall, a little inside both. Where the mover does not come to, the
+ * neighbour may leave the face, as below the kink between two plates that rise. A point on a corner
+ * is covered where it lies on a neighbour that reaches farther along the normal: then the neighbour
+ * is the nearer one, and the contact with it says all.
+ */
+final class SeamCover {
+
+    /** How far about a point a face is looked at, per metre of what slides over it. */
+    private static final double ABOUT = 0.1;
+
+    private final Bodies bodies;
+    private final Pairs pairs;
+    private final SeamPoint at;
+
+    /** Gap in m up to which a neighbour counts. */
+    double near;
+
+    SeamCover(DataStorage data, SeamPoint at) {
+        bodies = data.bodies;
+        pairs = data.pairs;
+        this.at = at;
+    }
+
+    /** Whether the point lies in the seam with a neighbour. */
+    boolean isCovered(int pair) {
+        if (first(pair) == Pairs.NONE) {
+            return false;
+        }
+        return at.findFace() && at.comesToFace() ? isFaceCovered(pair) : isCornerCovered(pair);
+    }
+
+    /**
+     * Whether a neighbour covers the face as far as the mover may come to it on both sides of the
+     * point, and at least next to the point.
+     */
+    boolean isFaceCovered(int pair) {
+        double least = 2 * SeamPoint.CLOSED * at.width;
+        double roomAhead = Math.min(at.ahead, Math.max(least, at.moverReaches(1)));
+        double roomBehind = Math.min(at.behind, Math.max(least, at.moverReaches(-1)));
+        for (int p = first(pair); p != Pairs.NONE; p = next(pair, p)) {
+            if (coversFace(p, 1, roomAhead, roomBehind)
+                    && coversFace(p, -1, roomBehind, roomAhead)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private boolean isCornerCovered(int pair) {
+        for (int p = first(pair); p != Pairs.NONE; p = next(pair, p)) {
+            if (coversCorner(p)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** The first pair of the mover with a neighbour. */
+    private int first(int pair) {
+        return neighbour(pair, bodies.firstPair[at.mover]);
+    }
+
+    private int next(int pair, int last) {
+        return neighbour(pair, pairs.nextOf(last, at.mover));
+    }
+
+    private int neighbour(int pair, int from) {
+        int p = from;
+        while (p != Pairs.NONE && !mayCover(pair, p)) {
+            p = pairs.nextOf(p, at.mover);
+        }
+        return p;
+    }
+
+    private boolean mayCover(int pair, int other) {
+        return other != pair
+                && !bodies.isDynamic(pairs.other(other, at.mover))
+                && pairs.gap(other) <= near
+                && !areOneChain(pair, other);
+    }
+
+    /** Edges of one chain know each other. */
+    private boolean areOneChain(int pair, int other) {
+        return bodies.outline[at.fixedShape].isEdge() && pairs.other(other, at.mover) == at.fixed;
+    }
+
+    /**
+     * Whether the face, which is inside neighbours at the point, comes out of them where the mover
+     * may get at it: boxes that are laid like tiles make a floor too.
+     */
+    boolean emerges(int pair) {
+        return emerges(pair, 1, at.ahead) || emerges(pair, -1, at.behind);
+    }
+
+    /** Whether it does to one side of the point, where it goes on for so many metres. */
+    private boolean emerges(int pair, int side, double room) {
+        double gone = 0;
+        for (int p = first(pair); p != Pairs.NONE; p = next(pair, p)) {
+            gone = comesOut(p, side, gone, room);
+        }
+        return gone > 0
+                && room - gone > SeamPoint.CLOSED * at.width
+                && isVisible(pair, side * gone);
+    }
+
+    /**
+     * How far along the face from the point the neighbour ends that covers it so far along, m: by
+     * bisection, for what a line has in common with a convex shape is one piece.
+     */
+    private double comesOut(int p, int side, double gone, double room) {
+        if (!(depthAlong(p, side * gone) > SeamPoint.FLUSH * at.width)) {
+            return gone;
+        }
+        if (depthAlong(p, side * room) > 0) {
+            return room;
+        }
+        double inside = gone;
+        double outside = room;
+        while (outside - inside > SeamPoint.FLUSH * at.width) {
+            double middle = (inside + outside) / 2;
+            if (depthAlong(p, side * middle) > 0) {
+                inside = middle;
+            } else {
+                outside = middle;
+            }
+        }
+        return outside;
+    }
+
+    private double depthAlong(int p, double along) {
+        return depth(p, at.x - along * at.outY, at.y + along * at.outX);
+    }
+
+    /** Whether no neighbour lies between the mover and a point so far along the face, m. */
+    private boolean isVisible(int pair, double along) {
+        double px = at.x - along * at.outY;
+        double py = at.y + along * at.outX;
+        double toX = at.moverPose.x - px;
+        double toY = at.moverPose.y - py;
+        double step = SeamPoint.CLOSED * at.width / Math.sqrt(toX * toX + toY * toY);
+        for (int p = first(pair); p != Pairs.NONE; p = next(pair, p)) {
+            if (depth(p, px + step * toX, py + step * toY) > 0) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /** Whether the space before the face is covered to one side, of so much room in m to both. */
+    private boolean coversFace(int p, int side, double room, double other) {
+        if (room < SeamPoint.CLOSED * at.width && room < other) {
+            return true;
+        }
+        double along = side * Math.min(ABOUT * at.width, room / 2);
+        double before = SeamPoint.CLOSED * at.width;
+        return depth(
+                        p,
+                        at.x + before * at.outX - along * at.outY,
+                        at.y + before * at.outY + along * at.outX)
+                > 0;
+    }
+
+    private boolean coversCorner(int p) {
+        double flush = -SeamPoint.FLUSH * at.width;
+        double before = SeamPoint.CLOSED * at.width;
+        return depth(p, at.x + before * at.outX, at.y + before * at.outY) >= flush
+                || depth(p, at.x, at.y) >= flush && reach(p) > SeamPoint.ROUND_OFF * at.width;
+    }
+
+    /** How deep a world point lies in the neighbour of a pair, m; negative outside. */
+    private double depth(int p, double px, double py) {
+        int slot = pairs.other(p, at.mover);
+        double dx = px - bodies.x[slot];
+        double dy = py - bodies.y[slot];
+        Outline outline = bodies.outline[pairs.shapeOf(p, slot)];
+        if (outline.isCentredDisc()) {
+            return outline.radius() - Math.sqrt(dx * dx + dy * dy);
+        }
+        return outline.depth(
+                bodies.cos[slot] * dx + bodies.sin[slot] * dy,
+                bodies.cos[slot] * dy - bodies.sin[slot] * dx);
+    }
+
+    /** How much farther than the point the neighbour reaches along the normal, m. */
+    private double reach(int p) {
+        int slot = pairs.other(p, at.mover);
+        double centre = at.outX * (bodies.x[slot] - at.x) + at.outY * (bodies.y[slot] - at.y);
+        Outline outline = bodies.outline[pairs.shapeOf(p, slot)];
+        double localX = bodies.cos[slot] * at.outX + bodies.sin[slot] * at.outY;
+        double localY = bodies.cos[slot] * at.outY - bodies.sin[slot] * at.outX;
+        double most = Double.NEGATIVE_INFINITY;
+        for (int i = 0; i < outline.corners(); i++) {
+            most = Math.max(most, localX * outline.cornerX(i) + localY * outline.cornerY(i));
+        }
+        return centre + (most + outline.radius());
+    }
+}
