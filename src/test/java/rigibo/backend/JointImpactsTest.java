@@ -7,13 +7,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-import rigibo.backend.effect.Contacts;
-import rigibo.backend.effect.ContinuousImpacts;
-import rigibo.backend.effect.Effects;
-import rigibo.backend.effect.Gravity;
-import rigibo.backend.effect.Joints;
-import rigibo.backend.effect.Restitution;
-import rigibo.backend.effect.Rotation;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.Accuracy;
@@ -26,25 +19,6 @@ import java.util.List;
 /** Impacts on joined bodies, at limits and at the ends of ropes, against the law of impact. */
 class JointImpactsTest {
 
-    private static final double G = 9.81;
-    private static final double DT = 1.0 / 60;
-    private static final Effects SPACE =
-            Effects.of(
-                    new Contacts(),
-                    new ContinuousImpacts(),
-                    new Rotation(),
-                    new Restitution(),
-                    new Joints());
-    private static final Effects EARTH = SPACE.with(new Gravity(0, -G));
-
-    private static Accuracy accuracy(String preset) {
-        return preset.equals("EXACT") ? Accuracy.EXACT : Accuracy.GAME;
-    }
-
-    private static RigidBody hook(Pool pool, double x, double y) {
-        return pool.add(BodyDefinition.fixed(Polygon.box(0.1, 0.1)).at(x, y).group(1));
-    }
-
     private static Material elastic(double elasticity) {
         return new Material(1000, 0, elasticity);
     }
@@ -56,7 +30,7 @@ class JointImpactsTest {
     @ParameterizedTest
     @CsvSource({"GAME, 1e-2", "EXACT, 1e-6"})
     void cradleOnRodsHandsItsSwingOn(String preset, double limit) {
-        Pool pool = new Pool(EARTH, accuracy(preset));
+        Pool pool = new Pool(JointScenes.EARTH, JointScenes.accuracy(preset));
         List<RigidBody> discs = new ArrayList<>();
         double amplitude = 0.5;
         for (int i = 0; i < 5; i++) {
@@ -65,20 +39,20 @@ class JointImpactsTest {
             double y = -Math.cos(angle);
             BodyDefinition disc = BodyDefinition.dynamic(new Circle(0.1)).at(x, y);
             discs.add(pool.add(disc.material(elastic(1))));
-            RigidBody hook = hook(pool, 0.2 * i, 0);
+            RigidBody hook = JointScenes.hook(pool, 0.2 * i, 0);
             pool.join(DistanceJoint.rod(hook, 0.2 * i, 0, discs.get(i), x, y));
         }
         double height = 1 - Math.cos(amplitude);
-        double fastest = Math.sqrt(2 * G * height);
+        double fastest = Math.sqrt(2 * JointScenes.G * height);
         int swings = 0;
         while (swings < 20) {
             RigidBody far = discs.get(swings % 2 == 0 ? 4 : 0);
             double before = far.velocityX();
-            pool.step(DT);
+            pool.step(Scenes.DT);
             assertThat(pool.time()).as("time of swing %d", swings).isLessThan(1.2 * (swings + 1));
             discs.subList(1, 4)
                     .forEach(d -> assertThat(speed(d) / fastest).as("others").isLessThan(limit));
-            double rise = far.y() + 1 + speed(far) * speed(far) / (2 * G);
+            double rise = far.y() + 1 + speed(far) * speed(far) / (2 * JointScenes.G);
             if (rise > height / 2 && before * far.velocityX() <= 0 && before != 0) {
                 assertThat(rise / height).as("swing %d", swings).isCloseTo(1, within(limit));
                 swings++;
@@ -101,21 +75,21 @@ class JointImpactsTest {
         "EXACT, 0, 1e-9", "EXACT, 0.5, 1e-9", "EXACT, 1, 1e-9"
     })
     void limitReboundsByItsElasticity(String preset, double elasticity, double limit) {
-        Pool pool = new Pool(EARTH, accuracy(preset));
+        Pool pool = new Pool(JointScenes.EARTH, JointScenes.accuracy(preset));
         double lowest = -0.5;
         RigidBody bar = pool.add(BodyDefinition.dynamic(Polygon.box(1, 0.1)).at(0.5, 0).mass(2));
-        JointDefinition definition = RevoluteJoint.at(hook(pool, 0, 0), bar, 0, 0);
+        JointDefinition definition = RevoluteJoint.at(JointScenes.hook(pool, 0, 0), bar, 0, 0);
         Joint hinge = pool.join(definition.limits(lowest, 1, elasticity));
         double fallen = 0.5 * Math.sin(-lowest);
         int rebounds = 0;
         for (int i = 0; i < 120 && rebounds < 2; i++) {
             double before = bar.angularVelocity();
-            pool.step(DT);
+            pool.step(Scenes.DT);
             assertThat(hinge.angle()).isGreaterThan(lowest - limit);
             if (before > 0 && bar.angularVelocity() <= 0) {
                 rebounds++;
                 double energy = pool.kineticEnergy() + pool.potentialEnergy();
-                double kept = (energy / (2 * G) + fallen) / fallen;
+                double kept = (energy / (2 * JointScenes.G) + fallen) / fallen;
                 double truth = Math.pow(elasticity, 2 * rebounds);
                 assertThat(kept).as("rebound %d", rebounds).isCloseTo(truth, within(limit));
             }
@@ -123,7 +97,7 @@ class JointImpactsTest {
         assertThat(rebounds).isEqualTo(elasticity > 0 ? 2 : 0);
         if (elasticity == 0) {
             assertThat(hinge.angle()).isCloseTo(lowest, within(limit));
-            double torque = 2 * G * 0.5 * Math.cos(lowest);
+            double torque = 2 * JointScenes.G * 0.5 * Math.cos(lowest);
             assertThat(hinge.reactionTorque()).isCloseTo(torque, within(1e-6));
         }
     }
@@ -136,7 +110,7 @@ class JointImpactsTest {
     @ParameterizedTest
     @CsvSource({"GAME, 1e-6", "EXACT, 1e-9"})
     void ropeThatTautensIsAnImpact(String preset, double limit) {
-        Pool pool = new Pool(SPACE, accuracy(preset));
+        Pool pool = new Pool(JointScenes.SPACE, JointScenes.accuracy(preset));
         RigidBody a = pool.add(BodyDefinition.dynamic(new Circle(0.1)).mass(2));
         BodyDefinition disc = BodyDefinition.dynamic(new Circle(0.1)).at(0.5, 0.3).mass(3);
         RigidBody b = pool.add(disc.velocity(3, 1));
@@ -162,21 +136,22 @@ class JointImpactsTest {
     @ParameterizedTest
     @CsvSource({"GAME, 1e-2", "EXACT, 1e-6"})
     void ropeCarriesATurn(String preset, double limit) {
-        Pool pool = new Pool(EARTH, accuracy(preset));
-        double v = 1.1 * Math.sqrt(5 * G);
+        Pool pool = new Pool(JointScenes.EARTH, JointScenes.accuracy(preset));
+        double v = 1.1 * Math.sqrt(5 * JointScenes.G);
         BodyDefinition disc = BodyDefinition.dynamic(new Circle(0.1)).at(0, -1).mass(2);
         RigidBody bob = pool.add(disc.velocity(v, 0));
-        Joint rope = pool.join(DistanceJoint.rope(hook(pool, 0, 0), 0, 0, bob, 0, -1, 1));
+        Joint rope =
+                pool.join(DistanceJoint.rope(JointScenes.hook(pool, 0, 0), 0, 0, bob, 0, -1, 1));
         for (int i = 0; i < 120; i++) {
             double gainedX = bob.velocityX();
             double gainedY = bob.velocityY();
-            pool.step(DT);
+            pool.step(Scenes.DT);
             double angle = Math.atan2(bob.x(), -bob.y());
-            double truth = Math.sqrt(v * v - 2 * G * (1 - Math.cos(angle)));
+            double truth = Math.sqrt(v * v - 2 * JointScenes.G * (1 - Math.cos(angle)));
             assertThat(speed(bob) / truth).isCloseTo(1, within(limit));
             // The mean of a force over a step is what it gave: 2·(Δv/dt + g).
-            gainedX = 2 * (bob.velocityX() - gainedX) / DT;
-            gainedY = 2 * ((bob.velocityY() - gainedY) / DT + G);
+            gainedX = 2 * (bob.velocityX() - gainedX) / Scenes.DT;
+            gainedY = 2 * ((bob.velocityY() - gainedY) / Scenes.DT + JointScenes.G);
             assertThat(rope.reactionForceX()).isCloseTo(gainedX, within(1e-9 * v * v));
             assertThat(rope.reactionForceY()).isCloseTo(gainedY, within(1e-9 * v * v));
         }
@@ -190,7 +165,7 @@ class JointImpactsTest {
     @ParameterizedTest(name = "e = {1} at {0}")
     @CsvSource({"GAME, 1, 1e-3", "EXACT, 1, 1e-9", "EXACT, 0.3, 1e-9"})
     void blowGoesThroughAFreeAssemblyAtOnce(String preset, double elasticity, double limit) {
-        Pool pool = new Pool(SPACE, accuracy(preset));
+        Pool pool = new Pool(JointScenes.SPACE, JointScenes.accuracy(preset));
         BodyDefinition bar = BodyDefinition.dynamic(Polygon.box(0.1, 1)).group(1);
         RigidBody upper = pool.add(bar.at(0, 0.5).mass(2));
         RigidBody lower = pool.add(bar.at(0, -0.5).mass(3).material(elastic(0)));
@@ -200,7 +175,7 @@ class JointImpactsTest {
         double angular = pool.angularMomentum();
         double energy = pool.kineticEnergy();
         while (ball.velocityX() == 7) {
-            pool.step(DT);
+            pool.step(Scenes.DT);
             assertThat(pool.time()).isLessThan(0.2);
         }
         // At the hinge, x up: an impulse J along +x at 0.2 below the centre moves the lower end by
@@ -224,14 +199,14 @@ class JointImpactsTest {
     @ParameterizedTest(name = "e = {1} at {0}")
     @CsvSource({"GAME, 1, 1e-3", "EXACT, 1, 1e-9", "EXACT, 0.6, 1e-9"})
     void blowTurnsAHungBarAboutItsHinge(String preset, double elasticity, double limit) {
-        Pool pool = new Pool(SPACE, accuracy(preset));
+        Pool pool = new Pool(JointScenes.SPACE, JointScenes.accuracy(preset));
         BodyDefinition box = BodyDefinition.dynamic(Polygon.box(0.2, 1)).at(0, -0.5).mass(4);
         RigidBody bar = pool.add(box.material(elastic(elasticity)));
-        pool.join(RevoluteJoint.at(hook(pool, 0, 0), bar, 0, 0));
+        pool.join(RevoluteJoint.at(JointScenes.hook(pool, 0, 0), bar, 0, 0));
         BodyDefinition disc = BodyDefinition.dynamic(new Circle(0.1)).at(-1, -0.7).mass(1);
         RigidBody ball = pool.add(disc.velocity(7, 0).material(elastic(0)));
         while (ball.velocityX() == 7) {
-            pool.step(DT);
+            pool.step(Scenes.DT);
             assertThat(pool.time()).isLessThan(0.2);
         }
         double inertia = bar.inertia() + 4 * 0.25;
@@ -246,25 +221,27 @@ class JointImpactsTest {
      */
     @Test
     void whatIsPushedAgainstItsLimitRebounds() {
-        Pool pool = new Pool(SPACE, Accuracy.GAME);
+        Pool pool = new Pool(JointScenes.SPACE, Accuracy.GAME);
         RigidBody body = pool.add(BodyDefinition.dynamic(new Circle(0.1)).at(1, 0).mass(3));
-        pool.join(PrismaticJoint.along(hook(pool, 0, 0), body, 1, 0, 0).limits(0, 1, 0.25));
+        pool.join(
+                PrismaticJoint.along(JointScenes.hook(pool, 0, 0), body, 1, 0, 0)
+                        .limits(0, 1, 0.25));
         body.velocity(-2, 0);
-        pool.step(DT);
+        pool.step(Scenes.DT);
         assertThat(body.velocityX()).isCloseTo(0.5, within(1e-12));
-        assertThat(body.x()).isCloseTo(1 + 0.5 * DT, within(1e-12));
+        assertThat(body.x()).isCloseTo(1 + 0.5 * Scenes.DT, within(1e-12));
     }
 
     /** What rattles between two ends without loss keeps its speed, however short the way is. */
     @Test
     void rattlesBetweenLimitsWithoutGain() {
-        Pool pool = new Pool(SPACE, Accuracy.GAME);
+        Pool pool = new Pool(JointScenes.SPACE, Accuracy.GAME);
         RigidBody body = pool.add(BodyDefinition.dynamic(new Circle(0.1)).at(1, 0).mass(3));
-        JointDefinition slide = PrismaticJoint.along(hook(pool, 0, 0), body, 1, 0, 0);
+        JointDefinition slide = PrismaticJoint.along(JointScenes.hook(pool, 0, 0), body, 1, 0, 0);
         Joint joint = pool.join(slide.limits(-0.01, 0.01, 1));
         body.velocity(5, 0);
         for (int i = 0; i < 60; i++) {
-            pool.step(DT);
+            pool.step(Scenes.DT);
             assertThat(Math.abs(body.velocityX())).isCloseTo(5, within(1e-9));
             assertThat(Math.abs(joint.translation())).isLessThan(0.01 + 1e-5);
         }
@@ -273,20 +250,21 @@ class JointImpactsTest {
     /** A hit of a joined body is told once, with the speed at which the two came together. */
     @Test
     void hitsOfJoinedBodiesAreTold() {
-        Pool pool = new Pool(EARTH, Accuracy.GAME);
+        Pool pool = new Pool(JointScenes.EARTH, Accuracy.GAME);
         RigidBody wall = pool.add(BodyDefinition.fixed(Polygon.box(0.2, 1)).at(-0.2, -1));
         BodyDefinition disc = BodyDefinition.dynamic(new Circle(0.1)).at(1, 0).mass(1);
         RigidBody bob = pool.add(disc.material(elastic(0.5)));
-        pool.join(RevoluteJoint.at(hook(pool, 0, 0), bob, 0, 0));
+        pool.join(RevoluteJoint.at(JointScenes.hook(pool, 0, 0), bob, 0, 0));
         List<HitEvent> hits = new ArrayList<>();
         for (int i = 0; i < 60 && hits.isEmpty(); i++) {
-            pool.step(DT);
+            pool.step(Scenes.DT);
             hits.addAll(pool.hits());
         }
         assertThat(hits).hasSize(1);
         assertThat(List.of(hits.get(0).a(), hits.get(0).b())).containsExactlyInAnyOrder(wall, bob);
         // ½·(m + I/r²)·v² = m·g·r: it hangs straight down where it strikes.
         double effective = 1 + bob.inertia();
-        assertThat(hits.get(0).speed()).isCloseTo(Math.sqrt(2 * G / effective), within(1e-3));
+        assertThat(hits.get(0).speed())
+                .isCloseTo(Math.sqrt(2 * JointScenes.G / effective), within(1e-3));
     }
 }

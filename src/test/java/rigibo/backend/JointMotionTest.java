@@ -7,14 +7,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-import rigibo.backend.effect.Contacts;
-import rigibo.backend.effect.ContinuousImpacts;
-import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Friction;
-import rigibo.backend.effect.Gravity;
-import rigibo.backend.effect.Joints;
-import rigibo.backend.effect.Restitution;
-import rigibo.backend.effect.Rotation;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.Accuracy;
@@ -26,31 +19,12 @@ import java.util.List;
 /** Motion and rest of joined bodies against their laws. */
 class JointMotionTest {
 
-    private static final double G = 9.81;
-    private static final double DT = 1.0 / 60;
-    private static final Effects SPACE =
-            Effects.of(
-                    new Contacts(),
-                    new ContinuousImpacts(),
-                    new Rotation(),
-                    new Restitution(),
-                    new Joints());
-    private static final Effects EARTH = SPACE.with(new Gravity(0, -G));
-
-    private static Accuracy accuracy(String preset) {
-        return preset.equals("EXACT") ? Accuracy.EXACT : Accuracy.GAME;
-    }
-
-    private static RigidBody hook(Pool pool, double x, double y) {
-        return pool.add(BodyDefinition.fixed(Polygon.box(0.1, 0.1)).at(x, y).group(1));
-    }
-
     /** J3: energy of a double pendulum, and the order of its error in the step, within 2 s. */
     @Test
     void doublePendulumConvergesByOrderTwoAtLeast() {
         double[] x = new double[3];
         for (int i = 0; i < 3; i++) {
-            Pool pool = new Pool(EARTH, Accuracy.EXACT.withSubsteps(4 << i));
+            Pool pool = new Pool(JointScenes.EARTH, Accuracy.EXACT.withSubsteps(4 << i));
             RigidBody tip = doublePendulum(pool, 0.5);
             Scenes.run(pool, 120);
             x[i] = tip.x();
@@ -63,13 +37,13 @@ class JointMotionTest {
     @ParameterizedTest
     @CsvSource({"GAME, 1e-3", "EXACT, 1e-6"})
     void doublePendulumKeepsItsEnergy(String preset, double limit) {
-        Pool pool = new Pool(EARTH, accuracy(preset));
+        Pool pool = new Pool(JointScenes.EARTH, JointScenes.accuracy(preset));
         doublePendulum(pool, 2);
         double start = pool.kineticEnergy() + pool.potentialEnergy();
         for (int i = 0; i < 600; i++) {
-            pool.step(DT);
+            pool.step(Scenes.DT);
             double now = pool.kineticEnergy() + pool.potentialEnergy();
-            assertThat(Math.abs(now - start) / (3 * G)).isLessThan(limit);
+            assertThat(Math.abs(now - start) / (3 * JointScenes.G)).isLessThan(limit);
         }
     }
 
@@ -79,7 +53,7 @@ class JointMotionTest {
         BodyDefinition bar = BodyDefinition.dynamic(Polygon.box(0.1, 1)).angle(angle).group(1);
         RigidBody upper = pool.add(bar.at(0.5 * x, 0.5 * y).mass(2));
         RigidBody lower = pool.add(bar.at(1.5 * x, 1.5 * y).mass(1));
-        pool.join(RevoluteJoint.at(hook(pool, 0, 0), upper, 0, 0));
+        pool.join(RevoluteJoint.at(JointScenes.hook(pool, 0, 0), upper, 0, 0));
         pool.join(RevoluteJoint.at(upper, lower, x, y));
         return lower;
     }
@@ -90,27 +64,27 @@ class JointMotionTest {
      */
     @Test
     void rodHoldsACentreWithoutDrift() {
-        Pool pool = new Pool(EARTH, Accuracy.GAME);
+        Pool pool = new Pool(JointScenes.EARTH, Accuracy.GAME);
         double angle = Math.toRadians(175);
         double x = Math.sin(angle);
         double y = -Math.cos(angle);
         RigidBody bob = pool.add(BodyDefinition.dynamic(new Circle(0.27)).at(x, y).group(1));
-        Joint rod = pool.join(DistanceJoint.rod(hook(pool, 0, 0), 0, 0, bob, x, y));
+        Joint rod = pool.join(DistanceJoint.rod(JointScenes.hook(pool, 0, 0), 0, 0, bob, x, y));
         double start = pool.kineticEnergy() + pool.potentialEnergy();
         for (int i = 0; i < 600; i++) {
-            pool.step(DT);
+            pool.step(Scenes.DT);
             double energy = pool.kineticEnergy() + pool.potentialEnergy();
-            assertThat(Math.abs(energy - start) / (bob.mass() * G)).isLessThan(1e-3);
+            assertThat(Math.abs(energy - start) / (bob.mass() * JointScenes.G)).isLessThan(1e-3);
             assertThat(rod.error()).isLessThan(1e-7);
         }
     }
 
-    /** The same swing on a hook and on a wide floor, whose centre is 1,000 m away. */
+    /** A pendulum swings alike on a hook and on a wide floor, whose centre is 1,000 m away. */
     @Test
     void whereAFixedBodyHasItsCentreDoesNotMatter() {
         double[] angles = new double[2];
         for (int i = 0; i < 2; i++) {
-            Pool pool = new Pool(EARTH, Accuracy.GAME);
+            Pool pool = new Pool(JointScenes.EARTH, Accuracy.GAME);
             BodyDefinition fixed = BodyDefinition.fixed(Polygon.box(0.1, 0.1)).at(1000 * i, 0);
             RigidBody bar = pool.add(BodyDefinition.dynamic(Polygon.box(1, 0.1)).at(0.5, 0));
             Joint hinge = pool.join(RevoluteJoint.at(pool.add(fixed), bar, 0, 0));
@@ -123,7 +97,7 @@ class JointMotionTest {
     /** J13: a car at rest on a slope, braked by its rear wheel, by moments about either wheel. */
     @Test
     void carOnSpringsStandsByStatics() {
-        Pool pool = new Pool(EARTH.with(new Friction()), Accuracy.GAME);
+        Pool pool = new Pool(JointScenes.EARTH.with(new Friction()), Accuracy.GAME);
         double slope = 0.2;
         double cos = Math.cos(slope);
         double sin = Math.sin(slope);
@@ -144,12 +118,13 @@ class JointMotionTest {
         Scenes.run(pool, 360);
         double moments = 0;
         for (RigidBody part : List.of(chassis, back, front)) {
-            moments += part.mass() * G * (front.x() + 0.3 * sin - part.x());
+            moments += part.mass() * JointScenes.G * (front.x() + 0.3 * sin - part.x());
         }
         double apart = Math.hypot(front.x() - back.x(), front.y() - back.y());
-        assertThat(impulse(pool, back, ground) / DT / (moments / apart)).isCloseTo(1, within(1e-4));
-        double rest = 102 * G * cos - moments / apart;
-        assertThat(impulse(pool, front, ground) / DT / rest).isCloseTo(1, within(1e-4));
+        assertThat(impulse(pool, back, ground) / Scenes.DT / (moments / apart))
+                .isCloseTo(1, within(1e-4));
+        double rest = 102 * JointScenes.G * cos - moments / apart;
+        assertThat(impulse(pool, front, ground) / Scenes.DT / rest).isCloseTo(1, within(1e-4));
     }
 
     private static double impulse(Pool pool, RigidBody a, RigidBody b) {

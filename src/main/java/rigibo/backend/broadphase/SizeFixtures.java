@@ -25,9 +25,9 @@ final class SizeFixtures {
     private static final double STEPS_AHEAD = 3;
 
     /**
-     * The same for a body that has no neighbours: it seldom meets any, and if it does its fixture
-     * is laid anew. Some look farther ahead than others: bodies that were thrown alike would else
-     * all leave their fixtures in one step.
+     * Steps ahead for a body that has no neighbours, at least: it seldom meets any, and if it does
+     * its fixture is laid anew. Some look farther ahead than others: bodies that were thrown alike
+     * would else all leave their fixtures in one step.
      */
     private static final int LEAST_AHEAD_ALONE = 8;
 

@@ -27,10 +27,7 @@ final class Substeps {
 
     /** Substeps of an island for a step of {@code dt} seconds, of the usual number at most. */
     int of(int island, double dt, int usual) {
-        int contacts = islands.pairStart[island + 1] - islands.pairStart[island];
-        int bodyCount = islands.bodyStart[island + 1] - islands.bodyStart[island];
-        boolean isCrowd = PackedContacts.areCrowd(contacts, bodyCount);
-        return isCrowd ? byWay(island, dt, usual) : usual;
+        return PackedContacts.areCrowd(islands, island) ? byWay(island, dt, usual) : usual;
     }
 
     /**

@@ -9,7 +9,6 @@ import rigibo.backend.setup.Material;
 import rigibo.fuzz.chance.Chance;
 
 import java.util.List;
-import java.util.function.Consumer;
 
 /** Draws what a game does to its bodies beside pushing them: drives, rests, locks, filters. */
 record EverydayVerbs(Chance chance, Temper temper, Bodies bodies) {
@@ -20,21 +19,14 @@ record EverydayVerbs(Chance chance, Temper temper, Bodies bodies) {
     Operation ofBody(int number) {
         return switch (chance.whole(0, 9)) {
             case 0, 1 -> driveTo(number);
-            case 2 -> verb(number, "sleep()", RigidBody::sleep);
-            case 3 -> verb(number, "disable()", RigidBody::disable);
-            case 4, 5 -> verb(number, "enable()", RigidBody::enable);
+            case 2 -> Operation.verb(number, "sleep()", RigidBody::sleep);
+            case 3 -> Operation.verb(number, "disable()", RigidBody::disable);
+            case 4, 5 -> Operation.verb(number, "enable()", RigidBody::enable);
             case 6 -> lock(number);
             case 7 -> filter(number);
             case 8 -> surface(number);
             default -> tag(number);
         };
-    }
-
-    private static Operation verb(int number, String call, Consumer<RigidBody> verb) {
-        return Operation.tried(
-                "body[" + number + "]." + call + ";",
-                List.of(number),
-                stage -> verb.accept(stage.body(number)));
     }
 
     /** Refused unless the body is kinematic, and not kept from going there. */
@@ -43,7 +35,7 @@ record EverydayVerbs(Chance chance, Temper temper, Bodies bodies) {
         double y = temper.placeY(chance);
         double angle = temper.angle(chance);
         double seconds = chance.ofAnySize(0.01, 10);
-        return verb(
+        return Operation.verb(
                 number,
                 call("driveTo", x, y, angle, seconds),
                 body -> body.driveTo(x, y, angle, seconds));
@@ -52,10 +44,10 @@ record EverydayVerbs(Chance chance, Temper temper, Bodies bodies) {
     private Operation lock(int number) {
         boolean isLocked = chance.happens(0.6);
         return switch (chance.whole(0, 2)) {
-            case 0 -> verb(number, "xLocked(" + isLocked + ")", b -> b.xLocked(isLocked));
-            case 1 -> verb(number, "yLocked(" + isLocked + ")", b -> b.yLocked(isLocked));
+            case 0 -> Operation.verb(number, "xLocked(" + isLocked + ")", b -> b.xLocked(isLocked));
+            case 1 -> Operation.verb(number, "yLocked(" + isLocked + ")", b -> b.yLocked(isLocked));
             default ->
-                    verb(
+                    Operation.verb(
                             number,
                             "rotationLocked(" + isLocked + ")",
                             b -> b.rotationLocked(isLocked));
@@ -66,8 +58,9 @@ record EverydayVerbs(Chance chance, Temper temper, Bodies bodies) {
         Stated<Filter> filter = bodies.filter();
         int part = chance.whole(0, MOST_PARTS);
         return chance.happens(0.5)
-                ? verb(number, "filter(" + filter.java() + ")", b -> b.filter(filter.value()))
-                : verb(
+                ? Operation.verb(
+                        number, "filter(" + filter.java() + ")", b -> b.filter(filter.value()))
+                : Operation.verb(
                         number,
                         "filter(" + part + ", " + filter.java() + ")",
                         b -> b.filter(part, filter.value()));
@@ -76,7 +69,7 @@ record EverydayVerbs(Chance chance, Temper temper, Bodies bodies) {
     private Operation surface(int number) {
         Stated<Material> material = bodies.material();
         int part = chance.whole(0, MOST_PARTS);
-        return verb(
+        return Operation.verb(
                 number,
                 "material(" + part + ", " + material.java() + ")",
                 b -> b.material(part, material.value()));

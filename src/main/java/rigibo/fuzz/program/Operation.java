@@ -1,5 +1,7 @@
 package rigibo.fuzz.program;
 
+import rigibo.backend.RigidBody;
+
 import java.util.List;
 import java.util.function.Consumer;
 
@@ -35,6 +37,14 @@ public record Operation(
 
     static Operation tried(String java, List<Integer> bodies, Consumer<Stage> act) {
         return new Operation(java, Kind.TRIED, "", bodies, act);
+    }
+
+    /** A verb of one body, as it is written and as it is done. */
+    static Operation verb(int number, String call, Consumer<RigidBody> verb) {
+        return tried(
+                "body[" + number + "]." + call + ";",
+                List.of(number),
+                stage -> verb.accept(stage.body(number)));
     }
 
     /** Has to be refused, naming the field. */

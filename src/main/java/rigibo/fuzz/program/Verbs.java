@@ -13,7 +13,6 @@ import rigibo.backend.setup.Material;
 import rigibo.fuzz.chance.Chance;
 
 import java.util.List;
-import java.util.function.Consumer;
 
 /** Draws what changes a pool: steps and edits. */
 record Verbs(Chance chance, Temper temper, Bodies bodies) {
@@ -74,23 +73,17 @@ record Verbs(Chance chance, Temper temper, Bodies bodies) {
             case 5 -> type(number);
             case 6 -> shape(number);
             case 7 -> material(number);
-            case 8 -> verb(number, "wake()", RigidBody::wake);
+            case 8 -> Operation.verb(number, "wake()", RigidBody::wake);
             default -> remove(number);
         };
-    }
-
-    private static Operation verb(int number, String call, Consumer<RigidBody> verb) {
-        return Operation.tried(
-                "body[" + number + "]." + call + ";",
-                List.of(number),
-                stage -> verb.accept(stage.body(number)));
     }
 
     private Operation moveTo(int number) {
         double x = temper.placeX(chance);
         double y = temper.placeY(chance);
         double angle = temper.angle(chance);
-        return verb(number, call("moveTo", x, y, angle), body -> body.moveTo(x, y, angle));
+        return Operation.verb(
+                number, call("moveTo", x, y, angle), body -> body.moveTo(x, y, angle));
     }
 
     private Operation velocity(int number) {
@@ -98,8 +91,8 @@ record Verbs(Chance chance, Temper temper, Bodies bodies) {
         double vy = temper.velocity(chance);
         double spin = temper.spin(chance);
         return chance.happens(0.5)
-                ? verb(number, call("velocity", vx, vy), body -> body.velocity(vx, vy))
-                : verb(number, call("spin", spin), body -> body.spin(spin));
+                ? Operation.verb(number, call("velocity", vx, vy), body -> body.velocity(vx, vy))
+                : Operation.verb(number, call("spin", spin), body -> body.spin(spin));
     }
 
     private Operation force(int number) {
@@ -108,11 +101,11 @@ record Verbs(Chance chance, Temper temper, Bodies bodies) {
         double px = temper.placeX(chance);
         double py = temper.placeY(chance);
         return chance.happens(0.6)
-                ? verb(
+                ? Operation.verb(
                         number,
                         call("applyForce", fx, fy, px, py),
                         body -> body.applyForce(fx, fy, px, py))
-                : verb(number, call("applyTorque", fx), body -> body.applyTorque(fx));
+                : Operation.verb(number, call("applyTorque", fx), body -> body.applyTorque(fx));
     }
 
     private Operation impulse(int number) {
@@ -120,7 +113,7 @@ record Verbs(Chance chance, Temper temper, Bodies bodies) {
         double jy = strength();
         double px = temper.placeX(chance);
         double py = temper.placeY(chance);
-        return verb(
+        return Operation.verb(
                 number,
                 call("applyImpulse", jx, jy, px, py),
                 body -> body.applyImpulse(jx, jy, px, py));
@@ -135,17 +128,18 @@ record Verbs(Chance chance, Temper temper, Bodies bodies) {
 
     private Operation type(int number) {
         BodyType type = bodies.type();
-        return verb(number, "type(BodyType." + type + ")", body -> body.type(type));
+        return Operation.verb(number, "type(BodyType." + type + ")", body -> body.type(type));
     }
 
     private Operation shape(int number) {
         Stated<Shape> shape = bodies.shape();
-        return verb(number, "shape(" + shape.java() + ")", body -> body.shape(shape.value()));
+        return Operation.verb(
+                number, "shape(" + shape.java() + ")", body -> body.shape(shape.value()));
     }
 
     private Operation material(int number) {
         Stated<Material> material = bodies.material();
-        return verb(
+        return Operation.verb(
                 number,
                 "material(" + material.java() + ")",
                 body -> body.material(material.value()));

@@ -148,7 +148,7 @@ class DressLawTest {
                 new Quota(100, "impacts as of " + symmetry));
     }
 
-    /** Likewise of bodies that land on what only these kinds have. */
+    /** Bodies that land on what only these kinds have fare the same, mirrored or turned. */
     @ParameterizedTest
     @CsvSource({
         "ON_CHAINS, MIRROR",

@@ -134,10 +134,7 @@ public final class Equilibrium {
 
     private boolean areContactsSteady(int island) {
         reserve();
-        int contacts = islands.pairStart[island + 1] - islands.pairStart[island];
-        int bodyCount = islands.bodyStart[island + 1] - islands.bodyStart[island];
-        boolean isCrowd = PackedContacts.areCrowd(contacts, bodyCount);
-        kept = Recovery.keptIfCalm(isCrowd, accuracy);
+        kept = Recovery.keptIfCalm(PackedContacts.areCrowd(islands, island), accuracy);
         for (int i = islands.bodyStart[island]; i < islands.bodyStart[island + 1]; i++) {
             int slot = islands.bodies[i];
             leftX[slot] = bodies.accelerationX[slot];

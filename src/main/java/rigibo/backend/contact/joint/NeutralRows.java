@@ -235,7 +235,7 @@ final class NeutralRows {
         return through(derivative, row, i, derivative, other, k);
     }
 
-    /** The same with other derivatives of the row that is moved, and of the one that pushes. */
+    /** What a unit impulse of one row gives another, both by derivatives other than their own. */
     double through(double[] moved, int row, int i, double[] pushed, int other, int k) {
         double[] m = motions.data;
         int offset = body[row * BODIES + i];

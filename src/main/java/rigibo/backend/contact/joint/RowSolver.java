@@ -245,7 +245,7 @@ final class RowSolver {
         }
     }
 
-    /** The same where what slides goes with its loads, whose bounds are then those of now. */
+    /** Eliminates rows together with what slides under their loads, within bounds of now. */
     private void eliminateTogether() {
         sliding.begin(side);
         for (int i = 0; i < REFINEMENTS && !(sliding.ask() <= settled && i > 0); i++) {

@@ -20,8 +20,9 @@ final class TautSubsteps {
     private static final int MOST_MORE = 32;
 
     /**
-     * The same where something touches: what is struck carries an impact, not a load that lasts. A
-     * taut bridge that something rolls over gaped by decimetres in one substep of 2.2 rad.
+     * How many times more substeps an island is given in which something touches: what is struck
+     * carries an impact, not a load that lasts. A taut bridge that something rolls over gaped by
+     * decimetres in one substep of 2.2 rad.
      */
     private static final int MOST_MORE_IF_TOUCHED = 4;
 

@@ -188,7 +188,7 @@ public final class Motions {
         return parting(data, contacts, row, point);
     }
 
-    /** The same by other velocities, laid out as the motions. */
+    /** How fast a point parts by velocities that are laid out as the motions, m/s. */
     double parting(double[] m, PackedContacts contacts, int row, int point) {
         double[] d = contacts.data;
         int at = row * PackedContacts.STRIDE;

@@ -2,6 +2,7 @@ package rigibo.backend.contact.row;
 
 import rigibo.backend.impact.Impact;
 import rigibo.backend.storage.IslandWork;
+import rigibo.backend.storage.Islands;
 
 import java.util.Arrays;
 
@@ -170,9 +171,16 @@ public final class PackedContacts {
      * Whether so many contacts of so many bodies that move are too many for elimination. Most of
      * the contacts that one body may reach carry nothing: it has no more than three unknowns.
      */
-    public static boolean areCrowd(int contacts, int bodies) {
+    private static boolean areCrowd(int contacts, int bodies) {
         int loaded = Math.min(contacts, LOADED_PER_BODY * bodies);
         return loaded * SingleRows.ROWS_PER_CONTACT > SingleRows.MOST_ELIMINATED;
+    }
+
+    /** Whether an island has too many contacts for elimination, before they are packed. */
+    public static boolean areCrowd(Islands islands, int island) {
+        int contacts = islands.pairStart[island + 1] - islands.pairStart[island];
+        int bodies = islands.bodyStart[island + 1] - islands.bodyStart[island];
+        return areCrowd(contacts, bodies);
     }
 
     /** Whether the packed contacts are too many for elimination. */

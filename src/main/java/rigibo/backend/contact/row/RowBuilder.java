@@ -78,7 +78,7 @@ public final class RowBuilder {
         mass = motions.mass();
         int pairCount = islands.pairStart[island + 1] - islands.pairStart[island];
         int bodyCount = islands.bodyStart[island + 1] - islands.bodyStart[island];
-        halts = PackedContacts.areCrowd(pairCount, bodyCount) ? HALTS_IN_A_CROWD : CRUSHED;
+        halts = PackedContacts.areCrowd(islands, island) ? HALTS_IN_A_CROWD : CRUSHED;
         contacts.clear(bodyCount);
         colours.find(island);
         for (int i = 0; i < pairCount; i++) {
