@@ -14,6 +14,7 @@ import rigibo.backend.setup.Filter;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.LongFunction;
 
 /** What holds for bodies that nothing joins holds for joined ones. */
 class JointedLawTest {
@@ -38,7 +39,7 @@ class JointedLawTest {
     void pilesGainNoEnergy(Preset preset, double limit) {
         Laws.hold(
                 seeds(preset),
-                seed -> Links.on(Surroundings.tray(seed, preset.accuracy)),
+                trays(preset),
                 (scene, asked) -> DressLawTest.gainsAtMost(limit, scene, asked),
                 new Quota(300, "loaded contacts in piles"));
     }
@@ -49,7 +50,7 @@ class JointedLawTest {
     void smallPilesAreTheSameToTheBit(Preset preset) {
         Laws.hold(
                 preset == Preset.DRAFT ? seeds(preset).without(VANISHING_AT_DRAFT) : seeds(preset),
-                seed -> Links.on(Surroundings.tray(seed, preset.accuracy)),
+                trays(preset),
                 (scene, asked) -> SymmetryLawTest.sameToTheEnd(Symmetry.SMALL, scene, asked),
                 new Quota(500, "loaded contacts"));
     }
@@ -58,11 +59,7 @@ class JointedLawTest {
     @ParameterizedTest
     @EnumSource(Preset.class)
     void largeAssembliesSwingTheSameToTheBit(Preset preset) {
-        Laws.hold(
-                seeds(preset),
-                seed -> swinging(seed, preset),
-                (scene, asked) -> swingsAlike(Symmetry.LARGE, 0, scene, asked),
-                new Quota(24, "joints"));
+        holdSwings(preset, (scene, asked) -> swingsAlike(Symmetry.LARGE, 0, scene, asked));
     }
 
     /**
@@ -80,22 +77,14 @@ class JointedLawTest {
         "EXACT, MOVING, 1e-9"
     })
     void assembliesSwingTheSameSeenOtherwise(Preset preset, Symmetry symmetry, double limit) {
-        Laws.hold(
-                seeds(preset),
-                seed -> swinging(seed, preset),
-                (scene, asked) -> swingsAlike(symmetry, limit, scene, asked),
-                new Quota(24, "joints"));
+        holdSwings(preset, (scene, asked) -> swingsAlike(symmetry, limit, scene, asked));
     }
 
-    /** Within the same, in m. */
+    /** In m, as seen otherwise. */
     @ParameterizedTest
     @CsvSource({"GAME, 1e-4", "EXACT, 1e-9"})
     void orderDoesNotMatterToWhatSwings(Preset preset, double limit) {
-        Laws.hold(
-                seeds(preset),
-                seed -> swinging(seed, preset),
-                (scene, asked) -> swingsInAnyOrder(limit, scene, asked),
-                new Quota(24, "joints"));
+        holdSwings(preset, (scene, asked) -> swingsInAnyOrder(limit, scene, asked));
     }
 
     @ParameterizedTest
@@ -103,7 +92,7 @@ class JointedLawTest {
     void strangersNeverMatter(Preset preset) {
         Laws.hold(
                 seeds(preset),
-                seed -> Links.on(Surroundings.tray(seed, preset.accuracy)),
+                trays(preset),
                 OrderLawTest::sameAmongStrangers,
                 new Quota(300, "loaded contacts in piles"));
     }
@@ -113,7 +102,7 @@ class JointedLawTest {
     void aRestoredPoolGoesOnAlike(Preset preset) {
         Laws.hold(
                 seeds(preset),
-                seed -> Links.on(Surroundings.tray(seed, preset.accuracy)),
+                trays(preset),
                 DressLawTest::goesOnAlike,
                 new Quota(10, "snapshots"));
     }
@@ -145,7 +134,7 @@ class JointedLawTest {
     void whatVanishesIsTheSameToTheBit() {
         Laws.hold(
                 VANISHING_AT_DRAFT,
-                seed -> Links.on(Surroundings.tray(seed, Preset.DRAFT.accuracy)),
+                trays(Preset.DRAFT),
                 (scene, asked) -> SymmetryLawTest.sameToTheEnd(Symmetry.SMALL, scene, asked),
                 new Quota(1, "loaded contacts"));
     }
@@ -181,6 +170,14 @@ class JointedLawTest {
     }
 
     /** Fewer where each takes long. */
+    private static void holdSwings(Preset preset, Law law) {
+        Laws.hold(seeds(preset), seed -> swinging(seed, preset), law, new Quota(24, "joints"));
+    }
+
+    private static LongFunction<RandomScene> trays(Preset preset) {
+        return seed -> Links.on(Surroundings.tray(seed, preset.accuracy));
+    }
+
     private static Seeds seeds(Preset preset) {
         return Seeds.upTo(preset == Preset.EXACT ? 12 : 40);
     }
