@@ -5,6 +5,9 @@ import rigibo.backend.geometry.Outline;
 /** A convex piece of an outline in the world. */
 final class Piece {
 
+    /** Overlap of two cores in m that round-off makes of two segments in one line. */
+    private static final double IN_LINE = 1e-9;
+
     private final Outline outline;
     private final double round;
     private final double[] cornerX;
@@ -39,7 +42,23 @@ final class Piece {
         if (other.isRound()) {
             return gapTo(other.cornerX[0], other.cornerY[0]) - round - other.round;
         }
-        return Math.max(gapAlongNormals(other), other.gapAlongNormals(this)) - round - other.round;
+        return gapOfCores(other) - round - other.round;
+    }
+
+    /** Corners that are round come as near as the two cores do, which no edge normal may show. */
+    private double gapOfCores(Piece other) {
+        double parted = Math.max(gapAlongNormals(other), other.gapAlongNormals(this));
+        boolean isAsked = round + other.round > 0 && parted > -IN_LINE;
+        return isAsked ? Math.max(parted, Math.min(nearest(other), other.nearest(this))) : parted;
+    }
+
+    /** How near a corner of another comes to this core, m. */
+    private double nearest(Piece other) {
+        double least = Double.POSITIVE_INFINITY;
+        for (int i = 0; i < other.cornerX.length; i++) {
+            least = Math.min(least, gapTo(other.cornerX[i], other.cornerY[i]));
+        }
+        return least;
     }
 
     private boolean isRound() {
