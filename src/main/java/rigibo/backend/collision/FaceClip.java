@@ -29,6 +29,13 @@ final class FaceClip {
     /** Tilt up to which an edge faces a face flat, rad. */
     private static final double FLAT = 1e-4;
 
+    /**
+     * Cosine of the angle between a face's normal and the line between two corners from which on
+     * the other end of the face is a point along that line, too. Beyond, 26°, that line tells
+     * little of how it lands.
+     */
+    private static final double NEARLY_ALONG = 0.9;
+
     private static final int OF_B = 1 << 16;
     private static final int OF_BOTH = 1 << 17;
 
@@ -189,6 +196,11 @@ final class FaceClip {
         return out.count;
     }
 
+    /**
+     * The two corners that are nearest, and the far end of the stretch where edge and face overlap:
+     * cores with a radius stay apart, so that their corners may be nearest until the moment when
+     * that end lands.
+     */
     private void writeCorners(Pose pose, NormalSource source, double reach, Manifold out) {
         double fromX = isAtStart ? startX : endX;
         double fromY = isAtStart ? startY : endY;
@@ -204,6 +216,14 @@ final class FaceClip {
         int others = isLowClosest ? edgeEnd : edge;
         int name = source == NormalSource.FACE_A ? own | others << 8 : others | own << 8;
         addPoint(pose, fromX + dx / 2, fromY + dy / 2, distance, OF_BOTH | name, out);
+        double along = normalX * dx + normalY * dy;
+        if (isOverlapping() && along > NEARLY_ALONG * distance) {
+            if (isAtStart) {
+                writeHighEnd(pose, source, reach, out);
+            } else {
+                writeLowEnd(pose, source, reach, out);
+            }
+        }
     }
 
     /** Both ends of the stretch where edge and face overlap, A's start of its face first. */

@@ -32,6 +32,13 @@ public final class Passes {
     private static final double CALM = 0.25;
 
     /**
+     * Speed that does not count in a crowd whatever it does, as a share of what a free body gains
+     * in a step, times what may be missed: half a millimetre a second at the game's accuracy. What
+     * lies still is then asked little, and comes nearer to rest with every step all the same.
+     */
+    private static final double UNSEEN = 3;
+
+    /**
      * Cubed number of substeps for each pass that a substep is given at most: twice the substeps
      * halve the threshold about five times, and each halving takes as many passes again.
      */
@@ -181,7 +188,8 @@ public final class Passes {
     private void sweepCrowd(double h, double length, int substep, double fastest) {
         double gained = kick.strongest() * step;
         double ofFall = gained > 0 ? Math.min(1, fastest / gained) : 0;
-        double quiet = shorter * Math.max(QUIET, ofFall * QUIET_IN_A_CROWD) * fastest;
+        double ofFastest = Math.max(QUIET, ofFall * QUIET_IN_A_CROWD) * fastest;
+        double quiet = shorter * Math.max(ofFastest, UNSEEN * missed * gained);
         int passes = fastest < CALM * gained ? mostIfCalm : most;
         double share = MISSED_IN_A_CROWD * missed;
         sweep.run(h, length, substep, share, quiet, passes);

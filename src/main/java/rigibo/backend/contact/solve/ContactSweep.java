@@ -43,6 +43,15 @@ public final class ContactSweep {
     /** By row: the change of speed since it was solved last beyond which it is due, m/s. */
     private double[] due = new double[16];
 
+    /**
+     * Change of speed that does not count in a crowd, as a share of the speed at which the two
+     * bodies move against each other, ...
+     */
+    private static final double OF_THEIR_OWN = 0.3;
+
+    /** ... and at least, as a share of what does not count for the fastest. */
+    private static final double OF_THE_FASTEST = 0.05;
+
     /** Overlap in widths from which on a contact is solved as strictly as any. */
     private static final double DEEP = 0.005;
 
@@ -182,13 +191,31 @@ public final class ContactSweep {
                 spare[2 * row + point] = (gap > 0 ? gap * perSubstep : 0) - nearing;
                 least = gap < least ? gap : least;
             }
-            double counts = Math.min(sharePerSecond * width, quiet);
+            double heard = isCrowd ? Math.min(quiet, quietBetween(row, quiet)) : quiet;
+            double counts = Math.min(sharePerSecond * width, heard);
             uncounted[row] = counts * Math.max(strictly, 1 + least / (DEEP * width));
             due[row] = uncounted[row];
             if (isThere && isCrowd) {
                 leaveAloneWhatParts(row);
             }
         }
+    }
+
+    /**
+     * What does not count for a contact of a crowd, m/s: one body that falls through a heap must
+     * not make all of it coarse, which would then sink everywhere by a little, be pushed apart, let
+     * others fall and never come to rest.
+     */
+    private double quietBetween(int row, double quiet) {
+        double[] m = motions.data;
+        int a = contacts.bodyA[row];
+        int b = contacts.bodyB[row];
+        double speed =
+                Math.abs(m[a + VX] - m[b + VX])
+                        + Math.abs(m[a + VY] - m[b + VY])
+                        + motions.reach[a / Motions.STRIDE] * Math.abs(m[a + SPIN])
+                        + motions.reach[b / Motions.STRIDE] * Math.abs(m[b + SPIN]);
+        return Math.max(OF_THEIR_OWN * speed, OF_THE_FASTEST * quiet);
     }
 
     /**
