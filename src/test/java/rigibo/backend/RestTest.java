@@ -11,6 +11,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import rigibo.backend.effect.Contacts;
 import rigibo.backend.effect.Drag;
 import rigibo.backend.effect.Effects;
+import rigibo.backend.effect.Friction;
 import rigibo.backend.effect.Gravity;
 import rigibo.backend.effect.Rotation;
 import rigibo.backend.effect.Wind;
@@ -158,6 +159,42 @@ class RestTest {
         double speed = Math.hypot(box.velocityX(), box.velocityY());
         // Coulomb's force is constant: the scheme is exact but for what is left unsolved, 10⁻⁵.
         assertThat(speed).isEqualTo(sliding * SECOND * Scenes.DT, within(1e-4));
+    }
+
+    /**
+     * A plank on two tips that are but 0.5 mm wide, and slope: each tip touches it in two points,
+     * which are as good as one, and what it carries it carries at the nearer. Whichever of the two
+     * that is, the torques add up to none, and the plank is not solved again.
+     */
+    @ParameterizedTest
+    @ValueSource(doubles = {-0.02, 0.02})
+    void whatLiesOnTwoPointsThatAreAsGoodAsOneRests(double slope) {
+        Effects effects =
+                Effects.of(
+                        new Gravity(0, -GRAVITY), new Contacts(), new Rotation(), new Friction());
+        Pool pool = new Pool(effects, Accuracy.GAME);
+        double tip = 5e-4;
+        pool.add(
+                BodyDefinition.dynamic(Polygon.box(2.4, 0.2))
+                        .at(0, 0.1 / Math.cos(slope))
+                        .angle(slope));
+        for (double x : new double[] {-1, 1}) {
+            double y = Math.tan(slope) * x - Math.abs(Math.tan(slope)) * tip / 2 - 0.1;
+            pool.add(BodyDefinition.fixed(Polygon.box(tip, 0.2)).at(x, y));
+        }
+        Scenes.run(pool, SECOND);
+
+        assertThat(pool.step(1.0 / SECOND).rows()).isZero();
+        int[] asked = {0};
+        pool.forEachContact(
+                contact -> {
+                    int nearer = contact.separation[0] < contact.separation[1] ? 0 : 1;
+                    assertThat(contact.points).isEqualTo(2);
+                    assertThat(contact.force[nearer]).isPositive();
+                    assertThat(contact.force[1 - nearer]).isZero();
+                    asked[0]++;
+                });
+        assertThat(asked[0]).isEqualTo(2);
     }
 
     /**

@@ -32,11 +32,17 @@ public final class Passes {
     private static final double CALM = 0.25;
 
     /**
-     * Speed that does not count in a crowd whatever it does, as a share of what a free body gains
-     * in a step, times what may be missed: half a millimetre a second at the game's accuracy. What
-     * lies still is then asked little, and comes nearer to rest with every step all the same.
+     * Speed that does not count in a large crowd, as a share of what a free body gains in a step,
+     * times what may be missed in widths: a sixth of a millimetre a second at the game's accuracy.
+     * What lies still is then asked little, and comes nearer to rest all the same.
      */
-    private static final double UNSEEN = 3;
+    private static final double UNSEEN = 1;
+
+    /** Contacts from which on a crowd counts as large. */
+    private static final int LARGE = 512;
+
+    /** What does not count where a crowd lies still, as a share of what does not count for all. */
+    private static final double OF_THE_FASTEST = 0.05;
 
     /**
      * Cubed number of substeps for each pass that a substep is given at most: twice the substeps
@@ -176,7 +182,8 @@ public final class Passes {
         if (contacts.areCrowd()) {
             sweepCrowd(h, length, substep, fastest);
         } else {
-            sweep.run(h, length, substep, missed, shorter * QUIET * fastest, mostOfFew);
+            double quiet = shorter * QUIET * fastest;
+            sweep.run(h, length, substep, missed, quiet, quiet, mostOfFew);
         }
         sweep.limitPresses(Double.POSITIVE_INFINITY);
         guard.limitWork(noise * kick.energy(h));
@@ -184,15 +191,22 @@ public final class Passes {
         contacts.addUpImpulses(1);
     }
 
-    /** A crowd is solved the more coarsely the faster it moves, and when calm in fewer passes. */
+    /**
+     * A crowd is solved the more coarsely the faster it moves, but what lies still in it by its own
+     * speeds; when all of it is calm in fewer passes, and to the end if it is not too large.
+     */
     private void sweepCrowd(double h, double length, int substep, double fastest) {
         double gained = kick.strongest() * step;
+        boolean isCalm = fastest < CALM * gained;
         double ofFall = gained > 0 ? Math.min(1, fastest / gained) : 0;
-        double ofFastest = Math.max(QUIET, ofFall * QUIET_IN_A_CROWD) * fastest;
-        double quiet = shorter * Math.max(ofFastest, UNSEEN * missed * gained);
-        int passes = fastest < CALM * gained ? mostIfCalm : most;
+        double quiet = shorter * Math.max(QUIET, ofFall * QUIET_IN_A_CROWD) * fastest;
+        if (contacts.count > LARGE) {
+            quiet = Math.max(quiet, shorter * UNSEEN * missed * gained);
+        }
+        int passes = isCalm ? mostIfCalm : most;
         double share = MISSED_IN_A_CROWD * missed;
-        sweep.run(h, length, substep, share, quiet, passes);
+        double least = isCalm ? quiet : OF_THE_FASTEST * quiet;
+        sweep.run(h, length, substep, share, quiet, least, passes);
         int affordable = Math.min(longer, MOST_SOLVES / (passes * contacts.count));
         for (int i = 0; i < affordable && sweep.isSinking(h, substep, SUNK * share); i++) {
             sweep.goOn(passes);

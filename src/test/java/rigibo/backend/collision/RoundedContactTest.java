@@ -47,6 +47,30 @@ class RoundedContactTest {
         assertThat(manifold.pointX[0]).isEqualTo(0.75 * Math.cos(angle), within(ROUND_OFF));
     }
 
+    /**
+     * Two capsules nearly side by side, which are nearest at their left ends: the right end, which
+     * is to land when they turn, is a point as well, as high as it lies over the other's core less
+     * both radii. Over which core, makes a difference of the cosine of the angle between them.
+     */
+    @ParameterizedTest
+    @ValueSource(doubles = {0.08, 0.12, 0.2})
+    void endsThatAreNearestDoNotHideTheOthers(double tilt) {
+        double x = -0.03;
+        double y = 0.42 + 0.5 * Math.sin(tilt);
+        Meeting meeting = new Meeting(capsule, pose(0, 0, 0), capsule, pose(x, y, tilt));
+
+        Manifold manifold = meeting.within(1);
+
+        double left = Math.hypot(x - 0.5 * Math.cos(tilt) + 0.5, y - 0.5 * Math.sin(tilt)) - 0.4;
+        double right = y + 0.5 * Math.sin(tilt) - 0.4;
+        double either = (1 - Math.cos(tilt)) * (right + 0.4);
+        assertThat(manifold.count).isEqualTo(2);
+        int first = manifold.pointX[0] < 0 ? 0 : 1;
+        assertThat(manifold.separation[first]).isEqualTo(left, within(ROUND_OFF));
+        assertThat(manifold.separation[1 - first]).isEqualTo(right, within(either + ROUND_OFF));
+        assertThat(manifold.pointX[1 - first]).isGreaterThan(0.4);
+    }
+
     @Test
     void aDiscAtTheEndOfACapsuleIsNotInsideOfIt() {
         Meeting meeting = new Meeting(capsule, pose(0, 0, 0), new Circle(0.25), pose(1, 0, 0));

@@ -44,13 +44,10 @@ public final class ContactSweep {
     private double[] due = new double[16];
 
     /**
-     * Change of speed that does not count in a crowd, as a share of the speed at which the two
-     * bodies move against each other, ...
+     * Change of speed that does not count, as a share of the speed at which the two bodies move
+     * against each other.
      */
     private static final double OF_THEIR_OWN = 0.3;
-
-    /** ... and at least, as a share of what does not count for the fastest. */
-    private static final double OF_THE_FASTEST = 0.05;
 
     /** Overlap in widths from which on a contact is solved as strictly as any. */
     private static final double DEEP = 0.005;
@@ -91,12 +88,20 @@ public final class ContactSweep {
      * the same force in half a kick and in a whole one moves alike in both, and can rest.
      *
      * @param share of its width per substep up to which a change of speed does not count
-     * @param quiet speed in m/s up to which it does not count for anybody
+     * @param quiet speed in m/s from which on it counts for everybody
+     * @param least the same where two bodies hardly move against each other, m/s
      * @param most passes
      */
-    public void run(double h, double kick, int substep, double share, double quiet, int most) {
+    public void run(
+            double h,
+            double kick,
+            int substep,
+            double share,
+            double quiet,
+            double least,
+            int most) {
         softness = h / kick;
-        begin(h, substep, share / h, quiet);
+        begin(h, substep, share / h, quiet, least);
         goOn(most);
     }
 
@@ -133,7 +138,7 @@ public final class ContactSweep {
      */
     public double once(double h, int substep) {
         softness = 1;
-        begin(h, substep, 0, 0);
+        begin(h, substep, 0, 0, 0);
         pass(true);
         double most = 0;
         for (int body = 1; body < motions.count; body++) {
@@ -166,7 +171,7 @@ public final class ContactSweep {
     }
 
     /** Nothing moves within a sweep, so neither does a gap. */
-    private void begin(double h, int substep, double sharePerSecond, double quiet) {
+    private void begin(double h, int substep, double sharePerSecond, double quiet, double least) {
         if (changed.length < motions.count) {
             changed = new double[motions.slots.length];
         }
@@ -184,16 +189,16 @@ public final class ContactSweep {
             boolean isThere = contacts.firstSubstep[row] <= substep;
             seen[row] = isThere ? Double.NEGATIVE_INFINITY : Double.POSITIVE_INFINITY;
             double width = contacts.data[row * PackedContacts.STRIDE + PackedContacts.WIDTH];
-            double least = 0;
+            double deepest = 0;
             double nearing = contacts.data[row * PackedContacts.STRIDE + PackedContacts.NEARING];
             for (int point = 0; point < contacts.points[row]; point++) {
                 double gap = motions.gap(contacts, row, point);
                 spare[2 * row + point] = (gap > 0 ? gap * perSubstep : 0) - nearing;
-                least = gap < least ? gap : least;
+                deepest = gap < deepest ? gap : deepest;
             }
-            double heard = isCrowd ? Math.min(quiet, quietBetween(row, quiet)) : quiet;
-            double counts = Math.min(sharePerSecond * width, heard);
-            uncounted[row] = counts * Math.max(strictly, 1 + least / (DEEP * width));
+            double own = least < quiet ? quietBetween(row, quiet, least) : quiet;
+            double counts = Math.min(sharePerSecond * width, own);
+            uncounted[row] = counts * Math.max(strictly, 1 + deepest / (DEEP * width));
             due[row] = uncounted[row];
             if (isThere && isCrowd) {
                 leaveAloneWhatParts(row);
@@ -202,11 +207,11 @@ public final class ContactSweep {
     }
 
     /**
-     * What does not count for a contact of a crowd, m/s: one body that falls through a heap must
-     * not make all of it coarse, which would then sink everywhere by a little, be pushed apart, let
-     * others fall and never come to rest.
+     * What does not count for a contact, m/s: one body that falls through a heap must not make all
+     * of it coarse, which would then sink everywhere by a little, be pushed apart, let others fall
+     * and never come to rest.
      */
-    private double quietBetween(int row, double quiet) {
+    private double quietBetween(int row, double quiet, double least) {
         double[] m = motions.data;
         int a = contacts.bodyA[row];
         int b = contacts.bodyB[row];
@@ -215,7 +220,7 @@ public final class ContactSweep {
                         + Math.abs(m[a + VY] - m[b + VY])
                         + motions.reach[a / Motions.STRIDE] * Math.abs(m[a + SPIN])
                         + motions.reach[b / Motions.STRIDE] * Math.abs(m[b + SPIN]);
-        return Math.max(OF_THEIR_OWN * speed, OF_THE_FASTEST * quiet);
+        return Math.min(quiet, Math.max(OF_THEIR_OWN * speed, least));
     }
 
     /**

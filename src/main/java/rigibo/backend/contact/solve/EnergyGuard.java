@@ -17,6 +17,9 @@ public final class EnergyGuard {
     /** Share of the work that is round-off. */
     private static final double ROUND_OFF = 1e-9;
 
+    /** How often impulses of bodies that are too fast are scaled before all of them are. */
+    private static final int ROUNDS = 16;
+
     private final Motions motions;
     private final PackedContacts contacts;
     private final SingleRows single;
@@ -30,6 +33,9 @@ public final class EnergyGuard {
 
     /** Velocities before the contacts, laid out as the motions. */
     private double[] before = new double[16 * Motions.STRIDE];
+
+    /** By entry of the motions: the share of its impulses that a body keeps. */
+    private double[] shares = new double[16];
 
     public EnergyGuard(Motions motions, PackedContacts contacts) {
         this.motions = motions;
@@ -95,11 +101,10 @@ public final class EnergyGuard {
             }
         }
         for (int row = 0; row < contacts.count; row++) {
-            double turn = contacts.data[row * PackedContacts.STRIDE + PackedContacts.IMPULSE_R];
-            int a = contacts.bodyA[row];
-            int b = contacts.bodyB[row];
-            before[a + Motions.SPIN] += motions.data[a + Motions.INVERSE_INERTIA] * turn;
-            before[b + Motions.SPIN] -= motions.data[b + Motions.INVERSE_INERTIA] * turn;
+            turn(
+                    before,
+                    row,
+                    -contacts.data[row * PackedContacts.STRIDE + PackedContacts.IMPULSE_R]);
         }
     }
 
@@ -108,23 +113,89 @@ public final class EnergyGuard {
         return contacts.data[at + SingleRows.impulseColumn(id)];
     }
 
-    /** Scales all impulses back to what leaves no speed above a limit in m/s, if one is. */
+    /**
+     * Scales impulses back to what leaves no speed above a limit in m/s, if one is. In a crowd
+     * those of the bodies that are too fast are enough: were all of them scaled, a whole heap would
+     * fall because of one stone, until passes had found what it carries again.
+     */
     public void limitSpeed(double limit) {
         if (motions.fastest() <= limit) {
             return;
         }
         takeBack();
+        for (int round = 0; contacts.areCrowd() && round < ROUNDS; round++) {
+            if (!holdBack(limit)) {
+                return;
+            }
+        }
         double share = 1;
-        for (int at = Motions.STRIDE; at < motions.count * Motions.STRIDE; at += Motions.STRIDE) {
-            share = Math.min(share, shareWithin(limit, at + Motions.VX));
-            share = Math.min(share, shareWithin(limit, at + Motions.VY));
+        for (int entry = 1; entry < motions.count; entry++) {
+            share = Math.min(share, shareWithin(limit, entry));
         }
         if (share < 1) {
             scale(share);
         }
     }
 
-    private double shareWithin(double limit, int column) {
+    /**
+     * Scales back the impulses of bodies that are too fast, each with the one at its other end, so
+     * that momentum is kept; returns whether there were any. What another body leant on may be gone
+     * then, so that it may be too fast in the next round.
+     */
+    private boolean holdBack(double limit) {
+        if (shares.length < motions.count) {
+            shares = new double[motions.slots.length];
+        }
+        shares[0] = 1;
+        boolean isAny = false;
+        for (int entry = 1; entry < motions.count; entry++) {
+            shares[entry] = shareWithin(limit, entry);
+            isAny |= shares[entry] < 1;
+        }
+        for (int row = 0; isAny && row < contacts.count; row++) {
+            double ofA = shares[contacts.bodyA[row] / Motions.STRIDE];
+            double ofB = shares[contacts.bodyB[row] / Motions.STRIDE];
+            if (ofA < 1 || ofB < 1) {
+                scale(row, Math.min(ofA, ofB));
+            }
+        }
+        return isAny;
+    }
+
+    /** Scales the impulses of one contact back, and takes the rest of them from its bodies. */
+    private void scale(int row, double share) {
+        for (int id = ROWS_PER_CONTACT * row; id < ROWS_PER_CONTACT * (row + 1); id++) {
+            double less = (share - 1) * impulse(id);
+            single.push(motions.data, id, less, Motions.VX, Motions.VY, Motions.SPIN);
+        }
+        int at = row * PackedContacts.STRIDE;
+        turn(motions.data, row, (share - 1) * contacts.data[at + PackedContacts.IMPULSE_R]);
+        scaleImpulses(at, share);
+    }
+
+    /** Turns the two bodies of a contact against each other by an impulse of so many N·m·s. */
+    private void turn(double[] m, int row, double impulse) {
+        int a = contacts.bodyA[row];
+        int b = contacts.bodyB[row];
+        m[a + Motions.SPIN] -= motions.data[a + Motions.INVERSE_INERTIA] * impulse;
+        m[b + Motions.SPIN] += motions.data[b + Motions.INVERSE_INERTIA] * impulse;
+    }
+
+    private void scaleImpulses(int at, double share) {
+        contacts.data[at + PackedContacts.IMPULSE0] *= share;
+        contacts.data[at + PackedContacts.IMPULSE1] *= share;
+        contacts.data[at + PackedContacts.IMPULSE_T] *= share;
+        contacts.data[at + PackedContacts.IMPULSE_R] *= share;
+    }
+
+    /** Share of the impulses of a body that leaves it no faster than a limit in m/s. */
+    private double shareWithin(double limit, int entry) {
+        int at = entry * Motions.STRIDE;
+        double ofX = columnWithin(limit, at + Motions.VX);
+        return Math.min(ofX, columnWithin(limit, at + Motions.VY));
+    }
+
+    private double columnWithin(double limit, int column) {
         double speed = Math.abs(motions.data[column]);
         double change = Math.abs(motions.data[column] - before[column]);
         boolean isAnswered = speed <= limit || change == 0;
@@ -157,10 +228,7 @@ public final class EnergyGuard {
             }
         }
         for (int at = 0; at < contacts.count * PackedContacts.STRIDE; at += PackedContacts.STRIDE) {
-            contacts.data[at + PackedContacts.IMPULSE0] *= share;
-            contacts.data[at + PackedContacts.IMPULSE1] *= share;
-            contacts.data[at + PackedContacts.IMPULSE_T] *= share;
-            contacts.data[at + PackedContacts.IMPULSE_R] *= share;
+            scaleImpulses(at, share);
         }
     }
 }
