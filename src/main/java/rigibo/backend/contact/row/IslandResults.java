@@ -86,12 +86,19 @@ public final class IslandResults {
             return;
         }
         double perSecond = 2 / h;
-        pairs.normalForce[2 * pair] = d[at + PackedContacts.IMPULSE0] * perSecond;
-        pairs.normalForce[2 * pair + 1] = d[at + PackedContacts.IMPULSE1] * perSecond;
+        int first = hasKeptSecond(row, pair) ? 1 : 0;
+        pairs.normalForce[2 * pair + first] = d[at + PackedContacts.IMPULSE0] * perSecond;
+        pairs.normalForce[2 * pair + 1 - first] = d[at + PackedContacts.IMPULSE1] * perSecond;
         remember(2 * pair, share);
         remember(2 * pair + 1, share);
         pairs.tellImpulse(pair, d[at + PackedContacts.TOTAL]);
         noteTouch(pair, d[at + PackedContacts.IMPULSE0] + d[at + PackedContacts.IMPULSE1]);
+    }
+
+    /** Of two points that count as one the deeper carries: whoever asks for torques asks where. */
+    private boolean hasKeptSecond(int row, int pair) {
+        return contacts.points[row] < pairs.points[pair]
+                && pairs.separation[2 * pair + 1] < pairs.separation[2 * pair];
     }
 
     private boolean isFinite(int at) {
