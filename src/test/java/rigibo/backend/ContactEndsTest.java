@@ -18,6 +18,7 @@ import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.BodyType;
+import rigibo.backend.setup.Filter;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -95,6 +96,25 @@ class ContactEndsTest {
     @Test
     void anotherShapeThatDoesNotReachEndsTheContact() {
         box.shape(new Circle(0.1));
+        requireEnd();
+    }
+
+    @Test
+    void filterThatExcludesEverybodyEndsTheContact() {
+        box.filter(Filter.ALL.mask(0));
+        requireEnd();
+    }
+
+    @Test
+    void filterThatStillMeetsTheOtherKeepsTheContact() {
+        box.filter(Filter.ALL.category(2));
+        pool.step(Scenes.DT);
+        assertThat(only(pool).phase()).isEqualTo(Phase.PERSIST);
+    }
+
+    @Test
+    void disabledBodyLeavesTheContact() {
+        box.disable();
         requireEnd();
     }
 

@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Sleep;
@@ -95,6 +97,41 @@ class OnePieceTest {
                     }
                 });
         assertThat(carried[0]).isEqualTo(5 * 0.8 * 9.81, within(1e-3 * 5 * 0.8 * 9.81));
+    }
+
+    /**
+     * Each box stands across the seam of two halves, and its own halves across that of two boxes:
+     * no corner inside of a box pushes sideways, so that nothing moves from the first step on.
+     */
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void aPyramidOfHalvesStandsFromTheFirstStepOn(boolean isCutAcross) {
+        Compound halves =
+                isCutAcross
+                        ? Compound.of(
+                                Part.of(Polygon.box(1, 0.5)).at(0, -0.25),
+                                Part.of(Polygon.box(1, 0.5)).at(0, 0.25))
+                        : Compound.of(
+                                Part.of(Polygon.box(0.5, 1)).at(-0.25, 0),
+                                Part.of(Polygon.box(0.5, 1)).at(0.25, 0));
+        Pool pool = new Pool(AWAKE, Accuracy.GAME);
+        pool.add(BodyDefinition.fixed(Polygon.box(60, 1)).at(0, -0.5));
+        int base = 20;
+        for (int i = 0; i < base * base; i++) {
+            int storey = i / base;
+            if (i % base < base - storey) {
+                double x = i % base - (base - storey - 1) / 2.0;
+                pool.add(BodyDefinition.dynamic(halves).at(x, storey + 0.5));
+            }
+        }
+        for (int i = 0; i < 60; i++) {
+            pool.step(DT);
+            for (RigidBody body : pool.bodies()) {
+                assertThat(Math.hypot(body.velocityX(), body.velocityY()))
+                        .as("step %d", i)
+                        .isLessThan(1e-6);
+            }
+        }
     }
 
     /** The smaller ones lie within: they touch nothing, and weigh nothing here. */

@@ -20,6 +20,7 @@ import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.Material;
+import rigibo.backend.setup.SolveMethod;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -298,5 +299,29 @@ class RestTest {
         double speed = Math.hypot(disc.velocityX(), disc.velocityY());
         // What rolls is exact but for what is left unsolved; it may settle by 10⁻⁵ of its width.
         assertThat(speed).isEqualTo(rolling, within(1e-4));
+    }
+
+    /**
+     * A plank's end lies on a ledge by a hair, whichever way it leans: its two points there count
+     * as one, the deeper, and what it carries is told of that one. Told of the other it would be
+     * off by 10⁻⁴ of its torque, and the plank would be solved anew in every step.
+     */
+    @ParameterizedTest
+    @ValueSource(doubles = {-0.0125, 0.0125})
+    void whatLiesOnALedgeByAHairIsSolvedOnce(double angle) {
+        double cos = Math.cos(angle);
+        double sin = Math.sin(angle);
+        Pool pool = new Pool(Scenes.usualWithoutSleep(), Accuracy.GAME);
+        // The plank's lower right corner is at (0.5, 0), and 0.8 m before it the disc is under it.
+        pool.add(
+                BodyDefinition.fixed(new Circle(0.1))
+                        .at(0.5 - 0.8 * cos + 0.1 * sin, -0.8 * sin - 0.1 * cos));
+        pool.add(BodyDefinition.fixed(Polygon.box(1, 1)).at(0.99995, -0.5));
+        pool.add(
+                BodyDefinition.dynamic(Polygon.box(1, 0.1))
+                        .at(0.5 - 0.5 * cos - 0.05 * sin, 0.05 * cos - 0.5 * sin)
+                        .angle(angle));
+        Scenes.run(pool, 5 * SECOND);
+        assertThat(pool.report().islands(SolveMethod.AT_REST)).isOne();
     }
 }

@@ -56,14 +56,37 @@ final class EdgeContact {
             findCorner(true, radius);
             findCorner(false, radius);
         }
-        if (isCorner()) {
+        if (isCorner() && !isOwn(isCornerAtStart)) {
+            writeBesideCorner(poseE, radius, reach, out);
+        } else if (isCorner()) {
             writeCorner(poseE, radius, reach, out);
         } else if (gapOfFace < Double.POSITIVE_INFINITY) {
             writeFace(poseE, radius, reach, out);
         } else {
             writeAhead(poseE, radius, reach, out);
         }
+        if (out.count == 0) {
+            await(poseE, radius, reach, out);
+        }
         return out.count;
+    }
+
+    /** What is over no edge yet, or over another one, may come over this one within the step. */
+    private void await(Pose pose, double radius, double reach, Manifold out) {
+        if (view.leastDistance() - radius > reach) {
+            return;
+        }
+        view.lookFrom(true);
+        double toEnds = view.distance;
+        boolean isIn = view.isInside;
+        view.lookFrom(false);
+        isIn |= view.isInside;
+        double nearest = Math.min(nearestOver(), Math.min(toEnds, view.distance));
+        double gap = isIn ? 0 : Math.max(0, nearest - radius);
+        if (gap <= reach) {
+            view.normal(pose, 0, 1, NormalSource.FACE_A, out);
+            out.beside = gap;
+        }
     }
 
     /** Of two that overlap the one that overlaps less is it, else the nearer one. */
@@ -132,10 +155,47 @@ final class EdgeContact {
     }
 
     /** The edge that ends in a corner tells of it, and one that begins where nothing ends. */
+    private boolean isOwn(boolean isStart) {
+        return !isStart || view.beyond(true).isOpen();
+    }
+
+    /**
+     * What turns about the corner before the edge comes to lie on the edge itself. Where the core
+     * lies deeper beyond the corner than over the edge, the edge's normal does not lead out.
+     */
+    private void writeBesideCorner(Pose pose, double radius, double reach, Manifold out) {
+        boolean leadsOut = gapOfFace > 0 || view.leastBeyond(true) >= view.leastOver;
+        if (gapOfFace < Double.POSITIVE_INFINITY && leadsOut) {
+            writeFace(pose, radius, reach, out);
+        }
+    }
+
     private void writeCorner(Pose pose, double radius, double reach, Manifold out) {
-        boolean isOwn = !isCornerAtStart || view.beyond(true).isOpen();
-        if (isOwn && gapOfCorner <= reach) {
+        if (gapOfCorner <= reach) {
             addCorner(pose, isCornerAtStart, radius, out);
+            if (view.isOfFace) {
+                addFarEnd(pose, radius, reach, out);
+            }
+        }
+    }
+
+    /** The other end of what a side of the core and the edge have in common, if there is one. */
+    private void addFarEnd(Pose pose, double radius, double reach, Manifold out) {
+        int corner = isCornerAtStart ? view.sideLeft() : view.sideRight();
+        double end = view.end(!isCornerAtStart);
+        if (view.isOver(corner)) {
+            double gap = view.above[corner] - radius;
+            if (gap <= reach) {
+                view.add(pose, view.along[corner], gap / 2, gap, corner, out);
+            }
+        } else if (isCornerAtStart ? view.along[corner] < end : view.along[corner] > end) {
+            double gap =
+                    view.directionX * (view.along[corner] - end)
+                            + view.directionY * view.above[corner]
+                            - radius;
+            if (gap <= reach) {
+                view.add(pose, end, gap / 2, gap, CORNER | (isCornerAtStart ? 0 : 1), out);
+            }
         }
     }
 
@@ -150,7 +210,7 @@ final class EdgeContact {
 
     private void writeFace(Pose pose, double radius, double reach, Manifold out) {
         view.normal(pose, 0, 1, NormalSource.FACE_A, out);
-        boolean isCut = isFlat && isAcross();
+        boolean isCut = left != right && isAcross();
         addEnd(pose, left, -view.half, isCut, radius, reach, out);
         if (right != left) {
             addEnd(pose, right, view.half, isCut, radius, reach, out);

@@ -43,6 +43,9 @@ final class EdgeView {
     double directionY;
     boolean isOfFace;
 
+    /** The corner with which the nearest side begins. */
+    private int sideFrom;
+
     private Outline edge;
     private double midX;
     private double midY;
@@ -94,6 +97,19 @@ final class EdgeView {
                 leastOver = Math.min(leastOver, above[i]);
             }
         }
+    }
+
+    /** A bound of how near the core is to the edge, m: what lies around the core is no farther. */
+    double leastDistance() {
+        double left = Double.POSITIVE_INFINITY;
+        double right = Double.NEGATIVE_INFINITY;
+        for (int i = 0; i < corners; i++) {
+            left = Math.min(left, along[i]);
+            right = Math.max(right, along[i]);
+        }
+        double aside = Math.max(0, Math.max(left - half, -half - right));
+        double off = Math.max(0, Math.max(least, -most));
+        return Math.sqrt(aside * aside + off * off);
     }
 
     /** Whether a corner of the core lies over or under the edge, not beside it. */
@@ -151,6 +167,7 @@ final class EdgeView {
                 directionX = awayX;
                 directionY = awayY;
                 isOfFace = held == share && square > 0;
+                sideFrom = i;
             }
         }
         distance = Math.sqrt(leastSquare);
@@ -178,8 +195,21 @@ final class EdgeView {
                 distance = -depth;
                 directionX = inX;
                 directionY = inY;
+                sideFrom = i;
             }
         }
+    }
+
+    /** The left end of the side that is nearest to where {@link #lookFrom} looked from last. */
+    int sideLeft() {
+        int to = sideFrom + 1 < corners ? sideFrom + 1 : 0;
+        return along[sideFrom] < along[to] ? sideFrom : to;
+    }
+
+    /** Its right end. */
+    int sideRight() {
+        int to = sideFrom + 1 < corners ? sideFrom + 1 : 0;
+        return along[sideFrom] < along[to] ? to : sideFrom;
     }
 
     /** Whether matter ends in a corner at an end of the edge. */
@@ -199,6 +229,18 @@ final class EdgeView {
         double turn = isStart ? bx * y - by * x : x * by - y * bx;
         double own = isStart ? x : -x;
         return isConvex(isStart) && own >= -FLAT && turn >= -FLAT && x * bx + y * (1 + by) > 0;
+    }
+
+    /** How low the core reaches beyond an end of the edge, m; infinite where it does not. */
+    double leastBeyond(boolean isStart) {
+        double lowest = Double.POSITIVE_INFINITY;
+        for (int i = 0; i < corners; i++) {
+            double past = isStart ? along[i] : -along[i];
+            if (past > within) {
+                lowest = Math.min(lowest, above[i]);
+            }
+        }
+        return lowest;
     }
 
     /** Whether a direction from an end of the edge leads into the air. */

@@ -255,13 +255,18 @@ final class FaceClip {
         addFacing(pose, x, y, height(x - endX, y - endY), reach, name, out);
     }
 
-    /** In overlap the nearest corner lies in front of the face; round-off put it beside. */
+    /**
+     * In overlap the nearest corner lies in front of the face; round-off put it beside, or the two
+     * touch in a corner of either. Of an edge that lies flat both corners are as near: the one next
+     * to the face is meant.
+     */
     private void writeNearest(Pose pose, NormalSource source, Manifold out) {
         out.normal(normalX, normalY, source);
         out.turn(pose);
-        double x = isLowNearest ? lowX : highX;
-        double y = isLowNearest ? lowY : highY;
-        int name = isLowNearest ? name(source, 1, face, edgeEnd) : name(source, 1, faceEnd, edge);
+        boolean isLow = highFromStart > 0;
+        double x = isLow ? lowX : highX;
+        double y = isLow ? lowY : highY;
+        int name = isLow ? name(source, 1, face, edgeEnd) : name(source, 1, faceEnd, edge);
         addPoint(
                 pose,
                 x - normalX * separation / 2,

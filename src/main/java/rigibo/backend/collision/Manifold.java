@@ -1,5 +1,7 @@
 package rigibo.backend.collision;
 
+import rigibo.backend.storage.Pairs;
+
 /** Where two shapes touch or nearly touch. A plain carrier that stages reuse. */
 public final class Manifold {
 
@@ -25,12 +27,19 @@ public final class Manifold {
      */
     public final int[] feature = new int[2];
 
+    /**
+     * Gap in m to the edge of a chain that has no point yet, but may get one within the reach that
+     * was looked: then {@link #normalX} is the edge's. Below 0 in all other cases.
+     */
+    public double beside = Pairs.NOT_AWAITED;
+
     /** What gave the normal. */
     public NormalSource source = NormalSource.CLOSEST_POINTS;
 
     /** Forgets all points. */
     void clear() {
         count = 0;
+        beside = Pairs.NOT_AWAITED;
     }
 
     /** States the normal. */

@@ -109,7 +109,8 @@ public final class Narrowphase {
             return false;
         }
         if (pairs.points[pair] == 0) {
-            return reach + wayIfHeld(pair, dt) <= known;
+            // Who is awaited follows from the reach itself.
+            return !pairs.isAwaited(pair) && reach + wayIfHeld(pair, dt) <= known;
         }
         return farthest(pair) <= reach;
     }
@@ -290,7 +291,10 @@ public final class Narrowphase {
         pairs.former[first] = from0 == Pairs.NONE ? Pairs.NONE : from0 - first;
         pairs.former[first + 1] = from1 == Pairs.NONE ? Pairs.NONE : from1 - first;
         pairs.points[pair] = manifold.count;
-        if (manifold.count > 0) {
+        if (pairs.beside != null) {
+            pairs.beside[pair] = manifold.beside;
+        }
+        if (manifold.count > 0 || pairs.isAwaited(pair)) {
             // Without points the manifold's normal is some other pair's; a contact that ends keeps
             // the one it had.
             pairs.normalX[pair] = manifold.normalX;

@@ -24,6 +24,7 @@ final class SeamCover {
     private final Bodies bodies;
     private final Pairs pairs;
     private final SeamPoint at;
+    private final Pose pose = new Pose();
 
     /** Gap in m up to which a neighbour counts. */
     double near;
@@ -70,26 +71,40 @@ final class SeamCover {
 
     /** The first pair of the mover with a neighbour. */
     private int first(int pair) {
-        return neighbour(pair, bodies.firstPair[at.mover]);
+        return neighbour(pair, bodies.firstPair[lister()]);
     }
 
     private int next(int pair, int last) {
-        return neighbour(pair, pairs.nextOf(last, at.mover));
+        return neighbour(pair, pairs.nextOf(last, lister()));
     }
 
     private int neighbour(int pair, int from) {
         int p = from;
         while (p != Pairs.NONE && !mayCover(pair, p)) {
-            p = pairs.nextOf(p, at.mover);
+            p = pairs.nextOf(p, lister());
         }
         return p;
     }
 
+    /** The body in whose list the pairs with neighbours are. */
+    private int lister() {
+        return at.isOfParts ? at.fixed : at.mover;
+    }
+
     private boolean mayCover(int pair, int other) {
         return other != pair
-                && !bodies.isDynamic(pairs.other(other, at.mover))
-                && pairs.gap(other) <= near
-                && !areOneChain(pair, other);
+                && (at.isOfParts ? isOfSibling(other) : isOfFixed(pair, other))
+                && pairs.gap(other) <= near;
+    }
+
+    private boolean isOfFixed(int pair, int other) {
+        return !bodies.isDynamic(pairs.other(other, at.mover)) && !areOneChain(pair, other);
+    }
+
+    /** Whether a pair is of what touches the part, with another part of that body. */
+    private boolean isOfSibling(int other) {
+        return pairs.other(other, at.fixed) == at.mover
+                && pairs.shapeOf(other, at.mover) == at.moverShape;
     }
 
     /** Edges of one chain know each other. */
@@ -180,27 +195,40 @@ final class SeamCover {
                 || depth(p, at.x, at.y) >= flush && reach(p) > SeamPoint.ROUND_OFF * at.width;
     }
 
+    /** Neighbours that do not move are where their columns say, other parts where the part is. */
+    private void placeNeighbour(int p) {
+        if (at.isOfParts) {
+            pose.set(at.fixedPose);
+        } else {
+            int slot = pairs.other(p, at.mover);
+            pose.set(bodies.x[slot], bodies.y[slot], bodies.cos[slot], bodies.sin[slot]);
+        }
+    }
+
+    private Outline outlineOfNeighbour(int p) {
+        int body = at.isOfParts ? at.fixed : pairs.other(p, at.mover);
+        return bodies.outline[pairs.shapeOf(p, body)];
+    }
+
     /** How deep a world point lies in the neighbour of a pair, m; negative outside. */
     private double depth(int p, double px, double py) {
-        int slot = pairs.other(p, at.mover);
-        double dx = px - bodies.x[slot];
-        double dy = py - bodies.y[slot];
-        Outline outline = bodies.outline[pairs.shapeOf(p, slot)];
+        placeNeighbour(p);
+        double dx = px - pose.x;
+        double dy = py - pose.y;
+        Outline outline = outlineOfNeighbour(p);
         if (outline.isCentredDisc()) {
             return outline.radius() - Math.sqrt(dx * dx + dy * dy);
         }
-        return outline.depth(
-                bodies.cos[slot] * dx + bodies.sin[slot] * dy,
-                bodies.cos[slot] * dy - bodies.sin[slot] * dx);
+        return outline.depth(pose.cos * dx + pose.sin * dy, pose.cos * dy - pose.sin * dx);
     }
 
     /** How much farther than the point the neighbour reaches along the normal, m. */
     private double reach(int p) {
-        int slot = pairs.other(p, at.mover);
-        double centre = at.outX * (bodies.x[slot] - at.x) + at.outY * (bodies.y[slot] - at.y);
-        Outline outline = bodies.outline[pairs.shapeOf(p, slot)];
-        double localX = bodies.cos[slot] * at.outX + bodies.sin[slot] * at.outY;
-        double localY = bodies.cos[slot] * at.outY - bodies.sin[slot] * at.outX;
+        placeNeighbour(p);
+        double centre = at.outX * (pose.x - at.x) + at.outY * (pose.y - at.y);
+        Outline outline = outlineOfNeighbour(p);
+        double localX = pose.cos * at.outX + pose.sin * at.outY;
+        double localY = pose.cos * at.outY - pose.sin * at.outX;
         double most = Double.NEGATIVE_INFINITY;
         for (int i = 0; i < outline.corners(); i++) {
             most = Math.max(most, localX * outline.cornerX(i) + localY * outline.cornerY(i));

@@ -27,6 +27,9 @@ final class SeamPoint {
     private final Bodies bodies;
     private final Pairs pairs;
 
+    /** Whether the seam is between parts of one body, which is then called the fixed one. */
+    boolean isOfParts;
+
     /** The body that moves, the fixed one, and the width in m of the first. */
     int mover;
 

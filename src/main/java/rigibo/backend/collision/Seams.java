@@ -3,6 +3,7 @@ package rigibo.backend.collision;
 import rigibo.backend.geometry.Outline;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.PairTolerances;
 import rigibo.backend.storage.Pairs;
 
 /**
@@ -12,10 +13,18 @@ import rigibo.backend.storage.Pairs;
  */
 final class Seams {
 
+    /**
+     * Overlap in widths from which on any way out of a body of several parts is taken: what lies so
+     * deep has not come over a seam.
+     */
+    private static final double DEEP = 0.05;
+
     private final Bodies bodies;
     private final Pairs pairs;
 
     private final SeamPoint at;
+    private final Pose poseA = new Pose();
+    private final Pose poseB = new Pose();
     private final SeamCover cover;
 
     /** Where the mover is nearest to the plane of a face, world m. */
@@ -40,6 +49,11 @@ final class Seams {
             place(at.fixed, at.fixedPose);
             leaveOut(pair);
         }
+        if (bodies.mayHaveParts()) {
+            place(pairs.bodyA[pair], poseA);
+            place(pairs.bodyB[pair], poseB);
+            leaveOutInside(pair, poseA, poseB);
+        }
     }
 
     /** Drops the covered points of a contact that was measured at these poses of its bodies. */
@@ -50,6 +64,50 @@ final class Seams {
             at.fixedPose.set(isMoverA ? atB : atA);
             leaveOut(pair);
         }
+        if (bodies.mayHaveParts()) {
+            leaveOutInside(pair, atA, atB);
+        }
+    }
+
+    /**
+     * Drops the points of a contact that lie inside a body that moves, where two of its parts meet:
+     * what such a face or corner looks at is its other part.
+     */
+    private void leaveOutInside(int pair, Pose atA, Pose atB) {
+        int a = pairs.bodyA[pair];
+        int b = pairs.bodyB[pair];
+        leaveOutInside(pair, a, atA, b, atB);
+        leaveOutInside(pair, b, atB, a, atA);
+    }
+
+    private void leaveOutInside(int pair, int body, Pose pose, int other, Pose otherPose) {
+        int shape = pairs.shapeOf(pair, body);
+        boolean mayBeInside =
+                pairs.points[pair] > 0
+                        && bodies.isDynamic(body)
+                        && (bodies.bodyOf(shape) != shape
+                                || bodies.nextShapeOf(shape) != Pairs.NONE)
+                        && !bodies.outline[shape].isDisc();
+        if (!mayBeInside) {
+            return;
+        }
+        at.isOfParts = true;
+        at.mover = other;
+        at.fixed = body;
+        at.moverShape = pairs.shapeOf(pair, other);
+        at.fixedShape = shape;
+        at.moverPose.set(otherPose);
+        at.fixedPose.set(pose);
+        at.width = PairTolerances.width(bodies, body, other);
+        cover.near = at.touching();
+        for (int i = pairs.points[pair] - 1; i >= 0; i--) {
+            at.look(pair, 2 * pair + i);
+            boolean isDeep = pairs.separation[2 * pair + i] < -DEEP * at.width;
+            if (!isDeep && cover.isCovered(pair)) {
+                pairs.removePoint(pair, i);
+            }
+        }
+        at.isOfParts = false;
     }
 
     private void place(int slot, Pose pose) {

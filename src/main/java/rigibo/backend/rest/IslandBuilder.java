@@ -86,7 +86,7 @@ public final class IslandBuilder {
 
     /** Whether a pair belongs to a pile: near, and none of its dynamic bodies is in flight. */
     private boolean isPilePair(int pair) {
-        if (pairs.points[pair] == 0) {
+        if (pairs.points[pair] == 0 && !pairs.isAwaited(pair)) {
             return false;
         }
         int a = pairs.bodyA[pair];

@@ -313,6 +313,11 @@ public final class Bodies {
         return owner == null ? slot : owner[slot];
     }
 
+    /** Whether there may be bodies of more than one shape. */
+    public boolean mayHaveParts() {
+        return owner != null;
+    }
+
     /** The slot of the next shape of the same body, or {@link Pairs#NONE}. */
     public int nextShapeOf(int slot) {
         return owner == null ? Pairs.NONE : nextShape[slot];

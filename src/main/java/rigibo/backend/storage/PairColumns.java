@@ -38,6 +38,7 @@ final class PairColumns {
         p.faceOf = v.column("faceOf", SAVED, ALWAYS, p.faceOf);
         p.points = v.column("points", SAVED, ALWAYS, p.points);
         p.passage = v.column("passage", SAVED, ONE_SIDED, p.passage);
+        p.beside = v.column("beside", SAVED, ONE_SIDED, p.beside);
         p.pointX = v.twins("pointX", SAVED, ALWAYS, p.pointX);
         p.pointY = v.twins("pointY", SAVED, ALWAYS, p.pointY);
         p.middleX = v.column("middleX", SAVED, ALWAYS, p.middleX);

@@ -27,6 +27,9 @@ public final class Pairs {
     public static final int PASSES = 2;
     public static final int COMES_THROUGH = 3;
 
+    /** In {@link #beside}: the two cannot touch in this step but where they have points. */
+    public static final double NOT_AWAITED = -1;
+
     private static final int FIRST_CAPACITY = 64;
 
     public final Slots slots = new Slots();
@@ -120,6 +123,13 @@ public final class Pairs {
      * shape is such.
      */
     public int[] passage;
+
+    /**
+     * Of pairs with an edge of a chain that have no point: the gap in m between the two where one
+     * may come over the edge within the reach that was looked, else {@link #NOT_AWAITED}; null
+     * likewise.
+     */
+    public double[] beside;
 
     /** The pairs this step has to look at: those with an awake body. */
     public int[] active = new int[FIRST_CAPACITY];
@@ -369,6 +379,11 @@ public final class Pairs {
         return elasticity == null ? 0 : elasticity[pair];
     }
 
+    /** Whether the two may touch within the step in a point that nobody can tell of yet. */
+    public boolean isAwaited(int pair) {
+        return beside != null && points[pair] == 0 && beside[pair] >= 0;
+    }
+
     /** Forgets all that is known of the contact. */
     public void clear(int pair) {
         normalX[pair] = 0;
@@ -395,6 +410,7 @@ public final class Pairs {
         activeStep[pair] = 0;
         if (passage != null) {
             passage[pair] = UNDECIDED;
+            beside[pair] = NOT_AWAITED;
         }
     }
 

@@ -1,7 +1,10 @@
 package rigibo.lab.hardcase;
 
+import rigibo.backend.setup.BodyDefinition;
+
 import java.util.Comparator;
 import java.util.List;
+import java.util.function.UnaryOperator;
 import java.util.stream.Collectors;
 
 /** A scene that is hard to simulate and whose truth is known. */
@@ -41,9 +44,18 @@ public interface HardCase {
 
     /** Runs the case twice, for the second run must end in the same bits. */
     default Result run(Preset preset, Sampling sampling) {
-        Trial first = new Trial(preset, limitedFrom(), sampling);
+        return run(preset, sampling, UnaryOperator.identity());
+    }
+
+    /** Runs a few variants of the case with each body put together of parts. */
+    default Result runInParts(Preset preset) {
+        return run(preset, Sampling.USUAL, InParts::of);
+    }
+
+    private Result run(Preset preset, Sampling sampling, UnaryOperator<BodyDefinition> made) {
+        Trial first = new Trial(preset, limitedFrom(), sampling, made);
         run(first);
-        Trial second = new Trial(preset, limitedFrom(), sampling);
+        Trial second = new Trial(preset, limitedFrom(), sampling, made);
         run(second);
         first.compare(second);
         return new Result(this, preset, first.measures(), first.work());

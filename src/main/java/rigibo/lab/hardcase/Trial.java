@@ -1,12 +1,14 @@
 package rigibo.lab.hardcase;
 
 import rigibo.backend.effect.Effects;
+import rigibo.backend.setup.BodyDefinition;
 import rigibo.lab.truth.Earth;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.UnaryOperator;
 
 /** One run of a case at one preset: makes its pools and keeps the worst of every figure. */
 public final class Trial {
@@ -35,14 +37,23 @@ public final class Trial {
     private final Preset preset;
     private final Preset limitedFrom;
     private final Sampling sampling;
+    private final UnaryOperator<BodyDefinition> made;
     private final Map<String, Measure> measures = new LinkedHashMap<>();
     private final Map<String, Measure> invariants = new LinkedHashMap<>();
     private final Work work = new Work();
     private String variant = "";
     private long hash;
 
-    /** A run at a preset of a case whose own figures are limited from another on. */
-    Trial(Preset preset, Preset limitedFrom, Sampling sampling) {
+    /**
+     * A run at a preset of a case whose own figures are limited from another on, with bodies made
+     * of the case's in some way.
+     */
+    Trial(
+            Preset preset,
+            Preset limitedFrom,
+            Sampling sampling,
+            UnaryOperator<BodyDefinition> made) {
+        this.made = made;
         this.preset = preset;
         this.limitedFrom = limitedFrom;
         this.sampling = sampling;
@@ -55,6 +66,11 @@ public final class Trial {
     /** Which variants a case of many is to try. */
     Sampling sampling() {
         return sampling;
+    }
+
+    /** The body to take in the place of one of the case's. */
+    BodyDefinition made(BodyDefinition body) {
+        return made.apply(body);
     }
 
     /** Names the variant that is tried from now on, for the figures that fail. */

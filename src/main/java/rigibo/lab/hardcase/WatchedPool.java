@@ -73,7 +73,7 @@ final class WatchedPool {
         isMomentumKept &= definition.type() == BodyType.DYNAMIC && definition.gravityScale() == 1;
         isEnergyKept &= definition.type() != BodyType.KINEMATIC && definition.gravityScale() == 1;
         changed();
-        return pool.add(definition);
+        return pool.add(trial.made(definition));
     }
 
     /** Joins two bodies; the energy of its spring counts, the work of its motor does not. */

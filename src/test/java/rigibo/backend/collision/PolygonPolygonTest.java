@@ -7,6 +7,7 @@ import static rigibo.backend.collision.Meeting.pose;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 import rigibo.backend.geometry.Polygon;
@@ -107,6 +108,18 @@ class PolygonPolygonTest {
         assertThat(manifold.source).isEqualTo(NormalSource.CLOSEST_POINTS);
         assertThat(manifold.pointX[0]).isEqualTo(0.65, within(ROUND_OFF));
         assertThat(manifold.pointY[0]).isEqualTo(0.7, within(ROUND_OFF));
+    }
+
+    /** Whichever two corners: exactly there, though faces in one line are as near all along. */
+    @ParameterizedTest
+    @CsvSource({"1, 1", "1, -1", "-1, 1", "-1, -1"})
+    void boxesThatTouchInACornerTouchThere(double x, double y) {
+        Manifold manifold = new Meeting(BOX, pose(0, 0, 0), BOX, pose(x, y, 0)).within(0.1);
+
+        assertThat(manifold.count).isOne();
+        assertThat(manifold.separation[0]).isZero();
+        assertThat(manifold.pointX[0]).isEqualTo(x / 2);
+        assertThat(manifold.pointY[0]).isEqualTo(y / 2);
     }
 
     /** The faces' lines are 0.3 m and 0.4 m away, the corners half a metre. */

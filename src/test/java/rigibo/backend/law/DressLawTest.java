@@ -184,7 +184,10 @@ class DressLawTest {
         "ROUNDED, EXACT, 0.02",
         "IN_PARTS, GAME, 0.04",
         "IN_PARTS, FINE, 0.04",
-        "IN_PARTS, EXACT, 0.04"
+        "IN_PARTS, EXACT, 0.04",
+        "LOCKED, GAME, 0.02",
+        "LOCKED, FINE, 0.02",
+        "LOCKED, EXACT, 0.02"
     })
     void fewHardlySinkIn(Dress dress, Preset preset, double limit) {
         Laws.hold(

@@ -23,6 +23,12 @@ public final class Equilibrium {
     public static final double UNHELD = 1e-9;
 
     /**
+     * How many times more a body of a crowd may be held too little, and move: what rows give way by
+     * adds up from storey to storey, and passes leave a share of it.
+     */
+    private static final double IN_A_CROWD = 10;
+
+    /**
      * Share of its own loads by which a joined body may be held too little or too much. Joints are
      * solved to round-off, and what a chain carries at its ends is off by as much as this.
      */
@@ -78,7 +84,9 @@ public final class Equilibrium {
 
     /** Whether an island stays as it is for a step of {@code dt} seconds. */
     boolean lasts(int island, double dt) {
-        return mayLast(island, dt, Stillness.STILL) && isEveryBodyHeld(island, UNHELD);
+        double times = PackedContacts.areCrowd(islands, island) ? IN_A_CROWD : 1;
+        return mayLast(island, dt, times * Stillness.STILL)
+                && isEveryBodyHeld(island, times * UNHELD);
     }
 
     /**

@@ -46,7 +46,8 @@ public final class BentRows {
 
     /**
      * Measures anew what has turned, or gone round, too far or is about to, with {@code left}
-     * seconds of the step to go; what was measured as the first part of a substep begins is new.
+     * seconds of the step to go, and edges of a chain that something may have come over; what was
+     * measured as the first part of a substep begins is new.
      *
      * @return whether there was anything
      */
@@ -57,22 +58,27 @@ public final class BentRows {
         reserve();
         boolean isCrowd = contacts.areCrowd();
         boolean isAny = false;
+        boolean isAnyNew = false;
         for (int row = 0; row < contacts.count; row++) {
             turns[row] = turning != null && turning.isTurning(row, left);
             curves[row] = curved != null && curved.isCurved(row, left);
-            if (turns[row] || curves[row]) {
-                isAny = true;
+            boolean isBent = turns[row] || curves[row];
+            isAny |= isBent;
+            boolean isAwaited = fresh.isAwaited(row);
+            if (isBent || isAwaited) {
                 boolean isNew = isFirst && (substep == 0 || contacts.firstSubstep[row] == substep);
-                // In a crowd half of the contacts are only foreseen, and stay so.
-                if (!isNew && (!isCrowd || fresh.mayClose(row, left))) {
+                // In a crowd half of the contacts are only foreseen, and stay so; so do most edges
+                // of a chain that something is near.
+                if (!isNew && (!isCrowd && !isAwaited || fresh.mayClose(row, left))) {
                     fresh.measure(row, left);
+                    isAnyNew = true;
                 }
             }
         }
         wasAny = isAnyNow;
         isAnyNow = isAny;
         isAnyBent |= isAny && curved != null;
-        return isAny;
+        return isAny || isAnyNew;
     }
 
     private void reserve() {

@@ -155,12 +155,29 @@ public final class FreshRows {
      * twice their speed.
      */
     boolean mayClose(int row, double left) {
+        double width = contacts.data[row * PackedContacts.STRIDE + PackedContacts.WIDTH];
+        double closing = NEAR * width + 2 * speed(row, contacts.pair[row]) * left;
+        return gap(row) <= closing;
+    }
+
+    /** The gap of a contact now, m; of one that has no point yet no more than that. */
+    private double gap(int row) {
+        int pair = contacts.pair[row];
+        if (pairs.isAwaited(pair)) {
+            return pairs.beside[pair]
+                    - motions.moved(contacts.bodyA[row])
+                    - motions.moved(contacts.bodyB[row]);
+        }
         double gap = motions.gap(contacts, row, 0);
         if (contacts.points[row] == 2) {
             gap = Math.min(gap, motions.gap(contacts, row, 1));
         }
-        double width = contacts.data[row * PackedContacts.STRIDE + PackedContacts.WIDTH];
-        return gap <= NEAR * width + 2 * speed(row, contacts.pair[row]) * left;
+        return gap;
+    }
+
+    /** Whether a contact has no point yet, though its bodies may come to touch. */
+    boolean isAwaited(int row) {
+        return pairs.isAwaited(contacts.pair[row]);
     }
 
     /** The gap in m that could close in what is left of the step. */

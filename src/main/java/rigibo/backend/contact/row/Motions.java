@@ -166,6 +166,12 @@ public final class Motions {
         Arrays.fill(data, at, at + DX, 0);
     }
 
+    /** How far in m the outline of a body may have come from where it was packed. */
+    double moved(int at) {
+        double turned = turns ? reach[at / STRIDE] * Math.abs(data[at + TURN]) : 0;
+        return Math.abs(data[at + DX]) + Math.abs(data[at + DY]) + turned;
+    }
+
     /** The gap of a contact's point now, m, negative in overlap. */
     public double gap(PackedContacts contacts, int row, int point) {
         double[] d = contacts.data;

@@ -116,7 +116,7 @@ public final class RowBuilder {
         int a = pairs.bodyA[pair];
         int b = pairs.bodyB[pair];
         contacts.pair[row] = pair;
-        contacts.points[row] = pairs.points[pair];
+        contacts.points[row] = Math.max(1, pairs.points[pair]);
         boolean isHalted = isPressedInVain(pair);
         boolean crushes = isCrushed(pair);
         contacts.bodyA[row] = isHalted && bodies.isDriven(a) ? GROUND : motions.offset(bodies, a);
@@ -125,6 +125,9 @@ public final class RowBuilder {
         contacts.work.crushed += crushes ? 1 : 0;
         int at = row * PackedContacts.STRIDE;
         writeManifold(row, at, pair);
+        if (pairs.points[pair] == 0) {
+            contacts.data[at + PackedContacts.GAP0] = OUT_OF_REACH;
+        }
         contacts.data[at + PackedContacts.RECOVERY] = Recovery.RATE;
         contacts.data[at + PackedContacts.WIDTH] = PairTolerances.width(bodies, a, b);
         writeImpulses(row, at, pair, firstKick);
