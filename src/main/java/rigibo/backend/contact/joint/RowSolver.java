@@ -131,7 +131,8 @@ final class RowSolver {
 
     /**
      * Whether rows may share their loads in more than one way: more of them hold than bodies can
-     * move by. Limits count for nothing, for most are not reached.
+     * move by. Limits count for nothing, for most are not reached, nor do springs, nor friction:
+     * two bodies that lie still on it crept to where it would have held them anyway.
      */
     private boolean mayBeIndeterminate() {
         int free = 0;
@@ -143,7 +144,10 @@ final class RowSolver {
         for (int row = 0; row < rows.count; row++) {
             boolean isOfJoint = rows.joint[row] != NeutralRows.NONE;
             boolean isLimit = isOfJoint && rows.holdsPlace[row] && !rows.isEquation(row);
-            hold += isLimit ? 0 : 1;
+            boolean isSoft =
+                    isOfJoint && (rows.give[row] > 0 || rows.lower[row] == rows.upper[row]);
+            boolean isOfLoad = rows.load[row] != NeutralRows.NONE;
+            hold += isLimit || isSoft || isOfLoad ? 0 : 1;
         }
         return hold > free;
     }
