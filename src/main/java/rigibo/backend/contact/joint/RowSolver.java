@@ -131,8 +131,9 @@ final class RowSolver {
 
     /**
      * Whether rows may share their loads in more than one way: more of them hold than bodies can
-     * move by. Limits count for nothing, for most are not reached, nor do springs, nor friction:
-     * two bodies that lie still on it crept to where it would have held them anyway.
+     * move by. Limits count for nothing, for most are not reached, nor do springs, nor friction
+     * where nothing brakes: two bodies that lie still on it crept to where it would have held them
+     * anyway.
      */
     private boolean mayBeIndeterminate() {
         int free = 0;
@@ -141,6 +142,8 @@ final class RowSolver {
             free += motions.data[at + Motions.INVERSE_INERTIA] > 0 ? 1 : 0;
         }
         int hold = 0;
+        int rub = 0;
+        boolean isBraked = false;
         for (int row = 0; row < rows.count; row++) {
             boolean isOfJoint = rows.joint[row] != NeutralRows.NONE;
             boolean isLimit = isOfJoint && rows.holdsPlace[row] && !rows.isEquation(row);
@@ -148,8 +151,10 @@ final class RowSolver {
                     isOfJoint && (rows.give[row] > 0 || rows.lower[row] == rows.upper[row]);
             boolean isOfLoad = rows.load[row] != NeutralRows.NONE;
             hold += isLimit || isSoft || isOfLoad ? 0 : 1;
+            rub += isOfLoad ? 1 : 0;
+            isBraked |= isOfJoint && !isLimit && !isSoft && !rows.isEquation(row);
         }
-        return hold > free;
+        return hold + (isBraked ? rub : 0) > free;
     }
 
     private void start() {
