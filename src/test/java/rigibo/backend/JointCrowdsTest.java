@@ -47,33 +47,6 @@ class JointCrowdsTest {
     /** Rows that passes solve in a step: a million, made twice at most, in 5 kicks for 4. */
     private static final long MOST_SOLVES = 2_500_000;
 
-    private static RigidBody bone(Pool pool, double x, double y, double width, double height) {
-        return pool.add(BodyDefinition.dynamic(Polygon.box(width, height)).at(x, y));
-    }
-
-    private static void bend(Pool pool, RigidBody a, RigidBody b, double x, double y) {
-        pool.join(RevoluteJoint.at(a, b, x, y).limits(-0.8, 0.8).motor(0, 1));
-    }
-
-    /** Eleven bodies, ten hinges with limits and a motor that only brakes. */
-    private static void addRagdoll(Pool pool, double x, double y) {
-        RigidBody chest = bone(pool, x, y, 0.4, 0.3);
-        RigidBody belly = bone(pool, x, y - 0.3, 0.35, 0.3);
-        bend(pool, chest, belly, x, y - 0.15);
-        RigidBody head = pool.add(BodyDefinition.dynamic(new Circle(0.15)).at(x, y + 0.3));
-        bend(pool, chest, head, x, y + 0.15);
-        for (int side = -1; side <= 1; side += 2) {
-            RigidBody arm = bone(pool, x + side * 0.35, y + 0.1, 0.3, 0.1);
-            bend(pool, chest, arm, x + side * 0.2, y + 0.1);
-            RigidBody hand = bone(pool, x + side * 0.65, y + 0.1, 0.3, 0.09);
-            bend(pool, arm, hand, x + side * 0.5, y + 0.1);
-            RigidBody thigh = bone(pool, x + side * 0.1, y - 0.65, 0.14, 0.4);
-            bend(pool, belly, thigh, x + side * 0.1, y - 0.45);
-            RigidBody shin = bone(pool, x + side * 0.1, y - 1.05, 0.12, 0.4);
-            bend(pool, thigh, shin, x + side * 0.1, y - 0.85);
-        }
-    }
-
     private static double energy(Pool pool) {
         double springs = pool.joints().stream().mapToDouble(Joint::energy).sum();
         return pool.kineticEnergy() + pool.potentialEnergy() + springs;
@@ -106,7 +79,7 @@ class JointCrowdsTest {
         Pool pool = new Pool(EARTH, Accuracy.GAME);
         pool.add(BodyDefinition.fixed(Polygon.box(40, 1)).at(0, -0.5));
         for (int i = 0; i < 20; i++) {
-            addRagdoll(pool, 2 * (i % 5) - 4 + 0.3 * (i / 5), 2 + 2.2 * (i / 5));
+            JointScenes.addRagdoll(pool, 2 * (i % 5) - 4 + 0.3 * (i / 5), 2 + 2.2 * (i / 5));
         }
         assertThat(run(pool, 180)).isLessThan(1e-3);
         assertThat(pool.bodies()).allSatisfy(body -> assertThat(body.x() + body.y()).isFinite());
@@ -158,7 +131,7 @@ class JointCrowdsTest {
         RigidBody before = pool.add(BodyDefinition.fixed(new Circle(0.05)).at(left - 0.05, 8));
         for (int i = 0; i < planks; i++) {
             double x = left + 0.5 * i;
-            RigidBody plank = bone(pool, x + 0.25, 8, 0.5, 0.125);
+            RigidBody plank = JointScenes.bone(pool, x + 0.25, 8, 0.5, 0.125);
             pool.join(RevoluteJoint.at(before, plank, x, 8));
             before = plank;
         }

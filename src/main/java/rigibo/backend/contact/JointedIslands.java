@@ -35,6 +35,9 @@ final class JointedIslands {
     /** Factor by which substeps may be too few for what became taut within the step. */
     private static final double MORE = 1.5;
 
+    /** Substeps of what is too taut and moves fast, as a multiple of the usual. */
+    private static final int MORE_IF_TAUT = 2;
+
     private final Accuracy accuracy;
     private final Motions motions;
     private final PackedContacts contacts = new PackedContacts();
@@ -126,7 +129,9 @@ final class JointedIslands {
         boolean areMany = joints.areCrowd(island);
         int most = accuracy.substeps();
         int usual = areMany ? fewer.byWay(island, dt, most) : joints.substepsFor(island, dt, most);
-        return declared.substepsFor(island, dt, usual);
+        boolean isTaut = !areMany && joints.isTaut();
+        int needed = isTaut ? fewer.byWay(island, dt, MORE_IF_TAUT * most) : usual;
+        return declared.substepsFor(island, dt, needed);
     }
 
     /**
@@ -162,7 +167,7 @@ final class JointedIslands {
         int packed = pack(island, dt, usual);
         int substeps = plainSubsteps(island, dt, packed);
         // A step back in time would drive what drag brakes.
-        boolean isFree = stages.mayCompose() && !kick.isForced();
+        boolean isFree = stages.mayCompose() && !kick.isForced() && !joints.isTaut();
         boolean mayCompose =
                 substeps == packed && isFree && joints.areHeldByEquations(2 * dt / packed);
         if (mayCompose) {

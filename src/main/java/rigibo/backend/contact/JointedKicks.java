@@ -190,7 +190,7 @@ final class JointedKicks {
         if (length == 0) {
             return;
         }
-        joints.write(length, h);
+        joints.writeAtRest(length, h);
         joints.begin(h);
         accelerate(time);
         joints.takeFree();

@@ -33,6 +33,16 @@ final class BoundedRows {
     /** What joints give of what they carried in the kick before. */
     private double share;
 
+    /** By row: what the last pass changed of its impulse, and the way that passes go. */
+    private double[] step = new double[64];
+
+    private double[] way = new double[64];
+
+    /** Σ of the squares of what the last pass changed, by what each gives its row; and before. */
+    private double square;
+
+    private double squareBefore;
+
     private long solves;
 
     BoundedRows(
@@ -126,6 +136,10 @@ final class BoundedRows {
             holds = Arrays.copyOf(holds, rows.bodies.length);
             bounded = Arrays.copyOf(bounded, rows.bodies.length);
         }
+        if (step.length < rows.count) {
+            step = new double[rows.bodies.length];
+            way = new double[rows.bodies.length];
+        }
         for (int row = jointRows; row < rows.count; row++) {
             bounded[count++] = row;
             holds[row] = false;
@@ -146,11 +160,41 @@ final class BoundedRows {
         }
     }
 
+    /**
+     * Goes on along the way that passes take: a nonlinear conjugate gradient, begun anew where it
+     * does not shorten what a pass changes (M. Silcowitz-Hansen, S. Niebe and K. Erleben, A
+     * nonsmooth nonlinear conjugate gradient method for interactive contact force problems, 2010).
+     * Near the end a pass alone changes all impulses by nine tenths of what the last one did.
+     */
+    void accelerate() {
+        double share = square < squareBefore ? square / squareBefore : 0;
+        for (int i = 0; i < count; i++) {
+            int row = bounded[i];
+            double further = share * way[row];
+            way[row] = further + step[row];
+            if (further != 0 && !holds[row]) {
+                double change = clamp(row, rows.impulse[row] + further) - rows.impulse[row];
+                if (change != 0) {
+                    rows.impulse[row] += change;
+                    responses.push(row, change);
+                }
+            }
+        }
+        squareBefore = square;
+    }
+
+    /** Other rows hold: the way of passes is another. */
+    void beginWay() {
+        squareBefore = 0;
+    }
+
     /** One pass over those that do not hold; how much it changed the speed of a row, m/s. */
     double pass(boolean isBack) {
         double most = 0;
+        square = 0;
         for (int i = 0; i < count; i++) {
             int row = bounded[isBack ? count - 1 - i : i];
+            step[row] = 0;
             if (!holds[row]) {
                 most = Math.max(most, solve(row));
             }
@@ -174,6 +218,8 @@ final class BoundedRows {
         }
         rows.impulse[row] += change;
         responses.push(row, change);
+        step[row] = change;
+        square += change * change * responses.own(row);
         return Math.abs(change) * responses.own(row) * reach(row);
     }
 

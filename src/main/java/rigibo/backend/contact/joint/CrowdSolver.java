@@ -199,6 +199,7 @@ final class CrowdSolver {
     /** Lets passes and exchanges follow each other until nothing changes any more. */
     private void run(double quiet, boolean mayExchange) {
         int passes = responses.areAnyLarge() ? 1 : PASSES;
+        bounded.beginWay();
         settle(true);
         boolean isOpen = mayExchange && exchange(true) || bounded.areAny();
         for (int pass = 0; isOpen && pass < mostPasses; ) {
@@ -207,6 +208,9 @@ final class CrowdSolver {
             double change = Double.POSITIVE_INFINITY;
             for (int i = 0; i < passes && change > quiet; i++) {
                 change = bounded.pass(pass++ % 2 == 1);
+                if (change > quiet && i + 1 < passes) {
+                    bounded.accelerate();
+                }
             }
             settle(false);
             isOpen = change > quiet;
@@ -221,6 +225,7 @@ final class CrowdSolver {
         Arrays.fill(isOther, 0, tree.groups, false);
         boolean isAny = bounded.exchange(mayEnter, tree, isOther);
         if (isAny) {
+            bounded.beginWay();
             for (int group = 0; group < tree.groups; group++) {
                 if (isOther[group]) {
                     factor.change(group);

@@ -115,6 +115,12 @@ final class HeldPlaces {
         }
     }
 
+    /** Leaves velocities as they are in a drift. */
+    void leave() {
+        memory.keep();
+        worst = 0;
+    }
+
     /** Goes back to what {@link #hold} began with, which does no work and misses the places. */
     void release() {
         memory.recall();

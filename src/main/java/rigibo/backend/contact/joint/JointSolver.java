@@ -33,7 +33,7 @@ public final class JointSolver {
      * Share of that where bodies hardly move before a kick, by at most so many times less than
      * after it: what rows give way by adds up along a chain, and would keep it from resting.
      */
-    private static final double FINER = 1e-2;
+    private static final double FINER = 1e-3;
 
     private static final double HARDLY = 1e-3;
 
@@ -149,6 +149,14 @@ public final class JointSolver {
     private double keptKick;
 
     private final TautSubsteps taut;
+    private final TautInertia inertia;
+
+    /** Whether tautness may be answered by inertia at this accuracy. */
+    private final boolean mayStiffen;
+
+    /** Whether the island trembles faster than its substeps follow. */
+    private boolean isTaut;
+
     private final ComposedSubsteps composed;
     private final SpringSubsteps springs;
     private final double tolerance;
@@ -174,7 +182,7 @@ public final class JointSolver {
         jointRows = new JointRows(data, rows, packed, poses, states);
         contactRows = new ContactRows(motions, contacts, rows, states);
         elimination = new RowElimination(motions, rows);
-        solver = new RowSolver(motions, rows, elimination);
+        solver = new RowSolver(motions, rows, elimination, accuracy);
         NeutralRows ahead = new NeutralRows(motions, locks);
         JointRows rowsAhead = new JointRows(data, ahead, packed, poses, states);
         UnsymmetricElimination foreseen = new UnsymmetricElimination(motions, rows, elimination);
@@ -200,6 +208,7 @@ public final class JointSolver {
                         elimination,
                         accuracy.impactTolerance());
         taut = new TautSubsteps(data);
+        inertia = new TautInertia(data, motions, packed, poses);
         composed = new ComposedSubsteps(data, motions, rows, jointRows, packed, taut, accuracy);
         results = new JointResults(data, packed, rows);
         islands = data.islands;
@@ -237,6 +246,7 @@ public final class JointSolver {
                         elimination,
                         solver,
                         results);
+        mayStiffen = tolerance >= Accuracy.GAME.impactTolerance();
         substeps = accuracy.substeps();
         boolean isLimited = substeps < Accuracy.EXACT.substeps();
         worth = isLimited ? WORTH : WORTH_IF_EXACT;
@@ -258,9 +268,13 @@ public final class JointSolver {
         return contactCount > 0 && (areMany || bounded > MOST_BOUNDED);
     }
 
-    /** How many substeps an island needs for a step of dt seconds, usually as usual. */
+    /**
+     * How many substeps an island needs for a step of dt seconds, usually as usual; so many as well
+     * where it is too taut for any.
+     */
     public int substepsFor(int island, double dt, int usual) {
-        return taut.count(island, dt, usual);
+        isTaut = mayStiffen && taut.isBeyond(island, dt, usual);
+        return isTaut ? usual : taut.count(island, dt, usual);
     }
 
     /** How many substeps the springs of the packed island need for a step of dt seconds. */
@@ -284,6 +298,11 @@ public final class JointSolver {
         return isWhole ? composed.countPlainly(island, dt, least, most) : most;
     }
 
+    /** Whether the island that was asked for last is too taut for any number of substeps. */
+    public boolean isTaut() {
+        return isTaut;
+    }
+
     /** Begins substeps of h seconds of the packed island. */
     public void beginSubsteps(double h) {
         stops.begin(h);
@@ -293,10 +312,12 @@ public final class JointSolver {
     public void pack(int island, double firstKick, int substepsOfIsland) {
         boolean areMany = areCrowd(island);
         packed.pack(island, firstKick);
+        inertia.begin();
+        isTaut &= !areMany;
         strikes.watchNothing();
         stops.begin(2 * firstKick);
         places.begin();
-        write(firstKick, 2 * firstKick);
+        writeAtRest(firstKick, 2 * firstKick);
         haveStops = contactRows.areAny();
         areWritten = !haveStops;
         for (int row = 0; row < rows.count; row++) {
@@ -422,7 +443,25 @@ public final class JointSolver {
      */
     public void write(double kick, double h) {
         share = kicked == 0 ? 0 : kick / kicked;
+        double last = kicked;
         kicked = kick;
+        if (isTaut && isWhole && last > 0) {
+            poses.take(0);
+            inertia.stiffen(last, h);
+        } else if (isTaut) {
+            inertia.release();
+        }
+        writeRows(kick, h);
+        results.keepArms(poses);
+    }
+
+    /** Writes them likewise before a kick after which nothing drifts. */
+    public void writeAtRest(double kick, double h) {
+        share = kicked == 0 ? 0 : kick / kicked;
+        kicked = kick;
+        if (isTaut) {
+            inertia.release();
+        }
         writeRows(kick, h);
         results.keepArms(poses);
     }
@@ -466,7 +505,12 @@ public final class JointSolver {
         work.begin();
         solver.beginAsBefore(packed, share);
         boolean isSolved = solver.solve(settled);
-        places.hold(h, settled, contactRows.carry(), isSmall);
+        if (isTaut) {
+            // Kicks along the rows of the start would tremble against what inertia has answered.
+            places.leave();
+        } else {
+            places.hold(h, settled, contactRows.carry(), isSmall);
+        }
         boolean isGained = gains(noise);
         if (isGained && !contactRows.areAny()) {
             places.release();

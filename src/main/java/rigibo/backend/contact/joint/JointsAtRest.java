@@ -27,6 +27,10 @@ public final class JointsAtRest {
     private final NeutralRows rows;
     private final PackedJoints packed;
     private final Poses poses;
+
+    /** Of which none is watched: all rows are bound. */
+    private final RowStates states;
+
     private final JointRows jointRows;
     private final JointResults results;
     private final double tolerance;
@@ -41,7 +45,7 @@ public final class JointsAtRest {
         rows = new NeutralRows(motions, null);
         packed = new PackedJoints(data, builder);
         poses = new Poses(data.bodies, motions);
-        RowStates states = new RowStates();
+        states = new RowStates();
         jointRows = new JointRows(data, rows, packed, poses, states);
         results = new JointResults(data, packed, rows);
         tolerance = accuracy.impactTolerance();
@@ -73,6 +77,7 @@ public final class JointsAtRest {
     public boolean goOn(int island, double dt, Equilibrium sums) {
         motions.halt();
         packed.pack(island, dt);
+        states.clear(packed.count, 0);
         rows.clear();
         poses.take(0);
         jointRows.write(dt, dt);

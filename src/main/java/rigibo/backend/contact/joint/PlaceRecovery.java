@@ -20,6 +20,11 @@ final class PlaceRecovery {
     /** Error that is taken back at once, m per metre of the joint's arms. */
     private static final double SMALL = 1e-4;
 
+    /** What rows give way by where they ask for too much, as a share of their responses. */
+    private static final double LEAST_GIVE = 1e-6;
+
+    private static final double MORE_GIVE = 100;
+
     private final Bodies bodies;
     private final Motions motions;
     private final NeutralRows rows;
@@ -90,17 +95,32 @@ final class PlaceRecovery {
         }
     }
 
-    /** Moves outlines by what is wanted, or all by a share, so that none goes farther than that. */
+    /**
+     * Moves outlines by what is wanted, so that none goes farther than that. Where one would, rows
+     * give way more and more: what hardly any movement answers is then left for later, and all else
+     * is closed (damped least squares, K. Levenberg 1944). A share of all would leave all open.
+     */
     private void move(double most) {
         moved.begin();
+        double farthest = moveAll();
+        for (double give = LEAST_GIVE; farthest > most && give < 1; give *= MORE_GIVE) {
+            moved.scaleAll(0);
+            elimination.regularize(give);
+            farthest = moveAll();
+        }
+        elimination.regularize(NeutralRows.REGULAR);
+        if (farthest > most) {
+            moved.scaleAll(most / farthest);
+        }
+    }
+
+    /** Moves outlines by what is wanted; the farthest of them, as a share of what it reaches. */
+    private double moveAll() {
         elimination.solveFor(wanted);
         for (int i = 0; i < elimination.size(); i++) {
             rows.move(elimination.row(i), elimination.answer(i), DX);
         }
-        double farthest = farthest();
-        if (farthest > most) {
-            moved.scaleAll(most / farthest);
-        }
+        return farthest();
     }
 
     /** The farthest that an outline was moved, as a share of what it reaches. */

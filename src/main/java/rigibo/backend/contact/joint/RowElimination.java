@@ -47,6 +47,9 @@ final class RowElimination {
 
     private boolean isFactored;
 
+    /** What every row gives way by, as a share of its response. */
+    private double regular = NeutralRows.REGULAR;
+
     /** Multiplications made in the island, and how many it is worth in a step. */
     private double work;
 
@@ -98,6 +101,14 @@ final class RowElimination {
             lastOf = new int[motions.slots.length];
         }
         Arrays.fill(isIn, 0, rows.count, false);
+        isFactored = false;
+    }
+
+    /**
+     * Lets every row give way by a share of its response, as a rule {@link NeutralRows#REGULAR}.
+     */
+    void regularize(double share) {
+        regular = share;
         isFactored = false;
     }
 
@@ -205,7 +216,7 @@ final class RowElimination {
             before[at] = lastOf[entry];
             lastOf[entry] = at;
         }
-        pivot[i] = rows.response[row] * (1 + NeutralRows.REGULAR) + rows.give[row];
+        pivot[i] = rows.response[row] * (1 + regular) + rows.give[row];
     }
 
     /** With c = L·D of the row: cⱼ = Kⱼ − Σ cₖ·Lⱼₖ, then Lⱼ = cⱼ/Dⱼ and D = K − Σ cⱼ·Lⱼ. */

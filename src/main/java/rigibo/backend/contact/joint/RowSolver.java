@@ -1,6 +1,7 @@
 package rigibo.backend.contact.joint;
 
 import rigibo.backend.contact.row.Motions;
+import rigibo.backend.setup.Accuracy;
 
 /**
  * Solves the rows of an island to the end. Equations are always eliminated; of the rows with bounds
@@ -15,6 +16,16 @@ final class RowSolver {
 
     /** Exchanges of all rows at once that may fail to make them fewer, before single ones. */
     private static final int PATIENCE = 5;
+
+    /**
+     * What rows with bounds give way by for what they carry else than in the kick before, where
+     * they could share their loads in more than one way: a share of their responses, for each metre
+     * of the tolerance, and at most. Sets of rows that contradict each other by round-off followed
+     * each other without an end, and what lay in a heap was pushed about by it.
+     */
+    private static final double NEARNESS = 10;
+
+    private static final double MOST_NEARNESS = 1e-2;
 
     /** Exchanges in one solution, and how often bounds follow loads. */
     private static final int MOST_EXCHANGES = 60;
@@ -36,6 +47,7 @@ final class RowSolver {
     /** Share of a bound from which on what was carried counts as at it. */
     private static final double AT_BOUND = 1 - 1e-9;
 
+    private final Motions motions;
     private final NeutralRows rows;
     private final RowElimination elimination;
     private final SlidingRows sliding;
@@ -45,6 +57,9 @@ final class RowSolver {
 
     /** By row: at which bound it is while it is out of the set, −1 or 1. */
     private int[] side = new int[64];
+
+    /** What rows with bounds give way by for what they carry else than in the kick before. */
+    private final double nearness;
 
     /** Rows to be exchanged, and the last of them. */
     private int wrong;
@@ -59,7 +74,10 @@ final class RowSolver {
     /** Whether what slides is solved with its loads. */
     private boolean isTogether;
 
-    RowSolver(Motions motions, NeutralRows rows, RowElimination elimination) {
+    RowSolver(Motions motions, NeutralRows rows, RowElimination elimination, Accuracy accuracy) {
+        boolean isExact = accuracy.substeps() >= Accuracy.EXACT.substeps();
+        nearness = isExact ? 0 : Math.min(MOST_NEARNESS, NEARNESS * accuracy.impactTolerance());
+        this.motions = motions;
         this.rows = rows;
         this.elimination = elimination;
         sliding = new SlidingRows(motions, rows, elimination);
@@ -87,6 +105,7 @@ final class RowSolver {
      */
     void beginAsBefore(PackedJoints packed, double share) {
         start();
+        boolean isIndeterminate = nearness > 0 && mayBeIndeterminate();
         for (int row = 0; row < rows.count; row++) {
             if (rows.isEquation(row)) {
                 elimination.put(row, true);
@@ -95,9 +114,47 @@ final class RowSolver {
                 double before = isOfJoint ? packed.impulseOf(rows.joint[row], rows.part[row]) : 0;
                 // What contacts carried tells less than how they close: a gap of round-off is open
                 // after the last kick.
+                if (isIndeterminate) {
+                    keepNear(row, isOfJoint ? share * before : rows.impulse[row]);
+                }
                 placeAsBefore(row, share * before);
             }
         }
+    }
+
+    /** Lets a row carry another impulse than in the kick before only as far as it must. */
+    private void keepNear(int row, double before) {
+        double give = nearness * rows.response[row];
+        rows.give[row] += give;
+        rows.target[row] += give * before;
+    }
+
+    /**
+     * Whether rows may share their loads in more than one way: more of them hold than bodies can
+     * move by. Limits count for nothing, for most are not reached, nor do springs, nor friction
+     * where nothing brakes: two bodies that lie still on it crept to where it would have held them
+     * anyway.
+     */
+    private boolean mayBeIndeterminate() {
+        int free = 0;
+        for (int at = Motions.STRIDE; at < motions.count * Motions.STRIDE; at += Motions.STRIDE) {
+            free += motions.data[at + Motions.INVERSE_MASS] > 0 ? 2 : 0;
+            free += motions.data[at + Motions.INVERSE_INERTIA] > 0 ? 1 : 0;
+        }
+        int hold = 0;
+        int rub = 0;
+        boolean isBraked = false;
+        for (int row = 0; row < rows.count; row++) {
+            boolean isOfJoint = rows.joint[row] != NeutralRows.NONE;
+            boolean isLimit = isOfJoint && rows.holdsPlace[row] && !rows.isEquation(row);
+            boolean isSoft =
+                    isOfJoint && (rows.give[row] > 0 || rows.lower[row] == rows.upper[row]);
+            boolean isOfLoad = rows.load[row] != NeutralRows.NONE;
+            hold += isLimit || isSoft || isOfLoad ? 0 : 1;
+            rub += isOfLoad ? 1 : 0;
+            isBraked |= isOfJoint && !isLimit && !isSoft && !rows.isEquation(row);
+        }
+        return hold + (isBraked ? rub : 0) > free;
     }
 
     private void start() {

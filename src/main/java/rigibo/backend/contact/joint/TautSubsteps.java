@@ -14,7 +14,7 @@ import rigibo.backend.storage.JointStore;
 final class TautSubsteps {
 
     /** rad of the trembling in a substep. */
-    private static final double MOST_PHASE = 0.8;
+    static final double MOST_PHASE = 0.8;
 
     /** Times as many substeps as usual, at most. */
     private static final int MOST_MORE = 32;
@@ -25,6 +25,13 @@ final class TautSubsteps {
      * decimetres in one substep of 2.2 rad.
      */
     private static final int MOST_MORE_IF_TOUCHED = 4;
+
+    /**
+     * Times as many substeps as usual that are worth following where something touches and accuracy
+     * is that of a game. What would take more, as a straight bridge, whose tension no force bounds,
+     * may just as well be still.
+     */
+    private static final int MOST_FOLLOWED = 2;
 
     /** Bodies of the largest island that is given more: one wild joint of a crowd costs all. */
     private static final int MOST_BODIES = 64;
@@ -44,14 +51,30 @@ final class TautSubsteps {
 
     /** Substeps for an island in a step of dt seconds, by what its joints carried in the last. */
     int count(int island, double dt, int usual) {
-        boolean areMany = islands.bodyStart[island + 1] - islands.bodyStart[island] > MOST_BODIES;
-        boolean meetOthers = islands.pairStart[island + 1] > islands.pairStart[island];
-        if (areMany) {
+        if (areMany(island)) {
             return usual;
         }
-        int most = meetOthers ? MOST_MORE_IF_TOUCHED : MOST_MORE;
-        double wanted = Math.sqrt(square(island)) * dt / MOST_PHASE;
-        return (int) Math.ceil(Math.max(usual, Math.min(most * usual, wanted)));
+        int most = meetsOthers(island) ? MOST_MORE_IF_TOUCHED : MOST_MORE;
+        return (int) Math.ceil(Math.max(usual, Math.min(most * usual, wanted(island, dt))));
+    }
+
+    /** Whether an island trembles faster than is worth following. */
+    boolean isBeyond(int island, double dt, int usual) {
+        int most = meetsOthers(island) ? MOST_FOLLOWED : MOST_MORE;
+        return !areMany(island) && wanted(island, dt) > most * usual;
+    }
+
+    /** Substeps that follow what trembles. */
+    private double wanted(int island, double dt) {
+        return Math.sqrt(square(island)) * dt / MOST_PHASE;
+    }
+
+    private boolean areMany(int island) {
+        return islands.bodyStart[island + 1] - islands.bodyStart[island] > MOST_BODIES;
+    }
+
+    private boolean meetsOthers(int island) {
+        return islands.pairStart[island + 1] > islands.pairStart[island];
     }
 
     /**
