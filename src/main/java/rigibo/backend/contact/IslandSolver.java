@@ -159,7 +159,8 @@ final class IslandSolver {
     /** Advances an island to the end of a step of {@code dt} seconds. */
     void solve(int island, double dt) {
         frame.enter(island);
-        boolean lasts = repose.lasts(island, dt);
+        boolean lasts =
+                repose.lasts(island, dt) && (!repose.isOverlapping() || isBlocked(island, dt));
         double start = lateJoiners.startOf(islands, island);
         boolean isAdvanced = !lasts && dt > start;
         if (lasts) {
@@ -174,6 +175,13 @@ final class IslandSolver {
         if (isAdvanced) {
             results.quarantine();
         }
+    }
+
+    /** Whether an island that is held overlaps where nothing can be parted. */
+    private boolean isBlocked(int island, double dt) {
+        double h = dt / fewer.of(island, dt, accuracy.substeps());
+        builder.build(island, h / 2);
+        return passes.areBlocked(h);
     }
 
     /** What its islands took since that was asked for last. */

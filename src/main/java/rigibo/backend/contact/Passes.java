@@ -161,6 +161,15 @@ public final class Passes {
         }
     }
 
+    /**
+     * Whether no body of the packed island, which is held, could be parted from another in a
+     * substep of h seconds.
+     */
+    boolean areBlocked(double h) {
+        overlap.prepare(true);
+        return overlap.isBlocked(h, PASSES_OVER_OVERLAP);
+    }
+
     /** Keeps contacts from closing and sliding. */
     void hold(double h, double length, int substep, double fastest, double limit) {
         // Against what is driven and what stands no load is enough. Loads that grow with every pass

@@ -65,6 +65,7 @@ public final class IslandResults {
             remember(2 * pair + 1, Math.min(1, dt / LOAD_MEMORY));
             pairs.tellImpulse(pair, dt * force);
             noteTouch(pair, force);
+            contacts.work.crushed += pairs.crushed[pair] ? 1 : 0;
         }
     }
 
@@ -81,6 +82,7 @@ public final class IslandResults {
         double[] d = contacts.data;
         int at = row * PackedContacts.STRIDE;
         int pair = contacts.pair[row];
+        contacts.work.crushed += pairs.crushed[pair] ? 1 : 0;
         if (!isFinite(at)) {
             forgetForces(pair);
             return;

@@ -122,7 +122,7 @@ public final class RowBuilder {
         contacts.bodyA[row] = isHalted && bodies.isDriven(a) ? GROUND : motions.offset(bodies, a);
         contacts.bodyB[row] = isHalted && bodies.isDriven(b) ? GROUND : motions.offset(bodies, b);
         pairs.crushed[pair] = crushes;
-        contacts.work.crushed += crushes ? 1 : 0;
+        contacts.isAnyCrushed |= crushes;
         int at = row * PackedContacts.STRIDE;
         writeManifold(row, at, pair);
         contacts.data[at + PackedContacts.RECOVERY] = Recovery.RATE;

@@ -20,10 +20,10 @@ import rigibo.backend.storage.Bodies;
 public final class OverlapSolver {
 
     /**
-     * Share by which what floats stays slower than {@link Recovery#MOST_PUSH}: what is moved is
+     * Share by which what is moved stays slower than {@link Recovery#MOST_PUSH}: what is moved is
      * rounded.
      */
-    private static final double ROUND_OFF = 1e-9;
+    static final double ROUND_OFF = 1e-9;
 
     /** Overlap with the ground in widths that shows. */
     private static final double SHOWS = 0.01;
@@ -34,12 +34,16 @@ public final class OverlapSolver {
     private final PartingLimit limit;
     private final GroundHold ground;
     private final Accuracy accuracy;
+    private final Jam jam;
 
     /** Overlap that stays in the packed island, m for a body of one metre. */
     private double kept;
 
-    /** Whether the packed island is a crowd that hardly moves. */
-    private boolean isCalm;
+    /** Whether the packed island hardly moves, and bodies in it are crushed. */
+    private boolean isJammed;
+
+    /** Whether of two bodies of the packed island only the upper one is moved. */
+    private boolean raises;
 
     /** The contacts that are deeper in each other than they may stay. */
     private int[] deep = new int[16];
@@ -54,12 +58,14 @@ public final class OverlapSolver {
         limit = new PartingLimit(bodies, motions, contacts);
         ground = new GroundHold(motions, contacts);
         this.accuracy = accuracy;
+        jam = new Jam(bodies, motions, contacts, ground);
     }
 
     /** Begins the packed island, which hardly moves if it is calm. */
     public void prepare(boolean isCalm) {
         boolean isCrowd = contacts.areCrowd();
-        this.isCalm = isCalm && isCrowd;
+        isJammed = isCalm && contacts.isAnyCrushed;
+        raises = isCalm && isCrowd && !isJammed;
         kept = isCalm ? Recovery.keptIfCalm(isCrowd, accuracy) : Recovery.kept(isCrowd, accuracy);
     }
 
@@ -101,9 +107,24 @@ public final class OverlapSolver {
         if (deepCount > 0) {
             begin();
             noteGround(h);
-            pass(h, passes);
-            end(h, substep);
+            if (isJammed) {
+                jam.part(deep, deepCount, kept, h, substep);
+            } else {
+                pass(h, passes);
+                end(h, substep);
+            }
         }
+    }
+
+    /**
+     * Whether recovery has come to an end in the packed island, which has not moved yet, though
+     * bodies are crushed.
+     */
+    public boolean isBlocked(double h, int passes) {
+        if (isJammed) {
+            correctAndHoldGround(h, 0, passes);
+        }
+        return isJammed && motions.areWhereTheyWere();
     }
 
     private void pass(double h, int passes) {
@@ -225,7 +246,7 @@ public final class OverlapSolver {
         m[b + DX] += m[b + INVERSE_MASS] * px;
         m[b + DY] += m[b + INVERSE_MASS] * py;
         m[b + TURN] += m[b + INVERSE_INERTIA] * onB;
-        if (isCalm) {
+        if (raises) {
             raise(a, b, px, py);
         }
     }
