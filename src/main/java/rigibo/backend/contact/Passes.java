@@ -167,7 +167,7 @@ public final class Passes {
      */
     boolean areBlocked(double h) {
         overlap.prepare(true);
-        return overlap.isBlocked(h, PASSES_OVER_OVERLAP);
+        return overlap.isBlocked(h);
     }
 
     /** Keeps contacts from closing and sliding. */

@@ -290,7 +290,9 @@ public final class Rounds {
 
     /** Takes overlap back by moving bodies, after a substep of h seconds. */
     void takeOverlapBack(double h, int substep) {
-        if (isCorrecting) {
+        if (isCorrecting && overlap.isJammed()) {
+            overlap.partJammed(h, substep);
+        } else if (isCorrecting) {
             overlap.begin();
             direct.correct(h, substep);
             overlap.correct(h, substep);

@@ -23,6 +23,12 @@ import java.util.Arrays;
  */
 final class Jam {
 
+    /**
+     * Share of the fastest pace at which recovery ends, 0.12 widths a second: the last of it would
+     * take minutes, and goes to and fro where a contact turns to another face.
+     */
+    private static final double STILL = 0.04;
+
     /** Passes in a substep. */
     private static final int PASSES = 12;
 
@@ -58,8 +64,8 @@ final class Jam {
 
     /**
      * Parts the contacts listed, in a substep of h seconds, but for what is kept, in widths; the
-     * fastest body sets the pace of all. What would move nobody by more than what is kept is left
-     * undone: such an island is as far apart as it gets.
+     * fastest body sets the pace of all. Nobody is moved where even that one would hardly go: such
+     * an island is as far apart as it gets.
      */
     void part(int[] deep, int count, double kept, double h, int substep) {
         moved.begin();
@@ -73,7 +79,7 @@ final class Jam {
         }
         double way = farthest();
         double most = (1 - OverlapSolver.ROUND_OFF) * Recovery.MOST_PUSH * h;
-        if (way <= kept) {
+        if (way <= STILL * most) {
             moved.scaleAll(0);
         } else if (way > most) {
             moved.scaleAll(most / way);

@@ -103,26 +103,38 @@ public final class OverlapSolver {
 
     /** Passes over them where nothing is joined, so that the ground can be held last. */
     public void correctAndHoldGround(double h, int substep, int passes) {
+        if (isJammed) {
+            partJammed(h, substep);
+            return;
+        }
         findDeep(substep);
         if (deepCount > 0) {
             begin();
             noteGround(h);
-            if (isJammed) {
-                jam.part(deep, deepCount, kept, h, substep);
-            } else {
-                pass(h, passes);
-                end(h, substep);
-            }
+            pass(h, passes);
+            end(h, substep);
         }
     }
 
-    /**
-     * Whether recovery has come to an end in the packed island, which has not moved yet, though
-     * bodies are crushed.
-     */
-    public boolean isBlocked(double h, int passes) {
+    /** Whether the packed island hardly moves, and bodies in it are crushed. */
+    public boolean isJammed() {
+        return isJammed;
+    }
+
+    /** Takes overlap back in a jammed island, in a substep of h seconds. */
+    public void partJammed(double h, int substep) {
+        findDeep(substep);
+        if (deepCount > 0) {
+            ground.begin();
+            noteGround(h);
+            jam.part(deep, deepCount, kept, h, substep);
+        }
+    }
+
+    /** Whether nobody is to be parted in a jammed island, which has not moved yet, in h seconds. */
+    public boolean isBlocked(double h) {
         if (isJammed) {
-            correctAndHoldGround(h, 0, passes);
+            partJammed(h, 0);
         }
         return isJammed && motions.areWhereTheyWere();
     }
