@@ -340,12 +340,15 @@ final class IslandSolver {
         }
     }
 
-    /** What passes solve may also part as fast as overlap is taken back. */
+    /**
+     * What passes solve may also part as fast as overlap is taken back. What gets faster by itself
+     * within the step is no answer of contacts: kept to a lower limit, all of them would be undone.
+     */
     private void setLimit(int substep) {
         if (substep == 0) {
             double parting = isWhole ? 0 : Recovery.MOST_PUSH * contacts.widest();
             limit = Math.max(leverage() * fastest, parting);
-        } else if (isWhole) {
+        } else {
             limit = Math.max(limit, fastest);
         }
     }
@@ -400,6 +403,7 @@ final class IslandSolver {
         kick.accelerate(middle, time);
         middle = time;
         fastest = motions.fastest();
+        limit = Math.max(limit, fastest);
         guard.begin();
         begin(lastPart / 2, substep);
         lastPart = 0;
