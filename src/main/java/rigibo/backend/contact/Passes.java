@@ -55,6 +55,12 @@ public final class Passes {
     private static final int MOST_SOLVES = 80_000;
 
     /**
+     * Contacts of few that are solved in a substep at most for the sake of what sinks in: a bullet
+     * of a thousand times the mass of what it presses against a wall.
+     */
+    private static final int MOST_SOLVES_OF_FEW = 400_000;
+
+    /**
      * As many as the finest accuracy that has a name is given; what asks for more gains nothing.
      */
     private static final int MOST_PASSES = 2048;
@@ -178,12 +184,28 @@ public final class Passes {
         if (contacts.areCrowd()) {
             sweepCrowd(h, length, substep, fastest);
         } else {
-            sweep.run(h, length, substep, missed, shorter * QUIET * fastest, mostOfFew);
+            sweepFew(h, length, substep, fastest);
         }
         sweep.limitPresses(Double.POSITIVE_INFINITY);
         guard.limitWork(noise * kick.energy(h));
         guard.limitSpeed(limit);
         contacts.addUpImpulses(1);
+    }
+
+    /** Few contacts that sink in are passed over until they do not, or cost too much. */
+    private void sweepFew(double h, double length, int substep, double fastest) {
+        long start = contacts.work.contactSolves;
+        double sunk = SUNK * MISSED_IN_A_CROWD * missed;
+        sweep.run(h, length, substep, missed, shorter * QUIET * fastest, mostOfFew);
+        while (longer > 0
+                && contacts.work.contactSolves - start < MOST_SOLVES_OF_FEW
+                && sweep.isSinking(h, substep, sunk)) {
+            long before = contacts.work.contactSolves;
+            sweep.goOn(mostOfFew);
+            if (contacts.work.contactSolves == before) {
+                return;
+            }
+        }
     }
 
     /** A crowd is solved the more coarsely the faster it moves, and when calm in fewer passes. */

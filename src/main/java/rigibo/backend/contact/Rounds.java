@@ -80,6 +80,12 @@ public final class Rounds {
     /** What passes take in multiplications: by a contact in a substep, mostly six times. */
     private static final double WORK_OF_PASSES = 6 * 60;
 
+    /**
+     * Share of the fastest speed by which rounds may miss: what they leave worse than passes would
+     * is left to passes.
+     */
+    private static final double GIVEN_UP = 0.03;
+
     private final Motions motions;
     private final PackedContacts contacts;
     private final OwnLoads own;
@@ -104,6 +110,9 @@ public final class Rounds {
     private final double worthIfCalm;
 
     private boolean isCalm;
+
+    /** Change of speed that the last pass found where rounds were not enough, m/s. */
+    private double missed;
 
     /** Speed that counts as none in the present round, m/s. */
     private double settled;
@@ -196,7 +205,7 @@ public final class Rounds {
         direct.begin();
         boolean isSettled = settleRows(h, kicked, substep, fastest);
         contacts.work.multiplications += direct.work();
-        if (direct.isSpent()) {
+        if (direct.isSpent() || !isSettled && missed > GIVEN_UP * fastest) {
             before.takeBack();
             return false;
         }
@@ -219,7 +228,8 @@ public final class Rounds {
         boolean isNewton = false;
         double last = Double.POSITIVE_INFINITY;
         double least = Double.POSITIVE_INFINITY;
-        for (int i = 0; i < most && !direct.isSpent(); i++) {
+        int rounds = isCalm ? most : (int) (most * Math.max(1, timesByMass(motions)));
+        for (int i = 0; i < rounds && !direct.isSpent(); i++) {
             double left = left(h, kicked, substep, fastest);
             if (isCalm && left < least) {
                 least = left;
@@ -250,8 +260,9 @@ public final class Rounds {
         }
         if (isCalm) {
             best.takeBack();
+            missed = 0;
         } else {
-            sweep.once(h, substep);
+            missed = sweep.once(h, substep);
         }
         return false;
     }

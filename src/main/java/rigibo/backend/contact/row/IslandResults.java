@@ -82,6 +82,7 @@ public final class IslandResults {
         double[] d = contacts.data;
         int at = row * PackedContacts.STRIDE;
         int pair = contacts.pair[row];
+        pairs.crushed[pair] |= isCrushed(row);
         contacts.work.crushed += pairs.crushed[pair] ? 1 : 0;
         if (!isFinite(at)) {
             forgetForces(pair);
@@ -94,6 +95,15 @@ public final class IslandResults {
         remember(2 * pair + 1, share);
         pairs.tellImpulse(pair, d[at + PackedContacts.TOTAL]);
         noteTouch(pair, d[at + PackedContacts.IMPULSE0] + d[at + PackedContacts.IMPULSE1]);
+    }
+
+    /** Whether a contact was crushed in this step, though it was not when that began. */
+    private boolean isCrushed(int row) {
+        double gap = motions.gap(contacts, row, 0);
+        if (contacts.points[row] == 2) {
+            gap = Math.min(gap, motions.gap(contacts, row, 1));
+        }
+        return RowBuilder.isCrushed(bodies, pairs, contacts.pair[row], gap);
     }
 
     private boolean isFinite(int at) {
