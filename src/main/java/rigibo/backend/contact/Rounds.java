@@ -86,6 +86,15 @@ public final class Rounds {
      */
     private static final double GIVEN_UP = 0.03;
 
+    /** Rounds that begin with one pass, as most islands need no more. */
+    private static final int QUICK = 2;
+
+    /**
+     * Passes of a round at most, where masses differ: which contacts carry is hard to tell there
+     * from one pass.
+     */
+    private static final int MOST_PASSES = 32;
+
     private final Motions motions;
     private final PackedContacts contacts;
     private final OwnLoads own;
@@ -219,8 +228,9 @@ public final class Rounds {
     /**
      * Goes on until nothing is left, which at rest it is after the first round; a calm island goes
      * on as long as that brings it nearer. Newton's method is tried as long as it does; where it
-     * does not, its round is taken back and elimination goes on. Rounds of a calm island may take
-     * turns for ever; then the best of them counts.
+     * does not, its round is taken back and elimination goes on; where masses differ, and more
+     * rounds are made, it is tried again. Rounds of a calm island may take turns for ever; then the
+     * best of them counts.
      */
     private boolean settleRows(double h, double kicked, int substep, double fastest) {
         double enough = isCalm ? LEFT_IF_CALM / SETTLED_IF_CALM : 1;
@@ -228,8 +238,13 @@ public final class Rounds {
         boolean isNewton = false;
         double last = Double.POSITIVE_INFINITY;
         double least = Double.POSITIVE_INFINITY;
-        int rounds = isCalm ? most : (int) (most * Math.max(1, timesByMass(motions)));
+        double times = isCalm ? 1 : Math.max(1, timesByMass(motions));
+        int rounds = (int) (most * times);
+        int passes = (int) Math.min(MOST_PASSES, times);
         for (int i = 0; i < rounds && !direct.isSpent(); i++) {
+            for (int pass = 1; i >= QUICK && pass < passes; pass++) {
+                sweep.once(h, substep);
+            }
             double left = left(h, kicked, substep, fastest);
             if (isCalm && left < least) {
                 least = left;
