@@ -42,11 +42,6 @@ final class OverfullRoom implements HardCase {
     }
 
     @Override
-    public String finding() {
-        return "Discs that cannot part go on being pushed to and fro.";
-    }
-
-    @Override
     public void run(Trial trial) {
         List<Double> fills = trial.sampling().of(List.of(1.07, 1.28), List.of(1.05, 1.1, 1.2, 1.3));
         for (double fill : fills) {
