@@ -24,7 +24,6 @@ final class MovingPiles {
         cases.add(new StepClimb());
         cases.add(new RoundHill());
         cases.addAll(BornAtOneSpot.several());
-        cases.add(new OverfullRoom());
         cases.addAll(DrivenCrowd.held());
         return cases;
     }
@@ -46,6 +45,7 @@ final class MovingPiles {
         cases.add(new RockingBlock());
         cases.add(new MovingFloor());
         cases.addAll(BornAtOneSpot.many());
+        cases.add(new OverfullRoom());
         cases.add(new WeakPush());
         cases.addAll(DrivenCrowd.open());
         cases.add(new FarPiles());

@@ -42,6 +42,12 @@ final class OverfullRoom implements HardCase {
     }
 
     @Override
+    public String finding() {
+        return "One room in forty goes on: what falls in it makes it one that moves, and then it is"
+                + " stirred. The row is kept, but takes tests too long at EXACT.";
+    }
+
+    @Override
     public void run(Trial trial) {
         List<Double> fills = trial.sampling().of(List.of(1.07, 1.28), List.of(1.05, 1.1, 1.2, 1.3));
         for (double fill : fills) {
