@@ -104,15 +104,12 @@ public final class Narrowphase {
 
     /** Whether the bodies, where they are, would be found to touch in the points they have. */
     private boolean isMeasured(int pair, double dt, double reach) {
-        double known = pairs.reach[pair];
-        if (!(reach <= known)) {
+        double all = reach + wayIfHeld(pair, dt);
+        if (!(all <= pairs.reach[pair])) {
             return false;
         }
-        if (pairs.points[pair] == 0) {
-            // Who is awaited follows from the reach itself.
-            return !pairs.isAwaited(pair) && reach + wayIfHeld(pair, dt) <= known;
-        }
-        return farthest(pair) <= reach;
+        // Who is awaited follows from the reach itself.
+        return pairs.points[pair] == 0 ? !pairs.isAwaited(pair) : farthest(pair) <= all;
     }
 
     private double farthest(int pair) {
@@ -144,15 +141,9 @@ public final class Narrowphase {
         poseA.set(bodies.x[a], bodies.y[a], bodies.cos[a], bodies.sin[a]);
         poseB.set(bodies.x[b], bodies.y[b], bodies.cos[b], bodies.sin[b]);
         boolean isPassing = pairs.passage != null && pairs.passage[pair] >= Pairs.PASSES;
-        fill(pair, isPassing, poseA, poseB, reach);
-        pairs.reach[pair] = reach;
-        if (pairs.points[pair] == 0) {
-            double more = wayIfHeld(pair, dt);
-            if (more > 0) {
-                fill(pair, isPassing, poseA, poseB, reach + more);
-                pairs.reach[pair] = pairs.points[pair] == 0 ? reach + more : Double.NaN;
-            }
-        }
+        double all = reach + wayIfHeld(pair, dt);
+        fill(pair, isPassing, poseA, poseB, all);
+        pairs.reach[pair] = all;
     }
 
     /**
@@ -251,7 +242,8 @@ public final class Narrowphase {
 
     /**
      * How much farther in m than by its reach a pair may come together: what pulls at both alike
-     * does it, too, if one of them is held and the other slips. 0 where that would not show.
+     * does it, too, if one of them is held and the other slips, or tips about the corner on which
+     * it lies. 0 where that would not show.
      */
     private double wayIfHeld(int pair, double dt) {
         int a = pairs.bodyA[pair];

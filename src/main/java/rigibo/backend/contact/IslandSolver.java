@@ -159,7 +159,8 @@ final class IslandSolver {
     /** Advances an island to the end of a step of {@code dt} seconds. */
     void solve(int island, double dt) {
         frame.enter(island);
-        boolean lasts = repose.lasts(island, dt);
+        boolean lasts =
+                repose.lasts(island, dt) && (!repose.isOverlapping() || isBlocked(island, dt));
         double start = lateJoiners.startOf(islands, island);
         boolean isAdvanced = !lasts && dt > start;
         if (lasts) {
@@ -174,6 +175,13 @@ final class IslandSolver {
         if (isAdvanced) {
             results.quarantine();
         }
+    }
+
+    /** Whether an island that is held overlaps where nothing can be parted. */
+    private boolean isBlocked(int island, double dt) {
+        double h = dt / fewer.of(island, dt, accuracy.substeps());
+        builder.build(island, h / 2);
+        return passes.areBlocked(h);
     }
 
     /** What its islands took since that was asked for last. */
@@ -332,12 +340,15 @@ final class IslandSolver {
         }
     }
 
-    /** What passes solve may also part as fast as overlap is taken back. */
+    /**
+     * What passes solve may also part as fast as overlap is taken back. What gets faster by itself
+     * within the step is no answer of contacts: kept to a lower limit, all of them would be undone.
+     */
     private void setLimit(int substep) {
         if (substep == 0) {
             double parting = isWhole ? 0 : Recovery.MOST_PUSH * contacts.widest();
             limit = Math.max(leverage() * fastest, parting);
-        } else if (isWhole) {
+        } else {
             limit = Math.max(limit, fastest);
         }
     }
@@ -392,6 +403,7 @@ final class IslandSolver {
         kick.accelerate(middle, time);
         middle = time;
         fastest = motions.fastest();
+        limit = Math.max(limit, fastest);
         guard.begin();
         begin(lastPart / 2, substep);
         lastPart = 0;

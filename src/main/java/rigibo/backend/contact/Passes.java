@@ -68,6 +68,12 @@ public final class Passes {
     private static final int MOST_SOLVES = 80_000;
 
     /**
+     * Contacts of few that are solved in a substep at most for the sake of what sinks in: a bullet
+     * of a thousand times the mass of what it presses against a wall.
+     */
+    private static final int MOST_SOLVES_OF_FEW = 400_000;
+
+    /**
      * As many as the finest accuracy that has a name is given; what asks for more gains nothing.
      */
     private static final int MOST_PASSES = 2048;
@@ -174,6 +180,15 @@ public final class Passes {
         }
     }
 
+    /**
+     * Whether no body of the packed island, which is held, could be parted from another in a
+     * substep of h seconds.
+     */
+    boolean areBlocked(double h) {
+        overlap.prepare(true);
+        return overlap.isBlocked(h);
+    }
+
     /** Keeps contacts from closing and sliding. */
     void hold(double h, double length, int substep, double fastest, double limit) {
         // Against what is driven and what stands no load is enough. Loads that grow with every pass
@@ -182,13 +197,29 @@ public final class Passes {
         if (contacts.areCrowd()) {
             sweepCrowd(h, length, substep, fastest);
         } else {
-            double quiet = shorter * QUIET * fastest;
-            sweep.run(h, length, substep, missed, quiet, quiet, mostOfFew);
+            sweepFew(h, length, substep, fastest);
         }
         sweep.limitPresses(Double.POSITIVE_INFINITY);
         guard.limitWork(noise * kick.energy(h));
         guard.limitSpeed(limit);
         contacts.addUpImpulses(1);
+    }
+
+    /** Few contacts that sink in are passed over until they do not, or cost too much. */
+    private void sweepFew(double h, double length, int substep, double fastest) {
+        long start = contacts.work.contactSolves;
+        double sunk = SUNK * MISSED_IN_A_CROWD * missed;
+        double quiet = shorter * QUIET * fastest;
+        sweep.run(h, length, substep, missed, quiet, quiet, mostOfFew);
+        while (longer > 0
+                && contacts.work.contactSolves - start < MOST_SOLVES_OF_FEW
+                && sweep.isSinking(h, substep, sunk)) {
+            long before = contacts.work.contactSolves;
+            sweep.goOn(mostOfFew);
+            if (contacts.work.contactSolves == before) {
+                return;
+            }
+        }
     }
 
     /**

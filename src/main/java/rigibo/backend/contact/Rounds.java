@@ -80,6 +80,21 @@ public final class Rounds {
     /** What passes take in multiplications: by a contact in a substep, mostly six times. */
     private static final double WORK_OF_PASSES = 6 * 60;
 
+    /**
+     * Share of the fastest speed by which rounds may miss: what they leave worse than passes would
+     * is left to passes.
+     */
+    private static final double GIVEN_UP = 0.03;
+
+    /** Rounds that begin with one pass, as most islands need no more. */
+    private static final int QUICK = 2;
+
+    /**
+     * Passes of a round at most, where masses differ: which contacts carry is hard to tell there
+     * from one pass.
+     */
+    private static final int MOST_PASSES = 32;
+
     private final Motions motions;
     private final PackedContacts contacts;
     private final OwnLoads own;
@@ -104,6 +119,9 @@ public final class Rounds {
     private final double worthIfCalm;
 
     private boolean isCalm;
+
+    /** Change of speed that the last pass found where rounds were not enough, m/s. */
+    private double missed;
 
     /** Speed that counts as none in the present round, m/s. */
     private double settled;
@@ -196,7 +214,7 @@ public final class Rounds {
         direct.begin();
         boolean isSettled = settleRows(h, kicked, substep, fastest);
         contacts.work.multiplications += direct.work();
-        if (direct.isSpent()) {
+        if (direct.isSpent() || !isSettled && missed > GIVEN_UP * fastest) {
             before.takeBack();
             return false;
         }
@@ -210,8 +228,9 @@ public final class Rounds {
     /**
      * Goes on until nothing is left, which at rest it is after the first round; a calm island goes
      * on as long as that brings it nearer. Newton's method is tried as long as it does; where it
-     * does not, its round is taken back and elimination goes on. Rounds of a calm island may take
-     * turns for ever; then the best of them counts.
+     * does not, its round is taken back and elimination goes on; where masses differ, and more
+     * rounds are made, it is tried again. Rounds of a calm island may take turns for ever; then the
+     * best of them counts.
      */
     private boolean settleRows(double h, double kicked, int substep, double fastest) {
         double enough = isCalm ? LEFT_IF_CALM / SETTLED_IF_CALM : 1;
@@ -219,7 +238,13 @@ public final class Rounds {
         boolean isNewton = false;
         double last = Double.POSITIVE_INFINITY;
         double least = Double.POSITIVE_INFINITY;
-        for (int i = 0; i < most && !direct.isSpent(); i++) {
+        double times = isCalm ? 1 : Math.max(1, timesByMass(motions));
+        int rounds = (int) (most * times);
+        int passes = (int) Math.min(MOST_PASSES, times);
+        for (int i = 0; i < rounds && !direct.isSpent(); i++) {
+            for (int pass = 1; i >= QUICK && pass < passes; pass++) {
+                sweep.once(h, substep);
+            }
             double left = left(h, kicked, substep, fastest);
             if (isCalm && left < least) {
                 least = left;
@@ -250,8 +275,9 @@ public final class Rounds {
         }
         if (isCalm) {
             best.takeBack();
+            missed = 0;
         } else {
-            sweep.once(h, substep);
+            missed = sweep.once(h, substep);
         }
         return false;
     }
@@ -290,7 +316,9 @@ public final class Rounds {
 
     /** Takes overlap back by moving bodies, after a substep of h seconds. */
     void takeOverlapBack(double h, int substep) {
-        if (isCorrecting) {
+        if (isCorrecting && overlap.isJammed()) {
+            overlap.partJammed(h, substep);
+        } else if (isCorrecting) {
             overlap.begin();
             direct.correct(h, substep);
             overlap.correct(h, substep);

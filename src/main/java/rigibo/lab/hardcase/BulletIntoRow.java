@@ -46,9 +46,9 @@ final class BulletIntoRow implements HardCase {
 
     @Override
     public String finding() {
-        return "Where elimination has spent what an island is worth passes go on, and"
-                + " they give way wherever they leave off; and a box that is struck round"
-                + " its corner turns into the floor within a substep.";
+        return "Of a thousand bullets two or three, heavy and fast, are through a box: elimination"
+                + " has spent what an island is worth, and passes give way wherever they leave"
+                + " off.";
     }
 
     @Override

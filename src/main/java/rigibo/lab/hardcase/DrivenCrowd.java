@@ -40,7 +40,7 @@ final class DrivenCrowd implements HardCase {
         this.all = all;
     }
 
-    /** Of towers and of a box that is shaken. */
+    /** Of towers, of a box that is shaken and of rods. */
     static List<HardCase> held() {
         return List.of(
                 new DrivenCrowd(
@@ -51,6 +51,13 @@ final class DrivenCrowd implements HardCase {
                         List.of(12),
                         List.of(12, 61, 100)),
                 new DrivenCrowd(
+                        "rods",
+                        Commotions::rods,
+                        8,
+                        DrivenCrowd::isAboveTheFloor,
+                        List.of(41),
+                        List.of(41, 140, 300)),
+                new DrivenCrowd(
                         "towers",
                         storeys -> Commotions.towers(storeys / 4, storeys),
                         8,
@@ -59,7 +66,7 @@ final class DrivenCrowd implements HardCase {
                         List.of(9, 17, 30)));
     }
 
-    /** Of a belt and of rods, which sink in. */
+    /** Of a belt, in which bodies sink in. */
     static List<HardCase> open() {
         return List.of(
                 new DrivenCrowd(
@@ -68,14 +75,7 @@ final class DrivenCrowd implements HardCase {
                         10,
                         DrivenCrowd::isBeforeTheWall,
                         List.of(24),
-                        List.of(24, 52, 80)),
-                new DrivenCrowd(
-                        "rods",
-                        Commotions::rods,
-                        8,
-                        DrivenCrowd::isAboveTheFloor,
-                        List.of(41),
-                        List.of(41, 140, 300)));
+                        List.of(24, 52, 80)));
     }
 
     @Override
@@ -91,8 +91,8 @@ final class DrivenCrowd implements HardCase {
     @Override
     public String finding() {
         return name.equals("belt") || name.equals("rods")
-                ? "What lands on what others press sinks in where passes leave off; a rod is"
-                        + " thin, so that the same depth is more of its width."
+                ? "What lands on what others press sinks in where passes leave off at DRAFT; a rod"
+                        + " is thin, so that the same depth is more of its width."
                 : "";
     }
 

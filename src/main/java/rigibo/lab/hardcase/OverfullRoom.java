@@ -43,7 +43,8 @@ final class OverfullRoom implements HardCase {
 
     @Override
     public String finding() {
-        return "Discs that cannot part go on being pushed to and fro.";
+        return "One room in forty goes on: what falls in it makes it one that moves, and then it is"
+                + " stirred. The row is kept, but takes tests too long at EXACT.";
     }
 
     @Override

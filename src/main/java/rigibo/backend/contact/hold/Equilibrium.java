@@ -64,6 +64,9 @@ public final class Equilibrium {
     /** Overlap that stays in the island that is asked for, in widths. */
     private double kept;
 
+    /** Whether anything in that island overlaps by more. */
+    private boolean isOverlapping;
+
     /** By slot: what is left of its acceleration, m/s² and rad/s². */
     private double[] leftX = new double[16];
 
@@ -82,7 +85,10 @@ public final class Equilibrium {
         this.accuracy = accuracy;
     }
 
-    /** Whether an island stays as it is for a step of {@code dt} seconds. */
+    /**
+     * Whether forces hold an island as it is for a step of {@code dt} seconds; overlap may be taken
+     * back, though.
+     */
     boolean lasts(int island, double dt) {
         double times = PackedContacts.areCrowd(islands, island) ? IN_A_CROWD : 1;
         return mayLast(island, dt, times * Stillness.STILL)
@@ -94,7 +100,12 @@ public final class Equilibrium {
      * pulls at the bodies is summed up with what contacts carry, for joints to be added.
      */
     public boolean mayLast(int island, double dt) {
-        return mayLast(island, dt, SLOW);
+        return mayLast(island, dt, SLOW) && !isOverlapping;
+    }
+
+    /** Whether there is overlap to take back in the island that was asked for last. */
+    boolean isOverlapping() {
+        return isOverlapping;
     }
 
     private boolean mayLast(int island, double dt, double share) {
@@ -142,6 +153,7 @@ public final class Equilibrium {
 
     private boolean areContactsSteady(int island) {
         reserve();
+        isOverlapping = false;
         kept = Recovery.keptIfCalm(PackedContacts.areCrowd(islands, island), accuracy);
         for (int i = islands.bodyStart[island]; i < islands.bodyStart[island + 1]; i++) {
             int slot = islands.bodies[i];
@@ -200,9 +212,10 @@ public final class Equilibrium {
         int b = pairs.bodyB[pair];
         double width = PairTolerances.width(bodies, a, b);
         double most = (kept + PER_STEP * Stillness.STILL) * width + resolution(a) + resolution(b);
-        if (isCorrecting && pairs.gap(pair) < -most || bodies.isDriven(a) || bodies.isDriven(b)) {
+        if (bodies.isDriven(a) || bodies.isDriven(b)) {
             return false;
         }
+        isOverlapping |= isCorrecting && pairs.gap(pair) < -most;
         if (bodies.surfaceSpeed != null && pairs.runs(bodies, pair)) {
             return false;
         }
@@ -210,8 +223,7 @@ public final class Equilibrium {
         double load0 = pairs.normalForce[2 * pair];
         double load1 = pairs.normalForce[2 * pair + 1];
         return (load0 == 0 || pairs.separation[2 * pair] <= touching)
-                && (load1 == 0 || pairs.separation[2 * pair + 1] <= touching)
-                && rubsWithin(pair, load0 + load1);
+                && (load1 == 0 || pairs.separation[2 * pair + 1] <= touching);
     }
 
     /** What is taken back of an overlap in a step is lost where places lie farther apart, m. */
@@ -219,22 +231,30 @@ public final class Equilibrium {
         return LOST * Math.ulp(Math.max(Math.abs(bodies.x[slot]), Math.abs(bodies.y[slot])));
     }
 
-    private boolean rubsWithin(int pair, double load) {
-        boolean slides =
-                pairs.friction != null
-                        && Math.abs(pairs.heldFriction(pair))
-                                > (1 + BEYOND_CONE) * pairs.friction[pair] * load;
-        return !slides
-                && (bodies.rollingResistance == null
-                        || Math.abs(pairs.heldTorque(pair))
-                                <= (1 + BEYOND_CONE) * load * pairs.rollingLever(bodies, pair));
+    /**
+     * The friction that held, N, as far as its bounds go by a load. What was beyond them is missing
+     * in the sums, so that it counts by what it held.
+     */
+    private double rubs(int pair, double load) {
+        return within(pairs.heldFriction(pair), pairs.frictionOf(pair) * load);
+    }
+
+    /** The rolling torque that held, N·m, likewise. */
+    private double rolls(int pair, double load) {
+        double torque = pairs.heldTorque(pair);
+        return torque == 0 ? 0 : within(torque, pairs.rollingLever(bodies, pair) * load);
+    }
+
+    private static double within(double held, double bound) {
+        double most = (1 + BEYOND_CONE) * bound;
+        return Math.max(-most, Math.min(most, held));
     }
 
     private void addForces(int pair) {
         double nx = pairs.normalX[pair];
         double ny = pairs.normalY[pair];
         double load = pairs.normalForce[2 * pair] + pairs.normalForce[2 * pair + 1];
-        double along = pairs.heldFriction(pair);
+        double along = rubs(pair, load);
         double fx = load * nx - along * ny;
         double fy = load * ny + along * nx;
         int a = pairs.bodyA[pair];
@@ -248,18 +268,19 @@ public final class Equilibrium {
         leftY[b] += bodies.inverseMass[b] * fy;
         if (bodies.turns() && load > 0) {
             double rubsAt = RowBuilder.rubsAt(pairs, pair, nx, ny);
-            leftTurn[a] -= bodies.inverseInertia[a] * torque(pair, a, along, rubsAt);
-            leftTurn[b] += bodies.inverseInertia[b] * torque(pair, b, along, rubsAt);
+            double rolling = rolls(pair, load);
+            leftTurn[a] -= bodies.inverseInertia[a] * (rolling + torque(pair, a, along, rubsAt));
+            leftTurn[b] += bodies.inverseInertia[b] * (rolling + torque(pair, b, along, rubsAt));
         }
     }
 
-    /** Σ r × F + τ about a body's centre, N·m, as B feels it, with the friction and its height. */
+    /** Σ r × F about a body's centre, N·m, as B feels it, with the friction and its height. */
     private double torque(int pair, int slot, double along, double rubsAt) {
         double nx = pairs.normalX[pair];
         double ny = pairs.normalY[pair];
         double x = bodies.x[slot];
         double y = bodies.y[slot];
-        double sum = pairs.heldTorque(pair);
+        double sum = 0;
         for (int point = 2 * pair; point < 2 * pair + pairs.points[pair]; point++) {
             double lever = (pairs.pointX[point] - x) * ny - (pairs.pointY[point] - y) * nx;
             sum += lever * pairs.normalForce[point];

@@ -51,10 +51,15 @@ public final class Repose {
 
     /**
      * Whether an island that is not packed yet rests for a step of {@code dt} seconds on what it
-     * carried at the end of the last.
+     * carried at the end of the last, but for overlap that is taken back.
      */
     public boolean lasts(int island, double dt) {
         return equilibrium.lasts(island, dt) && isPulledSteadily(island, dt);
+    }
+
+    /** Whether there is overlap to take back in the island that was asked for last. */
+    public boolean isOverlapping() {
+        return equilibrium.isOverlapping();
     }
 
     private boolean isPulledSteadily(int island, double dt) {

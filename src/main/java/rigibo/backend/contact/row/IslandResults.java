@@ -65,6 +65,7 @@ public final class IslandResults {
             remember(2 * pair + 1, Math.min(1, dt / LOAD_MEMORY));
             pairs.tellImpulse(pair, dt * force);
             noteTouch(pair, force);
+            contacts.work.crushed += pairs.crushed[pair] ? 1 : 0;
         }
     }
 
@@ -81,6 +82,8 @@ public final class IslandResults {
         double[] d = contacts.data;
         int at = row * PackedContacts.STRIDE;
         int pair = contacts.pair[row];
+        pairs.crushed[pair] |= isCrushed(row);
+        contacts.work.crushed += pairs.crushed[pair] ? 1 : 0;
         if (!isFinite(at)) {
             forgetForces(pair);
             return;
@@ -99,6 +102,15 @@ public final class IslandResults {
     private boolean isOfSecond(int row, int pair) {
         return contacts.points[row] < pairs.points[pair]
                 && pairs.separation[2 * pair + 1] < pairs.separation[2 * pair];
+    }
+
+    /** Whether a contact was crushed in this step, though it was not when that began. */
+    private boolean isCrushed(int row) {
+        double gap = motions.gap(contacts, row, 0);
+        if (contacts.points[row] == 2) {
+            gap = Math.min(gap, motions.gap(contacts, row, 1));
+        }
+        return RowBuilder.isCrushed(bodies, pairs, contacts.pair[row], gap);
     }
 
     private boolean isFinite(int at) {

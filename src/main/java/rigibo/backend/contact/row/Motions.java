@@ -189,6 +189,16 @@ public final class Motions {
                 : gap;
     }
 
+    /** Whether no body has been moved since they were packed. */
+    public boolean areWhereTheyWere() {
+        for (int at = STRIDE; at < count * STRIDE; at += STRIDE) {
+            if (data[at + DX] != 0 || data[at + DY] != 0 || data[at + TURN] != 0) {
+                return false;
+            }
+        }
+        return true;
+    }
+
     /** Speed in m/s at which a contact's point parts; negative when it closes. */
     public double parting(PackedContacts contacts, int row, int point) {
         return parting(data, contacts, row, point);

@@ -134,6 +134,9 @@ public final class PackedContacts {
     /** Whether the surfaces of any of them run. */
     public boolean isAnyRunning;
 
+    /** Whether any of them is crushed: deeper in each other than what overlap recovery leaves. */
+    public boolean isAnyCrushed;
+
     /** The last substep in which a contact joins, {@link #ALWAYS} where none does. */
     public int lastJoining;
 
@@ -255,6 +258,7 @@ public final class PackedContacts {
         count = 0;
         impacts = 0;
         isAnyRunning = false;
+        isAnyCrushed = false;
         lastJoining = ALWAYS;
     }
 

@@ -118,11 +118,11 @@ public final class RowBuilder {
         contacts.pair[row] = pair;
         contacts.points[row] = Math.max(1, pairs.points[pair]);
         boolean isHalted = isPressedInVain(pair);
-        boolean crushes = isCrushed(pair);
+        boolean crushes = isCrushed(bodies, pairs, pair, pairs.gap(pair));
         contacts.bodyA[row] = isHalted && bodies.isDriven(a) ? GROUND : motions.offset(bodies, a);
         contacts.bodyB[row] = isHalted && bodies.isDriven(b) ? GROUND : motions.offset(bodies, b);
         pairs.crushed[pair] = crushes;
-        contacts.work.crushed += crushes ? 1 : 0;
+        contacts.isAnyCrushed |= crushes;
         int at = row * PackedContacts.STRIDE;
         writeManifold(row, at, pair);
         if (pairs.points[pair] == 0) {
@@ -320,12 +320,12 @@ public final class RowBuilder {
                         || staysBehind(pair, 2 * pair + pairs.points[pair] - 1));
     }
 
-    /** Whether a pair overlaps deep, by the width of the smaller of the two, movable or not. */
-    private boolean isCrushed(int pair) {
+    /** Whether a gap is a deep overlap, by the width of the smaller of the two, movable or not. */
+    static boolean isCrushed(Bodies bodies, Pairs pairs, int pair, double gap) {
         int a = pairs.bodyA[pair];
         int b = pairs.bodyB[pair];
         double width = Math.min(bodies.smallestWidth[a], bodies.smallestWidth[b]);
-        return -pairs.gap(pair) > CRUSHED * width;
+        return -gap > CRUSHED * width;
     }
 
     /** Whether a point closes at more than half of the speed at which what is driven presses. */

@@ -20,10 +20,10 @@ import rigibo.backend.storage.Bodies;
 public final class OverlapSolver {
 
     /**
-     * Share by which what floats stays slower than {@link Recovery#MOST_PUSH}: what is moved is
+     * Share by which what is moved stays slower than {@link Recovery#MOST_PUSH}: what is moved is
      * rounded.
      */
-    private static final double ROUND_OFF = 1e-9;
+    static final double ROUND_OFF = 1e-9;
 
     /** Overlap with the ground in widths that shows. */
     private static final double SHOWS = 0.01;
@@ -34,12 +34,16 @@ public final class OverlapSolver {
     private final PartingLimit limit;
     private final GroundHold ground;
     private final Accuracy accuracy;
+    private final Jam jam;
 
     /** Overlap that stays in the packed island, m for a body of one metre. */
     private double kept;
 
-    /** Whether the packed island is a crowd that hardly moves. */
-    private boolean isCalm;
+    /** Whether the packed island hardly moves, and bodies in it are crushed. */
+    private boolean isJammed;
+
+    /** Whether of two bodies of the packed island only the upper one is moved. */
+    private boolean raises;
 
     /** The contacts that are deeper in each other than they may stay. */
     private int[] deep = new int[16];
@@ -54,12 +58,14 @@ public final class OverlapSolver {
         limit = new PartingLimit(bodies, motions, contacts);
         ground = new GroundHold(motions, contacts);
         this.accuracy = accuracy;
+        jam = new Jam(bodies, motions, contacts, ground);
     }
 
     /** Begins the packed island, which hardly moves if it is calm. */
     public void prepare(boolean isCalm) {
         boolean isCrowd = contacts.areCrowd();
-        this.isCalm = isCalm && isCrowd;
+        isJammed = isCalm && contacts.isAnyCrushed;
+        raises = isCalm && isCrowd && !isJammed;
         kept = isCalm ? Recovery.keptIfCalm(isCrowd, accuracy) : Recovery.kept(isCrowd, accuracy);
     }
 
@@ -97,6 +103,10 @@ public final class OverlapSolver {
 
     /** Passes over them where nothing is joined, so that the ground can be held last. */
     public void correctAndHoldGround(double h, int substep, int passes) {
+        if (isJammed) {
+            partJammed(h, substep);
+            return;
+        }
         findDeep(substep);
         if (deepCount > 0) {
             begin();
@@ -104,6 +114,29 @@ public final class OverlapSolver {
             pass(h, passes);
             end(h, substep);
         }
+    }
+
+    /** Whether the packed island hardly moves, and bodies in it are crushed. */
+    public boolean isJammed() {
+        return isJammed;
+    }
+
+    /** Takes overlap back in a jammed island, in a substep of h seconds. */
+    public void partJammed(double h, int substep) {
+        findDeep(substep);
+        if (deepCount > 0) {
+            ground.begin();
+            noteGround(h);
+            jam.part(deep, deepCount, kept, h, substep);
+        }
+    }
+
+    /** Whether nobody is to be parted in a jammed island, which has not moved yet, in h seconds. */
+    public boolean isBlocked(double h) {
+        if (isJammed) {
+            partJammed(h, 0);
+        }
+        return isJammed && motions.areWhereTheyWere();
     }
 
     private void pass(double h, int passes) {
@@ -225,7 +258,7 @@ public final class OverlapSolver {
         m[b + DX] += m[b + INVERSE_MASS] * px;
         m[b + DY] += m[b + INVERSE_MASS] * py;
         m[b + TURN] += m[b + INVERSE_INERTIA] * onB;
-        if (isCalm) {
+        if (raises) {
             raise(a, b, px, py);
         }
     }
