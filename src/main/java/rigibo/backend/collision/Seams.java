@@ -71,7 +71,8 @@ final class Seams {
 
     /**
      * Drops the points of a contact that lie inside a body that moves, where two of its parts meet:
-     * what such a face or corner looks at is its other part.
+     * what such a face or corner looks at is its other part. What is only near may come to another
+     * place of the face within the step, and what is deep came in by it.
      */
     private void leaveOutInside(int pair, Pose atA, Pose atB) {
         int a = pairs.bodyA[pair];
@@ -102,8 +103,9 @@ final class Seams {
         cover.near = at.touching();
         for (int i = pairs.points[pair] - 1; i >= 0; i--) {
             at.look(pair, 2 * pair + i);
-            boolean isDeep = pairs.separation[2 * pair + i] < -DEEP * at.width;
-            if (!isDeep && cover.isCovered(pair)) {
+            double gap = pairs.separation[2 * pair + i];
+            boolean isTouching = gap <= at.touching() && gap >= -DEEP * at.width;
+            if (isTouching && cover.isCovered(pair)) {
                 pairs.removePoint(pair, i);
             }
         }
