@@ -25,6 +25,12 @@ public final class OverlapSolver {
      */
     static final double ROUND_OFF = 1e-9;
 
+    /**
+     * Ratio of masses up to which what is crushed is parted as a jam. Between a wall and what is a
+     * thousand times as heavy a body would have to move that by pushes that hardly do.
+     */
+    private static final double ALIKE = 30;
+
     /** Overlap with the ground in widths that shows. */
     private static final double SHOWS = 0.01;
 
@@ -64,7 +70,7 @@ public final class OverlapSolver {
     /** Begins the packed island, which hardly moves if it is calm. */
     public void prepare(boolean isCalm) {
         boolean isCrowd = contacts.areCrowd();
-        isJammed = isCalm && contacts.isAnyCrushed;
+        isJammed = isCalm && contacts.isAnyCrushed && motions.massRatio() <= ALIKE;
         raises = isCalm && isCrowd && !isJammed;
         kept = isCalm ? Recovery.keptIfCalm(isCrowd, accuracy) : Recovery.kept(isCrowd, accuracy);
     }
