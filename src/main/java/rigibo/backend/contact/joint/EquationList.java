@@ -33,13 +33,16 @@ final class EquationList {
 
     int bodyCount;
 
-    /** By equation its row, or {@link #NONE} where none of its rows holds. */
-    int[] row = new int[64];
+    /**
+     * By equation its row, or {@link #NONE} where none of its rows holds. What is by equation is
+     * made with the first list: how long it has to be follows from the rows' room.
+     */
+    int[] row = {};
 
     /** By equation the first of its rows and how many they are; 0 where it always holds. */
-    int[] firstBounded = new int[64];
+    int[] firstBounded = {};
 
-    int[] boundedCount = new int[64];
+    int[] boundedCount = {};
 
     /** By body its entry of the motions, how many copies that has, and the next one of them. */
     int[] entry = new int[16];
@@ -51,14 +54,14 @@ final class EquationList {
     private int[] taken = new int[16];
 
     /** By equation where its bodies start, the bodies, and which of its row's bodies each is. */
-    private int[] bodyStart = new int[65];
+    private int[] bodyStart = {};
 
-    private int[] body = new int[128];
+    private int[] body = {};
 
     /** By body where its equations start, and the equations. */
     private int[] equationStart = new int[18];
 
-    private int[] equation = new int[128];
+    private int[] equation = {};
 
     /** By entry of the motions its body, and the last copy of it. */
     private int[] bodyOfEntry = new int[16];
@@ -66,7 +69,7 @@ final class EquationList {
     private int[] lastCopy = new int[16];
 
     /** What the list was made of last: by derivative the offset of its body. */
-    private int[] before = new int[256];
+    private int[] before = {};
 
     private int beforeBodies;
 
@@ -142,8 +145,11 @@ final class EquationList {
     /** Makes room; whether what was listed before is lost by that. */
     private boolean reserve() {
         int rowCount = rows.bodies.length;
-        boolean isAny = row.length < rowCount || entry.length < motions.count;
-        if (row.length < rowCount) {
+        int most = motions.count + mostCopies(rowCount);
+        boolean areRowsShort = row.length < rowCount;
+        // More rows of any kind ask for room for more copies, though the equations stay the same.
+        boolean areBodiesShort = entry.length < most;
+        if (areRowsShort) {
             int welds = WELDS * mostCopies(rowCount);
             row = new int[rowCount + welds];
             firstBounded = new int[rowCount + welds];
@@ -153,8 +159,7 @@ final class EquationList {
             equation = new int[rowCount * NeutralRows.BODIES + 2 * welds];
             before = new int[rowCount * NeutralRows.BODIES];
         }
-        int most = motions.count + mostCopies(rowCount);
-        if (entry.length < most) {
+        if (areBodiesShort) {
             int capacity = motions.slots.length + mostCopies(rowCount);
             entry = new int[capacity];
             copies = new int[capacity];
@@ -164,7 +169,7 @@ final class EquationList {
             lastCopy = new int[capacity];
             equationStart = new int[capacity + 2];
         }
-        return isAny;
+        return areRowsShort || areBodiesShort;
     }
 
     /** Bodies that are copies of others, at most. */

@@ -80,9 +80,13 @@ class EquationFactorTest {
     }
 
     private void isSolved(SplittableRandom random) {
-        double[] asked = new double[rows.count];
         EquationFactor factor = new EquationFactor(motions, rows);
         factor.layOut();
+        isSolved(factor, random);
+    }
+
+    private void isSolved(EquationFactor factor, SplittableRandom random) {
+        double[] asked = new double[rows.count];
         factor.begin();
         for (int i = 0; i < rows.count; i++) {
             asked[i] = random.nextDouble(-1, 1);
@@ -155,6 +159,47 @@ class EquationFactorTest {
         }
         hinge(0, 1, random);
         isSolved(random);
+    }
+
+    /** As many as there is room for without those that weld the copies of the hub. */
+    @ParameterizedTest(name = "{0} hinges")
+    @ValueSource(ints = {13, 16, 28, 31, 32, 60, 64})
+    void hubsOfAsManyEquationsAsThereIsRoomForAreSolvedAsAWhole(int hinges) {
+        SplittableRandom random = new SplittableRandom(hinges);
+        addBodies(hinges, random);
+        hinge(0, 1, random);
+        for (int body = 2; body <= hinges; body++) {
+            hinge(1, body, random);
+        }
+        isSolved(random);
+    }
+
+    /**
+     * The rows of an island's contacts come and go between two lists of the same equations, and the
+     * room for them grows: who has listed the equations before is to answer as who lists them
+     * first.
+     */
+    @ParameterizedTest(name = "{0} links")
+    @ValueSource(ints = {4, 6, 8, 10, 12, 15})
+    void equationsAreSolvedAlikeAfterMoreRowsOfOtherKinds(int links) {
+        SplittableRandom random = new SplittableRandom(links);
+        addBodies(links, random);
+        for (int link = 1; link <= links; link++) {
+            hinge(link - 1, link, random);
+        }
+        int equations = rows.count;
+        EquationFactor factor = new EquationFactor(motions, rows);
+        factor.layOut();
+        for (int room = rows.bodies.length; rows.bodies.length < 8 * room; ) {
+            int grown = 2 * rows.bodies.length;
+            while (rows.bodies.length < grown) {
+                int other = rows.add();
+                rows.load[other] = 0;
+            }
+            factor.layOut();
+            rows.count = equations;
+            isSolved(factor, random);
+        }
     }
 
     /** Twice the joints on one body: at most 2.2 times the work and the room. */
