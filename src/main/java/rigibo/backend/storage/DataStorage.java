@@ -102,7 +102,7 @@ public final class DataStorage {
     public void beginStep() {
         counters.clear();
         if (hits != null) {
-            hits.clear();
+            hits.clear(pairs.room());
         }
     }
 

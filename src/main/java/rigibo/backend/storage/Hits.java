@@ -40,13 +40,20 @@ public final class Hits {
 
     private boolean[] isRemoved = new boolean[16];
 
-    /** Begins a step. */
-    public void clear() {
+    private void reserve(int pairRoom) {
+        if (isForetold.length < pairRoom) {
+            isForetold = Arrays.copyOf(isForetold, Math.max(pairRoom, 2 * isForetold.length));
+        }
+    }
+
+    /** Begins a step, with columns for so many pairs. */
+    public void clear(int pairRoom) {
         for (int i = 0; i < count; i++) {
             if (pair[i] < isForetold.length) {
                 isForetold[pair[i]] = false;
             }
         }
+        reserve(pairRoom);
         count = 0;
         for (int i = 0; i < removed.count; i++) {
             isRemoved[removed.numbers[i]] = false;
@@ -81,9 +88,7 @@ public final class Hits {
 
     /** Notes that a solver will resolve the hit of a pair that was just added. */
     public void foretell(int of) {
-        if (of >= isForetold.length) {
-            isForetold = Arrays.copyOf(isForetold, Math.max(of + 1, 2 * isForetold.length));
-        }
+        reserve(of + 1);
         isForetold[of] = count > 0 && pair[count - 1] == of;
     }
 

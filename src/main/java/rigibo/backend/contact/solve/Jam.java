@@ -69,7 +69,6 @@ final class Jam {
      */
     void part(int[] deep, int count, double kept, double h, int substep) {
         moved.begin();
-        reserve(count);
         this.kept = kept;
         double rate = Recovery.RATE * h;
         share = Math.min(rate / (1 + rate), 1.0 / mostPushing(deep, count));
@@ -96,11 +95,12 @@ final class Jam {
         }
     }
 
-    private void reserve(int count) {
+    /** Makes room for the packed island. */
+    void reserve() {
         if (pushing.length < motions.count) {
             pushing = new int[motions.slots.length];
         }
-        if (push0.length < count) {
+        if (push0.length < contacts.count) {
             push0 = new double[contacts.pair.length];
             push1 = new double[contacts.pair.length];
         }

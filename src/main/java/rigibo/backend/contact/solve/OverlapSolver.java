@@ -72,6 +72,7 @@ public final class OverlapSolver {
         boolean isCrowd = contacts.areCrowd();
         isJammed = isCalm && contacts.isAnyCrushed && motions.massRatio() <= ALIKE;
         raises = isCalm && isCrowd && !isJammed;
+        jam.reserve();
         kept = isCalm ? Recovery.keptIfCalm(isCrowd, accuracy) : Recovery.kept(isCrowd, accuracy);
     }
 
