@@ -106,6 +106,10 @@ public final class Rounds {
     private final Halfway halfway;
     private final Halfway before;
     private final Halfway best;
+
+    /** Whether rounds go on where masses differ; at a draft's accuracy what is hard is left. */
+    private final boolean isThorough;
+
     private final boolean isDirect;
     private final boolean isCorrecting;
     private final int most;
@@ -147,6 +151,7 @@ public final class Rounds {
         halfway = new Halfway(motions, contacts);
         before = new Halfway(motions, contacts);
         best = new Halfway(motions, contacts);
+        isThorough = substeps >= Accuracy.GAME.substeps();
         isDirect = accuracy.contactSolver() == ContactSolver.DIRECT;
         isCorrecting = accuracy.correction() == Correction.SOFT;
         most = LEAST_ROUNDS + substeps;
@@ -214,7 +219,7 @@ public final class Rounds {
         direct.begin();
         boolean isSettled = settleRows(h, kicked, substep, fastest);
         contacts.work.multiplications += direct.work();
-        if (direct.isSpent() || !isSettled && missed > GIVEN_UP * fastest) {
+        if (direct.isSpent() || isThorough && !isSettled && missed > GIVEN_UP * fastest) {
             before.takeBack();
             return false;
         }
@@ -238,7 +243,7 @@ public final class Rounds {
         boolean isNewton = false;
         double last = Double.POSITIVE_INFINITY;
         double least = Double.POSITIVE_INFINITY;
-        double times = isCalm ? 1 : Math.max(1, timesByMass(motions));
+        double times = isThorough && !isCalm ? Math.max(1, timesByMass(motions)) : 1;
         int rounds = (int) (most * times);
         int passes = (int) Math.min(MOST_PASSES, times);
         for (int i = 0; i < rounds && !direct.isSpent(); i++) {

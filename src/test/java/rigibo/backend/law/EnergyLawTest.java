@@ -21,7 +21,7 @@ class EnergyLawTest {
     private static final Seeds PILES = Seeds.upTo(200);
 
     /** What turns fast sinks in by 2 % there, and is lifted. */
-    private static final Seeds LIFTED_AT_DRAFT = Seeds.of(92L, 132L, 245L);
+    private static final Seeds LIFTED_AT_DRAFT = Seeds.of(118L);
 
     private static final Quota LOADED_IN_PILES = new Quota(9000, "loaded contacts in piles");
 
@@ -62,7 +62,7 @@ class EnergyLawTest {
                 LOADED_IN_PILES);
     }
 
-    @Disabled("at DRAFT three of 300 scenes gain up to 4.7e-3 in a step")
+    @Disabled("at DRAFT beyond it in one of 300 scenes, by 1.2e-3")
     @Test
     void pilesThatSankInDeepGainNone() {
         Quota once = new Quota(1, "loaded contacts in piles");
