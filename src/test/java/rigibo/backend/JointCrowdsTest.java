@@ -9,12 +9,8 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 import rigibo.backend.effect.Contacts;
 import rigibo.backend.effect.Effects;
-import rigibo.backend.effect.Friction;
-import rigibo.backend.effect.Gravity;
 import rigibo.backend.effect.Joints;
-import rigibo.backend.effect.Restitution;
 import rigibo.backend.effect.Rotation;
-import rigibo.backend.effect.Sleep;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.Accuracy;
@@ -23,20 +19,8 @@ import rigibo.backend.setup.BodyDefinition;
 /** Islands of many joints: they stay closed, gain no energy, and come to rest. */
 class JointCrowdsTest {
 
-    private static final double DT = 1.0 / 60;
-
     /** Share of the start's energy that sums over all bodies may lose to rounding. */
     private static final double ROUND_OFF = 1e-9;
-
-    private static final Effects EARTH =
-            Effects.of(
-                    new Contacts(),
-                    new Rotation(),
-                    new Friction(),
-                    new Restitution(),
-                    new Sleep(),
-                    new Gravity(0, -9.81),
-                    new Joints());
 
     /**
      * Multiplications of a step: of twenty ragdolls each may take 64 eliminations of its rows, of
@@ -61,7 +45,7 @@ class JointCrowdsTest {
         double start = energy(pool);
         double worst = 0;
         for (int i = 0; i < steps; i++) {
-            StepReport report = pool.step(DT);
+            StepReport report = pool.step(Scenes.DT);
             assertThat(energy(pool))
                     .as("J after step %d", i)
                     .isLessThanOrEqualTo(start * (1 + ROUND_OFF));
@@ -76,7 +60,7 @@ class JointCrowdsTest {
     /** Joints may gape by a millimetre. */
     @Test
     void ragdollsFallInAPile() {
-        Pool pool = new Pool(EARTH, Accuracy.GAME);
+        Pool pool = new Pool(JointScenes.ROUGH_EARTH, Accuracy.GAME);
         pool.add(BodyDefinition.fixed(Polygon.box(40, 1)).at(0, -0.5));
         for (int i = 0; i < 20; i++) {
             JointScenes.addRagdoll(pool, 2 * (i % 5) - 4 + 0.3 * (i / 5), 2 + 2.2 * (i / 5));
@@ -92,7 +76,7 @@ class JointCrowdsTest {
      */
     @Test
     void stretchedNetStaysWhereItHangs() {
-        Pool pool = new Pool(EARTH, Accuracy.GAME);
+        Pool pool = new Pool(JointScenes.ROUGH_EARTH, Accuracy.GAME);
         int side = 30;
         RigidBody[][] knots = new RigidBody[side][side];
         for (int row = 0; row < side; row++) {
@@ -126,7 +110,7 @@ class JointCrowdsTest {
     @ParameterizedTest
     @CsvSource({"DRAFT, 12", "DRAFT, 20", "DRAFT, 40", "GAME, 12", "GAME, 40", "FINE, 20"})
     void straightBridgeGainsNoEnergy(Presets preset, int planks) {
-        Pool pool = new Pool(EARTH, preset.accuracy);
+        Pool pool = new Pool(JointScenes.ROUGH_EARTH, preset.accuracy);
         double left = -0.25 * planks;
         RigidBody before = pool.add(BodyDefinition.fixed(new Circle(0.05)).at(left - 0.05, 8));
         for (int i = 0; i < planks; i++) {
@@ -165,7 +149,7 @@ class JointCrowdsTest {
         pool.join(RevoluteJoint.at(frame, door, 0, 0).limits(-2, 2));
         pool.join(DistanceJoint.rod(frame, 0, -1, door, 1.1, 0).spring(1, 0.7));
         for (int i = 0; i < 60; i++) {
-            assertThat(pool.step(DT).multiplications()).isBetween(1.0, 2 * 3 + 5 * 12.0);
+            assertThat(pool.step(Scenes.DT).multiplications()).isBetween(1.0, 2 * 3 + 5 * 12.0);
         }
     }
 }

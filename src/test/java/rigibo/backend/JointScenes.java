@@ -3,10 +3,12 @@ package rigibo.backend;
 import rigibo.backend.effect.Contacts;
 import rigibo.backend.effect.ContinuousImpacts;
 import rigibo.backend.effect.Effects;
+import rigibo.backend.effect.Friction;
 import rigibo.backend.effect.Gravity;
 import rigibo.backend.effect.Joints;
 import rigibo.backend.effect.Restitution;
 import rigibo.backend.effect.Rotation;
+import rigibo.backend.effect.Sleep;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.Accuracy;
@@ -27,6 +29,17 @@ final class JointScenes {
                     new Joints());
 
     static final Effects EARTH = SPACE.with(new Gravity(0, -G));
+
+    /** Joined bodies that rub and may sleep, with weight; nobody looks for impacts in flight. */
+    static final Effects ROUGH_EARTH =
+            Effects.of(
+                    new Contacts(),
+                    new Rotation(),
+                    new Friction(),
+                    new Restitution(),
+                    new Sleep(),
+                    new Gravity(0, -G),
+                    new Joints());
 
     private JointScenes() {}
 

@@ -6,14 +6,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-import rigibo.backend.effect.Contacts;
-import rigibo.backend.effect.Effects;
-import rigibo.backend.effect.Friction;
-import rigibo.backend.effect.Gravity;
-import rigibo.backend.effect.Joints;
-import rigibo.backend.effect.Restitution;
-import rigibo.backend.effect.Rotation;
-import rigibo.backend.effect.Sleep;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.Accuracy;
@@ -21,18 +13,6 @@ import rigibo.backend.setup.BodyDefinition;
 
 /** What joined bodies take where no answer is the only one: work is counted, not timed. */
 class JointWorkTest {
-
-    private static final double DT = 1.0 / 60;
-
-    private static final Effects EARTH =
-            Effects.of(
-                    new Contacts(),
-                    new Rotation(),
-                    new Friction(),
-                    new Restitution(),
-                    new Sleep(),
-                    new Gravity(0, -9.81),
-                    new Joints());
 
     /**
      * A bridge as long as its span under discs: no force holds it straight, so that its tension has
@@ -43,7 +23,7 @@ class JointWorkTest {
      */
     @Test
     void straightBridgeUnderALoadStaysClosedWithFewKicks() {
-        Pool pool = new Pool(EARTH, Accuracy.GAME);
+        Pool pool = new Pool(JointScenes.ROUGH_EARTH, Accuracy.GAME);
         RigidBody before = pool.add(BodyDefinition.fixed(new Circle(0.05)).at(-10.05, 0));
         for (int i = 0; i < 40; i++) {
             double x = 0.5 * i - 10;
@@ -61,7 +41,7 @@ class JointWorkTest {
         int steps = 300;
         double work = 0;
         for (int i = 0; i < steps; i++) {
-            StepReport report = pool.step(DT);
+            StepReport report = pool.step(Scenes.DT);
             work += i < landed ? 0 : report.multiplications();
             double worst = pool.joints().stream().mapToDouble(Joint::error).max().orElseThrow();
             // A hundredth of a plank's height.
@@ -79,7 +59,7 @@ class JointWorkTest {
     @ParameterizedTest
     @CsvSource({"2, 600000", "3, 900000"})
     void heapOfRagdollsComesToRestWithFewEliminations(int count, double most) {
-        Pool pool = new Pool(EARTH, Accuracy.GAME);
+        Pool pool = new Pool(JointScenes.ROUGH_EARTH, Accuracy.GAME);
         pool.add(BodyDefinition.fixed(Polygon.box(40, 1)).at(0, -0.5));
         for (int i = 0; i < count; i++) {
             JointScenes.addRagdoll(pool, 0.3 * (i % 3), 2 + 2.2 * i);
@@ -87,7 +67,7 @@ class JointWorkTest {
         int steps = 900;
         double work = 0;
         for (int i = 0; i < steps; i++) {
-            work += pool.step(DT).multiplications();
+            work += pool.step(Scenes.DT).multiplications();
         }
         assertThat(work / steps).isLessThan(most);
         assertThat(pool.bodies()).noneMatch(RigidBody::isAwake);
@@ -96,7 +76,7 @@ class JointWorkTest {
     /** More limits in an island than any before it had: boxes in a row, hinged to each other. */
     @Test
     void rowOfManyLimitsRests() {
-        Pool pool = new Pool(EARTH, Accuracy.GAME);
+        Pool pool = new Pool(JointScenes.ROUGH_EARTH, Accuracy.GAME);
         pool.add(BodyDefinition.fixed(Polygon.box(40, 1)).at(0, -0.5));
         RigidBody before = null;
         for (int i = 0; i < 30; i++) {
@@ -108,7 +88,7 @@ class JointWorkTest {
             before = box;
         }
         for (int i = 0; i < 180; i++) {
-            pool.step(DT);
+            pool.step(Scenes.DT);
         }
         assertThat(pool.bodies()).noneMatch(RigidBody::isAwake);
     }

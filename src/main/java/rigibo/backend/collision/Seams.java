@@ -49,7 +49,7 @@ final class Seams {
             place(at.fixed, at.fixedPose);
             leaveOut(pair);
         }
-        if (bodies.mayHaveParts()) {
+        if (mayBeInside(pair)) {
             place(pairs.bodyA[pair], poseA);
             place(pairs.bodyB[pair], poseB);
             leaveOutInside(pair, poseA, poseB);
@@ -64,9 +64,13 @@ final class Seams {
             at.fixedPose.set(isMoverA ? atB : atA);
             leaveOut(pair);
         }
-        if (bodies.mayHaveParts()) {
+        if (mayBeInside(pair)) {
             leaveOutInside(pair, atA, atB);
         }
+    }
+
+    private boolean mayBeInside(int pair) {
+        return bodies.mayHaveParts() && pairs.points[pair] > 0;
     }
 
     /**

@@ -38,7 +38,7 @@ public final class Passes {
      */
     private static final double UNSEEN = 1;
 
-    /** Contacts from which on a crowd counts as large. */
+    /** A crowd of more contacts than these counts as large. */
     private static final int LARGE = 512;
 
     /** What does not count where a crowd lies still, as a share of what does not count for all. */

@@ -40,12 +40,6 @@ public final class Hits {
 
     private boolean[] isRemoved = new boolean[16];
 
-    private void reserve(int pairRoom) {
-        if (isForetold.length < pairRoom) {
-            isForetold = Arrays.copyOf(isForetold, Math.max(pairRoom, 2 * isForetold.length));
-        }
-    }
-
     /** Begins a step, with columns for so many pairs. */
     public void clear(int pairRoom) {
         for (int i = 0; i < count; i++) {
@@ -99,6 +93,12 @@ public final class Hits {
             isForetold[of] = false;
         }
         return was;
+    }
+
+    private void reserve(int pairRoom) {
+        if (isForetold.length < pairRoom) {
+            isForetold = Arrays.copyOf(isForetold, Math.max(pairRoom, 2 * isForetold.length));
+        }
     }
 
     /** A body goes, whose slot may be another's before the next step. */

@@ -364,6 +364,7 @@ public final class JointSolver {
      * seconds: no motor drives.
      */
     public boolean areHeldByEquations(double h) {
+        poses.take(0);
         writeRows(h, h);
         areWritten = !contactRows.areAny();
         boolean areEquations = isWhole && !jointRows.areAnyStiff();
@@ -403,6 +404,7 @@ public final class JointSolver {
             double h, double lastKick, int substep, boolean areOfNow, boolean isComposed) {
         strikes.watchNothing();
         if (!areWritten) {
+            poses.take(0);
             writeRows(h, h);
             contactRows.write(h, substep);
         }
@@ -442,34 +444,32 @@ public final class JointSolver {
      * which they drift for h.
      */
     public void write(double kick, double h) {
-        share = kicked == 0 ? 0 : kick / kicked;
-        double last = kicked;
-        kicked = kick;
-        if (isTaut && isWhole && last > 0) {
-            poses.take(0);
-            inertia.stiffen(last, h);
-        } else if (isTaut) {
-            inertia.release();
-        }
-        writeRows(kick, h);
-        results.keepArms(poses);
+        write(kick, h, isWhole);
     }
 
     /** Writes them likewise before a kick after which nothing drifts. */
     public void writeAtRest(double kick, double h) {
+        write(kick, h, false);
+    }
+
+    /** Writes them; what is too taut answers by inertia where it may. */
+    private void write(double kick, double h, boolean mayAnswer) {
         share = kicked == 0 ? 0 : kick / kicked;
-        kicked = kick;
-        if (isTaut) {
+        poses.take(0);
+        if (isTaut && mayAnswer && kicked > 0) {
+            inertia.stiffen(kicked, h);
+        } else if (isTaut) {
             inertia.release();
         }
+        kicked = kick;
         writeRows(kick, h);
         results.keepArms(poses);
     }
 
+    /** Writes them for the poses that were taken. */
     private void writeRows(double kick, double h) {
         areWritten = false;
         rows.clear();
-        poses.take(0);
         jointRows.write(kick, h);
     }
 

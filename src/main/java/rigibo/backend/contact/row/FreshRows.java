@@ -168,11 +168,7 @@ public final class FreshRows {
                     - motions.moved(contacts.bodyA[row])
                     - motions.moved(contacts.bodyB[row]);
         }
-        double gap = motions.gap(contacts, row, 0);
-        if (contacts.points[row] == 2) {
-            gap = Math.min(gap, motions.gap(contacts, row, 1));
-        }
-        return gap;
+        return motions.gap(contacts, row);
     }
 
     /** Whether a contact has no point yet, though its bodies may come to touch. */

@@ -106,11 +106,8 @@ public final class IslandResults {
 
     /** Whether a contact was crushed in this step, though it was not when that began. */
     private boolean isCrushed(int row) {
-        double gap = motions.gap(contacts, row, 0);
-        if (contacts.points[row] == 2) {
-            gap = Math.min(gap, motions.gap(contacts, row, 1));
-        }
-        return RowBuilder.isCrushed(bodies, pairs, contacts.pair[row], gap);
+        int pair = contacts.pair[row];
+        return RowBuilder.isCrushed(bodies, pairs, pair, motions.gap(contacts, row));
     }
 
     private boolean isFinite(int at) {

@@ -172,6 +172,12 @@ public final class Motions {
         return Math.abs(data[at + DX]) + Math.abs(data[at + DY]) + turned;
     }
 
+    /** The gap of a contact now, m: that of the nearer of its points, negative in overlap. */
+    double gap(PackedContacts contacts, int row) {
+        double gap = gap(contacts, row, 0);
+        return contacts.points[row] == 2 ? Math.min(gap, gap(contacts, row, 1)) : gap;
+    }
+
     /** The gap of a contact's point now, m, negative in overlap. */
     public double gap(PackedContacts contacts, int row, int point) {
         double[] d = contacts.data;

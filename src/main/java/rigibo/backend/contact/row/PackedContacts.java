@@ -245,6 +245,15 @@ public final class PackedContacts {
         data[at + IMPULSE_R] = 0;
     }
 
+    /** Scales what a contact carries. */
+    public void scaleImpulses(int row, double share) {
+        int at = row * STRIDE;
+        data[at + IMPULSE0] *= share;
+        data[at + IMPULSE1] *= share;
+        data[at + IMPULSE_T] *= share;
+        data[at + IMPULSE_R] *= share;
+    }
+
     /** Takes a contact for one that joins in a substep. */
     public void joinsIn(int row, int substep) {
         unload(row);

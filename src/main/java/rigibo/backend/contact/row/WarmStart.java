@@ -69,11 +69,7 @@ public final class WarmStart {
     public void apply(double scale, int substep) {
         for (int row = 0; row < contacts.count; row++) {
             if (contacts.firstSubstep[row] <= substep) {
-                int at = row * PackedContacts.STRIDE;
-                contacts.data[at + PackedContacts.IMPULSE0] *= scale;
-                contacts.data[at + PackedContacts.IMPULSE1] *= scale;
-                contacts.data[at + PackedContacts.IMPULSE_T] *= scale;
-                contacts.data[at + PackedContacts.IMPULSE_R] *= scale;
+                contacts.scaleImpulses(row, scale);
             }
         }
         add(1, substep);

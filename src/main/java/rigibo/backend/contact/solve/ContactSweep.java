@@ -26,23 +26,6 @@ import java.util.Arrays;
  */
 public final class ContactSweep {
 
-    private final Motions motions;
-    private final PackedContacts contacts;
-    private final Rubbing rubbing;
-    private final boolean isBlock;
-
-    /** By entry of the motions: how much its speed has changed so far in this sweep, m/s. */
-    private double[] changed = new double[16];
-
-    /** By row: what that was of its two bodies when it was solved last, m/s. */
-    private double[] seen = new double[16];
-
-    /** By row: the change of speed that does not count, m/s. */
-    private double[] uncounted = new double[16];
-
-    /** By row: the change of speed since it was solved last beyond which it is due, m/s. */
-    private double[] due = new double[16];
-
     /**
      * Change of speed that does not count, as a share of the speed at which the two bodies move
      * against each other.
@@ -61,6 +44,23 @@ public final class ContactSweep {
      * closes or parts, carries or not, and with that which contacts are solved again.
      */
     private static final double NOISE = 1e-6;
+
+    private final Motions motions;
+    private final PackedContacts contacts;
+    private final Rubbing rubbing;
+    private final boolean isBlock;
+
+    /** By entry of the motions: how much its speed has changed so far in this sweep, m/s. */
+    private double[] changed = new double[16];
+
+    /** By row: what that was of its two bodies when it was solved last, m/s. */
+    private double[] seen = new double[16];
+
+    /** By row: the change of speed that does not count, m/s. */
+    private double[] uncounted = new double[16];
+
+    /** By row: the change of speed since it was solved last beyond which it is due, m/s. */
+    private double[] due = new double[16];
 
     /** By point: the speed at which it may close, for it has a gap left, m/s. */
     private double[] spare = new double[32];

@@ -101,11 +101,12 @@ public final class EnergyGuard {
             }
         }
         for (int row = 0; row < contacts.count; row++) {
-            turn(
-                    before,
-                    row,
-                    -contacts.data[row * PackedContacts.STRIDE + PackedContacts.IMPULSE_R]);
+            turn(before, row, -rolling(row));
         }
+    }
+
+    private double rolling(int row) {
+        return contacts.data[row * PackedContacts.STRIDE + PackedContacts.IMPULSE_R];
     }
 
     private double impulse(int id) {
@@ -123,7 +124,8 @@ public final class EnergyGuard {
             return;
         }
         takeBack();
-        for (int round = 0; contacts.areCrowd() && round < ROUNDS; round++) {
+        int rounds = contacts.areCrowd() ? ROUNDS : 0;
+        for (int round = 0; round < rounds; round++) {
             if (!holdBack(limit)) {
                 return;
             }
@@ -168,9 +170,8 @@ public final class EnergyGuard {
             double less = (share - 1) * impulse(id);
             single.push(motions.data, id, less, Motions.VX, Motions.VY, Motions.SPIN);
         }
-        int at = row * PackedContacts.STRIDE;
-        turn(motions.data, row, (share - 1) * contacts.data[at + PackedContacts.IMPULSE_R]);
-        scaleImpulses(at, share);
+        turn(motions.data, row, (share - 1) * rolling(row));
+        contacts.scaleImpulses(row, share);
     }
 
     /** Turns the two bodies of a contact against each other by an impulse of so many N·m·s. */
@@ -179,13 +180,6 @@ public final class EnergyGuard {
         int b = contacts.bodyB[row];
         m[a + Motions.SPIN] -= motions.data[a + Motions.INVERSE_INERTIA] * impulse;
         m[b + Motions.SPIN] += motions.data[b + Motions.INVERSE_INERTIA] * impulse;
-    }
-
-    private void scaleImpulses(int at, double share) {
-        contacts.data[at + PackedContacts.IMPULSE0] *= share;
-        contacts.data[at + PackedContacts.IMPULSE1] *= share;
-        contacts.data[at + PackedContacts.IMPULSE_T] *= share;
-        contacts.data[at + PackedContacts.IMPULSE_R] *= share;
     }
 
     /** Share of the impulses of a body that leaves it no faster than a limit in m/s. */
@@ -215,7 +209,7 @@ public final class EnergyGuard {
         for (int row = 0; row < contacts.count; row++) {
             double turning =
                     m[contacts.bodyB[row] + Motions.SPIN] - m[contacts.bodyA[row] + Motions.SPIN];
-            sum += contacts.data[row * PackedContacts.STRIDE + PackedContacts.IMPULSE_R] * turning;
+            sum += rolling(row) * turning;
         }
         return sum;
     }
@@ -227,8 +221,8 @@ public final class EnergyGuard {
                 m[column] = before[column] + share * (m[column] - before[column]);
             }
         }
-        for (int at = 0; at < contacts.count * PackedContacts.STRIDE; at += PackedContacts.STRIDE) {
-            scaleImpulses(at, share);
+        for (int row = 0; row < contacts.count; row++) {
+            contacts.scaleImpulses(row, share);
         }
     }
 }
