@@ -23,7 +23,7 @@ public enum Extent {
     }
 
     Patience patience(Problem problem) {
-        return problem.isLong() ? Patience.ONE_ROUND : patience;
+        return problem.isLong() ? Patience.ONE_RUN : patience;
     }
 
     /** Whether points along a line are measured. */

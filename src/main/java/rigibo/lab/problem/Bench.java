@@ -18,6 +18,7 @@ public final class Bench implements AutoCloseable {
     private final Setting setting;
     private final boolean isCounting;
     private final List<World> worlds = new ArrayList<>();
+    private final StepTally tally = new StepTally();
     private Work work = Work.NONE;
     private long steps;
 
@@ -56,9 +57,16 @@ public final class Bench implements AutoCloseable {
 
     /** Makes a step in a world. */
     public void step(World world) {
-        world.step(setting.step());
         if (isCounting) {
+            boolean isTimed = worlds.size() == 1 || world != worlds.get(0);
+            if (isTimed) {
+                tally.measure(() -> world.step(setting.step()));
+            } else {
+                world.step(setting.step());
+            }
             work = work.plus(world.lastStep());
+        } else {
+            world.step(setting.step());
         }
         steps++;
     }
@@ -71,6 +79,14 @@ public final class Bench implements AutoCloseable {
     /** Steps made so far, of all worlds together. */
     public long steps() {
         return steps;
+    }
+
+    /**
+     * What steps took where they are counted; those of the first of several worlds, in which Java
+     * compiles the engine, are left out.
+     */
+    public StepTally tally() {
+        return tally;
     }
 
     /** What all steps did so far, where it is counted. */

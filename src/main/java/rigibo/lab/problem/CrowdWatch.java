@@ -7,7 +7,7 @@ import rigibo.lab.bench.scene.Scene;
 import rigibo.lab.engine.LinkErrors;
 import rigibo.lab.engine.World;
 
-/** A crowd in a world of its own, looked at after every step that is not only timed. */
+/** A crowd in a world of its own, looked at after every step. */
 final class CrowdWatch {
 
     private final Bench bench;
@@ -43,12 +43,10 @@ final class CrowdWatch {
 
     void step() {
         bench.step(world);
-        if (bench.isCounting()) {
-            deepest = Math.max(deepest, DeepestOverlap.inWidths(scene, world));
-            jointError = Math.max(jointError, joints.worst(world));
-            double energy = Look.at(scene, world).energy();
-            gain = Math.max(gain, (energy - start - work) / start);
-        }
+        deepest = Math.max(deepest, DeepestOverlap.inWidths(scene, world));
+        jointError = Math.max(jointError, joints.worst(world));
+        double energy = Look.at(scene, world).energy();
+        gain = Math.max(gain, (energy - start - work) / start);
     }
 
     /** Deepest overlap after any step up to now, in widths of the smaller body. */

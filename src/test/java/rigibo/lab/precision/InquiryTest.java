@@ -31,7 +31,7 @@ class InquiryTest {
         assertThat(problems).extracting(Problem::id).containsExactly("R14", "R15", "R16", "R20");
         for (Problem problem : problems) {
             List<Exam> exams = exams(problem, Extent.FULL);
-            assertThat(exams).extracting(Exam::patience).containsOnly(Patience.ONE_ROUND);
+            assertThat(exams).extracting(Exam::patience).containsOnly(Patience.ONE_RUN);
             assertThat(exams)
                     .extracting(exam -> exam.settings().stream().map(Setting::name).toList())
                     .containsExactly(

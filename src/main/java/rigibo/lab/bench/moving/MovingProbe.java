@@ -26,6 +26,12 @@ public final class MovingProbe {
 
     static final String MARK = "course ";
 
+    /**
+     * Processor time in ns for which a scene goes untimed at first: small ones end long before Java
+     * has compiled what they call.
+     */
+    private static final double WARM_UP = 3e9;
+
     private final Contestant contestant;
     private final Scene scene;
     private final int steps;
@@ -56,10 +62,11 @@ public final class MovingProbe {
         System.out.println(MARK + measure(contestant, scene.scene().get(), steps, runs).line());
     }
 
-    /** Lets it go once to look, and so many times to time it. */
+    /** Lets it go once to look, for a while to warm up, and so many times to time it. */
     static Course measure(Contestant contestant, Scene scene, int steps, int runs) {
         MovingProbe probe = new MovingProbe(contestant, scene, steps);
         probe.look();
+        probe.warmUp();
         double[][] nanos = new double[steps][runs];
         double[] bytes = new double[steps];
         for (int run = 0; run < runs; run++) {
@@ -114,6 +121,16 @@ public final class MovingProbe {
 
     private static double speed(World world, int body) {
         return Math.hypot(world.velocityX(body), world.velocityY(body));
+    }
+
+    private void warmUp() {
+        double[][] nanos = new double[steps][1];
+        double[] bytes = new double[steps];
+        double spent = 0;
+        while (spent < WARM_UP) {
+            time(0, nanos, bytes);
+            spent += Arrays.stream(nanos).mapToDouble(step -> step[0]).sum();
+        }
     }
 
     private void time(int run, double[][] nanos, double[] bytes) {

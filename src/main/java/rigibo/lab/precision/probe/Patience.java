@@ -13,8 +13,8 @@ public record Patience(double warmMillis, double timedMillis, int repeats, doubl
     /** Errors only. */
     public static final Patience NONE = new Patience(0, 0, 0, 0);
 
-    /** Each setting once: finding the errors of a run of minutes has warmed everything. */
-    public static final Patience ONE_ROUND = new Patience(0, 0, 1, 0);
+    /** The steps of the run of minutes that finds the errors are timed: there is no other. */
+    public static final Patience ONE_RUN = new Patience(0, 0, 1, 0);
 
     /** As told on a command line. */
     public String words() {

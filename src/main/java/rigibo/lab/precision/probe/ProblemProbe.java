@@ -61,7 +61,8 @@ public final class ProblemProbe {
         Map<Setting, Finding> found = new LinkedHashMap<>();
         settings.forEach(setting -> found.put(setting, count(setting)));
         List<Setting> ran = settings.stream().filter(one -> found.get(one).hasRun()).toList();
-        if (!patience.equals(Patience.NONE) && !ran.isEmpty()) {
+        boolean isTimedAnew = !patience.equals(Patience.NONE) && !isOneRun();
+        if (isTimedAnew && !ran.isEmpty()) {
             new Stopwatch(patience, problem, engine)
                     .time(ran)
                     .forEach((one, took) -> found.put(one, found.get(one).with(took)));
@@ -69,11 +70,17 @@ public final class ProblemProbe {
         return found.values();
     }
 
+    private boolean isOneRun() {
+        return patience.equals(Patience.ONE_RUN);
+    }
+
     private Finding count(Setting setting) {
         try (Bench bench = Bench.counting(engine, setting)) {
             Trial trial = problem.set(bench);
             Errors errors = trial.run();
-            return new Finding(errors, bench.steps(), bench.work(), Optional.empty());
+            Optional<Timing> took =
+                    isOneRun() ? Optional.of(Timing.of(bench.tally())) : Optional.empty();
+            return new Finding(errors, bench.steps(), bench.work(), took);
         } catch (UnsupportedOperationException missing) {
             return broken("has no " + missing.getMessage());
         } catch (RuntimeException | AssertionError broken) {

@@ -1,5 +1,7 @@
 package rigibo.lab.precision.probe;
 
+import rigibo.lab.problem.StepTally;
+
 /**
  * What a step took, set-up and reading left out.
  *
@@ -11,4 +13,11 @@ package rigibo.lab.precision.probe;
  * @param bytes allocated a step, median
  */
 public record Timing(
-        int repeats, double cpu, double cpuLow, double cpuHigh, double wall, double bytes) {}
+        int repeats, double cpu, double cpuLow, double cpuHigh, double wall, double bytes) {
+
+    /** Of a run that was timed but once. */
+    static Timing of(StepTally tally) {
+        double cpu = tally.cpuMicros();
+        return new Timing(1, cpu, cpu, cpu, tally.wallMicros(), tally.bytesPerStep());
+    }
+}
