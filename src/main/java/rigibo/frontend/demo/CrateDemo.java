@@ -25,9 +25,10 @@ import rigibo.frontend.scene.widget.Readout;
 import rigibo.frontend.scene.widget.Slider;
 import rigibo.frontend.scene.widget.Widget;
 
-import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 
 /** Creation and motion of rigid bodies: crates that stack, tumble, rest and fly apart. */
 final class CrateDemo implements Demo {
@@ -42,7 +43,10 @@ final class CrateDemo implements Demo {
     private static final double BELT_SPEED = -0.8;
 
     private Workbench bench;
-    private final List<RigidBody> stack = new ArrayList<>();
+
+    /** Where the crates of the stack were put, x in m. */
+    private final Map<RigidBody, Double> stack = new HashMap<>();
+
     private RigidBody edgeBox;
     private double size = 0.6;
     private double mass = 1;
@@ -102,7 +106,7 @@ final class CrateDemo implements Demo {
     private void stack(int count) {
         clear();
         for (int i = 0; i < count; i++) {
-            stack.add(crate(2.4, (i + 0.5) * size, i == count - 1 ? ratio : 1));
+            stack.put(crate(2.4, (i + 0.5) * size, i == count - 1 ? ratio : 1), 2.4);
         }
     }
 
@@ -112,7 +116,7 @@ final class CrateDemo implements Demo {
         for (int row = 0; row < base; row++) {
             for (int i = 0; i < base - row; i++) {
                 double x = 2.4 + (i - (base - row - 1) / 2.0) * 1.04 * size;
-                stack.add(crate(x, (row + 0.5) * size, row == base - 1 ? ratio : 1));
+                stack.put(crate(x, (row + 0.5) * size, row == base - 1 ? ratio : 1), x);
             }
         }
     }
@@ -217,12 +221,13 @@ final class CrateDemo implements Demo {
         return "" + count;
     }
 
+    /** The farthest that a crate of the stack is to the side of where it was put, m. */
     private double lean() {
-        double most = 0;
-        for (RigidBody body : stack) {
-            most = body.isAlive() ? Math.max(most, Math.abs(body.x() - 2.4)) : most;
-        }
-        return most;
+        return stack.entrySet().stream()
+                .filter(crate -> crate.getKey().isAlive())
+                .mapToDouble(crate -> Math.abs(crate.getKey().x() - crate.getValue()))
+                .max()
+                .orElse(0);
     }
 
     /** Of motion and of height over the floor. */
