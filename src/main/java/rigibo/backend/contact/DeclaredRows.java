@@ -118,6 +118,25 @@ final class DeclaredRows {
         return isAny;
     }
 
+    /** In how many parts of a substep of h seconds bodies turn so far that it counts. */
+    int partsFor(double h) {
+        return turning == null ? 1 : turning.partsFor(h);
+    }
+
+    /**
+     * Measures what turns far in the next part of a substep, of h seconds, with {@code left}
+     * seconds of the step to go.
+     *
+     * @return whether there was anything
+     */
+    boolean measureTurned(double h, double left) {
+        boolean isAny = turning.measureTurned(h, left);
+        if (isAny) {
+            rubbing.refresh();
+        }
+        return isAny;
+    }
+
     /** Whether the packed island has contacts. */
     boolean areAnyContacts() {
         return contacts.count > 0;

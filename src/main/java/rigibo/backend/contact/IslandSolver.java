@@ -153,7 +153,7 @@ final class IslandSolver {
         boolean isBlock = accuracy.contactSolver() != ContactSolver.SEQUENTIAL;
         ContactSweep sweep = new ContactSweep(motions, contacts, declared.rubbing(), isBlock);
         rounds = new Rounds(motions, contacts, own, declared, guard, sweep, overlap, accuracy);
-        passes = new Passes(motions, contacts, kick, guard, sweep, overlap, accuracy);
+        passes = new Passes(motions, contacts, declared, kick, guard, sweep, overlap, accuracy);
     }
 
     /** Advances an island to the end of a step of {@code dt} seconds. */
@@ -291,7 +291,7 @@ final class IslandSolver {
         }
         isWhole = isWhole && rounds.settle(h, kicked, substep, fastest, limit);
         if (!isWhole) {
-            passes.advance(h, kicked, substep, unanswered(), limit);
+            passes.advance(h, kicked, substep, unanswered(), limit, left);
             return false;
         }
         if (mayRest && substep == 0 && repose.isFound(start, h, substeps, kicked)) {

@@ -1,5 +1,6 @@
 package rigibo.backend.contact;
 
+import rigibo.backend.contact.row.EarlierImpulses;
 import rigibo.backend.contact.row.Kick;
 import rigibo.backend.contact.row.Motions;
 import rigibo.backend.contact.row.PackedContacts;
@@ -89,6 +90,8 @@ public final class Passes {
 
     private final Motions motions;
     private final PackedContacts contacts;
+    private final DeclaredRows declared;
+    private final EarlierImpulses earlier;
     private final Kick kick;
     private final EnergyGuard guard;
     private final ContactSweep sweep;
@@ -124,6 +127,7 @@ public final class Passes {
     public Passes(
             Motions motions,
             PackedContacts contacts,
+            DeclaredRows declared,
             Kick kick,
             EnergyGuard guard,
             ContactSweep sweep,
@@ -131,6 +135,8 @@ public final class Passes {
             Accuracy accuracy) {
         this.motions = motions;
         this.contacts = contacts;
+        this.declared = declared;
+        earlier = new EarlierImpulses(contacts);
         this.kick = kick;
         this.guard = guard;
         this.sweep = sweep;
@@ -170,11 +176,21 @@ public final class Passes {
     /**
      * One substep of h seconds, whose kick lasts {@code length} seconds, in which nothing goes
      * faster than {@code fastest} m/s by what contacts carried, and that leaves nothing faster than
-     * a limit, m/s.
+     * a limit, m/s; {@code left} seconds of the step are to go. What is struck may turn so fast
+     * that it would be on another corner when the substep ends: its contacts are measured again on
+     * the way.
      */
-    void advance(double h, double length, int substep, double fastest, double limit) {
+    void advance(double h, double length, int substep, double fastest, double limit, double left) {
         hold(h, length, substep, fastest, limit);
-        motions.drift(h);
+        int parts = declared.partsFor(h);
+        double part = h / parts;
+        motions.drift(part);
+        for (int i = 1; i < parts; i++) {
+            if (declared.measureTurned(part, left - i * part)) {
+                stopTurned(part, substep, fastest, limit);
+            }
+            motions.drift(part);
+        }
         if (isCorrecting) {
             overlap.correctAndHoldGround(h, substep, PASSES_OVER_OVERLAP);
         }
@@ -205,6 +221,25 @@ public final class Passes {
         contacts.addUpImpulses(1);
     }
 
+    /**
+     * Keeps what has turned within a substep from closing in the next part of it, of h seconds.
+     * What contacts carried up to here has been done, and cannot be taken back.
+     */
+    private void stopTurned(double h, int substep, double fastest, double limit) {
+        guard.begin();
+        earlier.putAside();
+        sweep.limitPresses(motions.mass() * limit);
+        boolean isCrowd = contacts.areCrowd();
+        double share = isCrowd ? MISSED_IN_A_CROWD * missed : missed;
+        double quiet = isCrowd ? quietOfCrowd(fastest) : shorter * QUIET * fastest;
+        sweep.runNew(h, substep, share, quiet, OF_THE_FASTEST * quiet, most);
+        sweep.limitPresses(Double.POSITIVE_INFINITY);
+        guard.limitEnergy();
+        guard.limitSpeed(limit);
+        contacts.addUpImpulses(1);
+        earlier.addBack();
+    }
+
     /** Few contacts that sink in are passed over until they do not, or cost too much. */
     private void sweepFew(double h, double length, int substep, double fastest) {
         long start = contacts.work.contactSolves;
@@ -227,13 +262,8 @@ public final class Passes {
      * speeds; when all of it is calm in fewer passes, and to the end if it is not too large.
      */
     private void sweepCrowd(double h, double length, int substep, double fastest) {
-        double gained = kick.strongest() * step;
-        boolean isCalm = fastest < CALM * gained;
-        double ofFall = gained > 0 ? Math.min(1, fastest / gained) : 0;
-        double quiet = shorter * Math.max(QUIET, ofFall * QUIET_IN_A_CROWD) * fastest;
-        if (contacts.count > LARGE) {
-            quiet = Math.max(quiet, shorter * UNSEEN * missed * gained);
-        }
+        boolean isCalm = fastest < CALM * kick.strongest() * step;
+        double quiet = quietOfCrowd(fastest);
         int passes = isCalm ? mostIfCalm : most;
         double share = MISSED_IN_A_CROWD * missed;
         double least = isCalm ? quiet : OF_THE_FASTEST * quiet;
@@ -242,5 +272,13 @@ public final class Passes {
         for (int i = 0; i < affordable && sweep.isSinking(h, substep, SUNK * share); i++) {
             sweep.goOn(passes);
         }
+    }
+
+    /** Change of speed that does not count in a crowd, m/s. */
+    private double quietOfCrowd(double fastest) {
+        double gained = kick.strongest() * step;
+        double ofFall = gained > 0 ? Math.min(1, fastest / gained) : 0;
+        double quiet = shorter * Math.max(QUIET, ofFall * QUIET_IN_A_CROWD) * fastest;
+        return contacts.count > LARGE ? Math.max(quiet, shorter * UNSEEN * missed * gained) : quiet;
     }
 }

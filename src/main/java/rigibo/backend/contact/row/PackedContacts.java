@@ -131,6 +131,9 @@ public final class PackedContacts {
     /** The part of it by which driven surfaces carry, m/s. */
     double[] running = new double[16];
 
+    /** Whether a contact was measured again within the substep. */
+    public boolean[] isNew = new boolean[16];
+
     /** Whether the surfaces of any of them run. */
     public boolean isAnyRunning;
 
@@ -303,6 +306,7 @@ public final class PackedContacts {
             running = Arrays.copyOf(running, capacity);
             points = Arrays.copyOf(points, capacity);
             firstSubstep = Arrays.copyOf(firstSubstep, capacity);
+            isNew = Arrays.copyOf(isNew, capacity);
         }
         Arrays.fill(data, count * STRIDE, (count + 1) * STRIDE, 0);
         firstSubstep[count] = ALWAYS;

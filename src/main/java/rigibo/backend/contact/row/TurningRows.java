@@ -32,6 +32,12 @@ public final class TurningRows {
     /** Turn within a substep up to which the arc is that of a parabola, rad. */
     private static final double MOST_BEND = 0.1;
 
+    /** Parts in which bodies go through a substep at most. */
+    private static final int MOST_PARTS = 8;
+
+    /** Turn within such a part beyond which a contact is measured again, rad. */
+    private static final double FAR = 0.5 * MOST_BEND;
+
     /** Share of an overlap taken back per second for each such time: all of it, 1/s. */
     private static final double AT_ONCE = 1e4;
 
@@ -110,6 +116,42 @@ public final class TurningRows {
         if (isBent(row)) {
             bend(row, 0);
         }
+    }
+
+    /** In how many parts of h seconds bodies turn no farther than a parabola's arc goes. */
+    public int partsFor(double h) {
+        double fastest = 0;
+        for (int entry = 1; entry < motions.count; entry++) {
+            fastest = Math.max(fastest, turned(entry * Motions.STRIDE, h));
+        }
+        return (int) Math.max(1, Math.min(MOST_PARTS, Math.ceil(fastest / MOST_BEND)));
+    }
+
+    /** The angle by which a packed body turns in h seconds, rad; 0 where that does not show. */
+    private double turned(int entry, double h) {
+        boolean shows = entry > 0 && bodies.sweepRadius[motions.slots[entry / Motions.STRIDE]] > 0;
+        return shows ? Math.abs(motions.data[entry + Motions.SPIN]) * h : 0;
+    }
+
+    /**
+     * Measures anew the contacts of bodies that turn far in the next h seconds, as far as they may
+     * close in what is left of the step, s, and foresees how their gaps do.
+     *
+     * @return whether there was anything
+     */
+    public boolean measureTurned(double h, double left) {
+        boolean isAny = false;
+        for (int row = 0; row < contacts.count; row++) {
+            boolean turns =
+                    turned(contacts.bodyA[row], h) > FAR || turned(contacts.bodyB[row], h) > FAR;
+            contacts.isNew[row] = turns && fresh.mayClose(row, left);
+            if (contacts.isNew[row]) {
+                fresh.measure(row, left);
+                bend(row, h);
+                isAny = true;
+            }
+        }
+        return isAny;
     }
 
     /** Begins a substep with {@code left} seconds to go. */

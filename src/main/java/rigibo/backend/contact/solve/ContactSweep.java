@@ -105,6 +105,19 @@ public final class ContactSweep {
         goOn(most);
     }
 
+    /**
+     * The same after a kick, where some contacts were measured again: the others are due once their
+     * bodies have changed their speed.
+     */
+    public void runNew(double h, int substep, double share, double quiet, double least, int most) {
+        softness = 1;
+        begin(h, substep, share / h, quiet, least);
+        for (int row = 0; row < contacts.count; row++) {
+            seen[row] = contacts.isNew[row] ? seen[row] : Math.max(seen[row], 0);
+        }
+        goOn(most);
+    }
+
     /** Makes so many passes more, until no contact is due. */
     public void goOn(int most) {
         int solved = 1;
