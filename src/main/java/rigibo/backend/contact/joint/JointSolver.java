@@ -207,7 +207,7 @@ public final class JointSolver {
                         poses,
                         elimination,
                         accuracy.impactTolerance());
-        taut = new TautSubsteps(data);
+        taut = new TautSubsteps(data, accuracy);
         inertia = new TautInertia(data, motions, packed, poses);
         composed = new ComposedSubsteps(data, motions, rows, jointRows, packed, taut, accuracy);
         results = new JointResults(data, packed, rows);
@@ -326,7 +326,7 @@ public final class JointSolver {
         contactRows.write(2 * firstKick, 0);
         isSmall = rows.count <= FEW_ROWS;
         mostStrikes = isSmall ? STRUCK_ROWS / Math.max(1, rows.count) : 0;
-        double one = elimination.workOfAll();
+        double one = isTiny(substepsOfIsland) ? 0 : elimination.workOfAll();
         isWhole = !areMany && one <= worth;
         double eliminations = ELIMINATIONS * one * substepsOfIsland;
         double least = isSmall ? LEAST_WORTH : 0;
@@ -337,6 +337,16 @@ public final class JointSolver {
         int affordable = SOLVES / (substepsOfIsland * Math.max(1, rows.count));
         mostPasses = Math.max(LEAST_PASSES, Math.min(PASSES_PER_SUBSTEP * substeps, affordable));
         kicked = firstKick;
+    }
+
+    /**
+     * Whether the packed island is worth more than all of its eliminations could take, however its
+     * rows are ordered: then that need not be known.
+     */
+    private boolean isTiny(int substepsOfIsland) {
+        double n = rows.count;
+        double most = n * (n + 1) * (2 * n + 1) / 12;
+        return isSmall && ELIMINATIONS * most * substepsOfIsland <= LEAST_WORTH;
     }
 
     /** Multiplications that eliminations of the packed island took. */

@@ -37,6 +37,7 @@ final class RowOrder {
     /** What was ordered last: by row and place the offset of its body, and how many of each. */
     private int[] before = new int[64 * NeutralRows.BODIES];
 
+    private int[] manyBefore = new int[64];
     private int rowsBefore = NOWHERE;
     private int bodiesBefore;
 
@@ -45,6 +46,7 @@ final class RowOrder {
         boolean isRoomier = before.length < NeutralRows.BODIES * rows.count;
         if (isRoomier) {
             before = new int[NeutralRows.BODIES * rows.bodies.length];
+            manyBefore = new int[rows.bodies.length];
         }
         if (isOther() | isRoomier) {
             order();
@@ -55,10 +57,11 @@ final class RowOrder {
         boolean isOther = rowsBefore != rows.count || bodiesBefore != motions.count;
         for (int row = 0; row < rows.count; row++) {
             int at = row * NeutralRows.BODIES;
-            for (int i = 0; i < NeutralRows.BODIES; i++) {
-                int body = i < rows.bodies[row] ? rows.body[at + i] : NOWHERE;
-                isOther |= before[at + i] != body;
-                before[at + i] = body;
+            isOther |= manyBefore[row] != rows.bodies[row];
+            manyBefore[row] = rows.bodies[row];
+            for (int i = at; i < at + rows.bodies[row]; i++) {
+                isOther |= before[i] != rows.body[i];
+                before[i] = rows.body[i];
             }
         }
         rowsBefore = rows.count;

@@ -58,6 +58,11 @@ final class RowSolver {
     /** By row: at which bound it is while it is out of the set, −1 or 1. */
     private int[] side = new int[64];
 
+    /** The rows with bounds, all but equations, in their order. */
+    private int[] bounded = new int[64];
+
+    private int boundedCount;
+
     /** What rows with bounds give way by for what they carry else than in the kick before. */
     private final double nearness;
 
@@ -90,12 +95,8 @@ final class RowSolver {
      */
     void begin() {
         start();
-        for (int row = 0; row < rows.count; row++) {
-            if (rows.isEquation(row)) {
-                elimination.put(row, true);
-            } else {
-                place(row);
-            }
+        for (int i = 0; i < boundedCount; i++) {
+            place(bounded[i]);
         }
     }
 
@@ -106,19 +107,16 @@ final class RowSolver {
     void beginAsBefore(PackedJoints packed, double share) {
         start();
         boolean isIndeterminate = nearness > 0 && mayBeIndeterminate();
-        for (int row = 0; row < rows.count; row++) {
-            if (rows.isEquation(row)) {
-                elimination.put(row, true);
-            } else {
-                boolean isOfJoint = rows.joint[row] != NeutralRows.NONE;
-                double before = isOfJoint ? packed.impulseOf(rows.joint[row], rows.part[row]) : 0;
-                // What contacts carried tells less than how they close: a gap of round-off is open
-                // after the last kick.
-                if (isIndeterminate) {
-                    keepNear(row, isOfJoint ? share * before : rows.impulse[row]);
-                }
-                placeAsBefore(row, share * before);
+        for (int i = 0; i < boundedCount; i++) {
+            int row = bounded[i];
+            boolean isOfJoint = rows.joint[row] != NeutralRows.NONE;
+            double before = isOfJoint ? packed.impulseOf(rows.joint[row], rows.part[row]) : 0;
+            // What contacts carried tells less than how they close: a gap of round-off is open
+            // after the last kick.
+            if (isIndeterminate) {
+                keepNear(row, isOfJoint ? share * before : rows.impulse[row]);
             }
+            placeAsBefore(row, share * before);
         }
     }
 
@@ -161,9 +159,24 @@ final class RowSolver {
         elimination.begin();
         if (side.length < rows.count) {
             side = new int[rows.bodies.length];
+            bounded = new int[rows.bodies.length];
         }
-        rows.bound();
+        boundedCount = 0;
+        for (int row = 0; row < rows.count; row++) {
+            if (rows.isEquation(row)) {
+                elimination.put(row, true);
+            } else {
+                bounded[boundedCount++] = row;
+            }
+        }
+        boundAll();
         clampAll();
+    }
+
+    private void boundAll() {
+        for (int i = 0; i < boundedCount; i++) {
+            rows.bound(bounded[i]);
+        }
     }
 
     private void placeAsBefore(int row, double carried) {
@@ -191,7 +204,8 @@ final class RowSolver {
     }
 
     private void clampAll() {
-        for (int row = 0; row < rows.count; row++) {
+        for (int i = 0; i < boundedCount; i++) {
+            int row = bounded[i];
             double within = within(row, rows.impulse[row]);
             if (within != rows.impulse[row]) {
                 rows.push(row, within - rows.impulse[row]);
@@ -244,13 +258,12 @@ final class RowSolver {
     /** Goes back to how rows were before what slides was solved with its loads. */
     private void goApart() {
         apart.recall();
-        for (int row = 0; row < rows.count; row++) {
-            if (!rows.isEquation(row)) {
-                rows.bound(row);
-                double within = within(row, rows.impulse[row]);
-                rows.push(row, within - rows.impulse[row]);
-                place(row);
-            }
+        for (int i = 0; i < boundedCount; i++) {
+            int row = bounded[i];
+            rows.bound(row);
+            double within = within(row, rows.impulse[row]);
+            rows.push(row, within - rows.impulse[row]);
+            place(row);
         }
     }
 
@@ -326,18 +339,15 @@ final class RowSolver {
     /** Counts the rows that are in the set beyond their bounds, or out of it wrongly. */
     private void find() {
         wrong = 0;
-        for (int row = 0; row < rows.count; row++) {
-            if (isWrong(row)) {
+        for (int i = 0; i < boundedCount; i++) {
+            if (isWrong(bounded[i])) {
                 wrong++;
-                lastWrong = row;
+                lastWrong = bounded[i];
             }
         }
     }
 
     private boolean isWrong(int row) {
-        if (rows.isEquation(row)) {
-            return false;
-        }
         double most = settled / rows.unit[row];
         double slack = most / rows.response[row];
         double impulse = rows.impulse[row];
@@ -349,9 +359,9 @@ final class RowSolver {
     }
 
     private void exchangeAll() {
-        for (int row = 0; row < rows.count; row++) {
-            if (isWrong(row)) {
-                exchange(row);
+        for (int i = 0; i < boundedCount; i++) {
+            if (isWrong(bounded[i])) {
+                exchange(bounded[i]);
             }
         }
     }
@@ -373,9 +383,10 @@ final class RowSolver {
 
     /** Lets bounds follow the loads; whether any of them has moved. */
     private boolean follow() {
-        rows.bound();
+        boundAll();
         boolean isAny = false;
-        for (int row = 0; row < rows.count; row++) {
+        for (int i = 0; i < boundedCount; i++) {
+            int row = bounded[i];
             if (rows.load[row] != NeutralRows.NONE || rows.twin[row] != NeutralRows.NONE) {
                 boolean isOut = !elimination.isIn(row);
                 double bound = side[row] > 0 ? rows.upper[row] : rows.lower[row];

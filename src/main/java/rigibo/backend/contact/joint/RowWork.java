@@ -60,7 +60,8 @@ final class RowWork {
     double sum() {
         double sum = sumOfStops();
         for (int row = 0; row < rows.count; row++) {
-            sum += rows.holdsPlace[row] && rows.isEquation(row) ? of(row) : 0;
+            boolean isHeld = rows.impulse[row] != 0 && rows.holdsPlace[row];
+            sum += isHeld && rows.isEquation(row) ? of(row) : 0;
         }
         return sum;
     }
@@ -72,8 +73,10 @@ final class RowWork {
     double sumOfStops() {
         double sum = 0;
         for (int row = 0; row < rows.count; row++) {
-            boolean isStop = rows.holdsPlace[row] && !rows.isEquation(row);
-            sum += isStop || rows.contact[row] != NeutralRows.NONE ? of(row) : 0;
+            if (rows.impulse[row] != 0) {
+                boolean isStop = rows.holdsPlace[row] && !rows.isEquation(row);
+                sum += isStop || rows.contact[row] != NeutralRows.NONE ? of(row) : 0;
+            }
         }
         return sum;
     }
