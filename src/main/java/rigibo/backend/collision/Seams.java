@@ -150,11 +150,21 @@ final class Seams {
                 }
                 at.look(pair, point);
                 cover.near = at.touching();
-                if (cover.isCovered(pair)) {
+                if (cover.isCovered(pair) && !isAwaited(pair, point)) {
                     pairs.removePoint(pair, i);
                 }
             }
         }
+    }
+
+    /**
+     * Whether the mover may land with the point within the step: it is before the plane of a face
+     * that comes out of its neighbours farther on. A box that lies with a corner on each of two
+     * plates comes to the second with the other one, too, and as long as it has not, the plane is
+     * behind the face that it slides on.
+     */
+    private boolean isAwaited(int pair, int point) {
+        return pairs.separation[point] > at.touching() && at.findFace() && cover.emerges(pair);
     }
 
     /** Whether the other point, if there is one, only looks along a normal that is none. */

@@ -189,6 +189,11 @@ final class DeclaredRows {
         return isAny;
     }
 
+    /** How long the points of what slides from one face to the next are all that there are, s. */
+    double untilNewPoints() {
+        return bent.untilNewPoints();
+    }
+
     /** Whether a normal or an outline has turned since the packed island began. */
     boolean isAnyBent() {
         return bent.isAnyBent();

@@ -240,7 +240,7 @@ final class IslandSolver {
                 landings.close();
             }
             landings.keepClosed(h);
-            double part = landings.untilNext(left);
+            double part = landings.untilNext(left, declared.untilNewPoints());
             declared.bend(part, part);
             beginPart(time, part, substep, dt - time);
             boolean isAll = part == h;

@@ -197,7 +197,7 @@ public final class Flight {
     }
 
     private boolean waits(int pair) {
-        return pairs.impacts[pair] >= accuracy.maxImpactsPerPair()
+        return impacts.isExhausted(pair)
                 && !hitsPile(pairs.bodyA[pair])
                 && !hitsPile(pairs.bodyB[pair]);
     }
@@ -245,13 +245,14 @@ public final class Flight {
 
     /** Flyers that hit a pile join it; the others strike each other, alone or together. */
     private void strikeTies(double time, double dt) {
+        int first = tied[0];
         int left = 0;
         for (int i = 0; i < tiedCount; i++) {
             if (!joinsPile(tied[i], time, dt)) {
                 tied[left++] = tied[i];
             }
         }
-        impacts.strike(tied, left, time, dt);
+        impacts.strike(tied, left, first, time, dt);
         for (int i = 0; i < left; i++) {
             repredict(pairs.bodyA[tied[i]], time, dt);
             repredict(pairs.bodyB[tied[i]], time, dt);

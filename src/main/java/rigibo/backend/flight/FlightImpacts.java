@@ -18,6 +18,9 @@ import rigibo.backend.storage.Quarantine;
 /** What happens when flyers meet: they part again, or their bounces have come to an end. */
 final class FlightImpacts {
 
+    /** Factor by which two that both move and lose nothing may meet more often in a step. */
+    private static final int CHATTER = 16;
+
     private final DataStorage data;
     private final Bodies bodies;
     private final Pairs pairs;
@@ -64,8 +67,11 @@ final class FlightImpacts {
         hits = data.noteHits();
     }
 
-    /** Resolves the impacts of one instant, at once where they share a body. */
-    void strike(int[] tied, int count, double time, double dt) {
+    /**
+     * Resolves the impacts of one instant, at once where they share a body; of the first of them
+     * the time is exact.
+     */
+    void strike(int[] tied, int count, int first, double time, double dt) {
         countMeetings(tied, count, 1);
         together.clear();
         for (int i = 0; i < count; i++) {
@@ -78,7 +84,13 @@ final class FlightImpacts {
             quarantine.putToRestIfUnbounded(pairs.bodyB[tied[i]]);
         }
         for (int i = 0; i < count; i++) {
-            end(tied[i], time, restsAt[i], dt);
+            // What is fast may be far yet though it meets within the same instant: it is looked for
+            // anew. If the first has not met, the search for it has given up, and the pile goes on.
+            if (touches(tied[i])) {
+                end(tied[i], time, restsAt[i], dt);
+            } else if (tied[i] == first) {
+                land(first, time);
+            }
         }
     }
 
@@ -147,8 +159,15 @@ final class FlightImpacts {
         return bodies.isDynamic(a) && meetings[a] > 1 || bodies.isDynamic(b) && meetings[b] > 1;
     }
 
-    private boolean isExhausted(int pair) {
-        return pairs.impacts[pair] >= accuracy.maxImpactsPerPair();
+    /**
+     * Whether a pair has met as often as it may in a step. What loses nothing and cannot wait for
+     * the next step may chatter on: the corner of a body that turns against a face parts with it a
+     * hundred times, and a pile would take the energy of that.
+     */
+    boolean isExhausted(int pair) {
+        boolean isChatter = pairs.elasticityOf(pair) == 1 && bothMove(pair);
+        int most = accuracy.maxImpactsPerPair();
+        return pairs.impacts[pair] >= (isChatter ? CHATTER * most : most);
     }
 
     private boolean isInvisible(int pair) {
@@ -161,14 +180,9 @@ final class FlightImpacts {
     /**
      * Ends the bounces of a pair for this step. It rests once they are over. A pair that could
      * bounce on for ever, too fast to rest, is left to the solver of piles, or stands at a wall
-     * where nothing may be lost; so does one whose impact the search gave up to find, before the
-     * two have met.
+     * where nothing may be lost.
      */
     private void end(int pair, double time, double restsAt, double dt) {
-        if (!touches(pair)) {
-            land(pair, time);
-            return;
-        }
         if (isExhausted(pair)) {
             counters.cappedPairs++;
         } else if (restsAt <= dt) {
@@ -189,9 +203,11 @@ final class FlightImpacts {
      * pile.
      */
     private boolean mayWait(int pair) {
-        boolean bothMove =
-                bodies.isDynamic(pairs.bodyA[pair]) && bodies.isDynamic(pairs.bodyB[pair]);
-        return pairs.elasticityOf(pair) == 1 && !bothMove;
+        return pairs.elasticityOf(pair) == 1 && !bothMove(pair);
+    }
+
+    private boolean bothMove(int pair) {
+        return bodies.isDynamic(pairs.bodyA[pair]) && bodies.isDynamic(pairs.bodyB[pair]);
     }
 
     private boolean meetsStanding(int pair) {

@@ -67,15 +67,6 @@ final class FlatPlateBowl implements HardCase {
     }
 
     @Override
-    public String finding() {
-        return slider == Slider.DISC
-                ? ""
-                : "A box that turns between the landings of its two corners falls for a moment onto"
-                        + " the one that has landed: at GAME it loses up to a tenth more than the"
-                        + " kinks take.";
-    }
-
-    @Override
     public void run(Trial trial) {
         for (int plates : trial.sampling().of(FEW, ALL)) {
             double radius = 3 + 4 * trial.sampling().random(plates).nextDouble();
@@ -86,7 +77,8 @@ final class FlatPlateBowl implements HardCase {
         }
     }
 
-    private void swing(Trial trial, PlateBowl bowl) {
+    /** Measures the swings in one bowl. */
+    void swing(Trial trial, PlateBowl bowl) {
         int plate = bowl.plateAt(Math.toRadians(-50));
         if (slider == Slider.DISC) {
             double radius = 0.05 * bowl.radius();

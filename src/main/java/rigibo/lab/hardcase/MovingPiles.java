@@ -21,6 +21,8 @@ final class MovingPiles {
         cases.add(upTo100(Crowd.DISCS, ""));
         cases.add(ElasticPolygons.slow());
         cases.add(ElasticPolygons.fast());
+        cases.add(FlatPlateBowl.ofDisc());
+        cases.add(FlatPlateBowl.ofBox());
         cases.add(new StepClimb());
         cases.add(new RoundHill());
         cases.addAll(BornAtOneSpot.several());
@@ -40,8 +42,6 @@ final class MovingPiles {
         cases.add(SettlingPyramid.low());
         cases.add(SettlingPyramid.high());
         cases.add(new BulletIntoRow());
-        cases.add(FlatPlateBowl.ofDisc());
-        cases.add(FlatPlateBowl.ofBox());
         cases.add(new RockingBlock());
         cases.add(new MovingFloor());
         cases.addAll(BornAtOneSpot.many());

@@ -23,7 +23,12 @@ class CapOfImpactsTest {
 
     /** Lets the first pair meet so many times more, this one included. */
     private void leave(int impacts) {
-        air.pairs.impacts[0] = Accuracy.GAME.maxImpactsPerPair() - impacts;
+        leave(1, impacts);
+    }
+
+    /** Lets it do so where it may meet so many times as often as others. */
+    private void leave(int factor, int impacts) {
+        air.pairs.impacts[0] = factor * Accuracy.GAME.maxImpactsPerPair() - impacts;
     }
 
     /** Pairs that came to rest are counted, and those that met as often as they may. */
@@ -46,7 +51,7 @@ class CapOfImpactsTest {
     /** Both of a pair that met too often are left to the pile, with the speeds they have. */
     @Test
     void bothOfAPairThatMetTooOftenLand() {
-        strikeForTheLastTime(0.5);
+        strikeForTheLastTime(0.5, 1);
 
         assertThat(air.bodies.piled).startsWith(true, true);
         assertThat(air.bodies.velocityX).startsWith(-0.5, 0.5);
@@ -55,18 +60,27 @@ class CapOfImpactsTest {
     /** Two that both move do not stand: their centre of mass goes on, whatever they do. */
     @Test
     void twoThatBothMoveDoNotStand() {
-        strikeForTheLastTime(1);
+        strikeForTheLastTime(1, 16);
 
         assertThat(air.bodies.piled).startsWith(true, true);
         assertThat(air.bodies.velocityX).startsWith(-1, 1);
     }
 
+    /** Where nothing is lost they may meet sixteen times as often as others before they do. */
+    @Test
+    void twoThatLoseNothingChatterOn() {
+        strikeForTheLastTime(1, 1);
+
+        assertThat(air.bodies.piled).startsWith(false, false);
+        assertThat(air.bodies.velocityX).startsWith(-1, 1);
+    }
+
     /** Two discs meet at 1 m/s each, as often as they may. */
-    private void strikeForTheLastTime(double elasticity) {
+    private void strikeForTheLastTime(double elasticity, int factor) {
         air.add(Air.disc(0, 1, elasticity));
         air.add(Air.disc(2, -1, elasticity));
         instant.begin(1);
-        leave(1);
+        leave(factor, 1);
         instant.strike(0, 1, 0);
     }
 

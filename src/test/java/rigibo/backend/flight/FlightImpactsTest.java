@@ -91,6 +91,20 @@ class FlightImpactsTest {
         assertThat(air.storage.data.counters.settledPairs).isZero();
     }
 
+    /** What meets in the same instant, but is too fast to touch yet, flies on. */
+    @Test
+    void whatIsOnlyTiedAndHasNotMetFliesOn() {
+        air.add(Air.disc(0, 1, 1));
+        air.add(Air.disc(2, 0, 1));
+        air.add(Air.disc(4.5, -1e6, 1));
+        instant.begin(1);
+        instant.strike(0, 1, air.pairOf(0, 1), air.pairOf(1, 2));
+
+        assertThat(air.bodies.piled).startsWith(false, false, false);
+        assertThat(air.pairs.touched(air.pairOf(1, 2))).isFalse();
+        assertThat(air.bodies.velocityX).startsWith(new double[] {0, 1, -1e6}, within(1e-12));
+    }
+
     /**
      * Three in a row at once: ⅔ of the elastic impact is passed on, by 2j₁ − j₂ = 2v and j₁ = 2j₂.
      */

@@ -30,6 +30,6 @@ final class OneInstant {
 
     /** Strikes pairs at once, at a time in s within a step of dt seconds. */
     void strike(double time, double dt, int... pairs) {
-        impacts.strike(pairs, pairs.length, time, dt);
+        impacts.strike(pairs, pairs.length, pairs[0], time, dt);
     }
 }

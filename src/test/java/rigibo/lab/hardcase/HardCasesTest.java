@@ -44,8 +44,8 @@ class HardCasesTest {
     }
 
     /**
-     * Rows that stand for stacks, ratios of masses, bullets, bounces, jams and seams: the whole
-     * list takes minutes, and asks the same of bodies in parts.
+     * Rows that stand for stacks, ratios of masses, bullets, bounces, jams, seams and speed: the
+     * whole list takes minutes, and asks the same of bodies in parts.
      */
     private static final Set<String> IN_PARTS =
             Set.of(
@@ -65,7 +65,8 @@ class HardCasesTest {
                     "56",
                     "58",
                     "60/arch",
-                    "64");
+                    "64",
+                    "M11/fast");
 
     static Stream<Arguments> casesInParts() {
         return HardCases.held().stream()

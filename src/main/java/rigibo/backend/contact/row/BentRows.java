@@ -81,6 +81,17 @@ public final class BentRows {
         return isAny || isAnyNew;
     }
 
+    /** How long the points of what slides from one face to the next are all that there are, s. */
+    public double untilNewPoints() {
+        double until = Double.POSITIVE_INFINITY;
+        for (int row = 0; isAnyNow && row < contacts.count; row++) {
+            if (curves[row]) {
+                until = Math.min(until, curved.untilNewPoint(row));
+            }
+        }
+        return until;
+    }
+
     private void reserve() {
         if (turns.length < contacts.count) {
             turns = new boolean[contacts.pair.length];

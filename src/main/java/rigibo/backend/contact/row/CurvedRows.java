@@ -3,6 +3,7 @@ package rigibo.backend.contact.row;
 import rigibo.backend.geometry.Outline;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.PairTolerances;
 import rigibo.backend.storage.Pairs;
 
 /**
@@ -67,6 +68,34 @@ public final class CurvedRows {
         }
     }
 
+    /**
+     * How long a touching face can have no second point, s. A corner that has just come over the
+     * end of a face is all that lies on it; the next one may land before anything else does, when
+     * the shorter of the two faces is over the other one.
+     */
+    double untilNewPoint(int row) {
+        int pair = contacts.pair[row];
+        double width = contacts.data[row * PackedContacts.STRIDE + PackedContacts.WIDTH];
+        boolean mayGainPoint =
+                pairs.faceOf[pair] != Pairs.NONE
+                        && contacts.points[row] == 1
+                        && motions.gap(contacts, row) <= PairTolerances.TOUCHING_GAP * width;
+        return mayGainPoint ? untilOver(row, pair) : Double.POSITIVE_INFINITY;
+    }
+
+    /** How long until half of a face is over another that it has just come to; ∞ if it leaves. */
+    private double untilOver(int row, int pair) {
+        double apart = findFaces(pair) + slid(row);
+        double slide = slide(row);
+        double lengthA = Math.abs(endsA[1] - endsA[0]);
+        double lengthB = Math.abs(endsB[1] - endsB[0]);
+        double from = (endsB[0] + endsB[1] - endsA[0] - endsA[1]) / 2 + apart;
+        double shared = (lengthA + lengthB) / 2 - Math.abs(from);
+        double half = Math.min(lengthA, lengthB) / 2;
+        boolean isNew = from * slide < 0 && shared < half;
+        return isNew && half > 0 ? half / Math.abs(slide) : Double.POSITIVE_INFINITY;
+    }
+
     private static double opens(double radius, double way) {
         return Math.sqrt(radius * radius + way * way) - radius;
     }
@@ -79,11 +108,7 @@ public final class CurvedRows {
 
     /** Whether a corner, or the foot of a disc, comes to the end of the face it is on. */
     private boolean leavesFace(int row, int pair, double way) {
-        double nx = pairs.normalX[pair];
-        double ny = pairs.normalY[pair];
-        findEnds(pair, pairs.bodyA[pair], nx, ny, -1, endsA);
-        findEnds(pair, pairs.bodyB[pair], -nx, -ny, 1, endsB);
-        double apart = along(pair, nx, ny);
+        double apart = findFaces(pair);
         for (int i = 0; i < 2; i++) {
             for (int j = 0; j < 2; j++) {
                 if (Math.abs(endsB[j] + apart - endsA[i]) <= way) {
@@ -92,6 +117,18 @@ public final class CurvedRows {
             }
         }
         return false;
+    }
+
+    /**
+     * Finds the ends of the two faces that look at each other; returns how far B lay along the
+     * tangent from A when the step began, m.
+     */
+    private double findFaces(int pair) {
+        double nx = pairs.normalX[pair];
+        double ny = pairs.normalY[pair];
+        findEnds(pair, pairs.bodyA[pair], nx, ny, -1, endsA);
+        findEnds(pair, pairs.bodyB[pair], -nx, -ny, 1, endsB);
+        return along(pair, nx, ny);
     }
 
     /** How far B lies along the tangent from A, m. */

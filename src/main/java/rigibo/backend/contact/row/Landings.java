@@ -11,8 +11,11 @@ import rigibo.backend.setup.ImpactMode;
  */
 public final class Landings {
 
-    /** Parts that a substep is taken in at most. */
-    private static final int MOST_PARTS = 16;
+    /**
+     * Parts that a substep is taken in at most. A box may come over six plates in one, each of
+     * which takes four; whatever is left is solved in one go, and lands too late.
+     */
+    private static final int MOST_PARTS = 64;
 
     /**
      * Speed of a landing that is neglected, as a share of the speed that a substep's kick gives.
@@ -152,15 +155,18 @@ public final class Landings {
         contacts.data[i / 2 * PackedContacts.STRIDE + PackedContacts.GAP0 + i % 2] += by;
     }
 
-    /** How much of the h seconds that are left of a substep go by until something lands, s. */
-    public double untilNext(double h) {
+    /**
+     * How much of the h seconds that are left of a substep go by until something lands, s; no more
+     * than {@code most}, for as long what may land is known.
+     */
+    public double untilNext(double h, double most) {
         if (!isLookedFor) {
             return h;
         }
         measureGain();
         beganByLanding = lastPart == 0;
         noteOpen();
-        double until = ++parts < MOST_PARTS ? firstLanding(h) : h;
+        double until = ++parts < MOST_PARTS ? Math.min(firstLanding(h), most) : h;
         System.arraycopy(motions.data, 0, before, 0, motions.count * Motions.STRIDE);
         kicked = (lastPart + until) / 2;
         lastPart = until;
