@@ -13,7 +13,7 @@ import java.util.function.IntConsumer;
 public final class Snapshot {
 
     /** Of the simulation at present; see {@code Pool.REVISION}. */
-    public static final int REVISION = 13;
+    public static final int REVISION = 14;
 
     /** A body's slot, and how many characters its name has. */
     private static final int LEAST_BYTES = 8;
