@@ -27,10 +27,10 @@ public final class MovingProbe {
     static final String MARK = "course ";
 
     /**
-     * Processor time in ns for which a scene goes untimed at first: small ones end long before Java
+     * How long in ns a scene goes again and again untimed at first: small ones end long before Java
      * has compiled what they call.
      */
-    private static final double WARM_UP = 3e9;
+    private static final long WARM_UP = 3_000_000_000L;
 
     private final Contestant contestant;
     private final Scene scene;
@@ -70,6 +70,7 @@ public final class MovingProbe {
         double[][] nanos = new double[steps][runs];
         double[] bytes = new double[steps];
         for (int run = 0; run < runs; run++) {
+            System.gc();
             probe.time(run, nanos, bytes);
         }
         double[] medians = Arrays.stream(nanos).mapToDouble(MovingProbe::median).toArray();
@@ -126,17 +127,15 @@ public final class MovingProbe {
     private void warmUp() {
         double[][] nanos = new double[steps][1];
         double[] bytes = new double[steps];
-        double spent = 0;
-        while (spent < WARM_UP) {
+        long begun = System.nanoTime();
+        while (System.nanoTime() - begun < WARM_UP) {
             time(0, nanos, bytes);
-            spent += Arrays.stream(nanos).mapToDouble(step -> step[0]).sum();
         }
     }
 
     private void time(int run, double[][] nanos, double[] bytes) {
         StepMeter meter = new StepMeter();
         try (Stage stage = contestant.stage(scene)) {
-            System.gc();
             for (int i = 0; i < steps; i++) {
                 stage.drive();
                 meter.measure(stage);
