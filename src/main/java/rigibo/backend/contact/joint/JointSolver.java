@@ -207,7 +207,7 @@ public final class JointSolver {
                         poses,
                         elimination,
                         accuracy.impactTolerance());
-        taut = new TautSubsteps(data, accuracy);
+        taut = new TautSubsteps(data);
         inertia = new TautInertia(data, motions, packed, poses);
         composed = new ComposedSubsteps(data, motions, rows, jointRows, packed, taut, accuracy);
         results = new JointResults(data, packed, rows);

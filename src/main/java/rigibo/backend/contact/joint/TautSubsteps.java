@@ -1,6 +1,5 @@
 package rigibo.backend.contact.joint;
 
-import rigibo.backend.setup.Accuracy;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.Islands;
@@ -21,11 +20,11 @@ final class TautSubsteps {
     private static final int MOST_MORE = 32;
 
     /**
-     * How many times more substeps an island is given in which something touches, for what is
-     * struck carries an impact, not a load that lasts, or in which no force bounds what is taut.
-     * There a bridge gaped by decimetres in one substep of 2.2 rad that something rolled over.
+     * How many times more substeps an island is given in which something touches: what is struck
+     * carries an impact, not a load that lasts. A taut bridge that something rolls over gaped by
+     * decimetres in one substep of 2.2 rad.
      */
-    private static final int MOST_MORE_IF_STRAINED = 4;
+    private static final int MOST_MORE_IF_TOUCHED = 4;
 
     /**
      * Times as many substeps as usual that are worth following where something touches and accuracy
@@ -33,13 +32,6 @@ final class TautSubsteps {
      * may just as well be still.
      */
     private static final int MOST_FOLLOWED = 2;
-
-    /**
-     * A load that is more than so many times what could pull at it is a matter of geometry: a
-     * bridge as straight as this has a sag of 1/256 of its span. Substeps would not find it, for it
-     * grows with their number.
-     */
-    private static final double MOST_LEVERAGE = 32;
 
     /** Bodies of the largest island that is given more: one wild joint of a crowd costs all. */
     private static final int MOST_BODIES = 64;
@@ -51,11 +43,7 @@ final class TautSubsteps {
     /** By slot: the square of what it trembles at, 1/s². */
     private double[] square = new double[16];
 
-    /** Whether what no force bounds is followed as far as any other load. */
-    private final boolean followsAll;
-
-    TautSubsteps(DataStorage data, Accuracy accuracy) {
-        followsAll = accuracy.impactTolerance() < Accuracy.GAME.impactTolerance();
+    TautSubsteps(DataStorage data) {
         bodies = data.bodies;
         joints = data.jointsOrNone();
         islands = data.islands;
@@ -66,42 +54,14 @@ final class TautSubsteps {
         if (areMany(island)) {
             return usual;
         }
-        double wanted = wanted(island, dt);
-        boolean isWorth =
-                wanted <= MOST_MORE_IF_STRAINED * usual
-                        || !meetsOthers(island) && (followsAll || isBounded(island, dt));
-        int most = isWorth ? MOST_MORE : MOST_MORE_IF_STRAINED;
-        return (int) Math.ceil(Math.max(usual, Math.min(most * usual, wanted)));
+        int most = meetsOthers(island) ? MOST_MORE_IF_TOUCHED : MOST_MORE;
+        return (int) Math.ceil(Math.max(usual, Math.min(most * usual, wanted(island, dt))));
     }
 
     /** Whether an island trembles faster than is worth following. */
     boolean isBeyond(int island, double dt, int usual) {
         int most = meetsOthers(island) ? MOST_FOLLOWED : MOST_MORE;
         return !areMany(island) && wanted(island, dt) > most * usual;
-    }
-
-    /**
-     * Whether the strongest load of an island is one that its bodies and what drives them could
-     * call forth in a step of dt seconds: by what accelerates them, by all of their momentum, and
-     * by their springs and motors.
-     */
-    private boolean isBounded(int island, double dt) {
-        double pull = 0;
-        for (int i = islands.bodyStart[island]; i < islands.bodyStart[island + 1]; i++) {
-            int slot = islands.bodies[i];
-            double a = length(bodies.accelerationX[slot], bodies.accelerationY[slot]);
-            double speed = length(bodies.velocityX[slot], bodies.velocityY[slot]);
-            pull += bodies.isDynamic(slot) ? bodies.mass[slot] * (a + speed / dt) : 0;
-        }
-        double strongest = 0;
-        for (int i = islands.jointStart[island]; i < islands.jointStart[island + 1]; i++) {
-            int joint = islands.joints[i];
-            double force = length(joints.reactionX[joint], joints.reactionY[joint]);
-            strongest = Math.max(strongest, force);
-            boolean isDriven = joints.stiffness[joint] > 0 || joints.motorMost[joint] > 0;
-            pull += isDriven ? force : 0;
-        }
-        return strongest <= MOST_LEVERAGE * pull;
     }
 
     /** Substeps that follow what trembles. */
