@@ -57,16 +57,17 @@ public final class Bench implements AutoCloseable {
 
     /** Makes a step in a world. */
     public void step(World world) {
-        if (isCounting) {
-            boolean isTimed = worlds.size() == 1 || world != worlds.get(0);
-            if (isTimed) {
-                tally.measure(() -> world.step(setting.step()));
-            } else {
-                world.step(setting.step());
-            }
-            work = work.plus(world.lastStep());
+        if (isCounting && (worlds.size() == 1 || world != worlds.get(0))) {
+            tally.measure(
+                    () -> {
+                        world.step(setting.step());
+                        return 1;
+                    });
         } else {
             world.step(setting.step());
+        }
+        if (isCounting) {
+            work = work.plus(world.lastStep());
         }
         steps++;
     }

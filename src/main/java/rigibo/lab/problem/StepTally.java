@@ -3,8 +3,9 @@ package rigibo.lab.problem;
 import com.sun.management.ThreadMXBean;
 
 import java.lang.management.ManagementFactory;
+import java.util.function.LongSupplier;
 
-/** What steps take, one by one, so that what is looked at between them does not count. */
+/** What steps take, without what is done between those that are measured. */
 public final class StepTally {
 
     private static final ThreadMXBean THREADS = (ThreadMXBean) ManagementFactory.getThreadMXBean();
@@ -15,16 +16,23 @@ public final class StepTally {
     private long wallNanos;
     private long bytes;
 
-    /** Makes a step. The processor's clock may allocate, so bytes are counted within it. */
-    void measure(Runnable step) {
+    /** Makes steps, of which {@code made} tells how many they were. */
+    public void measure(LongSupplier made) {
         long wall = System.nanoTime();
-        long cpu = THREADS.getCurrentThreadCpuTime();
+        // The processor's clock may allocate, so bytes are counted within it.
+        long cpu = processorNanos();
         long allocated = THREADS.getCurrentThreadAllocatedBytes();
-        step.run();
+        steps += made.getAsLong();
         bytes += THREADS.getCurrentThreadAllocatedBytes() - allocated;
-        cpuNanos += THREADS.getCurrentThreadCpuTime() - cpu;
+        cpuNanos += processorNanos() - cpu;
         wallNanos += System.nanoTime() - wall;
-        steps++;
+    }
+
+    /** What this thread has used of a processor: others that are given turns do not count. */
+    private static long processorNanos() {
+        return THREADS.isCurrentThreadCpuTimeSupported()
+                ? THREADS.getCurrentThreadCpuTime()
+                : System.nanoTime();
     }
 
     /** Steps that were measured. */

@@ -1,15 +1,13 @@
 package rigibo.lab.precision.probe;
 
-import com.sun.management.ThreadMXBean;
-
 import rigibo.lab.child.Interval;
 import rigibo.lab.engine.Engine;
 import rigibo.lab.engine.Setting;
 import rigibo.lab.problem.Bench;
 import rigibo.lab.problem.Problem;
+import rigibo.lab.problem.StepTally;
 import rigibo.lab.problem.Trial;
 
-import java.lang.management.ManagementFactory;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -29,33 +27,11 @@ final class Stopwatch {
      */
     private static final double TURN_MILLIS = 5;
 
-    private static final ThreadMXBean THREADS = (ThreadMXBean) ManagementFactory.getThreadMXBean();
     private static final double NANOS_PER_MILLI = 1e6;
-    private static final double NANOS_PER_MICRO = 1e3;
 
     private final Patience patience;
     private final Problem problem;
     private final Engine engine;
-
-    /** Sums over the runs of a turn. */
-    private static final class Turn {
-        private long steps;
-        private long cpuNanos;
-        private long wallNanos;
-        private long bytes;
-
-        private double cpuMicros() {
-            return cpuNanos / (NANOS_PER_MICRO * steps);
-        }
-
-        private double wallMicros() {
-            return wallNanos / (NANOS_PER_MICRO * steps);
-        }
-
-        private double bytesPerStep() {
-            return (double) bytes / steps;
-        }
-    }
 
     Stopwatch(Patience patience, Problem problem, Engine engine) {
         this.patience = patience;
@@ -69,7 +45,7 @@ final class Stopwatch {
         while (millisSince(begun) < patience.warmMillis()) {
             settings.forEach(this::turn);
         }
-        Map<Setting, List<Turn>> turns = new LinkedHashMap<>();
+        Map<Setting, List<StepTally>> turns = new LinkedHashMap<>();
         settings.forEach(setting -> turns.put(setting, new ArrayList<>()));
         begun = System.nanoTime();
         int rounds = 0;
@@ -91,23 +67,24 @@ final class Stopwatch {
         return (System.nanoTime() - begun) / NANOS_PER_MILLI;
     }
 
-    private static Timing timing(List<Turn> turns) {
-        Interval cpu = Interval.of(all(turns, Turn::cpuMicros));
+    private static Timing timing(List<StepTally> turns) {
+        Interval cpu = Interval.of(all(turns, StepTally::cpuMicros));
         return new Timing(
                 turns.size(),
                 cpu.median(),
                 cpu.low(),
                 cpu.high(),
-                Interval.of(all(turns, Turn::wallMicros)).median(),
-                Interval.of(all(turns, Turn::bytesPerStep)).median());
+                Interval.of(all(turns, StepTally::wallMicros)).median(),
+                Interval.of(all(turns, StepTally::bytesPerStep)).median());
     }
 
-    private static double[] all(List<Turn> turns, ToDoubleFunction<Turn> of) {
+    private static double[] all(List<StepTally> turns, ToDoubleFunction<StepTally> of) {
         return turns.stream().mapToDouble(of).toArray();
     }
 
-    private Turn turn(Setting setting) {
-        Turn turn = new Turn();
+    /** Runs of the whole problem. */
+    private StepTally turn(Setting setting) {
+        StepTally turn = new StepTally();
         long begun = System.nanoTime();
         do {
             run(setting, turn);
@@ -115,25 +92,14 @@ final class Stopwatch {
         return turn;
     }
 
-    private void run(Setting setting, Turn turn) {
+    private void run(Setting setting, StepTally turn) {
         try (Bench bench = Bench.timed(engine, setting)) {
             Trial trial = problem.set(bench);
-            long wall = System.nanoTime();
-            // The processor's clock may allocate, so bytes are counted within it.
-            long cpu = processorNanos();
-            long bytes = THREADS.getCurrentThreadAllocatedBytes();
-            trial.run();
-            turn.bytes += THREADS.getCurrentThreadAllocatedBytes() - bytes;
-            turn.cpuNanos += processorNanos() - cpu;
-            turn.wallNanos += System.nanoTime() - wall;
-            turn.steps += bench.steps();
+            turn.measure(
+                    () -> {
+                        trial.run();
+                        return bench.steps();
+                    });
         }
-    }
-
-    /** What this thread has used of a processor: others that are given turns do not count. */
-    private static long processorNanos() {
-        return THREADS.isCurrentThreadCpuTimeSupported()
-                ? THREADS.getCurrentThreadCpuTime()
-                : System.nanoTime();
     }
 }
