@@ -240,7 +240,8 @@ final class IslandSolver {
                 landings.close();
             }
             landings.keepClosed(h);
-            double part = landings.untilNext(left, declared.untilNewPoints());
+            double known = landings.areLookedFor() ? declared.untilNewPoints() : left;
+            double part = landings.untilNext(left, known);
             declared.bend(part, part);
             beginPart(time, part, substep, dt - time);
             boolean isAll = part == h;

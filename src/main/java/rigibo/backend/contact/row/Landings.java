@@ -89,6 +89,11 @@ public final class Landings {
         lastPart = 0;
     }
 
+    /** Whether any are looked for in the packed island. */
+    public boolean areLookedFor() {
+        return isLookedFor;
+    }
+
     /** Begins a substep. */
     public void beginSubstep() {
         parts = 0;

@@ -106,8 +106,9 @@ public final class ContactSweep {
     }
 
     /**
-     * The same after a kick, where some contacts were measured again: the others are due once their
-     * bodies have changed their speed.
+     * Makes passes in the same way after bodies have moved on within a substep. The contacts that
+     * were measured again are solved first; any other is due as soon as its bodies have changed
+     * their speed.
      */
     public void runNew(double h, int substep, double share, double quiet, double least, int most) {
         softness = 1;
