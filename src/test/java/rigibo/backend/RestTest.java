@@ -324,4 +324,21 @@ class RestTest {
         Scenes.run(pool, 5 * SECOND);
         assertThat(pool.report().islands(SolveMethod.AT_REST)).isOne();
     }
+
+    /**
+     * What is left of an overlap goes down by a share in each step, without an end. Once so little
+     * of it is taken back in a step that the box counts as still, nothing is solved any more,
+     * however long the step is.
+     */
+    @ParameterizedTest
+    @ValueSource(ints = {15, 30, 60, 120, 240, 1000})
+    void whatHasComeOutOfAnOverlapIsNotSolvedAgain(int stepsPerSecond) {
+        Pool pool = new Pool(Scenes.usualWithoutSleep(), Accuracy.GAME);
+        Scenes.addFloor(pool);
+        pool.add(BodyDefinition.dynamic(Polygon.box(1, 1)).at(0, 0.499));
+        for (int step = 0; step < 3 * stepsPerSecond; step++) {
+            pool.step(1.0 / stepsPerSecond);
+        }
+        assertThat(pool.report().islands(SolveMethod.AT_REST)).isOne();
+    }
 }

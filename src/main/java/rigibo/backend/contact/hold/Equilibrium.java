@@ -46,9 +46,6 @@ public final class Equilibrium {
      */
     private static final double SLOW = 1e-6;
 
-    /** An overlap is more than so many times as deep as what is taken back of it in a step. */
-    private static final double PER_STEP = 3;
-
     private final Bodies bodies;
     private final Pairs pairs;
     private final Islands islands;
@@ -61,7 +58,10 @@ public final class Equilibrium {
 
     private final Accuracy accuracy;
 
-    /** Overlap that stays in the island that is asked for, in widths. */
+    /**
+     * Overlap that stays in the island that is asked for, in widths, with what is so little beyond
+     * it that {@link Stillness} takes the island for one at rest.
+     */
     private double kept;
 
     /** Whether anything in that island overlaps by more. */
@@ -116,7 +116,7 @@ public final class Equilibrium {
                 return false;
             }
         }
-        return areContactsSteady(island);
+        return areContactsSteady(island, dt);
     }
 
     /**
@@ -151,10 +151,11 @@ public final class Equilibrium {
         return Math.abs(bodies.accelerationX[slot]) + Math.abs(bodies.accelerationY[slot]);
     }
 
-    private boolean areContactsSteady(int island) {
+    private boolean areContactsSteady(int island, double dt) {
         reserve();
         isOverlapping = false;
         kept = Recovery.keptIfCalm(PackedContacts.areCrowd(islands, island), accuracy);
+        kept += Recovery.overlapOf(Stillness.STILL, dt);
         for (int i = islands.bodyStart[island]; i < islands.bodyStart[island + 1]; i++) {
             int slot = islands.bodies[i];
             leftX[slot] = bodies.accelerationX[slot];
@@ -211,7 +212,7 @@ public final class Equilibrium {
         int a = pairs.bodyA[pair];
         int b = pairs.bodyB[pair];
         double width = PairTolerances.width(bodies, a, b);
-        double most = (kept + PER_STEP * Stillness.STILL) * width + resolution(a) + resolution(b);
+        double most = kept * width + resolution(a) + resolution(b);
         if (bodies.isDriven(a) || bodies.isDriven(b)) {
             return false;
         }

@@ -47,6 +47,11 @@ public final class Recovery {
         return over > 0 ? Math.min(over * rate / (1 + rate), most * width * h) : 0;
     }
 
+    /** How deep an overlap is, m, of which so many m are taken back in a step of dt seconds. */
+    public static double overlapOf(double taken, double dt) {
+        return taken * (1 + 1 / (RATE * dt));
+    }
+
     /**
      * Overlap that stays, m for a body of one metre. In a crowd that is ten times the tolerance of
      * impacts, within bounds.
