@@ -323,7 +323,7 @@ public final class Rounds {
     void takeOverlapBack(double h, int substep) {
         if (isCorrecting && overlap.isJammed()) {
             overlap.partJammed(h, substep);
-        } else if (isCorrecting) {
+        } else if (isCorrecting && overlap.isAnyDeep(substep)) {
             overlap.begin();
             direct.correct(h, substep);
             overlap.correct(h, substep);

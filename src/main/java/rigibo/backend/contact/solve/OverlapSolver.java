@@ -155,18 +155,29 @@ public final class OverlapSolver {
         }
     }
 
+    /** Whether anything overlaps by more than may stay, of what is there in a substep. */
+    public boolean isAnyDeep(int substep) {
+        for (int row = 0; row < contacts.count; row++) {
+            if (isDeep(row) && contacts.firstSubstep[row] <= substep) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private boolean isDeep(int row) {
+        double least = -kept * contacts.data[row * PackedContacts.STRIDE + PackedContacts.WIDTH];
+        return motions.gap(contacts, row, 0) < least
+                || contacts.points[row] == 2 && motions.gap(contacts, row, 1) < least;
+    }
+
     private void findDeep(int substep) {
         if (deep.length < contacts.count) {
             deep = new int[contacts.pair.length];
         }
         deepCount = 0;
         for (int row = 0; row < contacts.count; row++) {
-            double least =
-                    -kept * contacts.data[row * PackedContacts.STRIDE + PackedContacts.WIDTH];
-            boolean isDeep =
-                    motions.gap(contacts, row, 0) < least
-                            || contacts.points[row] == 2 && motions.gap(contacts, row, 1) < least;
-            if (isDeep && contacts.firstSubstep[row] <= substep) {
+            if (isDeep(row) && contacts.firstSubstep[row] <= substep) {
                 deep[deepCount++] = row;
             }
         }
