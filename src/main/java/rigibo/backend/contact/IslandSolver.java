@@ -198,7 +198,7 @@ final class IslandSolver {
         repose.begin();
         boolean isCalm = repose.isCalm(dt);
         overlap.prepare(isCalm);
-        isWhole = rounds.prepare(isCalm);
+        isWhole = rounds.prepare(isCalm, kick.strongest() * dt);
         lateJoiners.delay(start, h);
         landings.begin();
         balance.begin();

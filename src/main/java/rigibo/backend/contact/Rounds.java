@@ -71,6 +71,9 @@ public final class Rounds {
      */
     private static final double WORTH_IF_CALM = 24;
 
+    /** Speed at which contacts count as steady, as a share of what a pull gives in a step. */
+    private static final double STEADY = 1e-3;
+
     /** Multiplications that the smallest island is worth in a substep: a microsecond. */
     private static final double LEAST_WORTH = 2_500;
 
@@ -164,12 +167,33 @@ public final class Rounds {
                 isLimited ? WORTH_IF_CALM * coarser * WORK_OF_PASSES : Double.POSITIVE_INFINITY;
     }
 
-    /** Begins the packed island, unless it is too large. */
-    boolean prepare(boolean isCalm) {
+    /**
+     * Begins the packed island, unless it is too large; {@code gained} is what a free body gains in
+     * the step, m/s.
+     */
+    boolean prepare(boolean isCalm, double gained) {
         this.isCalm = isCalm && !motions.isAnyDriven;
         double moving = ofPasses * timesOfPasses();
-        double ofContact = isCalm ? Math.max(worthIfCalm, moving) : moving;
+        boolean isSteady = isCalm || areContactsSteady(STEADY * gained);
+        double ofContact = isSteady ? Math.max(worthIfCalm, moving) : moving;
         return isDirect && direct.prepare(Math.max(LEAST_WORTH, ofContact * contacts.count));
+    }
+
+    /**
+     * Whether every contact that carried a load goes on and no other closes: no point of them parts
+     * or closes faster than so much, m/s. Then rows that are found once are found again, however
+     * fast bodies roll and slide.
+     */
+    private boolean areContactsSteady(double most) {
+        for (int row = 0; row < contacts.count; row++) {
+            for (int point = 0; point < contacts.points[row]; point++) {
+                double parts = motions.parting(contacts, row, point);
+                if (parts < -most || parts > most && contacts.carries(row, point)) {
+                    return false;
+                }
+            }
+        }
+        return true;
     }
 
     /** How many times the work of passes elimination of an island that moves is worth. */
