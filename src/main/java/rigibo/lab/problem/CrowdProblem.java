@@ -50,25 +50,38 @@ final class CrowdProblem implements Problem {
     private final boolean isOfJoints;
     private final double equalBelow;
     private final double seconds;
+    private final List<Line> lines;
     private final List<Phase> phases;
 
     private CrowdProblem(
             String id, String title, double equalBelow, double seconds, Stream<Phase> phases) {
+        this(id, title, equalBelow, seconds, List.of(), phases);
+    }
+
+    private CrowdProblem(
+            String id,
+            String title,
+            double equalBelow,
+            double seconds,
+            List<Line> lines,
+            Stream<Phase> phases) {
         this.id = id;
         this.title = title;
         isOfJoints = equalBelow == JOINT_ERROR;
         this.equalBelow = equalBelow;
         this.seconds = seconds;
+        this.lines = lines;
         this.phases = phases.toList();
     }
 
-    /** The phases are rains of other seeds. */
+    /** The phases are rains of other seeds. What passes and substeps buy is seen here. */
     static CrowdProblem rain(int boxes) {
         return new CrowdProblem(
                 "R14",
                 boxes + " boxes that rain into a trough",
                 OVERLAP_OF_400,
                 7,
+                List.of(Line.SUBSTEPS, Line.ITERATIONS),
                 LongStream.of(14, 15, 16)
                         .mapToObj(seed -> new Scene(Crowd.EFFECTS, Crowd.BOXES.rain(boxes, seed)))
                         .map(Phase::new));
@@ -130,10 +143,10 @@ final class CrowdProblem implements Problem {
         return equalBelow;
     }
 
-    /** None: turning every knob takes hours. */
+    /** Few or none: turning every knob takes hours. */
     @Override
     public List<Line> lines() {
-        return List.of();
+        return lines;
     }
 
     @Override
