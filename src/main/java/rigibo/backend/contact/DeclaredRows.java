@@ -24,8 +24,9 @@ import rigibo.backend.effect.SurfaceSpeed;
 import rigibo.backend.storage.DataStorage;
 
 /**
- * What the declared effects ask of the contacts of an island. What is not declared is null here,
- * and asked for once per substep, not once per contact; its classes are not even loaded.
+ * The parts of contact solving that depend on the declared effects. A part whose effect is not
+ * declared is null, which is tested once per substep rather than once per contact, and its classes
+ * are not even loaded.
  */
 final class DeclaredRows {
 
@@ -38,7 +39,7 @@ final class DeclaredRows {
     private final BentRows bent;
     private final IslandImpacts impacts;
 
-    /** Who goes farther than foreseen, or null where that cannot bring another corner to land. */
+    /** Finds strays; null where a stray cannot land on another corner. */
     private final Strays strays;
 
     DeclaredRows(
@@ -75,19 +76,19 @@ final class DeclaredRows {
         return rubs ? friction : new NoRubbing();
     }
 
-    /** What surfaces do to each other. */
+    /** Friction and rolling resistance between surfaces. */
     Rubbing rubbing() {
         return rubbing;
     }
 
-    /** How many substeps an island needs for the rest of a step, {@code left} seconds. */
+    /** Number of substeps that an island needs for the rest ({@code left} s) of a step. */
     int substepsFor(int island, double left, int usual) {
         return turning == null ? usual : turning.substepsFor(island, left, usual);
     }
 
     /**
-     * Writes the rows of the packed island for substeps of h seconds. To answer its impacts jointly
-     * is worth so many multiplications in this step.
+     * Writes the rows of the packed island for substeps of h seconds; {@code worth} limits the
+     * multiplications spent in this step on solving simultaneous impacts together.
      */
     void begin(double h, double worthOfImpacts) {
         bent.begin();
@@ -189,7 +190,7 @@ final class DeclaredRows {
         return isAny;
     }
 
-    /** How long the points of what slides from one face to the next are all that there are, s. */
+    /** Time in s for which bodies that slide from one face to the next have no further points. */
     double untilNewPoints() {
         return bent.untilNewPoints();
     }
