@@ -116,7 +116,10 @@ final class RayCast {
         return bodies.nextShapeOf(body) != Pairs.NONE && queries.holds(body, fromX, fromY);
     }
 
-    /** Compares the order of addition; slots are reused, so their order does not tell. */
+    /**
+     * Whether a shape belongs before the hit one, by the order in which bodies were added and then
+     * of parts; slots are reused, so their order does not tell.
+     */
     private boolean isFirstAdded(int slot) {
         if (met == NOBODY) {
             return true;

@@ -193,7 +193,7 @@ final class JointedParts {
         return gone;
     }
 
-    /** Advances to the first stop; does nothing if it is reached at once. */
+    /** Advances up to the first stop; returns the length of the part, s. */
     private double reach(double time, double part, double first) {
         double to = first;
         for (int look = 0; look < MOST_LOOKS; look++) {

@@ -238,6 +238,7 @@ public final class Rounds {
      * as long as rounds converge. Newton's method is used as long as it converges; a round of it
      * that does not is undone and elimination continues. Where masses differ and more rounds are
      * made, it is tried again. If the rounds of a calm island cycle, the best of them is kept.
+     * Returns whether they converged.
      */
     private boolean settleRows(double h, double kicked, int substep, double fastest) {
         double enough = isCalm ? LEFT_IF_CALM / SETTLED_IF_CALM : 1;

@@ -144,7 +144,10 @@ final class Deviation {
         return rates > 0 ? changes / rates : 0;
     }
 
-    /** Makes all substeps from the start, where the forces have been evaluated. */
+    /**
+     * Makes all substeps from the start, where the forces have been evaluated; returns false if one is
+     * too long.
+     */
     private boolean isIntegrated(double length, int count) {
         double h = length / count;
         for (int i = 0; i < count; i++) {
@@ -186,7 +189,7 @@ final class Deviation {
         return true;
     }
 
-    /** Kutta's method of 1901 for x″ = f(x, x′, t). */
+    /** Kutta's method of 1901 for x″ = f(x, x′, t); returns false if the substep is too long. */
     private boolean stepByRungeKutta(double time, double h) {
         double half = h / 2;
         goAhead(half, first, 0, first);
@@ -211,7 +214,7 @@ final class Deviation {
     }
 
     /**
-     * Compares the two evaluations at the middle. Between them the velocity differs by h/2 times the
+     * Whether the two evaluations at the middle agree well enough. Between them the velocity differs by h/2 times the
      * change of the first rate, and the place by h²/4 times the rate, so the rates differ by (kh/2)²
      * or (ωh/2)² of their size.
      */

@@ -106,7 +106,10 @@ public final class ImpactLaw {
         }
     }
 
-    /** Finds the points that push: both, or one if the other then parts by itself. */
+    /**
+     * Finds the points that push: both, or one if the other then parts by itself. Returns whether
+     * there is such a solution.
+     */
     private boolean solve(double friction) {
         if (impact.points == 1) {
             return solveOne(0, friction);
@@ -164,7 +167,7 @@ public final class ImpactLaw {
         return slideBoth(0);
     }
 
-    /** Eliminates the tangent from the two normal equations, then reads it back. */
+    /** Solves sticking at both points, by elimination of the tangent; returns whether it is valid. */
     private boolean stickBoth(double friction) {
         double kt = k[8];
         double k00 = k[0] - k[2] * k[2] / kt;
@@ -185,7 +188,10 @@ public final class ImpactLaw {
                 && Math.abs(result[TANGENT]) <= friction * (result[0] + result[1]);
     }
 
-    /** Slides in the direction that the sticking friction would have had to oppose. */
+    /**
+     * Solves sliding at both points, in the direction that the sticking friction would have had to
+     * oppose; returns whether it is valid.
+     */
     private boolean slideBoth(double friction) {
         double slope = result[TANGENT] > 0 ? friction : -friction;
         double k00 = k[0] + slope * k[2];

@@ -56,7 +56,7 @@ final class TiedRows {
         this.pairs = pairs;
     }
 
-    /** Adds a row along a direction through the middle of two of an impact's points. */
+    /** Adds a row along (x, y) through the midpoint of an impact's points i and j; returns it. */
     int add(int ofPair, double x, double y, Impact impact, int i, int j) {
         if (count == pair.length) {
             grow();

@@ -109,7 +109,7 @@ public final class BodyDefinition {
     }
 
     /**
-     * Sets the position of the centre of mass.
+     * A copy with another position of the centre of mass.
      *
      * @param metresX world x, m
      * @param metresY world y, m, up
@@ -122,7 +122,7 @@ public final class BodyDefinition {
     }
 
     /**
-     * Sets the angle in rad, counter-clockwise, within a million turns.
+     * A copy with another angle in rad, counter-clockwise, within a million turns.
      */
     public BodyDefinition angle(double radians) {
         BodyDefinition next = new BodyDefinition(this);
@@ -132,7 +132,7 @@ public final class BodyDefinition {
     }
 
     /**
-     * Sets the velocity of the centre of mass; a static body's must be 0.
+     * A copy with another velocity of the centre of mass; a static body's must be 0.
      *
      * @param metresPerSecondX m/s, to the right
      * @param metresPerSecondY m/s, up
@@ -160,8 +160,8 @@ public final class BodyDefinition {
     }
 
     /**
-     * Sets the angular velocity in rad/s, counter-clockwise; a static body's must be 0. It is
-     * ignored where the effect {@code Rotation} is not declared.
+     * A copy with another angular velocity in rad/s, counter-clockwise; a static body's must be 0. It
+     * is ignored where the effect {@code Rotation} is not declared.
      */
     public BodyDefinition spin(double radiansPerSecond) {
         BodyDefinition next = new BodyDefinition(this);
@@ -180,14 +180,14 @@ public final class BodyDefinition {
         return new BodyDefinition(this, Require.present("BodyDefinition.shape", other));
     }
 
-    /** Sets the material of the body. */
+    /** A copy with another material. */
     public BodyDefinition material(Material substance) {
         BodyDefinition next = new BodyDefinition(this);
         next.material = Require.present("BodyDefinition.material", substance);
         return next;
     }
 
-    /** Sets a name for messages and levels; it may be empty and need not be unique. */
+    /** A copy with a name for messages and levels, which may be empty and need not be unique. */
     public BodyDefinition name(String words) {
         BodyDefinition next = new BodyDefinition(this);
         next.name = Require.present("BodyDefinition.name", words);
@@ -195,7 +195,7 @@ public final class BodyDefinition {
     }
 
     /**
-     * Sets the mass in kg, positive, in place of density times area; the moment of inertia scales
+     * A copy with a mass in kg, positive, in place of density times area; the moment of inertia scales
      * with it unless it is set too.
      */
     public BodyDefinition mass(double kilograms) {
@@ -205,7 +205,7 @@ public final class BodyDefinition {
     }
 
     /**
-     * Sets the moment of inertia about the centre of mass in kg·m², positive, in place of the
+     * A copy with a moment of inertia about the centre of mass in kg·m², positive, in place of the
      * shape's.
      */
     public BodyDefinition inertia(double kilogramSquareMetres) {
@@ -214,7 +214,7 @@ public final class BodyDefinition {
         return next;
     }
 
-    /** Sets a factor on the declared gravity, within ±1e6: with 0 the body floats, with -1 it rises. */
+    /** A copy with a factor on gravity, within ±1e6: with 0 the body floats, with -1 it rises. */
     public BodyDefinition gravityScale(double factor) {
         BodyDefinition next = new BodyDefinition(this);
         next.gravityScale =
@@ -228,9 +228,9 @@ public final class BodyDefinition {
     }
 
     /**
-     * Sets the surface material of one part: its friction, elasticity, rolling resistance, surface
-     * speed and one-way normal. Density and drag are the body's; the relative density of a part is
-     * set where the compound is made.
+     * A copy with another surface material of one part: its friction, elasticity, rolling
+     * resistance, surface speed and one-way normal. Density and drag are the body's; the relative
+     * density of a part is set where the compound is made.
      *
      * @param part index of the part, from 0
      * @throws IllegalArgumentException when the shape has no such part
@@ -244,7 +244,7 @@ public final class BodyDefinition {
         return next;
     }
 
-    /** Sets the collision filter of the body. */
+    /** A copy with another collision filter. */
     public BodyDefinition filter(Filter whom) {
         BodyDefinition next = new BodyDefinition(this);
         next.filter = Require.present("BodyDefinition.filter", whom);
@@ -252,7 +252,7 @@ public final class BodyDefinition {
     }
 
     /**
-     * Sets the collision filter of one part.
+     * A copy with another collision filter of one part.
      *
      * @param part index of the part, from 0
      * @throws IllegalArgumentException when the shape has no such part
@@ -270,12 +270,12 @@ public final class BodyDefinition {
         Require.within("BodyDefinition." + verb + " part", part, 0, shape.parts() - 1);
     }
 
-    /** Sets the group of the filter: bodies of the same group, other than 0, never collide. */
+    /** A copy in another group: bodies of the same group, other than 0, never collide. */
     public BodyDefinition group(int number) {
         return filter(filter.group(number));
     }
 
-    /** Locks the rotation of the body, whatever acts on it: for a player or a lift. */
+    /** A copy with locked rotation, whatever acts on the body: for a player or a lift. */
     public BodyDefinition lockRotation() {
         BodyDefinition next = new BodyDefinition(this);
         next.rotationLocked = true;
@@ -283,8 +283,8 @@ public final class BodyDefinition {
     }
 
     /**
-     * Locks the centre of mass in x, whatever acts on it: for a piston or a float in a pipe. Its
-     * velocity along x is 0 whatever is set, and to other bodies it has infinite mass along x. A
+     * A copy whose centre of mass is locked in x, whatever acts on it: for a piston or a float in a
+     * pipe. Its velocity along x is 0 whatever is set, and along x it has infinite mass. A
      * kinematic body does not move along x either; for a static body the lock matters only once its
      * type changes.
      *
@@ -298,7 +298,7 @@ public final class BodyDefinition {
         return next;
     }
 
-    /** Locks the centre of mass in y, as {@link #lockX} does in x: for a trolley or a bead. */
+    /** A copy locked in y, as {@link #lockX} does in x: for a trolley or a bead. */
     public BodyDefinition lockY() {
         BodyDefinition next = new BodyDefinition(this);
         next.yLocked = true;
@@ -306,8 +306,8 @@ public final class BodyDefinition {
     }
 
     /**
-     * Makes the whole body a sensor, which touches nothing and reports which bodies are inside. The
-     * pool it is added to must declare {@code Sensors}. A dynamic sensor must state its mass.
+     * A copy that is a sensor as a whole: it touches nothing and reports which bodies are inside. The
+     * pool it is added to must declare {@code Sensors}. A dynamic sensor must have its mass set.
      */
     public BodyDefinition sensor() {
         BodyDefinition next = new BodyDefinition(this);
@@ -320,7 +320,7 @@ public final class BodyDefinition {
         return sensor;
     }
 
-    /** Sets whether the body starts awake; a body that starts asleep waits until it is touched. */
+    /** A copy that starts awake, or asleep until it is touched. */
     public BodyDefinition awake(boolean isAwake) {
         BodyDefinition next = new BodyDefinition(this);
         next.awake = isAwake;

@@ -46,7 +46,11 @@ public final class IslandImpacts {
         return joint.resolve(h, substep);
     }
 
-    /** Resolves impacts at the present velocities, without advancing time. */
+    /**
+     * Resolves impacts at the present velocities, within h seconds that count as no time.
+     *
+     * @return whether the rest of the step's budget was enough
+     */
     public boolean resolveAtOnce(double h, int substep) {
         return joint.resolveAtOnce(h, substep);
     }

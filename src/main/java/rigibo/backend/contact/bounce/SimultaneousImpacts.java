@@ -89,7 +89,10 @@ final class SimultaneousImpacts {
         return resolve(length, length / 2, number);
     }
 
-    /** Resolves the impacts at the present velocities, without advancing time. */
+    /**
+     * Resolves the impacts at the present velocities, within a length (s) that counts as no time.
+     * Returns whether the rest of the step's budget was enough.
+     */
     boolean resolveAtOnce(double length, int number) {
         return resolve(length, 0, number);
     }

@@ -146,8 +146,8 @@ final class LoadsFromAbove {
     }
 
     /**
-     * Finds impulses that hold one body on its supports as if these were fixed. Normal impulses come
-     * first, since unneeded friction would push the bodies below apart.
+     * Finds impulses that hold one body on its supports as if these were fixed; returns whether they
+     * do. Normal impulses come first, since unneeded friction would push the bodies below apart.
      */
     private boolean hold(int entry, double kicked) {
         double most = 0;
