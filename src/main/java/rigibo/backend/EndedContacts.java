@@ -88,7 +88,7 @@ final class EndedContacts {
         ending.clear();
     }
 
-    /** Whether the bodies touched in the step, too: then their pair is told that it persisted. */
+    /** Whether the bodies touched in the step too; if so, marks their pair as persisting. */
     private boolean goesOn(ContactEvent event) {
         if (!event.bothAlive()) {
             return false;
@@ -98,7 +98,7 @@ final class EndedContacts {
         if (shapeA == Pairs.NONE || shapeB == Pairs.NONE) {
             return false;
         }
-        // The slots of bodies do not change, so that the lower one is still that of A.
+        // Slots of bodies do not change, so the lower one is still that of A.
         int pair = pairs.index.find(shapeA, shapeB);
         if (pair == PairIndex.ABSENT || !pairs.touched(pair)) {
             return false;
@@ -107,7 +107,7 @@ final class EndedContacts {
         return true;
     }
 
-    /** Shows every contact that no pair tells of. */
+    /** Passes every contact to a visitor that is not in the pairs. */
     void forEach(ContactView shown, Consumer<? super ContactView> visitor) {
         forEach(cut, shown, visitor);
         forEach(ended, shown, visitor);
@@ -121,7 +121,7 @@ final class EndedContacts {
         }
     }
 
-    /** Those that a restored pool can tell: it has no handle that could name a removed body. */
+    /** The contacts to be saved; those of removed bodies are not, since a restored pool has no handle. */
     List<SavedContact> saved() {
         List<SavedContact> saved = new ArrayList<>();
         cut.stream().filter(ContactEvent::bothAlive).map(e -> saved(e, true)).forEach(saved::add);
@@ -148,7 +148,7 @@ final class EndedContacts {
                 event.isCrushing());
     }
 
-    /** Goes on from what was saved. */
+    /** Restores a saved contact. */
     void restore(SavedContact contact) {
         ContactEvent event =
                 new ContactEvent(

@@ -45,7 +45,7 @@ public record GearJoint(Joint first, Joint second, double ratio, JointSettings s
         Require.present("GearJoint.settings", settings).requireOnly("GearJoint");
     }
 
-    /** A gear between two joints, without breaking loads. */
+    /** A gear between two joints with {@link JointSettings#NONE}. */
     public static GearJoint of(Joint first, Joint second, double ratio) {
         return new GearJoint(first, second, ratio, JointSettings.NONE);
     }

@@ -11,8 +11,8 @@ import rigibo.backend.storage.JointStore;
 /**
  * A handle on one joint of a {@link Pool}. Readers return its current state; verbs change the state
  * between steps and wake both bodies. After the joint was removed or broke, every method but {@link
- * #isAlive}, {@link #tag()} and {@link #toString} throws {@link IllegalStateException}; within a
- * step, or from a visitor of the pool, every verb does.
+ * #isAlive}, {@link #tag} and {@link #toString} throws {@link IllegalStateException}; so does every
+ * verb but {@link #tag(Object)} within a step or from a visitor of the pool.
  *
  * <pre>{@code
  * Joint joint = pool.join(RevoluteJoint.at(door, crate, 0, 2));

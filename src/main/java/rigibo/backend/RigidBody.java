@@ -14,8 +14,8 @@ import java.util.List;
 /**
  * A handle on one body of a {@link Pool}. Readers return its current state; verbs change the state
  * between steps and wake the body. After removal every method but {@link #isAlive}, {@link #name},
- * {@link #tag()} and {@link #toString} throws {@link IllegalStateException}; within a step, or from
- * a visitor of the pool, every verb does.
+ * {@link #tag} and {@link #toString} throws {@link IllegalStateException}; so does every verb but
+ * {@link #tag(Object)} within a step or from a visitor of the pool.
  *
  * <pre>{@code
  * crate.velocity(2, 0);
@@ -442,6 +442,8 @@ public final class RigidBody {
      *
      * @throws IllegalArgumentException when a dynamic body should get a {@code Chain}, or the mass
      *     or inertia would be out of its range
+     * @throws IllegalStateException when the shape has a sensor and the effect {@code Sensors} is
+     *     not declared
      */
     public void shape(Shape shape) {
         pool.editor(this).shape(slot, Require.present("RigidBody.shape", shape));

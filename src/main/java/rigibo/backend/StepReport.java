@@ -75,7 +75,7 @@ public final class StepReport {
         return counters.contactSolves;
     }
 
-    /** Multiplications spent on eliminations of small islands. */
+    /** Multiplications spent on eliminations, of islands and of simultaneous impacts. */
     public double multiplications() {
         return counters.multiplications;
     }

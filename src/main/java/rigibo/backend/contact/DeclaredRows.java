@@ -87,7 +87,7 @@ final class DeclaredRows {
     }
 
     /**
-     * Writes the rows of the packed island for substeps of h seconds; {@code worth} limits the
+     * Writes the rows of the packed island for substeps of h seconds; {@code worthOfImpacts} limits the
      * multiplications spent in this step on solving simultaneous impacts together.
      */
     void begin(double h, double worthOfImpacts) {

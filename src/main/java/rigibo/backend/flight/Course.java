@@ -12,7 +12,7 @@ import rigibo.backend.storage.Roster;
  * of a path is integrated in substeps. Then a path of constant acceleration is laid that ends at the
  * same place, since the search for impacts needs a path with known bounds. The error of its end
  * velocity is added at the end of the path: for an acceleration that grows by j per second it is
- * j·T²/6 after T seconds. Places on the way are off by at most j·T³/40.
+ * j·T²/6 after T seconds. Places along the path are off by at most j·T³/40.
  */
 public final class Course {
 

@@ -16,14 +16,14 @@ import java.util.Arrays;
  * Impacts inside a small pile, in time order, each resolved together with all contacts that touch
  * then: a ball that falls on a box standing on the floor rebounds as from the floor.
  *
- * <p>A substep is split at the impact: up to then bodies move with their old velocities, from there
- * with the new ones. Between two kicks a velocity is that of the middle of the substep; at a time τ
- * of it, it is v + a·(τ − h/2), and that is what the law of impact is asked with. So a ball that
- * loses nothing keeps its height at any length of the substep.
+ * <p>A substep is split at the impact: up to then bodies move at their old velocities, and from
+ * there on at the new ones. Between two kicks a velocity v is that at the middle of the substep. At
+ * the time τ of the substep it is v + a·(τ − h/2), which the impact law uses, so that a ball of
+ * elasticity 1 keeps its height at any length of the substep.
  */
 final class SimultaneousImpacts {
 
-    /** Impacts in one substep; a longer chain goes on in the next one. */
+    /** Most impacts in one substep; a longer chain continues in the next one. */
     private static final int MOST_IMPACTS = 32;
 
     /** Gap up to which a contact takes part, as a multiple of the kept overlap. */

@@ -23,8 +23,8 @@ public final class Landings {
     private static final double SOFT = 1e-2;
 
     /**
-     * A body counts as struck if it gained more than this multiple of what its acceleration
-     * explains.
+     * A body counts as struck if it gained more than this multiple of the speed that its acceleration
+     * gives it.
      */
     private static final double IMPACT = 2;
 
