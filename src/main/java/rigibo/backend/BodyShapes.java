@@ -13,7 +13,9 @@ import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.Need;
 import rigibo.backend.storage.Pairs;
 
-/** Writes the columns of a body's shapes, one slot for each part: outline, surface, filter, sensor. */
+/**
+ * Writes the columns of a body's shapes, one slot for each part: outline, surface, filter, sensor.
+ */
 final class BodyShapes {
 
     private final DataStorage data;
@@ -24,7 +26,9 @@ final class BodyShapes {
         bodies = data.bodies;
     }
 
-    /** Takes a slot for each further part of a new body (the first has one) and writes all parts. */
+    /**
+     * Takes a slot for each further part of a new body (the first has one) and writes all parts.
+     */
     void add(int body, BodyDefinition definition) {
         take(body, definition.shape());
         write(body, definition.shape());
@@ -37,7 +41,9 @@ final class BodyShapes {
         }
     }
 
-    /** Gives a body a shape with other parts; all of them get the old first part's material, filter. */
+    /**
+     * Gives a body a shape with other parts; all of them get the old first part's material, filter.
+     */
     void exchange(int body, Shape shape) {
         Filter filter = filter(body);
         boolean isWhole = bodies.isSensor(body) && !isSensor(bodies.shape[body], 0);

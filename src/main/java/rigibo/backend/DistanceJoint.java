@@ -8,9 +8,9 @@ import rigibo.backend.setup.Require;
 
 /**
  * Controls the distance between a point of A and a point of B; that distance is the joint's
- * coordinate, m. Without limits, motor and spring it is a rod of the given length. With limits it is
- * a rope or a strut whose distance stays within them. With a spring, {@code length} is the spring's
- * rest length.
+ * coordinate, m. Without limits, motor and spring it is a rod of the given length. With limits it
+ * is a rope or a strut whose distance stays within them. With a spring, {@code length} is the
+ * spring's rest length.
  *
  * <pre>{@code
  * RigidBody wall = pool.add(BodyDefinition.fixed(Polygon.box(0.2, 3)));
@@ -66,7 +66,9 @@ public record DistanceJoint(
                 JointSettings.NONE);
     }
 
-    /** A rope between a world point (m) on A and one on B, slack below its length {@code most}, m. */
+    /**
+     * A rope between a world point (m) on A and one on B, slack below its length {@code most}, m.
+     */
     public static DistanceJoint rope(
             RigidBody a, double ax, double ay, RigidBody b, double bx, double by, double most) {
         Require.positive("DistanceJoint.rope most", most, "m");

@@ -121,7 +121,10 @@ final class EndedContacts {
         }
     }
 
-    /** The contacts to be saved; those of removed bodies are not, since a restored pool has no handle. */
+    /**
+     * The contacts to be saved; those of removed bodies are not, since a restored pool has no
+     * handle.
+     */
     List<SavedContact> saved() {
         List<SavedContact> saved = new ArrayList<>();
         cut.stream().filter(ContactEvent::bothAlive).map(e -> saved(e, true)).forEach(saved::add);

@@ -35,7 +35,9 @@ public record Explosion(
         Require.present("Explosion.filter", filter);
     }
 
-    /** A blast of 1 N·s/m up to 1 m from a world point (m), nothing beyond; it acts on all shapes. */
+    /**
+     * A blast of 1 N·s/m up to 1 m from a world point (m), nothing beyond; it acts on all shapes.
+     */
     public static Explosion at(double x, double y) {
         return new Explosion(x, y, 1, 0, 1, Filter.ALL);
     }

@@ -47,7 +47,8 @@ public final class Geometry {
     private Geometry() {}
 
     /**
-     * The gap between two shapes at the given poses; for compounds, between their two nearest parts.
+     * The gap between two shapes at the given poses; for compounds, between their two nearest
+     * parts.
      *
      * @throws IllegalArgumentException when a shape or a pose is null
      */
@@ -125,8 +126,8 @@ public final class Geometry {
 
     /**
      * The first time, in s, at which two moving shapes touch while approaching, or empty if they do
-     * not. Shapes that start in overlap and approach touch at time 0. A shape on the solid side of a
-     * chain's edge leaves it without touching. At the time returned a gap of 10⁻⁹ of the narrower
+     * not. Shapes that start in overlap and approach touch at time 0. A shape on the solid side of
+     * a chain's edge leaves it without touching. At the time returned a gap of 10⁻⁹ of the narrower
      * shape's width is left.
      *
      * @param seconds how far to look ahead, s, 0 or more
@@ -159,8 +160,8 @@ public final class Geometry {
     }
 
     /**
-     * The first time of impact found. Beside an open end of a chain the search can stop near an edge
-     * in a direction in which the edge does not push; it then restarts a little later.
+     * The first time of impact found. Beside an open end of a chain the search can stop near an
+     * edge in a direction in which the edge does not push; it then restarts a little later.
      */
     private static double firstMeeting(
             TimeOfImpact search, Motion motion, Motion other, double seconds) {
@@ -211,9 +212,9 @@ public final class Geometry {
     }
 
     /**
-     * Sweeps a shape along a straight line, without turning it, against a shape at rest. Returns the
-     * fraction of the path, 0 to 1, at which they touch, or empty if they do not. A chain is hit
-     * only from its open side.
+     * Sweeps a shape along a straight line, without turning it, against a shape at rest. Returns
+     * the fraction of the path, 0 to 1, at which they touch, or empty if they do not. A chain is
+     * hit only from its open side.
      *
      * @param dx displacement to the right, m
      * @param dy displacement up, m

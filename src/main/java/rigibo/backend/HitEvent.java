@@ -24,7 +24,8 @@ package rigibo.backend;
  * @param y world y of the midpoint of the contact, m, up
  * @param normalX unit normal from a to b
  * @param normalY unit normal from a to b
- * @param speed closing speed along the normal before the impact, at the fastest point, m/s, positive
+ * @param speed closing speed along the normal before the impact, at the fastest point, m/s,
+ *     positive
  * @param time time of the impact since the start of the step, s, 0 to the step's length
  */
 public record HitEvent(

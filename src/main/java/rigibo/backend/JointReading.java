@@ -18,14 +18,17 @@ final class JointReading {
 
     /** Arm from B's centre of mass to its anchor. */
     private double armBX;
+
     private double armBY;
 
     /** From A's anchor to B's. */
     private double dx;
+
     private double dy;
 
     /** Unit vector along the joint's axis; for a distance joint, from A's anchor to B's. */
     private double axisX;
+
     private double axisY;
 
     JointReading(Bodies bodies, JointStore joints) {

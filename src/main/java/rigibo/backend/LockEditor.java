@@ -57,7 +57,9 @@ final class LockEditor {
         waking.wake(slot);
     }
 
-    /** Sets the locked axes; their columns and stages are made for the first body that needs them. */
+    /**
+     * Sets the locked axes; their columns and stages are made for the first body that needs them.
+     */
     private void lockAxes(int slot, boolean inX, boolean inY) {
         if ((inX || inY) && bodies.lockedX == null) {
             data.hold(Need.AXES);

@@ -55,7 +55,9 @@ public record MouseJoint(
     /** Spring of {@link #of}: frequency in Hz and damping ratio. */
     private static final JointSpring HAND = new JointSpring(5, 0.7);
 
-    /** Holds a body at a world point (m) with at most about a thousand times its weight on Earth. */
+    /**
+     * Holds a body at a world point (m) with at most about a thousand times its weight on Earth.
+     */
     public static MouseJoint of(RigidBody ground, RigidBody body, double x, double y) {
         JointEnds.require("MouseJoint", ground, body);
         JointFrame frame = JointEnds.frame(body, x, y, body.angle());

@@ -70,7 +70,9 @@ public final class Pool {
     /** Made when sensors are read, or when a body that they may see is edited. */
     private PoolSensors sensors;
 
-    /** Whether {@code Sensors} is declared; cached, since looking it up in the effects allocates. */
+    /**
+     * Whether {@code Sensors} is declared; cached, since looking it up in the effects allocates.
+     */
     private boolean senses;
 
     /** Null while {@code Joints} is not declared. */
@@ -458,8 +460,8 @@ public final class Pool {
     }
 
     /**
-     * The body that contains a point; of several, the one added last. Without {@code Contacts} there
-     * is no tree of fixtures, so this and the queries below check every body.
+     * The body that contains a point; of several, the one added last. Without {@code Contacts}
+     * there is no tree of fixtures, so this and the queries below check every body.
      *
      * @param x world x, m
      * @param y world y, m, up
@@ -513,8 +515,8 @@ public final class Pool {
     /**
      * Sweeps a shape along a straight line without turning it and returns the first body that it
      * hits; of several hit at the same time, the one added first. The hit holds the point and the
-     * outward normal of the body that was hit. A shape that starts in overlap with a body hits it at
-     * once if the sweep deepens the overlap, and does not hit it if the sweep leads out of it. A
+     * outward normal of the body that was hit. A shape that starts in overlap with a body hits it
+     * at once if the sweep deepens the overlap, and does not hit it if the sweep leads out of it. A
      * shape that comes out of the solid side of a chain does not hit the chain.
      *
      * @param shape any shape, compounds included
@@ -529,8 +531,8 @@ public final class Pool {
     }
 
     /**
-     * Calls a visitor with every body that a shape overlaps or touches, in a fixed order. Of a chain
-     * only the edges count: the solid side behind them has no end.
+     * Calls a visitor with every body that a shape overlaps or touches, in a fixed order. Of a
+     * chain only the edges count: the solid side behind them has no end.
      *
      * @param shape any shape, compounds included
      * @param at its pose
@@ -570,7 +572,8 @@ public final class Pool {
     }
 
     /**
-     * Calls a visitor with every body whose shape overlaps a box (m, world frame), in a fixed order.
+     * Calls a visitor with every body whose shape overlaps a box (m, world frame), in a fixed
+     * order.
      */
     public void overlapping(Aabb box, Consumer<RigidBody> visitor) {
         Require.present("Pool.overlapping box", box);
@@ -579,8 +582,8 @@ public final class Pool {
 
     /**
      * The whole state that later steps depend on, as bytes for {@link #restore}: bodies with names
-     * and order, joints, contacts with their impulses, time, effects and accuracy. Of an effect that
-     * holds a caller's function only the kind is written.
+     * and order, joints, contacts with their impulses, time, effects and accuracy. Of an effect
+     * that holds a caller's function only the kind is written.
      *
      * @throws IllegalStateException when called within a step
      */
@@ -602,7 +605,9 @@ public final class Pool {
         return totals.kineticEnergy();
     }
 
-    /** Potential energy of all dynamic bodies in the declared gravity, J; 0 at the world's origin. */
+    /**
+     * Potential energy of all dynamic bodies in the declared gravity, J; 0 at the world's origin.
+     */
     public double potentialEnergy() {
         return totals.potentialEnergy();
     }
@@ -617,7 +622,9 @@ public final class Pool {
         return totals.momentumY();
     }
 
-    /** Angular momentum of all dynamic bodies about the world's origin, counter-clockwise, kg·m²/s. */
+    /**
+     * Angular momentum of all dynamic bodies about the world's origin, counter-clockwise, kg·m²/s.
+     */
     public double angularMomentum() {
         return totals.angularMomentum();
     }

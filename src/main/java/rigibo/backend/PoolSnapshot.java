@@ -42,7 +42,8 @@ public final class PoolSnapshot {
     /**
      * Restores a pool from a snapshot of any revision.
      *
-     * @throws IllegalArgumentException as {@link Pool#restore(byte[])} does, except for the revision
+     * @throws IllegalArgumentException as {@link Pool#restore(byte[])} does, except for the
+     *     revision
      */
     public static Pool restoreOfAnyRevision(byte[] snapshot) {
         Require.present(OF_ANY + " snapshot", snapshot);
@@ -53,8 +54,8 @@ public final class PoolSnapshot {
      * Restores a pool from a snapshot of any revision, with the given effects in place of the saved
      * ones.
      *
-     * @throws IllegalArgumentException as {@link Pool#restore(byte[], Effects)} does, except for the
-     *     revision
+     * @throws IllegalArgumentException as {@link Pool#restore(byte[], Effects)} does, except for
+     *     the revision
      */
     public static Pool restoreOfAnyRevision(byte[] snapshot, Effects effects) {
         Require.present(OF_ANY + " snapshot", snapshot);

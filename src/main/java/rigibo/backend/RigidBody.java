@@ -453,8 +453,8 @@ public final class RigidBody {
      * Drives a kinematic body to a pose within a given time and stops it there. On the way it turns
      * at a constant rate, and its centre of mass moves along the matching arc, so that a door turns
      * about its hinge. The path is straight if the body does not turn or turns by more than half a
-     * turn. Bodies that stand on it are carried along. Setting its velocity, spin, pose or type ends
-     * the drive.
+     * turn. Bodies that stand on it are carried along. Setting its velocity, spin, pose or type
+     * ends the drive.
      *
      * <pre>{@code
      * RigidBody lift = pool.add(BodyDefinition.kinematic(Polygon.box(2, 0.2)));
@@ -463,8 +463,8 @@ public final class RigidBody {
      *
      * @param x world x of the centre of mass, m
      * @param y world y of the centre of mass, m, up
-     * @param angle rad, counter-clockwise, within a million turns; ignored where {@code Rotation} is
-     *     not declared
+     * @param angle rad, counter-clockwise, within a million turns; ignored where {@code Rotation}
+     *     is not declared
      * @param seconds duration from now, s of simulated time, positive
      * @throws IllegalArgumentException when a number is out of its range, the body is not
      *     kinematic, would have to move along a locked axis, or would have to be faster than light

@@ -42,8 +42,8 @@ public final class StepReport {
     }
 
     /**
-     * Capacity of the columns of pairs. Once three quarters are used, steps that find new pairs grow
-     * the columns one after the other, and the capacity doubles when all are grown. It never
+     * Capacity of the columns of pairs. Once three quarters are used, steps that find new pairs
+     * grow the columns one after the other, and the capacity doubles when all are grown. It never
      * shrinks. {@link Pool#reserve} grows them beforehand.
      */
     public int pairRoom() {
@@ -85,7 +85,10 @@ public final class StepReport {
         return counters.islandsBy[method.ordinal()];
     }
 
-    /** Solver rows of the islands that were solved by the given method; all together {@link #rows()}. */
+    /**
+     * Solver rows of the islands that were solved by the given method; all together {@link
+     * #rows()}.
+     */
     public int rows(SolveMethod method) {
         return counters.rowsBy[method.ordinal()];
     }
@@ -99,7 +102,10 @@ public final class StepReport {
         return counters.cappedPairs;
     }
 
-    /** Pairs of bodies in flight whose bounces ended by Zeno's limit: infinitely many in finite time. */
+    /**
+     * Pairs of bodies in flight whose bounces ended by Zeno's limit: infinitely many in finite
+     * time.
+     */
     public int settledPairs() {
         return counters.settledPairs;
     }
@@ -115,8 +121,8 @@ public final class StepReport {
     }
 
     /**
-     * Pairs of a pile that overlap by more than 5 % of the smaller body's width. This happens when a
-     * body is driven or struck against an obstacle that cannot yield, or when there is no room. A
+     * Pairs of a pile that overlap by more than 5 % of the smaller body's width. This happens when
+     * a body is driven or struck against an obstacle that cannot yield, or when there is no room. A
      * kinematic body presses no further into a crushed body that does not move along with it.
      */
     public int crushed() {

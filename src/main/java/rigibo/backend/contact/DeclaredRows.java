@@ -87,8 +87,8 @@ final class DeclaredRows {
     }
 
     /**
-     * Writes the rows of the packed island for substeps of h seconds; {@code worthOfImpacts} limits the
-     * multiplications spent in this step on solving simultaneous impacts together.
+     * Writes the rows of the packed island for substeps of h seconds; {@code worthOfImpacts} limits
+     * the multiplications spent in this step on solving simultaneous impacts together.
      */
     void begin(double h, double worthOfImpacts) {
         bent.begin();
@@ -150,8 +150,8 @@ final class DeclaredRows {
     }
 
     /**
-     * Measures contacts before a part of a substep of an island with joints; {@code left} seconds of
-     * the step remain.
+     * Measures contacts before a part of a substep of an island with joints; {@code left} seconds
+     * of the step remain.
      */
     void measureJointed(int substep, boolean isFirst, double time, double left, double part) {
         if (contacts.count > 0) {
@@ -160,9 +160,7 @@ final class DeclaredRows {
         }
     }
 
-    /**
-     * Predicts how far all bodies move in the rest of the step, s, for {@link #measureStrays}.
-     */
+    /** Predicts how far all bodies move in the rest of the step, s, for {@link #measureStrays}. */
     void foresee(double left) {
         if (strays != null) {
             strays.begin(left);
@@ -202,8 +200,8 @@ final class DeclaredRows {
     }
 
     /**
-     * Predicts how far gaps open by turning outlines within h seconds, and by turning normals within
-     * {@code closing} seconds, in which gaps may close.
+     * Predicts how far gaps open by turning outlines within h seconds, and by turning normals
+     * within {@code closing} seconds, in which gaps may close.
      */
     void bend(double h, double closing) {
         bent.bend(h, closing);

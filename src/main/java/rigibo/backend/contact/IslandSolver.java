@@ -120,8 +120,8 @@ final class IslandSolver {
     private double lastPart;
 
     /**
-     * A solver for the declared effects at an accuracy; {@code forces} are those that vary along the
-     * path, null if there are none.
+     * A solver for the declared effects at an accuracy; {@code forces} are those that vary along
+     * the path, null if there are none.
      */
     IslandSolver(
             DataStorage data,
@@ -261,8 +261,8 @@ final class IslandSolver {
     }
 
     /**
-     * Kicks all bodies up to the middle of a part and warm starts the contacts; {@code left} seconds
-     * of the step are to go.
+     * Kicks all bodies up to the middle of a part and warm starts the contacts; {@code left}
+     * seconds of the step are to go.
      */
     private void beginPart(double time, double part, int substep, double left) {
         kick.remember();
@@ -427,8 +427,8 @@ final class IslandSolver {
 
     /**
      * Closes gaps that round-off or the error of passes opened under contacts which carried a load
-     * in the last substep. Otherwise such a contact would fall for half a kick, and in a calm island
-     * the redundant points could not all close their gaps at once.
+     * in the last substep. Otherwise such a contact would fall for half a kick, and in a calm
+     * island the redundant points could not all close their gaps at once.
      */
     private void closeLoadedGaps(double share) {
         double[] d = contacts.data;

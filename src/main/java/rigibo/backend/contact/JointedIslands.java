@@ -113,7 +113,8 @@ final class JointedIslands {
         joints.tell(dt);
         int wanted = substepsFor(island, dt);
         if (wanted > MORE * substeps) {
-            // An island that became taut within the step oscillates faster than its substeps resolve.
+            // An island that became taut within the step oscillates faster than its substeps
+            // resolve.
             advance(island, dt, wanted);
             joints.tell(dt);
         }
@@ -156,7 +157,9 @@ final class JointedIslands {
         motions.areFollowed = joints.areImpactsTimed();
     }
 
-    /** Number of substeps for the packed island if they are not composed; all of them if it is fast. */
+    /**
+     * Number of substeps for the packed island if they are not composed; all of them if it is fast.
+     */
     private int plainSubsteps(int island, double dt, int packed) {
         int byWay = declared.areAnyContacts() ? fewer.byWay(island, dt, packed) : 1;
         return joints.plainSubsteps(island, dt, byWay, packed);
@@ -172,7 +175,8 @@ final class JointedIslands {
                 substeps == packed && isFree && joints.areHeldByEquations(2 * dt / packed);
         if (mayCompose) {
             // Half as many substeps of the fourth order are more accurate and cost little more. But
-            // contacts are measured once per substep, and bodies held only by locks turn about them.
+            // contacts are measured once per substep, and bodies held only by locks turn about
+            // them.
             boolean isTurning = declared.areAnyContacts() && !islands.areJoined(island);
             int most = isTurning ? packed : (packed + 1) / 2;
             substeps = joints.composedSubsteps(island, dt, most);

@@ -11,8 +11,8 @@ import rigibo.backend.contact.solve.OverlapSolver;
 import rigibo.backend.storage.Pairs;
 
 /**
- * Kicks and drifts of an island with joints. Between two kicks velocities are those at the middle of
- * a part; after the second half of a kick they are those at the present time.
+ * Kicks and drifts of an island with joints. Between two kicks velocities are those at the middle
+ * of a part; after the second half of a kick they are those at the present time.
  */
 final class JointedKicks {
 
@@ -22,7 +22,9 @@ final class JointedKicks {
     /** Passes over overlap in a substep; the next substep continues. */
     private static final int PASSES_OVER_OVERLAP = 6;
 
-    /** Energy that contacts may add, as a share of the energy that a kick gives to bodies at rest. */
+    /**
+     * Energy that contacts may add, as a share of the energy that a kick gives to bodies at rest.
+     */
     private static final double NOISE = 0.1;
 
     private final Motions motions;
@@ -183,8 +185,8 @@ final class JointedKicks {
     }
 
     /**
-     * Makes the second half of the last kick, up to a time in s, after which velocities are those at
-     * the present time; substeps are h seconds long.
+     * Makes the second half of the last kick, up to a time in s, after which velocities are those
+     * at the present time; substeps are h seconds long.
      */
     void end(double time, double h, int substep) {
         double length = last / 2 + slipped;

@@ -7,9 +7,9 @@ import rigibo.backend.storage.Pairs;
 
 /**
  * A saved state of an island with joints, to be restored later: the motion of bodies and the
- * impulses of contacts and joints. Restoring does not undo later measurements of contacts, since the
- * newest is the most accurate. A point that did not exist in the saved state gets no impulse, and
- * the impulse of a point that no longer exists is dropped, since no row could take it back.
+ * impulses of contacts and joints. Restoring does not undo later measurements of contacts, since
+ * the newest is the most accurate. A point that did not exist in the saved state gets no impulse,
+ * and the impulse of a point that no longer exists is dropped, since no row could take it back.
  */
 final class JointedMoment {
 

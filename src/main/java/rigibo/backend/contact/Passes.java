@@ -42,13 +42,15 @@ public final class Passes {
     /** Number of contacts above which a crowd counts as large. */
     private static final int LARGE = 512;
 
-    /** Neglected change of speed where a crowd lies still, as a share of that for the whole crowd. */
+    /**
+     * Neglected change of speed where a crowd lies still, as a share of that for the whole crowd.
+     */
     private static final double OF_THE_FASTEST = 0.05;
 
     /**
-     * Divisor of the cube of the number of substeps; the quotient is the limit of passes per substep.
-     * Twice the substeps halve the threshold about five times, and each halving takes as many passes
-     * again.
+     * Divisor of the cube of the number of substeps; the quotient is the limit of passes per
+     * substep. Twice the substeps halve the threshold about five times, and each halving takes as
+     * many passes again.
      */
     private static final int CUBES_PER_PASS = 2;
 
@@ -76,9 +78,7 @@ public final class Passes {
      */
     private static final int MOST_SOLVES_OF_FEW = 400_000;
 
-    /**
-     * Most passes per substep: the number at {@code EXACT}; more have no effect.
-     */
+    /** Most passes per substep: the number at {@code EXACT}; more have no effect. */
     private static final int MOST_PASSES = 2048;
 
     /** Passes over overlap in a substep; the next substep continues. */
@@ -100,9 +100,9 @@ public final class Passes {
     private final OverlapSolver overlap;
 
     /**
-     * Allowed error of a contact in a substep, in widths: the impact tolerance to the power of three
-     * quarters, a thousandth at the game's accuracy. The power is below 1 since each pass removes
-     * only a share of the error, not a digit.
+     * Allowed error of a contact in a substep, in widths: the impact tolerance to the power of
+     * three quarters, a thousandth at the game's accuracy. The power is below 1 since each pass
+     * removes only a share of the error, not a digit.
      */
     private final double missed;
 
@@ -153,20 +153,18 @@ public final class Passes {
         most = Math.min(MOST_PASSES, accuracy.velocityIterations() * passes);
     }
 
-    /**
-     * Value of {@link #missed} at an accuracy.
-     */
+    /** Value of {@link #missed} at an accuracy. */
     private static double missed(Accuracy accuracy) {
         double root = Math.sqrt(accuracy.impactTolerance());
         return root * Math.sqrt(root);
     }
 
     /**
-     * Starts a step of {@code dt} seconds of the packed island in the given number of substeps. With
-     * fewer substeps than usual, a heap needs more passes in each to come to rest. Few contacts,
-     * such as those of a body between a wall and another of a thousand times its mass, are solved
-     * until none is due: that takes thousands of passes, but no more work than the elimination that
-     * was given up.
+     * Starts a step of {@code dt} seconds of the packed island in the given number of substeps.
+     * With fewer substeps than usual, a heap needs more passes in each to come to rest. Few
+     * contacts, such as those of a body between a wall and another of a thousand times its mass,
+     * are solved until none is due: that takes thousands of passes, but no more work than the
+     * elimination that was given up.
      */
     void begin(double dt, int substeps) {
         step = dt;
@@ -227,8 +225,8 @@ public final class Passes {
     }
 
     /**
-     * Solves contacts that were measured again within a substep, for its next part of h seconds. The
-     * impulses so far in the substep have acted and cannot be taken back.
+     * Solves contacts that were measured again within a substep, for its next part of h seconds.
+     * The impulses so far in the substep have acted and cannot be taken back.
      */
     private void stopTurned(double h, int substep, double fastest, double limit) {
         guard.begin();

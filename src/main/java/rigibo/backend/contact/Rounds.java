@@ -60,15 +60,13 @@ public final class Rounds {
     private static final double WORTH_ALONE = 8;
 
     /**
-     * Largest multiple, where passes converge slowly: for bodies of different masses, where a bullet
-     * would be through a box before they converge, and for elastic bodies, which do not lose the
-     * error that passes leave.
+     * Largest multiple, where passes converge slowly: for bodies of different masses, where a
+     * bullet would be through a box before they converge, and for elastic bodies, which do not lose
+     * the error that passes leave.
      */
     private static final double MOST_WORTH = 100;
 
-    /**
-     * That multiple in a calm island, which rests once it is solved and then costs nothing.
-     */
+    /** That multiple in a calm island, which rests once it is solved and then costs nothing. */
     private static final double WORTH_IF_CALM = 24;
 
     /** Least budget of an island in a substep, in multiplications: a microsecond. */
@@ -77,12 +75,14 @@ public final class Rounds {
     /** Least budget of the impacts of an island in a step, in multiplications. */
     private static final double LEAST_WORTH_OF_IMPACTS = 1e5;
 
-    /** Work of passes per contact and substep, in multiplications: about six solutions of 60 each. */
+    /**
+     * Work of passes per contact and substep, in multiplications: about six solutions of 60 each.
+     */
     private static final double WORK_OF_PASSES = 6 * 60;
 
     /**
-     * Largest residual that rounds may leave, as a share of the fastest speed; islands with a larger
-     * one are left to passes, which do better.
+     * Largest residual that rounds may leave, as a share of the fastest speed; islands with a
+     * larger one are left to passes, which do better.
      */
     private static final double GIVEN_UP = 0.03;
 
@@ -234,10 +234,10 @@ public final class Rounds {
     }
 
     /**
-     * Makes rounds until the residual is small enough, at rest after the first one; in a calm island
-     * as long as rounds converge. Newton's method is used as long as it converges; a round of it
-     * that does not is undone and elimination continues. Where masses differ and more rounds are
-     * made, it is tried again. If the rounds of a calm island cycle, the best of them is kept.
+     * Makes rounds until the residual is small enough, at rest after the first one; in a calm
+     * island as long as rounds converge. Newton's method is used as long as it converges; a round
+     * of it that does not is undone and elimination continues. Where masses differ and more rounds
+     * are made, it is tried again. If the rounds of a calm island cycle, the best of them is kept.
      * Returns whether they converged.
      */
     private boolean settleRows(double h, double kicked, int substep, double fastest) {
@@ -290,7 +290,9 @@ public final class Rounds {
         return false;
     }
 
-    /** The residual that a pass finds, as a multiple of the allowed one; 0 if it is small enough. */
+    /**
+     * The residual that a pass finds, as a multiple of the allowed one; 0 if it is small enough.
+     */
     private double left(double h, double kicked, int substep, double fastest) {
         double change = sweep.once(h, substep);
         if (!isCalm) {

@@ -12,7 +12,9 @@ import rigibo.backend.storage.Pairs;
  */
 final class Substeps {
 
-    /** Distance that a body moves in a step, in widths, from which on its crowd gets all substeps. */
+    /**
+     * Distance that a body moves in a step, in widths, from which on its crowd gets all substeps.
+     */
     private static final double FAR = 0.4;
 
     private final Bodies bodies;
@@ -32,8 +34,8 @@ final class Substeps {
 
     /**
      * Number of substeps of an island, crowd or not, by the distance that its bodies move. It also
-     * serves islands with joints of which only the equations are eliminated: these hold loads at any
-     * length of substep, and their error grows with the square of the distance too.
+     * serves islands with joints of which only the equations are eliminated: these hold loads at
+     * any length of substep, and their error grows with the square of the distance too.
      */
     int byWay(int island, double dt, int usual) {
         if (usual == 1 || isDriven(island)) {

@@ -10,9 +10,9 @@
  *   <li>{@code hold}: whether an island is at rest.
  * </ul>
  *
- * <p>{@code IslandSolver} calls them in order. A small island that is calm, or for which elimination
- * is cheap, is solved whole: all rows that carry load are eliminated at once. Other islands are
- * solved in passes, contact by contact. Overlap is removed by moving bodies.
+ * <p>{@code IslandSolver} calls them in order. A small island that is calm, or for which
+ * elimination is cheap, is solved whole: all rows that carry load are eliminated at once. Other
+ * islands are solved in passes, contact by contact. Overlap is removed by moving bodies.
  *
  * <p>A step of n substeps of length h is a leapfrog: velocities are those at the middle of a
  * substep, so the first and the last kick have half the length. A body that loses its support thus

@@ -6,8 +6,8 @@ import rigibo.backend.setup.Require;
  * Still water below a level. The submerged part of a body is lifted by the weight of the water it
  * displaces, at the centroid of that part (Archimedes), and each point of it is braked by {@code
  * drag} times the momentum that the displaced water would have at that point's velocity. Area,
- * centroid and second moment of the submerged part are exact for discs and polygons. {@link Gravity}
- * must be declared.
+ * centroid and second moment of the submerged part are exact for discs and polygons. {@link
+ * Gravity} must be declared.
  *
  * <pre>{@code
  * pool.effects(pool.effects().with(new Buoyancy(2, 1000, 2))); // water up to y = 2 m

@@ -4,8 +4,8 @@ import rigibo.backend.setup.Require;
 
 /**
  * Accelerates every dynamic body by s·rⁿ towards a centre at distance r (m), whatever its mass:
- * gravity of a star with n = −2 and s = G·M, or a spring with n = 1 and s = ω². At the centre itself
- * the acceleration is 0.
+ * gravity of a star with n = −2 and s = G·M, or a spring with n = 1 and s = ω². At the centre
+ * itself the acceleration is 0.
  *
  * <pre>{@code
  * // The sun at the origin: an attraction that falls with the square of the distance.

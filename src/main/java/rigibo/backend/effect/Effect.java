@@ -29,14 +29,14 @@ public sealed interface Effect
                 Sleep,
                 Sensors {
 
-    /**
-     * Whether the effect holds a caller's function, which a snapshot cannot save.
-     */
+    /** Whether the effect holds a caller's function, which a snapshot cannot save. */
     default boolean holdsFunction() {
         return false;
     }
 
-    /** Name of the effect in level files and messages, in kebab-case: {@code rolling-resistance}. */
+    /**
+     * Name of the effect in level files and messages, in kebab-case: {@code rolling-resistance}.
+     */
     default String title() {
         return getClass()
                 .getSimpleName()

@@ -4,8 +4,8 @@ import rigibo.backend.setup.Require;
 
 /**
  * A force defined by a caller's function of position, velocity, mass and time, applied to every
- * dynamic body at its centre of mass: springs, magnets, whirls. The force may change at any time, so
- * no body falls asleep while a field is declared.
+ * dynamic body at its centre of mass: springs, magnets, whirls. The force may change at any time,
+ * so no body falls asleep while a field is declared.
  *
  * <pre>{@code
  * // A spring to the origin, 40 N/m.

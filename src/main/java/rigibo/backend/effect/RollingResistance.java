@@ -1,8 +1,8 @@
 package rigibo.backend.effect;
 
 /**
- * Rolling resistance: a torque of up to c·N against rolling, with the lever c from the materials and
- * the normal force N. It can stop a rolling body but never reverse it.
+ * Rolling resistance: a torque of up to c·N against rolling, with the lever c from the materials
+ * and the normal force N. It can stop a rolling body but never reverse it.
  *
  * <pre>{@code
  * pool.effects(pool.effects().with(new RollingResistance()));

@@ -12,10 +12,10 @@ import rigibo.backend.storage.Pairs;
 import rigibo.backend.storage.PointSpeeds;
 
 /**
- * Flyers near a body of a pile that is struck or about to bounce. Only the pile's solver finds where
- * that body goes in the rest of the step, and by then the flyers would have passed it. So flyers
- * that it could reach join the pile. They lose no accuracy, since that solver moves bodies that
- * touch nothing as exactly as flight does.
+ * Flyers near a body of a pile that is struck or about to bounce. Only the pile's solver finds
+ * where that body goes in the rest of the step, and by then the flyers would have passed it. So
+ * flyers that it could reach join the pile. They lose no accuracy, since that solver moves bodies
+ * that touch nothing as exactly as flight does.
  */
 final class Bystanders {
 
@@ -43,8 +43,8 @@ final class Bystanders {
     private final Pose poseB = new Pose();
 
     /**
-     * Sets the allowance to twice the square root of the impact tolerance, in widths. For a body one
-     * metre wide the root is the geometric mean of the tolerance and the width.
+     * Sets the allowance to twice the square root of the impact tolerance, in widths. For a body
+     * one metre wide the root is the geometric mean of the tolerance and the width.
      */
     Bystanders(
             DataStorage data,
@@ -103,8 +103,8 @@ final class Bystanders {
     }
 
     /**
-     * Reach of the bodies of a contact in a pile that strike each other, in a time of dt seconds, m;
-     * 0 within the allowance.
+     * Reach of the bodies of a contact in a pile that strike each other, in a time of dt seconds,
+     * m; 0 within the allowance.
      */
     double reachOfBouncers(int pair, double dt) {
         int a = pairs.bodyA[pair];
@@ -183,8 +183,8 @@ final class Bystanders {
      * Reach (m) that a body gets when another one with a reach of {@code reach} may strike it; 0
      * within the allowance. The part of the gap that the two do not close by their own motion in dt
      * seconds is subtracted; of the rest the struck body gets a share by its mass. A flyer gets at
-     * least the whole rest: it may fall on a body that a floor has stopped, and then the floor stops
-     * it too.
+     * least the whole rest: it may fall on a body that a floor has stopped, and then the floor
+     * stops it too.
      */
     double reachLeft(int pair, int struck, double reach, double dt) {
         double left = reach - Math.max(0, pairs.gap(pair) - narrowphase.reach(pair, dt));

@@ -8,11 +8,11 @@ import rigibo.backend.storage.Quarantine;
 import rigibo.backend.storage.Roster;
 
 /**
- * The paths of bodies under forces that vary along the path. The effect of such forces up to the end
- * of a path is integrated in substeps. Then a path of constant acceleration is laid that ends at the
- * same place, since the search for impacts needs a path with known bounds. The error of its end
- * velocity is added at the end of the path: for an acceleration that grows by j per second it is
- * j·T²/6 after T seconds. Places along the path are off by at most j·T³/40.
+ * The paths of bodies under forces that vary along the path. The effect of such forces up to the
+ * end of a path is integrated in substeps. Then a path of constant acceleration is laid that ends
+ * at the same place, since the search for impacts needs a path with known bounds. The error of its
+ * end velocity is added at the end of the path: for an acceleration that grows by j per second it
+ * is j·T²/6 after T seconds. Places along the path are off by at most j·T³/40.
  */
 public final class Course {
 
@@ -110,8 +110,8 @@ public final class Course {
     }
 
     /**
-     * Writes the acceleration of the path. By x₁ = x₀ + v₀·E₁ + a·E₂, a deviation d of the end place
-     * takes the acceleration d/E₂, added to the one that keeps to the reference.
+     * Writes the acceleration of the path. By x₁ = x₀ + v₀·E₁ + a·E₂, a deviation d of the end
+     * place takes the acceleration d/E₂, added to the one that keeps to the reference.
      */
     private void write(int slot, double length) {
         double e1 = deviation.velocityShare(length);

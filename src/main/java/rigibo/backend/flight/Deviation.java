@@ -16,8 +16,8 @@ import rigibo.backend.storage.Bodies;
 final class Deviation {
 
     /**
-     * Largest change between the two evaluations at a substep's middle, as a share of the rate; with
-     * a larger one the substep is too long. At a quarter, ω·h or k·h is 1; an explicit method
+     * Largest change between the two evaluations at a substep's middle, as a share of the rate;
+     * with a larger one the substep is too long. At a quarter, ω·h or k·h is 1; an explicit method
      * overshoots from 2.8 on.
      */
     private static final double MOST_CHANGE = 0.25;
@@ -145,8 +145,8 @@ final class Deviation {
     }
 
     /**
-     * Makes all substeps from the start, where the forces have been evaluated; returns false if one is
-     * too long.
+     * Makes all substeps from the start, where the forces have been evaluated; returns false if one
+     * is too long.
      */
     private boolean isIntegrated(double length, int count) {
         double h = length / count;
@@ -214,9 +214,9 @@ final class Deviation {
     }
 
     /**
-     * Whether the two evaluations at the middle agree well enough. Between them the velocity differs by h/2 times the
-     * change of the first rate, and the place by h²/4 times the rate, so the rates differ by (kh/2)²
-     * or (ωh/2)² of their size.
+     * Whether the two evaluations at the middle agree well enough. Between them the velocity
+     * differs by h/2 times the change of the first rate, and the place by h²/4 times the rate, so
+     * the rates differ by (kh/2)² or (ωh/2)² of their size.
      */
     private boolean isShortEnough() {
         double most = square(MOST_CHANGE);

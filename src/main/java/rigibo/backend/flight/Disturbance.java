@@ -24,8 +24,9 @@ final class Disturbance {
     }
 
     /**
-     * Factor by which a body's reach must grow before its neighbours are searched again. Without it,
-     * the reach that equal bodies of elasticity 1 hand to and fro would grow by round-off for ever.
+     * Factor by which a body's reach must grow before its neighbours are searched again. Without
+     * it, the reach that equal bodies of elasticity 1 hand to and fro would grow by round-off for
+     * ever.
      */
     private static final double GROWN = 1.05;
 
@@ -77,7 +78,9 @@ final class Disturbance {
         spread(0, dt);
     }
 
-    /** Records the reach that the bodies of a contact in a pile get by bouncing in {@code left} s. */
+    /**
+     * Records the reach that the bodies of a contact in a pile get by bouncing in {@code left} s.
+     */
     void noteBouncers(int pair, double left) {
         int a = pairs.bodyA[pair];
         int b = pairs.bodyB[pair];
@@ -143,7 +146,8 @@ final class Disturbance {
 
     /**
      * Records the reaches by the impacts of a flyer that just joined. A fast flyer that joins
-     * because of a slow neighbour still strikes it, and sends it farther than it would go by itself.
+     * because of a slow neighbour still strikes it, and sends it farther than it would go by
+     * itself.
      */
     private void noteBouncersOf(int joined, double left) {
         for (int p = bodies.firstPair[joined]; p != Pairs.NONE; p = pairs.nextOf(p, joined)) {

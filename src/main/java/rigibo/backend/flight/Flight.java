@@ -22,8 +22,8 @@ import java.util.Arrays;
 public final class Flight {
 
     /**
-     * Impacts within this time of each other count as simultaneous, s per metre of impact tolerance:
-     * a body at 1 m/s moves a thousandth of the tolerance in it.
+     * Impacts within this time of each other count as simultaneous, s per metre of impact
+     * tolerance: a body at 1 m/s moves a thousandth of the tolerance in it.
      */
     private static final double TIE_PER_METRE = 1e-3;
 
@@ -170,8 +170,8 @@ public final class Flight {
     }
 
     /**
-     * Time of impact of a one-sided pair, which may be later than the one found. Where two edges of a
-     * chain meet, a body strikes one of them, if any; for the other edge the search restarts.
+     * Time of impact of a one-sided pair, which may be later than the one found. Where two edges of
+     * a chain meet, a body strikes one of them, if any; for the other edge the search restarts.
      */
     private double firstThatIsMet(int pair, double found, double dt) {
         double time = found;
@@ -310,8 +310,8 @@ public final class Flight {
     }
 
     /**
-     * Predicts the impacts of a body whose path changed; for a body that joined a pile, measures its
-     * contacts there.
+     * Predicts the impacts of a body whose path changed; for a body that joined a pile, measures
+     * its contacts there.
      */
     private void repredict(int slot, double time, double dt) {
         if (!bodies.isDynamic(slot)) {

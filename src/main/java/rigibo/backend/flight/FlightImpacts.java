@@ -85,7 +85,8 @@ final class FlightImpacts {
         }
         for (int i = 0; i < count; i++) {
             // A fast body may still be apart at the common time: its impact is predicted again. If
-            // the first pair does not touch, its search gave up, and the solver of piles takes over.
+            // the first pair does not touch, its search gave up, and the solver of piles takes
+            // over.
             if (touches(tied[i])) {
                 end(tied[i], time, restsAt[i], dt);
             } else if (tied[i] == first) {
@@ -146,7 +147,9 @@ final class FlightImpacts {
         }
     }
 
-    /** Time at which the bounces of the loaded pair end, s after the step's start; may be infinite. */
+    /**
+     * Time at which the bounces of the loaded pair end, s after the step's start; may be infinite.
+     */
     private double restsAt(int pair, double time, double dt) {
         double end = time + bouncesLeft(pair);
         return isExhausted(pair) && isInvisible(pair) ? Math.min(end, dt) : end;
@@ -160,10 +163,10 @@ final class FlightImpacts {
     }
 
     /**
-     * Whether a pair has reached the limit of impacts in a step. The limit is higher for two dynamic
-     * bodies with an elasticity of 1, which cannot wait for the next step: the corner of a turning
-     * body can strike a face a hundred times in a step, and the solver of piles would take that
-     * energy.
+     * Whether a pair has reached the limit of impacts in a step. The limit is higher for two
+     * dynamic bodies with an elasticity of 1, which cannot wait for the next step: the corner of a
+     * turning body can strike a face a hundred times in a step, and the solver of piles would take
+     * that energy.
      */
     boolean isExhausted(int pair) {
         boolean isChatter = pairs.elasticityOf(pair) == 1 && bothMove(pair);
@@ -217,7 +220,8 @@ final class FlightImpacts {
     /**
      * Lets both bodies wait until the step ends, with the velocities after their impact. The solver
      * of piles would bring them to rest, which impacts without loss never do; waiting costs such a
-     * pair time but no energy. A driven body does not wait, so its pair goes to the solver of piles.
+     * pair time but no energy. A driven body does not wait, so its pair goes to the solver of
+     * piles.
      */
     private void stand(int pair, double time) {
         int a = pairs.bodyA[pair];

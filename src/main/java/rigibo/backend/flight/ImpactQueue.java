@@ -5,9 +5,9 @@ import rigibo.backend.storage.Pairs;
 import java.util.Arrays;
 
 /**
- * The predicted impacts, earliest first, at most one per pair: a binary heap that knows the place of
- * each pair, so that a prediction can be replaced. Simultaneous impacts come in the order of their
- * bodies, which does not depend on other bodies.
+ * The predicted impacts, earliest first, at most one per pair: a binary heap that knows the place
+ * of each pair, so that a prediction can be replaced. Simultaneous impacts come in the order of
+ * their bodies, which does not depend on other bodies.
  */
 final class ImpactQueue {
 

@@ -30,7 +30,10 @@ final class TurningPaths {
         expected[slot] = spin;
     }
 
-    /** Writes the turning of a body on its path; bodies not in flight turn at a constant rate or not. */
+    /**
+     * Writes the turning of a body on its path; bodies not in flight turn at a constant rate or
+     * not.
+     */
     void load(int slot, Motion out) {
         out.takeTurning(bodies, slot);
         if (paths.stands(slot)) {

@@ -1,5 +1,5 @@
 /**
- * Bodies in flight: they follow their exact paths whatever the length of the step, and their impacts
- * with each other and with everything else are resolved in time order.
+ * Bodies in flight: they follow their exact paths whatever the length of the step, and their
+ * impacts with each other and with everything else are resolved in time order.
  */
 package rigibo.backend.flight;

@@ -54,7 +54,9 @@ public final class Impact {
 
     public double tangentImpulse;
 
-    /** Loads masses, velocities and materials of a pair from the columns; {@link #addPoint} follows. */
+    /**
+     * Loads masses, velocities and materials of a pair from the columns; {@link #addPoint} follows.
+     */
     public void load(Bodies bodies, Pairs pairs, int pair) {
         int a = pairs.bodyA[pair];
         int b = pairs.bodyB[pair];
@@ -76,7 +78,9 @@ public final class Impact {
         spinB = bodies.spinOf(b);
     }
 
-    /** Adds a point at (x, y); the bodies' centres of mass are at (ax, ay) and (bx, by), all in m. */
+    /**
+     * Adds a point at (x, y); the bodies' centres of mass are at (ax, ay) and (bx, by), all in m.
+     */
     public void addPoint(double x, double y, double ax, double ay, double bx, double by) {
         armAX[points] = x - ax;
         armAY[points] = y - ay;

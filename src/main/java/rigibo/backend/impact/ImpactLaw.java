@@ -5,15 +5,15 @@ import java.util.Arrays;
 /**
  * Newton's law of impact with Coulomb's friction, for one or two points of one pair at once.
  *
- * <p>Rows 0 and 1 are the normals at the points. Row 2 is the tangent at the midpoint of the points,
- * which both points of a flat contact share. kᵢⱼ is the speed that a unit impulse in row j gives row
- * i (Baraff, "Analytical methods for dynamic simulation", 1989, eq. 9). The law requires impulses j
- * ≥ 0, and vₙ' = −e·vₙ wherever j &gt; 0. Sticking is tried first: vₜ' = 0, valid if |jₜ| ≤ μ·Σjₙ.
- * Otherwise the contact slides, and jₜ = ±μ·Σjₙ is put into the normal equations, since friction can
- * lift or press the points. An impact never adds energy: where the law would (Kane and Levinson,
- * "Dynamics", 1985), all impulses are scaled down until it does not. With running surfaces vₜ is
- * measured relative to them, so that sticking aims at their speed, and the work of their drives is
- * not counted as added energy.
+ * <p>Rows 0 and 1 are the normals at the points. Row 2 is the tangent at the midpoint of the
+ * points, which both points of a flat contact share. kᵢⱼ is the speed that a unit impulse in row j
+ * gives row i (Baraff, "Analytical methods for dynamic simulation", 1989, eq. 9). The law requires
+ * impulses j ≥ 0, and vₙ' = −e·vₙ wherever j &gt; 0. Sticking is tried first: vₜ' = 0, valid if
+ * |jₜ| ≤ μ·Σjₙ. Otherwise the contact slides, and jₜ = ±μ·Σjₙ is put into the normal equations,
+ * since friction can lift or press the points. An impact never adds energy: where the law would
+ * (Kane and Levinson, "Dynamics", 1985), all impulses are scaled down until it does not. With
+ * running surfaces vₜ is measured relative to them, so that sticking aims at their speed, and the
+ * work of their drives is not counted as added energy.
  */
 public final class ImpactLaw {
 
@@ -167,7 +167,9 @@ public final class ImpactLaw {
         return slideBoth(0);
     }
 
-    /** Solves sticking at both points, by elimination of the tangent; returns whether it is valid. */
+    /**
+     * Solves sticking at both points, by elimination of the tangent; returns whether it is valid.
+     */
     private boolean stickBoth(double friction) {
         double kt = k[8];
         double k00 = k[0] - k[2] * k[2] / kt;

@@ -30,6 +30,7 @@ final class TiedElimination {
 
     /** By row: its place among the active rows. */
     private int[] place = new int[16];
+
     private int size;
 
     private final EnvelopeFactor factor = new EnvelopeFactor();
@@ -134,7 +135,9 @@ final class TiedElimination {
         return false;
     }
 
-    /** Share of the way to the solution up to which no point pulls and no friction leaves its cone. */
+    /**
+     * Share of the way to the solution up to which no point pulls and no friction leaves its cone.
+     */
     private double shareToFirstBound() {
         double share = 1;
         for (int i = 0; i < size; i++) {

@@ -12,8 +12,8 @@ import java.util.Arrays;
  * <p>Every point requires vₙ' ≥ −e·vₙ and j ≥ 0, one of them with equality, and every pair |jₜ| ≤
  * μ·Σjₙ. Passes over the rows are repeated until nothing changes (projected Gauss–Seidel, which
  * converges for such problems; R. W. Cottle et al., The Linear Complementarity Problem, 1992, ch.
- * 5). With e = 1 and μ = 0 the limit keeps the energy, as a single impact does. Where friction would
- * add energy, all impulses are scaled down.
+ * 5). With e = 1 and μ = 0 the limit keeps the energy, as a single impact does. Where friction
+ * would add energy, all impulses are scaled down.
  */
 public final class TiedImpacts {
 
@@ -23,13 +23,17 @@ public final class TiedImpacts {
     /** A change of speed that is round-off, as a share of the fastest approach. */
     private static final double ROUND_OFF = 1e-14;
 
-    /** Greatest speed that impacts without a solution may leave, as a multiple of the fastest row's. */
+    /**
+     * Greatest speed that impacts without a solution may leave, as a multiple of the fastest row's.
+     */
     private static final double MOST_LEVERAGE = 2;
 
     /** Passes between two eliminations, which find the active rows again. */
     private static final int PASSES_EACH = 4;
 
-    /** Share to which the residual must have shrunk since the last elimination; otherwise it cycles. */
+    /**
+     * Share to which the residual must have shrunk since the last elimination; otherwise it cycles.
+     */
     private static final double SHRINKS = 0.5;
 
     /** Cost of solving a row in a pass, in multiplications of an elimination. */
@@ -143,7 +147,9 @@ public final class TiedImpacts {
         return multiplications > 0;
     }
 
-    /** Limits the energy (without a solution, also the speed), then adds the impulses to the pairs. */
+    /**
+     * Limits the energy (without a solution, also the speed), then adds the impulses to the pairs.
+     */
     public void keep(boolean isAnswered) {
         limitEnergy();
         if (!isAnswered) {

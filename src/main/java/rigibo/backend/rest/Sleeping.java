@@ -74,7 +74,9 @@ public final class Sleeping {
         return least;
     }
 
-    /** Time in s for which a body has stayed in place; its outline has turned by {@code turned}, m. */
+    /**
+     * Time in s for which a body has stayed in place; its outline has turned by {@code turned}, m.
+     */
     private double stillTime(int slot, double turned, double dt) {
         double limit = sleep.distance() * bodies.smallestWidth[slot];
         double time = bodies.stillTime[slot] + dt;

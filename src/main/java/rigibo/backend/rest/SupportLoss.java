@@ -11,8 +11,8 @@ import java.util.Arrays;
 
 /**
  * Wakes neighbours when a body is removed: all bodies that leaned on it, and those bodies below it
- * that might not be steady without its load. A box in the middle of a tower sleeps on when the upper
- * half is taken away; a seesaw that loses a weight wakes.
+ * that might not be steady without its load. A box in the middle of a tower sleeps on when the
+ * upper half is taken away; a seesaw that loses a weight wakes.
  *
  * <p>A sleeper is steady under any load if its centre of mass and every point where another body
  * stands on it lie above the span of its supports, and if its supports are steady too. Each body is
@@ -29,9 +29,7 @@ public final class SupportLoss {
     private final Pairs pairs;
     private final Waking waking;
 
-    /**
-     * Sleepers to be tested: first the body that lost a neighbour, then those that support it.
-     */
+    /** Sleepers to be tested: first the body that lost a neighbour, then those that support it. */
     private final Found asked = new Found();
 
     /** By body: number of the removal in which it was last tested. */
@@ -55,6 +53,7 @@ public final class SupportLoss {
 
     /** Span of its centre of mass and of the loads on it, m across gravity. */
     private double loadLeft;
+
     private double loadRight;
 
     /** Waking of the bodies of a storage. */

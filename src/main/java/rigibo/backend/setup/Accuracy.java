@@ -64,9 +64,7 @@ public record Accuracy(
     public static final Accuracy FINE =
             GAME.withSubsteps(8).withImpactTolerance(1e-6).withMaxImpactsPerPair(32);
 
-    /**
-     * For references, the most accurate preset: 16 substeps, impacts within 1 nm.
-     */
+    /** For references, the most accurate preset: 16 substeps, impacts within 1 nm. */
     public static final Accuracy EXACT =
             GAME.withSubsteps(16).withImpactTolerance(1e-9).withMaxImpactsPerPair(64);
 

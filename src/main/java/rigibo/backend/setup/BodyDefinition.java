@@ -121,9 +121,7 @@ public final class BodyDefinition {
         return next;
     }
 
-    /**
-     * A copy with another angle in rad, counter-clockwise, within a million turns.
-     */
+    /** A copy with another angle in rad, counter-clockwise, within a million turns. */
     public BodyDefinition angle(double radians) {
         BodyDefinition next = new BodyDefinition(this);
         next.angle =
@@ -160,8 +158,8 @@ public final class BodyDefinition {
     }
 
     /**
-     * A copy with another angular velocity in rad/s, counter-clockwise; a static body's must be 0. It
-     * is ignored where the effect {@code Rotation} is not declared.
+     * A copy with another angular velocity in rad/s, counter-clockwise; a static body's must be 0.
+     * It is ignored where the effect {@code Rotation} is not declared.
      */
     public BodyDefinition spin(double radiansPerSecond) {
         BodyDefinition next = new BodyDefinition(this);
@@ -195,8 +193,8 @@ public final class BodyDefinition {
     }
 
     /**
-     * A copy with a mass in kg, positive, in place of density times area; the moment of inertia scales
-     * with it unless it is set too.
+     * A copy with a mass in kg, positive, in place of density times area; the moment of inertia
+     * scales with it unless it is set too.
      */
     public BodyDefinition mass(double kilograms) {
         BodyDefinition next = new BodyDefinition(this);
@@ -306,8 +304,9 @@ public final class BodyDefinition {
     }
 
     /**
-     * A copy that is a sensor as a whole: it touches nothing and reports which bodies are inside. The
-     * pool it is added to must declare {@code Sensors}. A dynamic sensor must have its mass set.
+     * A copy that is a sensor as a whole: it touches nothing and reports which bodies are inside.
+     * The pool it is added to must declare {@code Sensors}. A dynamic sensor must have its mass
+     * set.
      */
     public BodyDefinition sensor() {
         BodyDefinition next = new BodyDefinition(this);

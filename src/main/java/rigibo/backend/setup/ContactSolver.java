@@ -13,8 +13,8 @@ public enum ContactSolver {
     /** Passes over the contacts that solve both points of a contact together. */
     BLOCK,
     /**
-     * Islands of up to 192 rows are solved whole: sets of loaded rows are tried as systems of linear
-     * equations, within a budget of time. Larger islands are solved as with {@link #BLOCK}.
+     * Islands of up to 192 rows are solved whole: sets of loaded rows are tried as systems of
+     * linear equations, within a budget of time. Larger islands are solved as with {@link #BLOCK}.
      */
     DIRECT
 }

@@ -1,8 +1,8 @@
 package rigibo.backend.setup;
 
 /**
- * A motor that drives a joint's coordinate to a speed. With speed 0 it acts as a brake, that is,
- * as dry friction.
+ * A motor that drives a joint's coordinate to a speed. With speed 0 it acts as a brake, that is, as
+ * dry friction.
  *
  * <pre>{@code
  * JointMotor brake = new JointMotor(0, 20); // N·m
@@ -10,8 +10,8 @@ package rigibo.backend.setup;
  * }</pre>
  *
  * @param speed wanted speed: rad/s for an angle, m/s for a displacement, within ±1e6
- * @param most greatest torque in N·m for an angle, force in N for a displacement; 0 or more, may
- *     be ∞; with 0 there is no motor
+ * @param most greatest torque in N·m for an angle, force in N for a displacement; 0 or more, may be
+ *     ∞; with 0 there is no motor
  */
 public record JointMotor(double speed, double most) {
 

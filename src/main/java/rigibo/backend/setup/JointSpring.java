@@ -1,8 +1,8 @@
 package rigibo.backend.setup;
 
 /**
- * A spring with a damper. When the bodies are joined, its stiffness k = m·(2πf)² and its damping c =
- * 2·ζ·m·2πf are computed from the reduced mass m = mₐ·m_b/(mₐ + m_b) of the two bodies, or from
+ * A spring with a damper. When the bodies are joined, its stiffness k = m·(2πf)² and its damping c
+ * = 2·ζ·m·2πf are computed from the reduced mass m = mₐ·m_b/(mₐ + m_b) of the two bodies, or from
  * their reduced moment of inertia for a spring of an angle. Later changes of mass do not change
  * them.
  *

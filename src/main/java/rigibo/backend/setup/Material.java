@@ -18,8 +18,7 @@ package rigibo.backend.setup;
  * @param surfaceSpeed speed of the running outline in m/s, positive counter-clockwise, up to the
  *     speed of light: a conveyor belt
  * @param drag k in 1/s, 0 to 1e100: the body is braked by the acceleration k·v
- * @param oneWayX x of the unit normal of a one-way surface in the body's frame; see {@link
- *     #oneWay}
+ * @param oneWayX x of the unit normal of a one-way surface in the body's frame; see {@link #oneWay}
  * @param oneWayY y of that normal; both are 0 for a surface that is solid on all sides
  */
 public record Material(
@@ -32,7 +31,9 @@ public record Material(
         double oneWayX,
         double oneWayY) {
 
-    /** Highest friction accepted, no unit: far beyond sticking, and squares of loads stay finite. */
+    /**
+     * Highest friction accepted, no unit: far beyond sticking, and squares of loads stay finite.
+     */
     public static final double MOST_FRICTION = 1e9;
 
     /** Longest rolling lever accepted, m. */

@@ -10,8 +10,8 @@ import rigibo.backend.storage.Pairs;
 final class BounceRows {
 
     /**
-     * Least closing speed of an impact, as a share of the speed that the effects add in one substep;
-     * passes leave smaller speeds as errors.
+     * Least closing speed of an impact, as a share of the speed that the effects add in one
+     * substep; passes leave smaller speeds as errors.
      */
     private static final double PULLED = 0.25;
 

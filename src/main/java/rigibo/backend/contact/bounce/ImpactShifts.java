@@ -13,15 +13,17 @@ import java.util.Arrays;
 /**
  * Displacements caused by the impacts of a substep. Drift moves a body through the whole substep at
  * its new velocity, while it really moved at its old velocity up to the impact; the shift corrects
- * its place. No contact stops such a shift, so shifts that lead into another body are taken back, as
- * far as the energy lost in the impacts covers the lift.
+ * its place. No contact stops such a shift, so shifts that lead into another body are taken back,
+ * as far as the energy lost in the impacts covers the lift.
  */
 final class ImpactShifts {
 
     /** x, y and turn of each entry of the motions. */
     private static final int STRIDE = 3;
 
-    /** Rounds in which a shift can be shortened; later, a shift that leads into a body is dropped. */
+    /**
+     * Rounds in which a shift can be shortened; later, a shift that leads into a body is dropped.
+     */
     private static final int PARTLY = 4;
 
     private static final int MOST_ROUNDS = 16;

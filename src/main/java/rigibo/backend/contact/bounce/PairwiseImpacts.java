@@ -24,8 +24,8 @@ import java.util.Arrays;
  *
  * <p>Between two kicks a velocity v is that at the middle of the substep. At the time τ a body that
  * nothing supports has the velocity v + a·(τ − h/2), with which it strikes. Its place needs no such
- * term: before and after the impact it is off by a·τ·(h − τ)/2, with opposite signs. With v itself a
- * bounce would gain or lose energy of up to weight · h · v, an error of first order in h.
+ * term: before and after the impact it is off by a·τ·(h − τ)/2, with opposite signs. With v itself
+ * a bounce would gain or lose energy of up to weight · h · v, an error of first order in h.
  */
 final class PairwiseImpacts {
 

@@ -126,7 +126,9 @@ final class SimultaneousImpacts {
         return first;
     }
 
-    /** Time of a point's impact, s into the substep; infinite if there is none or it is too slow. */
+    /**
+     * Time of a point's impact, s into the substep; infinite if there is none or it is too slow.
+     */
     private double strikesAt(int row, int point) {
         double speed = motions.parting(contacts, row, point);
         double gap = motions.gap(contacts, row, point);

@@ -13,9 +13,9 @@ import rigibo.backend.storage.Pairs;
 
 /**
  * Tests whether an island rests on the forces that its contacts carried when the last step ended:
- * whether they balance all present accelerations of every body, Σ F + m·a = 0 and Σ r × F + I·α = 0,
- * each force within its bounds. Then nothing moves, and solving would find the same forces again. The
- * test needs no memory of changes, since every change shows in the sums.
+ * whether they balance all present accelerations of every body, Σ F + m·a = 0 and Σ r × F + I·α =
+ * 0, each force within its bounds. Then nothing moves, and solving would find the same forces
+ * again. The test needs no memory of changes, since every change shows in the sums.
  */
 public final class Equilibrium {
 
@@ -121,8 +121,8 @@ public final class Equilibrium {
 
     /**
      * Whether the sums leave every body of an island with joints in place for a step of {@code dt}
-     * seconds with kicks of {@code kicked} seconds. The compliance of rows adds up along a chain, so
-     * its end may move as fast as the strongest load allows.
+     * seconds with kicks of {@code kicked} seconds. The compliance of rows adds up along a chain,
+     * so its end may move as fast as the strongest load allows.
      */
     public boolean isHeld(int island, double dt, double kicked) {
         double strongest = 0;
@@ -226,7 +226,9 @@ public final class Equilibrium {
                 && (load1 == 0 || pairs.separation[2 * pair + 1] <= touching);
     }
 
-    /** Distance that round-off of positions hides, m: a smaller removal of overlap has no effect. */
+    /**
+     * Distance that round-off of positions hides, m: a smaller removal of overlap has no effect.
+     */
     private double resolution(int slot) {
         return LOST * Math.ulp(Math.max(Math.abs(bodies.x[slot]), Math.abs(bodies.y[slot])));
     }
@@ -274,7 +276,9 @@ public final class Equilibrium {
         }
     }
 
-    /** Torque of a contact about a body's centre of mass, N·m, as on B, with friction at its height. */
+    /**
+     * Torque of a contact about a body's centre of mass, N·m, as on B, with friction at its height.
+     */
     private double torque(int pair, int slot, double along, double rubsAt) {
         double nx = pairs.normalX[pair];
         double ny = pairs.normalY[pair];

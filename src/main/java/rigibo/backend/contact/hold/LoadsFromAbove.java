@@ -8,11 +8,11 @@ import java.util.Arrays;
 
 /**
  * Hands the loads of a pile down from body to body, starting at the highest. When a body's turn
- * comes, the loads on it from above are known, so the forces of its supports follow from the statics
- * of this one body, whatever stands below. In a stack of a hundred storeys one such pass finds the
- * loads that passes over the contacts only approach after thousands, since those carry a load one
- * storey further at a time. (It is the opposite of shock propagation, which goes from the ground up:
- * E. Guendelman, R. Bridson and R. Fedkiw, Nonconvex Rigid Bodies with Stacking, 2003.)
+ * comes, the loads on it from above are known, so the forces of its supports follow from the
+ * statics of this one body, whatever stands below. In a stack of a hundred storeys one such pass
+ * finds the loads that passes over the contacts only approach after thousands, since those carry a
+ * load one storey further at a time. (It is the opposite of shock propagation, which goes from the
+ * ground up: E. Guendelman, R. Bridson and R. Fedkiw, Nonconvex Rigid Bodies with Stacking, 2003.)
  *
  * <p>Where bodies lean on each other sideways, as the stones of an arch do, a body is left
  * unsupported, and the result is not used.
@@ -20,14 +20,12 @@ import java.util.Arrays;
 final class LoadsFromAbove {
 
     /**
-     * Largest remaining speed of a body, as a share of the speed that its pull and its supports give
-     * it.
+     * Largest remaining speed of a body, as a share of the speed that its pull and its supports
+     * give it.
      */
     private static final double UNHELD = 1e-10;
 
-    /**
-     * Rounds continue as long as each leaves at most this share of the body's remaining speed.
-     */
+    /** Rounds continue as long as each leaves at most this share of the body's remaining speed. */
     private static final double IMPROVES = 0.5;
 
     /** Most rounds over the contacts of one body, with normals alone and with friction each. */
@@ -146,8 +144,9 @@ final class LoadsFromAbove {
     }
 
     /**
-     * Finds impulses that hold one body on its supports as if these were fixed; returns whether they
-     * do. Normal impulses come first, since unneeded friction would push the bodies below apart.
+     * Finds impulses that hold one body on its supports as if these were fixed; returns whether
+     * they do. Normal impulses come first, since unneeded friction would push the bodies below
+     * apart.
      */
     private boolean hold(int entry, double kicked) {
         double most = 0;

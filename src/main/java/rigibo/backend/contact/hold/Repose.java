@@ -19,7 +19,9 @@ public final class Repose {
     /** Highest speed of a still body, as a multiple of the allowed residual. */
     private static final double QUIET = 16;
 
-    /** Highest speed of a calm body, as a share of the speed that its own pull gives it in a step. */
+    /**
+     * Highest speed of a calm body, as a share of the speed that its own pull gives it in a step.
+     */
     private static final double CALM = 0.25;
 
     private final Kick kick;
@@ -95,8 +97,8 @@ public final class Repose {
     }
 
     /**
-     * Whether the packed island, which was still, rests on loads handed down from above in its first
-     * substep, whose kick lasted {@code kicked} seconds. If not, it is restored.
+     * Whether the packed island, which was still, rests on loads handed down from above in its
+     * first substep, whose kick lasted {@code kicked} seconds. If not, it is restored.
      */
     public boolean isCarried(double start, double h, int substeps, double kicked) {
         before.begin();

@@ -78,8 +78,8 @@ final class Stillness {
     }
 
     /**
-     * Whether the packed island rests after its first substep of h seconds, which began at a time, s
-     * after the step's start, and whose kick lasted {@code kicked} seconds.
+     * Whether the packed island rests after its first substep of h seconds, which began at a time,
+     * s after the step's start, and whose kick lasted {@code kicked} seconds.
      */
     boolean isAtRest(double start, double h, int substeps, double kicked) {
         double length = substeps * h;

@@ -18,7 +18,9 @@ public final class BentRows {
     /** Whether any contact was bent in the last part. */
     private boolean wasAny;
 
-    /** Whether any contact was bent since the start of the packed island, if curves are followed. */
+    /**
+     * Whether any contact was bent since the start of the packed island, if curves are followed.
+     */
     private boolean isAnyBent;
 
     /** By row: whether its outlines turn. */
@@ -48,8 +50,8 @@ public final class BentRows {
 
     /**
      * Measures again the contacts whose outlines or normals turn too far in the rest ({@code left}
-     * s) of the step, and edges of chains that a body may have come over. Contacts that were measured
-     * at the start of this substep are left out.
+     * s) of the step, and edges of chains that a body may have come over. Contacts that were
+     * measured at the start of this substep are left out.
      *
      * @return whether any contact is bent or was measured
      */
@@ -102,8 +104,8 @@ public final class BentRows {
     }
 
     /**
-     * Predicts how far gaps open by turning outlines within h seconds, and by turning normals within
-     * {@code closing} seconds, in which gaps may close.
+     * Predicts how far gaps open by turning outlines within h seconds, and by turning normals
+     * within {@code closing} seconds, in which gaps may close.
      */
     public void bend(double h, double closing) {
         if (!isAnyNow && !wasAny) {

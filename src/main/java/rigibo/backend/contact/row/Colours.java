@@ -8,9 +8,9 @@ import rigibo.backend.storage.Pairs;
 import java.util.Arrays;
 
 /**
- * The order in which passes take the contacts of an island: colour by colour. No two contacts of one
- * colour share a body that impulses move, so that a processor can work on several at once, and cores
- * could share them with the same bits as result.
+ * The order in which passes take the contacts of an island: colour by colour. No two contacts of
+ * one colour share a body that impulses move, so that a processor can work on several at once, and
+ * cores could share them with the same bits as result.
  *
  * <p>In the order of the island's pairs, each contact gets the first colour that neither of its
  * bodies has yet, so that the colours depend on the island alone. Contacts with immovable bodies
@@ -64,9 +64,7 @@ final class Colours {
         groundStart = ofGround > 0 ? end[ofGround - 1] : 0;
     }
 
-    /**
-     * Gives colours to the contacts between movable bodies, or to those with immovable ones.
-     */
+    /** Gives colours to the contacts between movable bodies, or to those with immovable ones. */
     private void colour(int island, boolean ofGround) {
         for (int i = islands.bodyStart[island]; i < islands.bodyStart[island + 1]; i++) {
             taken[islands.bodies[i]] = 0;

@@ -10,8 +10,8 @@ import rigibo.backend.storage.Pairs;
  * Contacts whose normal turns as their bodies move: a disc moving around another disc or a corner,
  * and, in islands of few bodies, any body that slides from one face to the next. They are measured
  * again before every substep. In a substep, motion by s around a radius ρ opens the gap by √(ρ² +
- * s²) − ρ, which is added to the gap beforehand. A disc thus follows a curve with an error of second
- * order, as in constrained dynamics (SHAKE: Ryckaert, Ciccotti and Berendsen, 1977).
+ * s²) − ρ, which is added to the gap beforehand. A disc thus follows a curve with an error of
+ * second order, as in constrained dynamics (SHAKE: Ryckaert, Ciccotti and Berendsen, 1977).
  */
 public final class CurvedRows {
 
@@ -56,9 +56,9 @@ public final class CurvedRows {
     }
 
     /**
-     * Widens the gap by what the motion of the next h seconds opens. Contacts of two corners are left
-     * out: their gap would be widened by all of that motion, and they would overlap where friction
-     * stops it.
+     * Widens the gap by what the motion of the next h seconds opens. Contacts of two corners are
+     * left out: their gap would be widened by all of that motion, and they would overlap where
+     * friction stops it.
      */
     void bend(int row, double h) {
         int pair = contacts.pair[row];
@@ -72,8 +72,8 @@ public final class CurvedRows {
 
     /**
      * Time for which a touching face has no second point, s. A corner that has just come over the
-     * end of a face is the only point on it; the next one may land once the shorter of the two faces
-     * lies over the other one.
+     * end of a face is the only point on it; the next one may land once the shorter of the two
+     * faces lies over the other one.
      */
     double untilNewPoint(int row) {
         int pair = contacts.pair[row];
@@ -186,8 +186,8 @@ public final class CurvedRows {
     }
 
     /**
-     * Lever of the tangent at the corner of an outline's core, m; 0 for a disc. A rounded shape that
-     * turns about that corner changes nothing at the contact.
+     * Lever of the tangent at the corner of an outline's core, m; 0 for a disc. A rounded shape
+     * that turns about that corner changes nothing at the contact.
      */
     private double arm(int row, boolean isOfA) {
         int pair = contacts.pair[row];

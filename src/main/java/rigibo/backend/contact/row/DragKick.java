@@ -17,7 +17,8 @@ public final class DragKick {
     }
 
     /**
-     * Advances the velocities from one time to a later one, and stores that length for each body, s.
+     * Advances the velocities from one time to a later one, and stores that length for each body,
+     * s.
      */
     void accelerate(double from, double to, double[] lengths) {
         double[] m = motions.data;

@@ -33,7 +33,7 @@ public final class FreshRows {
     private final Pose poseA = new Pose();
     private final Pose poseB = new Pose();
 
-        /** By entry of the motions: the angle in rad whose cosine and sine are cached. */
+    /** By entry of the motions: the angle in rad whose cosine and sine are cached. */
     private double[] angles;
 
     private double[] cosines;

@@ -40,7 +40,8 @@ public final class IslandForces {
     }
 
     /**
-     * Greatest change of a body's pull in the last refresh, m/s², with angular ones times its radius.
+     * Greatest change of a body's pull in the last refresh, m/s², with angular ones times its
+     * radius.
      */
     double change() {
         return change;
@@ -77,8 +78,8 @@ public final class IslandForces {
     }
 
     /**
-     * Share of a force that is applied: 1, or less for a force that would reverse the motion it acts
-     * against within the kick, so that no drag, however strong, throws a body back.
+     * Share of a force that is applied: 1, or less for a force that would reverse the motion it
+     * acts against within the kick, so that no drag, however strong, throws a body back.
      */
     private double shareThatBrakes(double ax, double ay, double turn, double length) {
         instant.velocityX += length * ax;

@@ -66,8 +66,8 @@ public final class Kick {
     }
 
     /**
-     * Writes the present forces into the accelerations, for a kick from one time to another (s after
-     * the step's start), which may be the earlier one.
+     * Writes the present forces into the accelerations, for a kick from one time to another (s
+     * after the step's start), which may be the earlier one.
      */
     public void refresh(double from, double to) {
         if (forces != null) {

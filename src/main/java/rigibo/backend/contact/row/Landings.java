@@ -5,9 +5,10 @@ import rigibo.backend.setup.ImpactMode;
 
 /**
  * Times within a substep at which a contact point lands: a corner of a rocking block, a disc that
- * reaches the next plate of a bowl. A contact that is solved for a whole substep stops a body before
- * it arrives and supports it before it is there; both change energy by an error of first order in
- * the length of the substep. In an island of few bodies a substep is therefore cut at each landing.
+ * reaches the next plate of a bowl. A contact that is solved for a whole substep stops a body
+ * before it arrives and supports it before it is there; both change energy by an error of first
+ * order in the length of the substep. In an island of few bodies a substep is therefore cut at each
+ * landing.
  */
 public final class Landings {
 
@@ -18,13 +19,14 @@ public final class Landings {
     private static final int MOST_PARTS = 64;
 
     /**
-     * Speed below which a landing is neglected, as a share of the speed that a substep's kick gives.
+     * Speed below which a landing is neglected, as a share of the speed that a substep's kick
+     * gives.
      */
     private static final double SOFT = 1e-2;
 
     /**
-     * A body counts as struck if it gained more than this multiple of the speed that its acceleration
-     * gives it.
+     * A body counts as struck if it gained more than this multiple of the speed that its
+     * acceleration gives it.
      */
     private static final double IMPACT = 2;
 
@@ -103,8 +105,8 @@ public final class Landings {
     }
 
     /**
-     * Whether a point has landed in the last part, of a substep of h seconds. Until {@link #close} it
-     * counts as far away, since it carries nothing of the kick that ends here.
+     * Whether a point has landed in the last part, of a substep of h seconds. Until {@link #close}
+     * it counts as far away, since it carries nothing of the kick that ends here.
      */
     public boolean haveLanded(double h) {
         double soft = soft(h);
@@ -133,8 +135,8 @@ public final class Landings {
     }
 
     /**
-     * Keeps the gaps of landed points closed for as long as they carry, in a substep of h seconds. A
-     * point that the last kick left out as an impact counts as carrying, since its body must not
+     * Keeps the gaps of landed points closed for as long as they carry, in a substep of h seconds.
+     * A point that the last kick left out as an impact counts as carrying, since its body must not
      * fall for half a kick. Gaps that open by turning stay open, and so do those of bodies that a
      * driven body squeezes, which cannot fall.
      */
@@ -165,8 +167,8 @@ public final class Landings {
     }
 
     /**
-     * Time until the next landing, within the rest (h seconds) of a substep, s. It is at most {@code
-     * most}, since later other points may land.
+     * Time until the next landing, within the rest (h seconds) of a substep, s. It is at most
+     * {@code most}, since later other points may land.
      */
     public double untilNext(double h, double most) {
         if (!isLookedFor) {

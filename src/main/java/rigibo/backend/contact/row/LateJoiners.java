@@ -62,9 +62,9 @@ public final class LateJoiners {
     }
 
     /**
-     * Delays the late joiners of the packed island to the start of the substep of h seconds in which
-     * they join, by moving them back along their parabola. From there on they move as all other
-     * bodies do, so that they meet others in that substep at their true speed.
+     * Delays the late joiners of the packed island to the start of the substep of h seconds in
+     * which they join, by moving them back along their parabola. From there on they move as all
+     * other bodies do, so that they meet others in that substep at their true speed.
      */
     public void delayToSubsteps(double h) {
         double[] m = motions.data;

@@ -124,15 +124,17 @@ public final class Motions {
     }
 
     /**
-     * Predicted world x of the centre of mass of the body at an offset, m: {@code ahead} seconds from
-     * now, at a time in s after the step's start.
+     * Predicted world x of the centre of mass of the body at an offset, m: {@code ahead} seconds
+     * from now, at a time in s after the step's start.
      */
     public double x(Bodies bodies, int at, double ahead, double time) {
         double inFrame = bodies.x[slots[at / STRIDE]] + data[at + DX] + ahead * data[at + VX];
         return inFrame + time * frameX;
     }
 
-    /** Predicted world y of the centre of mass of the body at an offset, m, as {@link #x} gives x. */
+    /**
+     * Predicted world y of the centre of mass of the body at an offset, m, as {@link #x} gives x.
+     */
     public double y(Bodies bodies, int at, double ahead, double time) {
         double inFrame = bodies.y[slots[at / STRIDE]] + data[at + DY] + ahead * data[at + VY];
         return inFrame + time * frameY;
@@ -298,9 +300,7 @@ public final class Motions {
         return sum;
     }
 
-    /**
-     * Ratio of the largest mass of a movable body to the smallest; 1 if there is none.
-     */
+    /** Ratio of the largest mass of a movable body to the smallest; 1 if there is none. */
     public double massRatio() {
         double least = Double.POSITIVE_INFINITY;
         double most = 0;

@@ -100,8 +100,8 @@ public final class PackedContacts {
 
     /**
      * Compliance of every row, as a share of its effective inverse mass. It is too small to be seen
-     * but makes the distribution of a load over redundant contacts unique; without it their impulses
-     * drift.
+     * but makes the distribution of a load over redundant contacts unique; without it their
+     * impulses drift.
      */
     public static final double COMPLIANCE = 1e-10;
 
@@ -153,8 +153,8 @@ public final class PackedContacts {
     public int lastJoining;
 
     /**
-     * Contacts from here on are with immovable bodies. Every pass takes them last, so that the error
-     * it leaves is between movable bodies, and none sinks into the floor.
+     * Contacts from here on are with immovable bodies. Every pass takes them last, so that the
+     * error it leaves is between movable bodies, and none sinks into the floor.
      */
     public int groundStart;
 
@@ -208,9 +208,7 @@ public final class PackedContacts {
         return groundStart == count;
     }
 
-    /**
-     * Largest share of contacts that carry load in a pile where each body stands on two others.
-     */
+    /** Largest share of contacts that carry load in a pile where each body stands on two others. */
     public double shareLoaded() {
         return Math.min(1, 2.0 * bodies / count);
     }

@@ -47,9 +47,7 @@ public final class Recovery {
         return over > 0 ? Math.min(over * rate / (1 + rate), most * width * h) : 0;
     }
 
-    /**
-     * Kept overlap, in widths; in a crowd ten times the impact tolerance, within bounds.
-     */
+    /** Kept overlap, in widths; in a crowd ten times the impact tolerance, within bounds. */
     public static double kept(boolean isCrowd, Accuracy accuracy) {
         if (!isCrowd) {
             return KEPT_OVERLAP;
@@ -58,9 +56,7 @@ public final class Recovery {
         return Math.max(KEPT_OVERLAP, Math.min(MOST_KEPT, wanted));
     }
 
-    /**
-     * Kept overlap of a calm island, in widths.
-     */
+    /** Kept overlap of a calm island, in widths. */
     public static double keptIfCalm(boolean isCrowd, Accuracy accuracy) {
         double kept = kept(isCrowd, accuracy);
         return isCrowd ? KEPT_IF_CALM * kept : kept;

@@ -11,8 +11,8 @@ import rigibo.backend.storage.PointSpeeds;
 public final class RowBuilder {
 
     /**
-     * Relative determinant below which two points count as one, since their mass matrix would be too
-     * ill-conditioned.
+     * Relative determinant below which two points count as one, since their mass matrix would be
+     * too ill-conditioned.
      */
     private static final double DEPENDENT = 1e-4;
 
@@ -20,8 +20,8 @@ public final class RowBuilder {
     private static final double CRUSHED = 0.05;
 
     /**
-     * Overlap above which a driven body presses no further in a crowd, in widths; a hard impact there
-     * presses bodies deeper than {@link #CRUSHED} for a moment.
+     * Overlap above which a driven body presses no further in a crowd, in widths; a hard impact
+     * there presses bodies deeper than {@link #CRUSHED} for a moment.
      */
     private static final double HALTS_IN_A_CROWD = 0.25;
 
@@ -69,9 +69,7 @@ public final class RowBuilder {
         colours = new Colours(data);
     }
 
-    /**
-     * Packs an island whose first kick has a length of {@code firstKick} seconds.
-     */
+    /** Packs an island whose first kick has a length of {@code firstKick} seconds. */
     public void build(int island, double firstKick) {
         packBodies(island);
         int driven = motions.count;
@@ -149,7 +147,8 @@ public final class RowBuilder {
 
     /**
      * Writes a contact again whose manifold was measured at the present poses. Its gaps are
-     * converted to those at which the bodies entered the pile, since displacements count from there.
+     * converted to those at which the bodies entered the pile, since displacements count from
+     * there.
      */
     void rewrite(int row) {
         int pair = contacts.pair[row];

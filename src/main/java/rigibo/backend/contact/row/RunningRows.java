@@ -5,8 +5,8 @@ import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.Pairs;
 
 /**
- * Contacts with running surfaces, such as conveyors: friction aims at their speed. Both outlines run
- * counter-clockwise, so that their speeds add at a contact.
+ * Contacts with running surfaces, such as conveyors: friction aims at their speed. Both outlines
+ * run counter-clockwise, so that their speeds add at a contact.
  */
 public final class RunningRows {
 

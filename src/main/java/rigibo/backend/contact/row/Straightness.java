@@ -17,9 +17,7 @@ public final class Straightness {
     /** The deviation, in widths. */
     private final double tolerance;
 
-    /**
-     * Whether few bodies are followed closely: if impacts are resolved in time order.
-     */
+    /** Whether few bodies are followed closely: if impacts are resolved in time order. */
     public final boolean follows;
 
     public Straightness(Motions motions, Accuracy accuracy) {

@@ -6,10 +6,10 @@ import rigibo.backend.storage.Pairs;
 
 /**
  * Bodies that move farther in a step than was predicted when it began, because they or their
- * supports were struck. Their contacts were measured for a shorter distance, and a second corner may
- * land that was too far away to be a point. Islands of few bodies are left out: {@link Landings}
- * follow every landing there, and a body crushed between two walls would be measured against one and
- * then the other.
+ * supports were struck. Their contacts were measured for a shorter distance, and a second corner
+ * may land that was too far away to be a point. Islands of few bodies are left out: {@link
+ * Landings} follow every landing there, and a body crushed between two walls would be measured
+ * against one and then the other.
  */
 public final class Strays {
 
@@ -33,7 +33,9 @@ public final class Strays {
         this.contacts = contacts;
     }
 
-    /** Predicts the displacements of the packed bodies for the rest ({@code left} s) of the step. */
+    /**
+     * Predicts the displacements of the packed bodies for the rest ({@code left} s) of the step.
+     */
     public void begin(double left) {
         if (motions.areFew()) {
             return;

@@ -8,10 +8,10 @@ import rigibo.backend.storage.Pairs;
 
 /**
  * The contacts of bodies that turn fast. A row treats outlines and paths as straight lines. An
- * outline of radius R that turns by φ deviates from its line by the sagitta Rφ²/2, and by sφ more if
- * it slides by s meanwhile. If the sagitta of a step matters, the contact is measured again before
- * every substep; if that of a substep matters, the island gets more substeps and removes overlap at
- * once.
+ * outline of radius R that turns by φ deviates from its line by the sagitta Rφ²/2, and by sφ more
+ * if it slides by s meanwhile. If the sagitta of a step matters, the contact is measured again
+ * before every substep; if that of a substep matters, the island gets more substeps and removes
+ * overlap at once.
  */
 public final class TurningRows {
 
@@ -42,7 +42,9 @@ public final class TurningRows {
     /** Turn within such a part above which a contact is measured again, rad. */
     private static final double FAR = 0.5 * MOST_BEND;
 
-    /** Additional share of an overlap removed per second, per unit of that multiple above 1, 1/s. */
+    /**
+     * Additional share of an overlap removed per second, per unit of that multiple above 1, 1/s.
+     */
     private static final double AT_ONCE = 1e4;
 
     private final Bodies bodies;
@@ -95,7 +97,9 @@ public final class TurningRows {
         return (int) Math.ceil(usual * more);
     }
 
-    /** Number of faces that a body turns by in h seconds; after each it stands on another corner. */
+    /**
+     * Number of faces that a body turns by in h seconds; after each it stands on another corner.
+     */
     private double facesTurned(int slot, double h) {
         int corners = bodies.outline[slot].corners();
         return corners > 1 ? Math.abs(bodies.spin[slot]) * h * corners / (2 * Math.PI) : 0;
@@ -122,7 +126,9 @@ public final class TurningRows {
         }
     }
 
-    /** Number of parts of a substep of h seconds in which no body turns by more than an arc allows. */
+    /**
+     * Number of parts of a substep of h seconds in which no body turns by more than an arc allows.
+     */
     public int partsFor(double h) {
         double fastest = 0;
         for (int entry = 1; entry < motions.count; entry++) {
@@ -138,8 +144,8 @@ public final class TurningRows {
     }
 
     /**
-     * Measures again the contacts of bodies that turn far in the next h seconds and may close in the
-     * rest ({@code left} s) of the step, and predicts how their gaps change.
+     * Measures again the contacts of bodies that turn far in the next h seconds and may close in
+     * the rest ({@code left} s) of the step, and predicts how their gaps change.
      *
      * @return whether any contact was measured
      */
@@ -168,10 +174,10 @@ public final class TurningRows {
 
     /**
      * Widens the gap of a point by ½ω²h² of its arm, since within a substep a point that turns with
-     * its body deviates by that much from its tangent, towards the centre of mass. Along the surface
-     * the point may run ahead by as much as keeps it in place. A body that pivots on a corner then
-     * keeps its energy up to terms in h². If the gap closes by turning, the contact must part as fast
-     * as it closes.
+     * its body deviates by that much from its tangent, towards the centre of mass. Along the
+     * surface the point may run ahead by as much as keeps it in place. A body that pivots on a
+     * corner then keeps its energy up to terms in h². If the gap closes by turning, the contact
+     * must part as fast as it closes.
      */
     void bend(int row, double h) {
         int at = row * PackedContacts.STRIDE;
@@ -212,9 +218,9 @@ public final class TurningRows {
     }
 
     /**
-     * Further widening of a gap, m: the face of a contact that turns by φ while the other body slides
-     * along it by s draws away by φs. For a rounded shape the sliding point is that of its core,
-     * which does not follow the face.
+     * Further widening of a gap, m: the face of a contact that turns by φ while the other body
+     * slides along it by s draws away by φs. For a rounded shape the sliding point is that of its
+     * core, which does not follow the face.
      */
     private double faceTurnsAway(int row, double h) {
         int pair = contacts.pair[row];

@@ -8,8 +8,8 @@ import java.util.Arrays;
 /**
  * The order in which the contacts of an island are eliminated: breadth first from one end of the
  * pile to the other. Contacts that share a body are then near each other, and the envelope of the
- * factor stays narrow (E. Cuthill and J. McKee, Reducing the bandwidth of sparse symmetric matrices,
- * 1969).
+ * factor stays narrow (E. Cuthill and J. McKee, Reducing the bandwidth of sparse symmetric
+ * matrices, 1969).
  */
 final class ContactOrder {
 
@@ -110,8 +110,8 @@ final class ContactOrder {
     }
 
     /**
-     * Gives places from {@code from} on to the contacts of a body that have none; returns the end. The
-     * ground, offset 0, connects no contacts, since it passes no impulse on.
+     * Gives places from {@code from} on to the contacts of a body that have none; returns the end.
+     * The ground, offset 0, connects no contacts, since it passes no impulse on.
      */
     private int takeNeighbours(int offset, int from) {
         int end = from;

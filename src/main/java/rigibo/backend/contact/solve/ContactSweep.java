@@ -18,18 +18,16 @@ import java.util.Arrays;
  * flat box responds at both corners at once and does not rock.
  *
  * <p>Passes alternate their direction, so that loads that reach the ground in one pass come back up
- * in the next. A pass solves only contacts that are due: those whose bodies have changed their speed
- * by more than a threshold since the contact was last solved. Most of a heap is quiet at any time,
- * so passes that follow an impact through it cost little. In a crowd the threshold falls with the
- * overlap of a contact; otherwise the same places would sink in a little in every substep, for
+ * in the next. A pass solves only contacts that are due: those whose bodies have changed their
+ * speed by more than a threshold since the contact was last solved. Most of a heap is quiet at any
+ * time, so passes that follow an impact through it cost little. In a crowd the threshold falls with
+ * the overlap of a contact; otherwise the same places would sink in a little in every substep, for
  * seconds. A contact in a crowd that carries nothing and parts is skipped until its bodies may have
  * lost their parting speed.
  */
 public final class ContactSweep {
 
-    /**
-     * Neglected change of speed, as a share of the relative speed of the two bodies.
-     */
+    /** Neglected change of speed, as a share of the relative speed of the two bodies. */
     private static final double OF_THEIR_OWN = 0.3;
 
     /** Overlap in widths from which on a contact is solved most strictly. */
@@ -39,9 +37,9 @@ public final class ContactSweep {
     private static final double STRICTLY = 0.003;
 
     /**
-     * Change of speed that counts as round-off, as a share of the neglected one. Between bodies that
-     * stand side by side without pressing each other, round-off alone would decide whether they
-     * close or part, and with that which contacts are solved again.
+     * Change of speed that counts as round-off, as a share of the neglected one. Between bodies
+     * that stand side by side without pressing each other, round-off alone would decide whether
+     * they close or part, and with that which contacts are solved again.
      */
     private static final double NOISE = 1e-6;
 
@@ -83,10 +81,10 @@ public final class ContactSweep {
     }
 
     /**
-     * Makes passes until no contact is due, for a substep of h seconds whose kick lasts {@code kick}
-     * seconds. The compliance of a contact is proportional to its force rather than its impulse, so
-     * that a body with the same force in a half kick and in a whole one moves alike in both, and can
-     * rest.
+     * Makes passes until no contact is due, for a substep of h seconds whose kick lasts {@code
+     * kick} seconds. The compliance of a contact is proportional to its force rather than its
+     * impulse, so that a body with the same force in a half kick and in a whole one moves alike in
+     * both, and can rest.
      *
      * @param share neglected change of speed, in widths of the contact per substep
      * @param quiet upper bound on the neglected change of speed of any contact, m/s
@@ -127,7 +125,9 @@ public final class ContactSweep {
         }
     }
 
-    /** Whether a contact would sink in by more than a number of widths in a substep of h seconds. */
+    /**
+     * Whether a contact would sink in by more than a number of widths in a substep of h seconds.
+     */
     public boolean isSinking(double h, int substep, double most) {
         boolean isSinking = false;
         for (int row = 0; !isSinking && row < contacts.count; row++) {
@@ -184,7 +184,9 @@ public final class ContactSweep {
         return solved;
     }
 
-    /** Stores the speeds that gaps allow; bodies do not move within a sweep, so gaps are constant. */
+    /**
+     * Stores the speeds that gaps allow; bodies do not move within a sweep, so gaps are constant.
+     */
     private void begin(double h, int substep, double sharePerSecond, double quiet, double least) {
         if (changed.length < motions.count) {
             changed = new double[motions.slots.length];
@@ -221,9 +223,10 @@ public final class ContactSweep {
     }
 
     /**
-     * Neglected change of speed of a contact, m/s. It depends on the contact's own bodies: otherwise
-     * one body that falls through a heap would make all of the heap inaccurate, which would sink a
-     * little everywhere, be pushed apart, let other bodies fall and never come to rest.
+     * Neglected change of speed of a contact, m/s. It depends on the contact's own bodies:
+     * otherwise one body that falls through a heap would make all of the heap inaccurate, which
+     * would sink a little everywhere, be pushed apart, let other bodies fall and never come to
+     * rest.
      */
     private double quietBetween(int row, double quiet, double least) {
         double[] m = motions.data;
@@ -238,8 +241,9 @@ public final class ContactSweep {
     }
 
     /**
-     * Finds whether a contact carries nothing and parts. The change of its bodies' speed bounds that
-     * of its points, so that until it reaches the parting speed a solution would change nothing.
+     * Finds whether a contact carries nothing and parts. The change of its bodies' speed bounds
+     * that of its points, so that until it reaches the parting speed a solution would change
+     * nothing.
      */
     private void leaveAloneWhatParts(int row) {
         double[] d = contacts.data;

@@ -12,8 +12,8 @@ import java.util.Arrays;
 
 /**
  * Solves all loaded rows of a small island at once. Passes carry a load through a stack of N bodies
- * only after some N² passes, and its bending after N⁴, so that a tower sways and a light box under a
- * heavy one sinks; one elimination solves both exactly.
+ * only after some N² passes, and its bending after N⁴, so that a tower sways and a light box under
+ * a heavy one sinks; one elimination solves both exactly.
  *
  * <p>The rows that carry load are solved as equations: K·Δj = −w with K = J·M⁻¹·Jᵀ (Baraff, "Fast
  * contact force computation for nonpenetrating rigid bodies", 1994). The step towards the solution
@@ -116,7 +116,9 @@ public final class DirectSolver {
         return factor.work() > worth;
     }
 
-    /** Whether there is nothing to eliminate: a single disc's normal and friction are independent. */
+    /**
+     * Whether there is nothing to eliminate: a single disc's normal and friction are independent.
+     */
     private boolean isUncoupled() {
         return contacts.count == 1 && contacts.points[0] == 1;
     }
@@ -140,8 +142,8 @@ public final class DirectSolver {
 
     /**
      * Solves the rows near the solution by Newton's method, where sliding friction follows from the
-     * load being solved for rather than from the last one. Returns whether it succeeded; if not, the
-     * state is restored.
+     * load being solved for rather than from the last one. Returns whether it succeeded; if not,
+     * the state is restored.
      */
     public boolean solveByNewton(double h, int substep, double settled, boolean isNearby) {
         if (isUncoupled()) {
@@ -246,8 +248,8 @@ public final class DirectSolver {
     }
 
     /**
-     * Limits the displacement of any body, m. Otherwise contradicting overlaps, of a body between two
-     * immovable ones, would be resolved by moving it around them.
+     * Limits the displacement of any body, m. Otherwise contradicting overlaps, of a body between
+     * two immovable ones, would be resolved by moving it around them.
      */
     private void limitWay(double most) {
         double farthest = 0;
@@ -281,8 +283,8 @@ public final class DirectSolver {
     }
 
     /**
-     * Adds the rows of a contact that would still carry load after their own next change. A row that
-     * is about to lose its load would only shorten the step of all others.
+     * Adds the rows of a contact that would still carry load after their own next change. A row
+     * that is about to lose its load would only shorten the step of all others.
      */
     private void chooseLoadedOf(int place) {
         int before = size;

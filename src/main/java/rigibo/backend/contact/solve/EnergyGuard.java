@@ -9,8 +9,8 @@ import rigibo.backend.contact.row.SingleRows;
 /**
  * Keeps contacts from adding energy. The work of impulses j, without that of driven bodies, is Σ
  * j·(w₀ + w₁)/2, where w₀ and w₁ are the relative speeds along the rows before and after. Converged
- * contacts never do positive work. If rows did not converge, all impulses are scaled down until their
- * work is within bounds, which keeps momentum and angular momentum.
+ * contacts never do positive work. If rows did not converge, all impulses are scaled down until
+ * their work is within bounds, which keeps momentum and angular momentum.
  */
 public final class EnergyGuard {
 
@@ -24,9 +24,7 @@ public final class EnergyGuard {
     private final PackedContacts contacts;
     private final SingleRows single;
 
-    /**
-     * Kinetic energy before contacts are solved, J.
-     */
+    /** Kinetic energy before contacts are solved, J. */
     private double energyBefore;
 
     /** Number of impacts resolved by then. */
@@ -66,8 +64,8 @@ public final class EnergyGuard {
     }
 
     /**
-     * Scales all impulses down so that they add no more than a multiple of the kinetic energy before
-     * them.
+     * Scales all impulses down so that they add no more than a multiple of the kinetic energy
+     * before them.
      */
     public void limitGrowth(double multiple) {
         limitWork(multiple * energyBefore);

@@ -10,9 +10,10 @@ import rigibo.backend.contact.row.Motions;
 import rigibo.backend.contact.row.PackedContacts;
 
 /**
- * Keeps removal of overlap from pushing bodies into immovable ones. A body that is afterwards deeper
- * in the ground than intended is moved back by the difference. Its neighbours then keep that much
- * more of their overlap with it, since between movable bodies and the ground the former must yield.
+ * Keeps removal of overlap from pushing bodies into immovable ones. A body that is afterwards
+ * deeper in the ground than intended is moved back by the difference. Its neighbours then keep that
+ * much more of their overlap with it, since between movable bodies and the ground the former must
+ * yield.
  */
 final class GroundHold {
 

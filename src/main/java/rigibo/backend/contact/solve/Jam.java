@@ -65,8 +65,8 @@ final class Jam {
 
     /**
      * Removes the overlap of the listed contacts beyond the kept one (widths), in a substep of h
-     * seconds; the fastest body sets the pace of all. If even that one would hardly move, no body is
-     * moved, since the island cannot be separated further.
+     * seconds; the fastest body sets the pace of all. If even that one would hardly move, no body
+     * is moved, since the island cannot be separated further.
      */
     void part(int[] deep, int count, double kept, double h, int substep) {
         moved.begin();

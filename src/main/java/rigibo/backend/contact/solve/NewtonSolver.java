@@ -34,6 +34,7 @@ final class NewtonSolver {
 
     /** By row of the set: the change of its impulse to be solved for, N·s. */
     private double[] unknown = new double[64];
+
     private int size;
 
     /** Speed in m/s below which the load that causes it counts as none. */

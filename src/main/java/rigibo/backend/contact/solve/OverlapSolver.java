@@ -27,8 +27,8 @@ public final class OverlapSolver {
 
     /**
      * Ratio of masses up to which crushed bodies are separated as a jam. With larger ratios the
-     * pushes would hardly move the heavy body: one of a thousand times the mass that presses another
-     * against a wall, for instance.
+     * pushes would hardly move the heavy body: one of a thousand times the mass that presses
+     * another against a wall, for instance.
      */
     private static final double ALIKE = 30;
 
@@ -97,8 +97,8 @@ public final class OverlapSolver {
     }
 
     /**
-     * Makes passes over all overlapping contacts, for a substep of h seconds, from the ground up and
-     * back. Together they part two bodies no faster than a single pass may.
+     * Makes passes over all overlapping contacts, for a substep of h seconds, from the ground up
+     * and back. Together they part two bodies no faster than a single pass may.
      */
     public void correctInPasses(double h, int substep, int passes) {
         findDeep(substep);
@@ -139,7 +139,9 @@ public final class OverlapSolver {
         }
     }
 
-    /** Whether removal would move no body of a jammed island that has not moved yet, in h seconds. */
+    /**
+     * Whether removal would move no body of a jammed island that has not moved yet, in h seconds.
+     */
     public boolean isBlocked(double h) {
         if (isJammed) {
             partJammed(h, 0);
@@ -174,8 +176,8 @@ public final class OverlapSolver {
     }
 
     /**
-     * Stores how deep bodies may be in the ground after h seconds of removal. Bodies that are visibly
-     * deep come out at the rate of one contact, however many others push them in.
+     * Stores how deep bodies may be in the ground after h seconds of removal. Bodies that are
+     * visibly deep come out at the rate of one contact, however many others push them in.
      */
     private void noteGround(double h) {
         for (int row = contacts.groundStart; row < contacts.count; row++) {
@@ -272,9 +274,9 @@ public final class OverlapSolver {
     }
 
     /**
-     * Moves two bodies that were pushed apart by the same displacement, so that only the upper one has
-     * moved if it lies straight above. Otherwise the bodies below would have to push the lower one
-     * back, storey by storey, and a heap would keep creeping.
+     * Moves two bodies that were pushed apart by the same displacement, so that only the upper one
+     * has moved if it lies straight above. Otherwise the bodies below would have to push the lower
+     * one back, storey by storey, and a heap would keep creeping.
      */
     private void raise(int a, int b, double px, double py) {
         double[] m = motions.data;

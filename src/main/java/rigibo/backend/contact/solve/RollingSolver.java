@@ -10,8 +10,8 @@ import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.Pairs;
 
 /**
- * Solves the rolling rows, |jᵣ| ≤ c·Σjₙ, of all contacts with rolling resistance, each together with
- * the friction of its contact.
+ * Solves the rolling rows, |jᵣ| ≤ c·Σjₙ, of all contacts with rolling resistance, each together
+ * with the friction of its contact.
  */
 public final class RollingSolver implements Rubbing {
 
@@ -89,8 +89,8 @@ public final class RollingSolver implements Rubbing {
 
     /**
      * Solves rolling and friction together where both hold. Solved in turn, rolling would brake the
-     * turning and friction the motion, each would undo a part of the other, and the wheel would creep
-     * back.
+     * turning and friction the motion, each would undo a part of the other, and the wheel would
+     * creep back.
      */
     @Override
     public void roll(int row) {

@@ -9,9 +9,9 @@ import java.util.Arrays;
 
 /**
  * The matrix K = J·M⁻¹·Jᵀ of a set of single rows, with their compliances on its diagonal, factored
- * as L·U within its envelope, which in a stack is a band of six rows. If contacts slide, their loads
- * cause friction too, and K + s·μ·J·M⁻¹·Tᵀ is not symmetric. If none slides, U = D·Lᵀ takes half the
- * work.
+ * as L·U within its envelope, which in a stack is a band of six rows. If contacts slide, their
+ * loads cause friction too, and K + s·μ·J·M⁻¹·Tᵀ is not symmetric. If none slides, U = D·Lᵀ takes
+ * half the work.
  */
 final class RowFactor {
 
@@ -34,6 +34,7 @@ final class RowFactor {
 
     /** By row of the factored set: s·μ of a sliding contact's normal, otherwise 0. */
     private double[] sliding = new double[64];
+
     private boolean isSymmetric = true;
     private int size;
 

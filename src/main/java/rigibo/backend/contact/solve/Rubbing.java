@@ -1,8 +1,6 @@
 package rigibo.backend.contact.solve;
 
-/**
- * The tangential rows of contacts, as declared: none, friction, rolling resistance, or both.
- */
+/** The tangential rows of contacts, as declared: none, friction, rolling resistance, or both. */
 public interface Rubbing {
 
     /** Writes the rows of the packed island, whose first kick has {@code firstKick} seconds. */
