@@ -39,7 +39,10 @@ import rigibo.backend.storage.PairTolerances;
  */
 final class IslandSolver {
 
-    /** Share of a substep that counts as no time, but is too long to close a gap of round-off. */
+    /**
+     * Share of a substep that stands for no time. It is not 0, so that the speed at which a gap of
+     * round-off may close, gap over time, stays negligible.
+     */
     private static final double NO_TIME = 1e-3;
 
     /** Finest accuracy of passes, as a share of the island's fastest speed. */
@@ -51,7 +54,7 @@ final class IslandSolver {
      */
     private static final double MOST_LEVERAGE = 2;
 
-    /** Greatest speed that passes may leave, as the same multiple. */
+    /** Greatest speed that passes may leave, as a multiple of that fastest speed. */
     private static final double MOST_LEVERAGE_OF_PASSES = 8;
 
     /**
@@ -116,7 +119,9 @@ final class IslandSolver {
     /** Length of the last kick, s. */
     private double kicked;
 
-    /** Length of the last part of a substep, s, usually a whole one; 0 before the first kick. */
+    /**
+     * Length of the last part, s, usually a substep; 0 if velocities are those of the present time.
+     */
     private double lastPart;
 
     /**

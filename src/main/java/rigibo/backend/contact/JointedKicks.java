@@ -16,7 +16,10 @@ import rigibo.backend.storage.Pairs;
  */
 final class JointedKicks {
 
-    /** Share of a substep that counts as no time, but is too long to close a gap of round-off. */
+    /**
+     * Share of a substep that stands for no time. It is not 0, so that the speed at which a gap of
+     * round-off may close, gap over time, stays negligible.
+     */
     private static final double NO_TIME = 1e-3;
 
     /** Passes over overlap in a substep; the next substep continues. */

@@ -74,7 +74,7 @@ public final class Landings {
     /** Whether the last part began with a landing, whose impact is included in the gains. */
     private boolean beganByLanding;
 
-    /** Length of the last part, s; 0 before the first kick. */
+    /** Length of the last part, s; 0 if velocities are those of the present time. */
     private double lastPart;
 
     /** Length of the kick in the middle of the last part, s. */

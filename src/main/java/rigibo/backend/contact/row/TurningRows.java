@@ -43,7 +43,8 @@ public final class TurningRows {
     private static final double FAR = 0.5 * MOST_BEND;
 
     /**
-     * Additional share of an overlap removed per second, per unit of that multiple above 1, 1/s.
+     * Additional share of an overlap removed per second, 1/s, for each unit by which the multiple
+     * of substeps exceeds 1: practically all of it in one substep.
      */
     private static final double AT_ONCE = 1e4;
 
