@@ -7,7 +7,7 @@ import rigibo.backend.geometry.Outline;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.Found;
 
-/** Strikes what an explosion reaches. */
+/** Applies the impulses of an {@link Explosion} to the bodies it reaches. */
 final class Blast {
 
     private final Bodies bodies;
@@ -16,7 +16,7 @@ final class Blast {
     private final PointAndRay pointAndRay = new PointAndRay();
     private final Pose pose = new Pose();
 
-    /** Who has been pushed, once for each shape. */
+    /** Bodies that were pushed, listed once for each of their shapes. */
     private final Found struck = new Found();
 
     Blast(Bodies bodies, PoolQueries queries, BodyEditor editor) {
@@ -53,7 +53,7 @@ final class Blast {
         pose.set(bodies.x[body], bodies.y[body], bodies.cos[body], bodies.sin[body]);
         double distance = pointAndRay.nearest(outline, pose, explosion.x(), explosion.y());
         double share = explosion.shareAt(distance);
-        // What holds the point is struck through its centre of mass.
+        // A shape that contains the centre of the explosion is pushed at its centre of mass.
         double atX = distance > 0 ? pointAndRay.pointX : pose.x;
         double atY = distance > 0 ? pointAndRay.pointY : pose.y;
         double dx = atX - explosion.x();
@@ -69,7 +69,7 @@ final class Blast {
         struck.add(body);
     }
 
-    /** Extent in m of an outline along a unit direction of the world. */
+    /** Extent in m of an outline along a unit vector in the world frame. */
     private double width(Outline outline, double x, double y) {
         double localX = pose.cos * x + pose.sin * y;
         double localY = pose.cos * y - pose.sin * x;
@@ -83,7 +83,7 @@ final class Blast {
         return most - least + 2 * outline.radius();
     }
 
-    /** What moves as it does before the first is struck: nobody changes where one is refused. */
+    /** Velocities before the explosion: they are restored if one body would become too fast. */
     private static final class VelocitiesKept {
 
         private final Bodies bodies;

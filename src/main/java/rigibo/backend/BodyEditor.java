@@ -21,7 +21,8 @@ import rigibo.backend.storage.Pairs;
 import rigibo.backend.storage.Waking;
 
 /**
- * Changes bodies between steps: every edit is checked first, then made, and wakes what it may move.
+ * Changes bodies between steps. Every edit is checked first, then made, and wakes the bodies whose
+ * motion it may change.
  */
 final class BodyEditor {
 
@@ -33,10 +34,10 @@ final class BodyEditor {
     private final SupportLoss supportLoss;
     private final BodyShapes shapes;
 
-    /** Changes how bodies move. */
+    /** Edits of motion: velocity, forces, drives, sleep. */
     final MotionEditor motion;
 
-    /** Changes what bodies are kept from. */
+    /** Edits of locks. */
     final LockEditor locks;
 
     BodyEditor(Pool pool, DataStorage data, StepPlan plan) {
@@ -76,7 +77,7 @@ final class BodyEditor {
         return slot;
     }
 
-    /** Lays the first fixtures of a body that is new to contacts. */
+    /** Makes the fixtures of a body that is new to the broadphase. */
     private void join(int slot) {
         if (plan.broadphase() != null) {
             for (int s = slot; s != Pairs.NONE; s = bodies.nextShapeOf(s)) {
@@ -88,12 +89,12 @@ final class BodyEditor {
         }
     }
 
-    /** Whether a body has a fixture: there are contacts, and it takes part. */
+    /** Whether a body has fixtures: {@code Contacts} is declared and the body is enabled. */
     private boolean isInBroadphase(int slot) {
         return plan.broadphase() != null && !bodies.isDisabled(slot);
     }
 
-    /** Lays the fixture of a body that was placed or shaped anew, and forgets its contacts. */
+    /** Refits the fixtures of a body that was moved or reshaped, and removes its contacts. */
     private void refit(int slot) {
         if (isInBroadphase(slot)) {
             pool.contacts().ended.cutAllOf(slot);
@@ -112,7 +113,7 @@ final class BodyEditor {
         data.roster.isStale = true;
     }
 
-    /** Takes the fixture of a body that goes, and wakes what rested on it. */
+    /** Removes the fixtures of a body that is removed, and wakes what rested on it. */
     private void leave(int slot) {
         supportLoss.wakeNeighbours(slot);
         forgetVisits(slot);
@@ -194,7 +195,7 @@ final class BodyEditor {
         waking.wake(slot);
     }
 
-    /** The slot of a part of a body. */
+    /** The slot of a part of a body; refuses a part that the shape does not have. */
     private int partOf(int slot, String verb, int part) {
         int last = bodies.shape[slot].parts() - 1;
         return bodies.shapeOf(slot, Require.within("RigidBody." + verb + " part", part, 0, last));
@@ -223,7 +224,7 @@ final class BodyEditor {
         pairAnew(slot);
     }
 
-    /** Forgets whom a body met, and looks for whom it meets. */
+    /** Removes the pairs of a body and searches for new ones. */
     private void pairAnew(int slot) {
         if (isInBroadphase(slot)) {
             pool.contacts().ended.cutAllOf(slot);
@@ -269,7 +270,7 @@ final class BodyEditor {
         return shape.kind() == ShapeKind.CHAIN;
     }
 
-    /** Nothing that has no mass may be dynamic. */
+    /** Refuses a dynamic chain, which has no mass. */
     private static void requireMass(String verb, BodyType type, Shape shape) {
         if (type == BodyType.DYNAMIC && isChain(shape)) {
             throw new IllegalArgumentException(
@@ -277,7 +278,7 @@ final class BodyEditor {
         }
     }
 
-    /** Another number of shapes takes other slots, and other fixtures. */
+    /** Gives a body a shape with other parts, hence other slots and other fixtures. */
     private void exchange(int slot, Shape shape, MassProperties plate) {
         forgetVisits(slot);
         if (isInBroadphase(slot)) {
@@ -290,9 +291,9 @@ final class BodyEditor {
     }
 
     /**
-     * Declares other effects: columns come and go, everything wakes. Where bodies begin to turn,
-     * they do so from rest, with the inertia stated or that of their shape; where they no longer
-     * do, they keep the angle they have.
+     * Declares other effects: adds and drops columns and wakes every body. If {@code Rotation} is
+     * newly declared, bodies start to turn from rest, with the inertia stated or that of their
+     * shape; if it no longer is, they keep their present angle.
      */
     void effects(Effects effects) {
         boolean hadContacts = plan.broadphase() != null;
@@ -330,11 +331,11 @@ final class BodyEditor {
         if (data.visits != null && sensed != effects.declares(Sensors.class)) {
             findVisitsAnew();
         }
-        // What is driven by its spin alone is driven only where bodies turn.
+        // A kinematic body that only spins counts as moving only while rotation is declared.
         data.roster.isStale = true;
     }
 
-    /** Where sensors are declared again they look for who is there. */
+    /** Makes the pairs of sensors again once {@code Sensors} is declared. */
     private void findVisitsAnew() {
         data.visits.clear();
         for (int slot = 0; slot < bodies.slots.high; slot++) {
@@ -353,7 +354,7 @@ final class BodyEditor {
         }
     }
 
-    /** Writes what follows from what a snapshot holds. */
+    /** Computes the derived columns from those that a snapshot holds. */
     void derive() {
         for (int slot = 0; slot < bodies.slots.high; slot++) {
             if (bodies.isBody(slot)) {

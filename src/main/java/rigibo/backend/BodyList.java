@@ -12,26 +12,27 @@ import java.util.Spliterator;
 import java.util.Spliterators;
 
 /**
- * The bodies of a pool in the order they were added. Who is taken out leaves a gap, so that removal
- * takes the same time among many; gaps are closed when somebody reads on beyond the first of them.
+ * The bodies of a pool in the order they were added. A removed body leaves a gap, so that the cost
+ * of a removal does not grow with the number of bodies; the gaps are closed when an index beyond
+ * the first of them is read.
  *
- * <p>Nobody but the pool changes the list, so to all others it is one that cannot be changed.
+ * <p>Only the pool changes the list; as a {@link java.util.List} it is read-only.
  */
 final class BodyList extends AbstractList<RigidBody> implements RandomAccess {
 
     private RigidBody[] places = new RigidBody[16];
     private RigidBody[] bySlot = new RigidBody[16];
 
-    /** Places up to here are taken or gaps; there are no gaps before the first one. */
+    /** End of the used range of {@code places}; the range has no gap before {@code firstGap}. */
     private int high;
 
     private int firstGap;
     private int size;
 
-    /** How often a body was given another place: the cost of removals, in a test. */
+    /** How often closing gaps moved a body: tests bound the cost of removals by it. */
     private long moves;
 
-    /** Adds a body at the end, and answers it. */
+    /** Adds a body at the end and returns it. */
     RigidBody append(RigidBody body) {
         if (high == places.length) {
             closeGaps();
@@ -48,7 +49,7 @@ final class BodyList extends AbstractList<RigidBody> implements RandomAccess {
         return body;
     }
 
-    /** Takes a body out that is in the list. */
+    /** Removes a body that is in the list. */
     void drop(RigidBody body) {
         bySlot[body.slot()] = null;
         places[body.place] = null;
@@ -93,14 +94,15 @@ final class BodyList extends AbstractList<RigidBody> implements RandomAccess {
     }
 
     /**
-     * Of the iterator, which refuses a change at once; that of lists does so when it is through.
+     * Built on the iterator, which reports a change at once; the one that lists have by default
+     * reports it only at the end.
      */
     @Override
     public Spliterator<RigidBody> spliterator() {
         return Spliterators.spliterator(this, Spliterator.ORDERED | Spliterator.NONNULL);
     }
 
-    /** Doubles the room where closing the gaps did not leave half of it. */
+    /** Doubles the array, unless closing the gaps freed at least half of it. */
     private void makeRoom() {
         if (high > places.length / 2) {
             places = Arrays.copyOf(places, 2 * places.length);
@@ -126,8 +128,8 @@ final class BodyList extends AbstractList<RigidBody> implements RandomAccess {
     }
 
     /**
-     * Says that there is more once the list has changed, whatever its size is now: {@link #next}
-     * then refuses to go on, where a comparison of sizes would end a loop one body too early.
+     * After a change of the list {@link #hasNext} is always true, so that {@link #next} throws;
+     * comparing the index with the new size could end a loop silently one body too early.
      */
     private final class Walk implements ListIterator<RigidBody> {
 

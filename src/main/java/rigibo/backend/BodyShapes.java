@@ -13,7 +13,9 @@ import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.Need;
 import rigibo.backend.storage.Pairs;
 
-/** Writes what the slots of a body hold of its shapes: outline, surface and filter of each part. */
+/**
+ * Writes the columns of a body's shapes, one slot for each part: outline, surface, filter, sensor.
+ */
 final class BodyShapes {
 
     private final DataStorage data;
@@ -24,7 +26,9 @@ final class BodyShapes {
         bodies = data.bodies;
     }
 
-    /** Takes a slot for each part of a new body but the first, and writes them. */
+    /**
+     * Takes a slot for each further part of a new body (the first has one) and writes all parts.
+     */
     void add(int body, BodyDefinition definition) {
         take(body, definition.shape());
         write(body, definition.shape());
@@ -37,7 +41,9 @@ final class BodyShapes {
         }
     }
 
-    /** Gives a body another number of parts, with the material and the filter of its first one. */
+    /**
+     * Gives a body a shape with other parts; all of them get the old first part's material, filter.
+     */
     void exchange(int body, Shape shape) {
         Filter filter = filter(body);
         boolean isWhole = bodies.isSensor(body) && !isSensor(bodies.shape[body], 0);
@@ -54,7 +60,7 @@ final class BodyShapes {
         }
     }
 
-    /** Gives back the slots of all parts but the first. */
+    /** Releases the slots of all parts but the first. */
     void release(int body) {
         int slot = bodies.nextShapeOf(body);
         while (slot != Pairs.NONE) {
@@ -64,7 +70,7 @@ final class BodyShapes {
         }
     }
 
-    /** The columns of compounds, and of what is one-sided, come with the first of them. */
+    /** Takes the slots; the columns of compounds and chains are made when the first one comes. */
     private void take(int body, Shape shape) {
         if (shape.parts() > 1) {
             data.hold(Need.COMPOUNDS);
@@ -80,8 +86,8 @@ final class BodyShapes {
     }
 
     /**
-     * The outline of each part is that of one slot; shape, reach and width of the body's own slot
-     * are those of the whole.
+     * Writes each part's outline into its slot. The body's own slot (of its first part) also holds
+     * the shape, bounding radius and width of the whole.
      */
     void write(int body, Shape shape) {
         double sweep = 0;
@@ -122,7 +128,7 @@ final class BodyShapes {
                 : ((Compound) shape).part(part).shape();
     }
 
-    /** Makes every part of the same stuff. */
+    /** Gives every part the same material. */
     void material(int body, Material material) {
         for (int slot = body; slot != Pairs.NONE; slot = bodies.nextShapeOf(slot)) {
             writeSurface(slot, material);
@@ -134,12 +140,12 @@ final class BodyShapes {
         writeSurface(slot, surface(material, bodies.material[bodies.bodyOf(slot)]));
     }
 
-    /** Density and drag are those of the body. */
+    /** A part's surface material, with the density and drag of the body. */
     private static Material surface(Material stated, Material body) {
         return stated.density(body.density()).drag(body.drag());
     }
 
-    /** Writes the columns that follow from the materials anew. */
+    /** Writes the columns that depend on the materials again. */
     void writeSurfaces(int body) {
         for (int slot = body; slot != Pairs.NONE; slot = bodies.nextShapeOf(slot)) {
             writeSurface(slot, bodies.material[slot]);
@@ -172,7 +178,7 @@ final class BodyShapes {
         }
     }
 
-    /** The columns of filters come with the first body that does not meet everybody. */
+    /** Writes a filter; the columns of categories are made when the first body needs them. */
     void filter(int slot, Filter filter) {
         if (!filter.isPlain()) {
             bodies.hold(Need.FILTERS);

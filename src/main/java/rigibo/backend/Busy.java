@@ -1,11 +1,11 @@
 package rigibo.backend;
 
-/** What a pool is in the midst of, and what it therefore refuses. */
+/** Whether a pool is in a step or a visitor's call; refuses what may not happen meanwhile. */
 final class Busy {
 
     private boolean isStepping;
 
-    /** Visits of contacts that have not come to their end. */
+    /** Calls of {@code forEach…} methods that have not returned yet. */
     private int visits;
 
     void beginStep() {
@@ -29,7 +29,7 @@ final class Busy {
     }
 
     /**
-     * Refuses to read what a step is writing.
+     * Refuses reads while a step writes.
      *
      * @throws IllegalStateException within a step
      */
@@ -40,9 +40,9 @@ final class Busy {
     }
 
     /**
-     * Refuses to change what is being worked on or looked at.
+     * Refuses changes during a step or a visit.
      *
-     * @throws IllegalStateException within a step or a visit of contacts
+     * @throws IllegalStateException within a step or a visitor's call
      */
     void requireChangeable(String what) {
         requireBetweenSteps(what);

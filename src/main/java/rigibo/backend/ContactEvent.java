@@ -1,16 +1,16 @@
 package rigibo.backend;
 
 /**
- * A contact as it was in the last step; plain data, read after the step.
+ * A contact of the last step: plain data, read after the step.
  *
- * <p>Two bodies, or two parts of them where one is a {@code Compound}, are told one {@code BEGIN},
- * a {@code PERSIST} for each further step in which they touch, asleep or not, and one {@code END}.
- * A contact may also end by an edit between two steps: a body was removed, placed anew or given
- * another shape or type, or {@code Contacts} are no longer declared. Then {@code END} comes with
- * the step after the edit, where the contact was, with an impulse of 0; two bodies that touch in
- * that step again {@code PERSIST}. A body that was removed is named all the same: see {@link
- * #bothAlive}. Only a restored pool, which has no handle on a body that was removed before its
- * snapshot, cannot tell what would name it.
+ * <p>When two bodies (or two parts, where one is a {@code Compound}) touch, the pool reports one
+ * {@code BEGIN}, a {@code PERSIST} in each further step in which they touch, asleep or not, and one
+ * {@code END}. An edit between steps can end a contact too: a body is removed, moved or given
+ * another shape or type, or {@code Contacts} is no longer declared. The step after the edit then
+ * reports {@code END} at the contact's old place with an impulse of 0, or {@code PERSIST} if the
+ * bodies touch again in that step. A removed body is still named, see {@link #bothAlive}; only a
+ * restored pool leaves out contacts with bodies removed before the snapshot, since it has no
+ * handles on them.
  *
  * <pre>{@code
  * for (ContactEvent contact : pool.contactEvents()) {
@@ -22,16 +22,16 @@ package rigibo.backend;
  *
  * @param a the body the normal points away from
  * @param b the body the normal points to
- * @param partA which part of a's shape touches, from 0; 0 of a shape in one piece
- * @param partB which part of b's shape touches
+ * @param partA index of the part of a's shape that touches, from 0; 0 for a shape in one piece
+ * @param partB index of the part of b's shape that touches
  * @param phase whether the contact began, persisted or ended
- * @param x world x of the contact's middle, m
- * @param y world y of the contact's middle, m
+ * @param x world x of the contact's midpoint, m
+ * @param y world y of the contact's midpoint, m
  * @param normalX unit normal from a to b
  * @param normalY unit normal from a to b
- * @param impulse normal impulse of the step in N·s, impacts included, 0 or more
- * @param isCrushing whether the two overlap deeper than 5 % of the smaller width, for something had
- *     to give
+ * @param impulse total normal impulse in the step, impacts included, N·s, 0 or more
+ * @param isCrushing whether the bodies are forced into each other: they overlap by more than 5 % of
+ *     the smaller one's width
  */
 public record ContactEvent(
         RigidBody a,
@@ -46,18 +46,18 @@ public record ContactEvent(
         double impulse,
         boolean isCrushing) {
 
-    /** Whether neither body was removed. */
+    /** Whether both bodies are still in the pool. */
     public boolean bothAlive() {
         return a.isAlive() && b.isAlive();
     }
 
     /** What became of the contact in the step. */
     public enum Phase {
-        /** The bodies touch and did not in the step before; a bounce within one step begins too. */
+        /** The bodies touch, if only for a bounce, and did not touch in the step before. */
         BEGIN,
-        /** They touch and did in the step before, whatever happened to them in between. */
+        /** They touch and touched in the step before, whatever edits came between. */
         PERSIST,
-        /** They touched in the step before and do not any more, or one of them is gone. */
+        /** They touched in the step before and no longer do, or one of them was removed. */
         END
     }
 }

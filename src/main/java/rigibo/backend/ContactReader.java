@@ -5,7 +5,7 @@ import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.Pairs;
 
-/** Reads what the pairs keep as contacts of the last step. */
+/** Reads the contacts of the last step from the columns of pairs. */
 final class ContactReader {
 
     private final Pool pool;
@@ -18,7 +18,7 @@ final class ContactReader {
         pairs = data.pairs;
     }
 
-    /** Shows a pair; returns whether there is anything to tell of it. */
+    /** Writes a pair into a view; returns false for a pair without a contact to report. */
     boolean read(int pair, ContactView into) {
         boolean touched = pairs.touched(pair);
         boolean before = pairs.touchedBefore[pair];

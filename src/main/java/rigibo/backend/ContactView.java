@@ -3,9 +3,9 @@ package rigibo.backend;
 import rigibo.backend.ContactEvent.Phase;
 
 /**
- * A contact of the last step as {@link Pool#forEachContact} shows it. It is one object that is
- * written anew for each contact: what must last beyond the visitor's call is copied, or kept as
- * {@link #event}.
+ * A contact of the last step as {@link Pool#forEachContact} passes it to its visitor. The pool
+ * overwrites this one object for each contact: copy what must outlast the call, or keep {@link
+ * #event}.
  *
  * <pre>{@code
  * double[] hardest = {0};
@@ -20,19 +20,19 @@ public final class ContactView {
     /** The body the normal points to. */
     public RigidBody b;
 
-    /** Which part of a's shape touches, from 0; 0 of a shape in one piece. */
+    /** Index of the part of a's shape that touches, from 0; 0 for a shape in one piece. */
     public int partA;
 
-    /** Which part of b's shape touches. */
+    /** Index of the part of b's shape that touches. */
     public int partB;
 
     /** Whether the contact began, persisted or ended. */
     public Phase phase;
 
-    /** World x of the contact's middle, m. */
+    /** World x of the contact's midpoint, m. */
     public double x;
 
-    /** World y of the contact's middle, m, up. */
+    /** World y of the contact's midpoint, m, up. */
     public double y;
 
     /** Unit normal from a to b, world x. */
@@ -41,42 +41,47 @@ public final class ContactView {
     /** Unit normal from a to b, world y. */
     public double normalY;
 
-    /** Normal impulse of the step in N·s, impacts included, 0 or more. */
+    /** Total normal impulse in the step, impacts included, N·s, 0 or more. */
     public double impulse;
 
-    /** Whether the two overlap deeper than 5 % of the smaller width, for something had to give. */
+    /**
+     * Whether the bodies are forced into each other: they overlap by more than 5 % of the smaller
+     * one's width.
+     */
     public boolean isCrushing;
 
     /**
-     * How many points the two touch or nearly touch in, 0 to 2; 0 of a contact that an edit ended.
+     * Number of contact points, 0 to 2, including points where the bodies nearly touch; 0 for a
+     * contact that an edit ended.
      */
     public int points;
 
-    /** World place of each point in m, midway between the two surfaces; read, not written. */
+    /** World x of each point, m, midway between the two surfaces; not to be written. */
     public final double[] pointX = new double[2];
 
+    /** World y of each point, m, up, midway between the two surfaces; not to be written. */
     public final double[] pointY = new double[2];
 
-    /** Gap at each point as it was measured, m; negative in overlap. */
+    /** Gap at each point when it was last measured, m; negative in overlap. */
     public final double[] separation = new double[2];
 
-    /** Normal force that each point carried as the step ended, N; 0 in a mere impact. */
+    /** Normal force at each point at the end of the step, N; 0 if the bodies only bounced. */
     public final double[] force = new double[2];
 
     /**
-     * Friction that the contact carried as the step ended, N on b along (−normalY, normalX); 0
-     * where {@code Friction} is not declared.
+     * Friction force on b at the end of the step, N, positive along (−normalY, normalX); 0 where
+     * {@code Friction} is not declared.
      */
     public double friction;
 
     ContactView() {}
 
-    /** Whether neither body was removed. */
+    /** Whether both bodies are still in the pool. */
     public boolean bothAlive() {
         return a.isAlive() && b.isAlive();
     }
 
-    /** A copy that lasts, of all but the single points. */
+    /** A permanent copy; it lacks friction and the single points. */
     public ContactEvent event() {
         return new ContactEvent(
                 a, b, partA, partB, phase, x, y, normalX, normalY, impulse, isCrushing);

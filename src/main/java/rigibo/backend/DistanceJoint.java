@@ -7,9 +7,10 @@ import rigibo.backend.setup.JointSettings;
 import rigibo.backend.setup.Require;
 
 /**
- * A point of A and a point of B at a distance: its coordinate, m. Without limits and spring it is a
- * rod of a length; with limits a rope, or a strut that stays within them; with a spring one whose
- * length without load is that length.
+ * Controls the distance between a point of A and a point of B; that distance is the joint's
+ * coordinate, m. Without limits, motor and spring it is a rod of the given length. With limits it
+ * is a rope or a strut whose distance stays within them. With a spring, {@code length} is the
+ * spring's rest length.
  *
  * <pre>{@code
  * RigidBody wall = pool.add(BodyDefinition.fixed(Polygon.box(0.2, 3)));
@@ -18,9 +19,9 @@ import rigibo.backend.setup.Require;
  * }</pre>
  *
  * @param a the first body
- * @param b the second body, whose coordinate is told
- * @param frameA where the joint holds A, and its axis
- * @param frameB where it holds B
+ * @param b the second body, whose motion relative to A is the coordinate
+ * @param frameA anchor and axis on A
+ * @param frameB anchor on B
  * @param length m, 0 or more
  * @param settings limits (m), motor (m/s, N), spring
  */
@@ -51,7 +52,7 @@ public record DistanceJoint(
                         JointSettings.Part.SPRING);
     }
 
-    /** A rod between a world point (m) on A and one on B, as long as they are apart now. */
+    /** A rod between a world point (m) on A and one on B, as long as their present distance. */
     public static DistanceJoint rod(
             RigidBody a, double ax, double ay, RigidBody b, double bx, double by) {
         JointEnds.require("DistanceJoint", a, b);
@@ -65,7 +66,9 @@ public record DistanceJoint(
                 JointSettings.NONE);
     }
 
-    /** A rope between them that is no longer than so many m, and slack below. */
+    /**
+     * A rope between a world point (m) on A and one on B, slack below its length {@code most}, m.
+     */
     public static DistanceJoint rope(
             RigidBody a, double ax, double ay, RigidBody b, double bx, double by, double most) {
         Require.positive("DistanceJoint.rope most", most, "m");
@@ -73,12 +76,12 @@ public record DistanceJoint(
         return rod.with(rod.settings.limits(new JointLimits(0, most, 0)));
     }
 
-    /** A copy with another length without load, m. */
+    /** A copy with another length, m. */
     public DistanceJoint length(double metres) {
         return new DistanceJoint(a, b, frameA, frameB, metres, settings);
     }
 
-    /** Whether the distance is held: no limits, spring or motor leave it any freedom. */
+    /** Whether the joint is a rod: it has no limits, spring or motor. */
     public boolean isRod() {
         return !settings.limits().areAny()
                 && !settings.spring().isThere()

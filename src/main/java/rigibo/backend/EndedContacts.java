@@ -12,9 +12,9 @@ import java.util.List;
 import java.util.function.Consumer;
 
 /**
- * Contacts that an edit takes from the pairs between two steps, for a removed body has none, and
- * one that was placed anew is not where it touched. What the last step made of them stays told
- * until the next; of those that are not there again then, the next step tells the end.
+ * Contacts that an edit between two steps takes from the pairs, because a body was removed or
+ * moved. Until the next step they are still reported as the last step left them. The next step
+ * reports the end of each, unless the bodies touch again.
  */
 final class EndedContacts {
 
@@ -26,13 +26,13 @@ final class EndedContacts {
     private final ContactReader reader;
     private final ContactView view = new ContactView();
 
-    /** Contacts of the last step that edits have taken since. */
+    /** Contacts of the last step that edits have ended since. */
     private final List<ContactEvent> cut = new ArrayList<>();
 
-    /** What the next step tells of them, unless they are there again. */
+    /** The END events that the next step reports, unless the bodies touch again. */
     private final List<ContactEvent> ending = new ArrayList<>();
 
-    /** What the last step told of those that were cut before it. */
+    /** The END events of the last step for contacts that edits ended before it. */
     private final List<ContactEvent> ended = new ArrayList<>();
 
     EndedContacts(Pool pool, DataStorage data, ContactReader reader) {
@@ -42,14 +42,14 @@ final class EndedContacts {
         this.reader = reader;
     }
 
-    /** Notes the contacts of a body whose pairs are about to be forgotten. */
+    /** Records the contacts of a body whose pairs are about to be removed. */
     void cutAllOf(int slot) {
         for (int p = bodies.firstPairOf(slot); p != Pairs.NONE; p = pairs.nextOf(p, slot)) {
             cut(p);
         }
     }
 
-    /** Notes every contact, for all pairs are about to be forgotten. */
+    /** Records every contact, since all pairs are about to be removed. */
     void cutAll() {
         for (int pair = 0; pair < pairs.slots.high; pair++) {
             if (pairs.bodyA[pair] != Pairs.NONE) {
@@ -58,7 +58,7 @@ final class EndedContacts {
         }
     }
 
-    /** Notes the contact of a pair that is about to be forgotten. */
+    /** Records the contact of a pair that is about to be removed. */
     void cut(int pair) {
         if (reader.read(pair, view)) {
             cut(view.event());
@@ -88,7 +88,7 @@ final class EndedContacts {
         ending.clear();
     }
 
-    /** Whether the bodies touched in the step, too: then their pair is told that it persisted. */
+    /** Whether the bodies touched in the step too; if so, marks their pair as persisting. */
     private boolean goesOn(ContactEvent event) {
         if (!event.bothAlive()) {
             return false;
@@ -98,7 +98,7 @@ final class EndedContacts {
         if (shapeA == Pairs.NONE || shapeB == Pairs.NONE) {
             return false;
         }
-        // The slots of bodies do not change, so that the lower one is still that of A.
+        // Slots of bodies do not change, so the lower one is still that of A.
         int pair = pairs.index.find(shapeA, shapeB);
         if (pair == PairIndex.ABSENT || !pairs.touched(pair)) {
             return false;
@@ -107,7 +107,7 @@ final class EndedContacts {
         return true;
     }
 
-    /** Shows every contact that no pair tells of. */
+    /** Passes every contact to a visitor that is not in the pairs. */
     void forEach(ContactView shown, Consumer<? super ContactView> visitor) {
         forEach(cut, shown, visitor);
         forEach(ended, shown, visitor);
@@ -121,7 +121,10 @@ final class EndedContacts {
         }
     }
 
-    /** Those that a restored pool can tell: it has no handle that could name a removed body. */
+    /**
+     * The contacts to be saved; those of removed bodies are not, since a restored pool has no
+     * handle.
+     */
     List<SavedContact> saved() {
         List<SavedContact> saved = new ArrayList<>();
         cut.stream().filter(ContactEvent::bothAlive).map(e -> saved(e, true)).forEach(saved::add);
@@ -148,7 +151,7 @@ final class EndedContacts {
                 event.isCrushing());
     }
 
-    /** Goes on from what was saved. */
+    /** Restores a saved contact. */
     void restore(SavedContact contact) {
         ContactEvent event =
                 new ContactEvent(

@@ -4,8 +4,8 @@ import rigibo.backend.setup.Filter;
 import rigibo.backend.setup.Require;
 
 /**
- * A blast from a point: every shape within reach is struck where it is nearest, away from the
- * point, by so much for each metre that it is wide as seen from there.
+ * A blast from a point. Each shape in reach gets an impulse at its point nearest to the centre,
+ * directed away from the centre and proportional to the width of the shape as seen from there.
  *
  * <pre>{@code
  * pool.explode(Explosion.at(3, 1).radius(2).falloff(1).impulsePerMetre(20));
@@ -13,10 +13,10 @@ import rigibo.backend.setup.Require;
  *
  * @param x world x, m
  * @param y world y, m, up
- * @param radius within which the blast is full, m
- * @param falloff beyond the radius, within which it falls evenly to nothing, m
- * @param impulsePerMetre N·s for each metre of width; below 0 it sucks in
- * @param filter whom it strikes
+ * @param radius distance up to which the blast has its full strength, m, 0 or more
+ * @param falloff further distance over which the strength falls linearly to 0, m, 0 or more
+ * @param impulsePerMetre impulse for each metre of width, N·s/m; a negative one pulls inwards
+ * @param filter which shapes it acts on
  */
 public record Explosion(
         double x, double y, double radius, double falloff, double impulsePerMetre, Filter filter) {
@@ -35,32 +35,34 @@ public record Explosion(
         Require.present("Explosion.filter", filter);
     }
 
-    /** Of 1 N·s/m within 1 m, and of nothing beyond; it strikes everybody. */
+    /**
+     * A blast of 1 N·s/m up to 1 m from a world point (m), nothing beyond; it acts on all shapes.
+     */
     public static Explosion at(double x, double y) {
         return new Explosion(x, y, 1, 0, 1, Filter.ALL);
     }
 
-    /** The same that is full within another radius, m, 0 or more. */
+    /** A copy with another radius of full strength, m, 0 or more. */
     public Explosion radius(double metres) {
         return new Explosion(x, y, metres, falloff, impulsePerMetre, filter);
     }
 
-    /** The same that falls to nothing within so many metres more, 0 or more. */
+    /** A copy with another falloff distance beyond the radius, m, 0 or more. */
     public Explosion falloff(double metres) {
         return new Explosion(x, y, radius, metres, impulsePerMetre, filter);
     }
 
-    /** The same of another strength, N·s for each metre of width. */
+    /** A copy of another strength, N·s for each metre of width. */
     public Explosion impulsePerMetre(double newtonSecondsPerMetre) {
         return new Explosion(x, y, radius, falloff, newtonSecondsPerMetre, filter);
     }
 
-    /** The same that strikes only whom a filter meets. */
+    /** A copy that acts only on shapes which the filter meets. */
     public Explosion filter(Filter whom) {
         return new Explosion(x, y, radius, falloff, impulsePerMetre, whom);
     }
 
-    /** The share of its full strength at a distance in m. */
+    /** Strength at a distance (m) from the centre as a share of the full strength, 0 to 1. */
     double shareAt(double distance) {
         return distance <= radius
                 ? 1

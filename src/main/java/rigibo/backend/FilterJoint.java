@@ -4,7 +4,7 @@ import rigibo.backend.setup.JointKind;
 import rigibo.backend.setup.JointSettings;
 
 /**
- * Two bodies that never meet, and are free otherwise.
+ * Stops two bodies from colliding with each other; it restricts their motion in no other way.
  *
  * <pre>{@code
  * pool.join(new FilterJoint(crate, door)); // pass through each other
@@ -16,9 +16,9 @@ import rigibo.backend.setup.JointSettings;
 public record FilterJoint(RigidBody a, RigidBody b) implements JointDefinition {
 
     /**
-     * Checks both.
+     * Checks both bodies.
      *
-     * @throws IllegalArgumentException when one is missing, or both are one
+     * @throws IllegalArgumentException when one is null, or both are the same body
      */
     public FilterJoint {
         JointEnds.require("FilterJoint", a, b);
@@ -30,7 +30,7 @@ public record FilterJoint(RigidBody a, RigidBody b) implements JointDefinition {
     }
 
     /**
-     * It has none to set.
+     * This joint has no settings.
      *
      * @throws IllegalArgumentException when they are not {@link JointSettings#NONE}
      */

@@ -5,8 +5,9 @@ import rigibo.backend.setup.JointSettings;
 import rigibo.backend.setup.Require;
 
 /**
- * Couples the coordinates of two hinges or slides: q₁ + ratio·q₂ stays what it is when they are
- * coupled. The bodies that carry them take the reaction. It ends with either of the two.
+ * Couples the coordinates of two hinges or slides: q₁ + ratio·q₂ keeps the value it had when they
+ * were coupled. The A bodies of the two joints take the reaction. When one of the two joints is
+ * removed or breaks, the gear is removed too.
  *
  * <pre>{@code
  * RigidBody frame = pool.add(BodyDefinition.fixed(Polygon.box(4, 0.1)));
@@ -18,9 +19,9 @@ import rigibo.backend.setup.Require;
  * }</pre>
  *
  * @param first a revolute or prismatic joint
- * @param second another one
- * @param ratio not 0; −1 turns both alike, 1 against each other
- * @param settings breaking loads and whether the two driven bodies meet
+ * @param second another revolute or prismatic joint
+ * @param ratio not 0; with −1 both turn the same way, with 1 in opposite directions
+ * @param settings breaking loads and whether the two driven bodies collide
  */
 public record GearJoint(Joint first, Joint second, double ratio, JointSettings settings)
         implements JointDefinition {
@@ -44,7 +45,7 @@ public record GearJoint(Joint first, Joint second, double ratio, JointSettings s
         Require.present("GearJoint.settings", settings).requireOnly("GearJoint");
     }
 
-    /** Couples two joints with a ratio. */
+    /** A gear between two joints with {@link JointSettings#NONE}. */
     public static GearJoint of(Joint first, Joint second, double ratio) {
         return new GearJoint(first, second, ratio, JointSettings.NONE);
     }

@@ -22,8 +22,7 @@ import java.util.OptionalDouble;
 import java.util.function.DoubleSupplier;
 
 /**
- * What the engine knows of two shapes, without a pool. Every function may be called from any
- * thread.
+ * Geometry queries on two shapes, without a pool: gap, contacts, time of impact, cast. Thread-safe.
  *
  * <pre>{@code
  * Shape box = Polygon.box(1, 1);
@@ -33,22 +32,26 @@ import java.util.function.DoubleSupplier;
  */
 public final class Geometry {
 
-    /** Gap left at an impact, as a share of the narrower shape. */
+    /** Gap left at an impact, as a share of the narrower shape's width. */
     private static final double IMPACT_TOLERANCE = 1e-9;
 
-    /** Gap up to which what the search found is asked whether it touches, likewise. */
+    /** Gap within which a result of the search is tested for contact, as a share of that width. */
     private static final double MEETING = 1e-6;
 
-    /**
-     * How often a search goes on beside an end of a chain, and by how much of the narrower shape.
-     */
+    /** Most restarts of the search beside the open end of a chain. */
     private static final int MOST_LOOKS = 1000;
 
+    /** Distance between two restarts, as a share of the narrower shape's width. */
     private static final double LOOK_AHEAD = 1e-2;
 
     private Geometry() {}
 
-    /** The least gap of two shapes; of compounds that of the two parts which are nearest. */
+    /**
+     * The gap between two shapes at the given poses; for compounds, between their two nearest
+     * parts.
+     *
+     * @throws IllegalArgumentException when a shape or a pose is null
+     */
     public static ShapeGap gap(Shape one, Placement at, Shape other, Placement otherAt) {
         requireShapes("gap", one, at, other, otherAt);
         Distance distance = new Distance();
@@ -81,11 +84,11 @@ public final class Geometry {
     }
 
     /**
-     * Where two shapes touch, or are no farther apart than a reach; of compounds for every two
-     * parts that do. An edge of a chain pushes what comes out of the air: what lies in its matter
-     * has no contact.
+     * The contacts between two shapes at the given poses whose gap is at most {@code reach}; for
+     * compounds, one for every two parts that are so near. A shape wholly on the solid side of a
+     * chain's edge has no contact with it, since an edge pushes only towards its open side.
      *
-     * @param reach largest gap that is still told, m, 0 or more
+     * @param reach largest gap that is still reported, m, 0 or more
      */
     public static List<ShapeContact> contacts(
             Shape one, Placement at, Shape other, Placement otherAt, double reach) {
@@ -122,9 +125,10 @@ public final class Geometry {
     }
 
     /**
-     * When two moving shapes first touch while they close, s, or empty where they do not. What
-     * starts in overlap and closes touches at once, and what lies in the matter of a chain's edge
-     * comes out of it untouched. The gap left is a billionth of the narrower shape.
+     * The first time, in s, at which two moving shapes touch while approaching, or empty if they do
+     * not. Shapes that start in overlap and approach touch at time 0. A shape on the solid side of
+     * a chain's edge leaves it without touching. At the time returned a gap of 10⁻⁹ of the narrower
+     * shape's width is left.
      *
      * @param seconds how far to look ahead, s, 0 or more
      */
@@ -156,8 +160,8 @@ public final class Geometry {
     }
 
     /**
-     * Beside an open end of a chain the search comes near an edge in a direction in which it does
-     * not push: then it goes on a little later.
+     * The first time of impact found. Beside an open end of a chain the search can stop near an
+     * edge in a direction in which the edge does not push; it then restarts a little later.
      */
     private static double firstMeeting(
             TimeOfImpact search, Motion motion, Motion other, double seconds) {
@@ -197,7 +201,7 @@ public final class Geometry {
         return motion.outline.smallestWidth();
     }
 
-    /** How long in s the two take to come on by a little of what the narrower one is wide. */
+    /** Time in s that the two take to move by {@link #LOOK_AHEAD} against each other. */
     private static double lookAhead(Motion motion, Motion other) {
         double speed =
                 Math.abs(motion.velocityX - other.velocityX)
@@ -208,11 +212,12 @@ public final class Geometry {
     }
 
     /**
-     * The fraction of a straight way, 0 to 1, at which a shape that does not turn meets another
-     * that stands still, or empty where it does not. A chain is met out of the air alone.
+     * Sweeps a shape along a straight line, without turning it, against a shape at rest. Returns
+     * the fraction of the path, 0 to 1, at which they touch, or empty if they do not. A chain is
+     * hit only from its open side.
      *
-     * @param dx way to the right, m
-     * @param dy way up, m
+     * @param dx displacement to the right, m
+     * @param dy displacement up, m
      */
     public static OptionalDouble cast(
             Shape moving, Placement from, double dx, double dy, Shape onto, Placement ontoAt) {
@@ -224,7 +229,7 @@ public final class Geometry {
         return first <= 1 ? OptionalDouble.of(first) : OptionalDouble.empty();
     }
 
-    /** The least of what is found for every two parts, whose outlines the motions are given. */
+    /** The least result over every two parts, whose outlines are set in the two motions. */
     private static double first(
             Shape one, Motion how, Shape other, Motion otherHow, DoubleSupplier find) {
         double first = TimeOfImpact.NEVER;
@@ -238,7 +243,7 @@ public final class Geometry {
         return first;
     }
 
-    /** Whether a world point lies in a shape or on its outline. */
+    /** Whether a world point (m) lies in a shape or on its outline. */
     public static boolean holds(Shape shape, Placement at, double x, double y) {
         Require.present("Geometry.holds shape", shape);
         PointAndRay query = new PointAndRay();

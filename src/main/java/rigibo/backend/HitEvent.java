@@ -1,14 +1,14 @@
 package rigibo.backend;
 
 /**
- * An impact of the last step; plain data, read after the step. A ball that bounces twice within a
- * step tells two. Bodies in flight tell when and how fast they met to what {@code
- * Accuracy.impactTolerance} grants, those that land on a pile too; what strikes within a pile tells
- * the substep's own speed and place.
+ * An impact of the last step: plain data, read after the step. A ball that bounces twice within a
+ * step causes two. For bodies in flight, and for those that land on a pile, time and speed are as
+ * accurate as {@code Accuracy.impactTolerance}; for an impact inside a pile, speed and place are
+ * those of its substep.
  *
- * <p>What rests, slides or rolls tells none, and within a pile neither does what meets without
- * bouncing: its impulse is that of the {@link ContactEvent}. Bodies in flight are told only where
- * {@code ContinuousImpacts} are declared, for else nothing looks for the time they meet.
+ * <p>Resting, sliding and rolling contacts cause no hit, nor do contacts inside a pile that close
+ * without bouncing; the {@link ContactEvent} holds their impulse. Hits of bodies in flight need the
+ * effect {@code ContinuousImpacts}, without which no time of impact is searched for.
  *
  * <pre>{@code
  * for (HitEvent hit : pool.hits()) {
@@ -18,14 +18,15 @@ package rigibo.backend;
  *
  * @param a the body the normal points away from
  * @param b the body the normal points to
- * @param partA which part of a's shape was met, from 0; 0 of a shape in one piece
- * @param partB which part of b's shape was met
- * @param x world x of the middle of what met, m
- * @param y world y of the middle of what met, m
+ * @param partA index of the part of a's shape that was hit, from 0; 0 for a shape in one piece
+ * @param partB index of the part of b's shape that was hit
+ * @param x world x of the midpoint of the contact, m
+ * @param y world y of the midpoint of the contact, m, up
  * @param normalX unit normal from a to b
  * @param normalY unit normal from a to b
- * @param speed at which the two came together along the normal, at the fastest point, m/s, positive
- * @param time s after the step began, 0 to its length
+ * @param speed closing speed along the normal before the impact, at the fastest point, m/s,
+ *     positive
+ * @param time time of the impact since the start of the step, s, 0 to the step's length
  */
 public record HitEvent(
         RigidBody a,

@@ -1,8 +1,8 @@
 package rigibo.backend;
 
 /**
- * An impact of the last step as {@link Pool#forEachHit} shows it. It is one object that is written
- * anew for each impact: what must last beyond the visitor's call is copied, or kept as {@link
+ * An impact of the last step as {@link Pool#forEachHit} passes it to its visitor. The pool
+ * overwrites this one object for each impact: copy what must outlast the call, or keep {@link
  * #event}.
  *
  * <pre>{@code
@@ -18,16 +18,16 @@ public final class HitView {
     /** The body the normal points to. */
     public RigidBody b;
 
-    /** Which part of a's shape was met, from 0; 0 of a shape in one piece. */
+    /** Index of the part of a's shape that was hit, from 0; 0 for a shape in one piece. */
     public int partA;
 
-    /** Which part of b's shape was met. */
+    /** Index of the part of b's shape that was hit. */
     public int partB;
 
-    /** World x of the middle of what met, m. */
+    /** World x of the midpoint of the contact, m. */
     public double x;
 
-    /** World y of the middle of what met, m, up. */
+    /** World y of the midpoint of the contact, m, up. */
     public double y;
 
     /** Unit normal from a to b, world x. */
@@ -36,15 +36,15 @@ public final class HitView {
     /** Unit normal from a to b, world y. */
     public double normalY;
 
-    /** At which the two came together along the normal, m/s, positive. */
+    /** Closing speed along the normal before the impact, at the fastest point, m/s, positive. */
     public double speed;
 
-    /** When, s after the step began. */
+    /** Time of the impact since the start of the step, s. */
     public double time;
 
     HitView() {}
 
-    /** A copy that lasts. */
+    /** A permanent copy. */
     public HitEvent event() {
         return new HitEvent(a, b, partA, partB, x, y, normalX, normalY, speed, time);
     }

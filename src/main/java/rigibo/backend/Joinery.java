@@ -10,7 +10,7 @@ import rigibo.backend.storage.JointStore;
 import rigibo.backend.storage.Pairs;
 import rigibo.backend.storage.Waking;
 
-/** Makes, changes and ends joints between steps; wakes what they hold. */
+/** Makes, changes and removes joints between steps, and wakes their bodies. */
 final class Joinery {
 
     private final Pool pool;
@@ -23,7 +23,7 @@ final class Joinery {
 
     final JointReading reading;
 
-    /** Of a pool in which joints are declared. */
+    /** The pool must declare {@code Joints}. */
     Joinery(Pool pool, DataStorage data, StepPlan plan) {
         this.pool = pool;
         this.data = data;
@@ -35,7 +35,7 @@ final class Joinery {
         writer = new JointWriter(bodies, joints, reading);
     }
 
-    /** The slot of a joint made by a definition, whose bodies are of this pool. */
+    /** Makes a joint between bodies of this pool and returns its slot. */
     int join(JointDefinition definition) {
         int a = definition.a().slot();
         int b = definition.b().slot();
@@ -46,7 +46,7 @@ final class Joinery {
         return joint;
     }
 
-    /** The joint of a slot as it is now. */
+    /** The current state of a joint as a definition. */
     JointDefinition definition(int joint) {
         return writer.read(pool, joint);
     }
@@ -93,7 +93,7 @@ final class Joinery {
         data.roster.isStale = true;
     }
 
-    /** Two bodies may meet now, or may no longer. */
+    /** Makes or removes the pairs of two bodies: a joint can stop them from colliding. */
     private void pairAnew(int a, int b) {
         if (plan.broadphase() == null || bodies.isDisabled(a) || bodies.isDisabled(b)) {
             return;

@@ -9,9 +9,10 @@ import rigibo.backend.setup.Require;
 import rigibo.backend.storage.JointStore;
 
 /**
- * A handle on one joint of a {@link Pool}. Readers tell its state now; verbs change it between
- * steps and wake both bodies. Once the joint is removed or broken, everything but {@link #isAlive},
- * {@link #tag()} and {@link #toString} throws {@link IllegalStateException}.
+ * A handle on one joint of a {@link Pool}. Readers return its current state; verbs change the state
+ * between steps and wake both bodies. After the joint was removed or broke, every method but {@link
+ * #isAlive}, {@link #tag} and {@link #toString} throws {@link IllegalStateException}; so does every
+ * verb but {@link #tag(Object)} within a step or from a visitor of the pool.
  *
  * <pre>{@code
  * Joint joint = pool.join(RevoluteJoint.at(door, crate, 0, 2));
@@ -37,13 +38,13 @@ public final class Joint {
         return slot != REMOVED;
     }
 
-    /** What the joint is now, as what it could be joined by again. */
+    /** A definition that would make the joint again with its current settings. */
     public JointDefinition definition() {
         store();
         return pool.joinery().definition(slot);
     }
 
-    /** Of which kind it is. */
+    /** The kind of the joint. */
     public JointKind kind() {
         return store().kindOf(slot);
     }
@@ -58,154 +59,160 @@ public final class Joint {
         return pool.handle(store().bodyB[slot]);
     }
 
-    /** World x in m of where it holds A. */
+    /** World x of the anchor on A, m. */
     public double xA() {
         JointStore joints = store();
         return a().worldX(joints.anchorAX[slot], joints.anchorAY[slot]);
     }
 
-    /** World y in m of where it holds A, up. */
+    /** World y of the anchor on A, m, up. */
     public double yA() {
         JointStore joints = store();
         return a().worldY(joints.anchorAX[slot], joints.anchorAY[slot]);
     }
 
-    /** World x in m of where it holds B. */
+    /** World x of the anchor on B, m. */
     public double xB() {
         JointStore joints = store();
         return b().worldX(joints.anchorBX[slot], joints.anchorBY[slot]);
     }
 
-    /** World y in m of where it holds B, up. */
+    /** World y of the anchor on B, m, up. */
     public double yB() {
         JointStore joints = store();
         return b().worldY(joints.anchorBX[slot], joints.anchorBY[slot]);
     }
 
-    /** Angle of B's axis against A's, rad, counter-clockwise, not wrapped. */
+    /** Angle from A's axis to B's, rad, counter-clockwise, not wrapped. */
     public double angle() {
         JointStore joints = store();
         return b().angle() + joints.axisB[slot] - (a().angle() + joints.axisA[slot]);
     }
 
     /**
-     * How far B's anchor is from A's, m: along A's axis, with a sign, or of a distance joint in a
-     * straight line.
+     * Displacement of B's anchor from A's along A's axis, m, with a sign; for a distance joint, the
+     * distance between the anchors.
      */
     public double translation() {
         store();
         return reading().translation(slot);
     }
 
-    /** How fast the coordinate grows: rad/s of a hinge, m/s of all others. */
+    /** Rate of change of the coordinate: rad/s for a hinge, m/s for all other kinds. */
     public double speed() {
         store();
         return reading().speed(slot);
     }
 
-    /** How far in m what is held together has come apart; 0 of a joint that holds no point. */
+    /**
+     * Position error: how far the anchors are from where the joint holds them, m (for a gear, error
+     * of q₁ + ratio·q₂ in the unit of its coordinates); 0 for a joint that holds no point.
+     */
     public double error() {
         store();
         return reading().error(slot);
     }
 
-    /** By how much in rad an angle that is held is off; 0 of a joint that holds none. */
+    /** Angle error, rad, 0 or more; 0 for a joint that holds no angle. */
     public double angleError() {
         store();
         return reading().angleError(slot);
     }
 
-    /** N to the right on B, mean of the last step. */
+    /** Mean force of the joint on B to the right over the last step, N. */
     public double reactionForceX() {
         return store().reactionX[slot];
     }
 
-    /** N upwards on B, mean of the last step. */
+    /** Mean force of the joint on B upwards over the last step, N. */
     public double reactionForceY() {
         return store().reactionY[slot];
     }
 
-    /** N on B, mean of the last step. */
+    /** Magnitude of the mean force on B over the last step, N. */
     public double reactionForce() {
         double x = reactionForceX();
         double y = reactionForceY();
         return Math.sqrt(x * x + y * y);
     }
 
-    /** N·m on B about its anchor, counter-clockwise, mean of the last step; the motor's too. */
+    /**
+     * Mean torque on B about its anchor over the last step, the motor's included, N·m,
+     * counter-clockwise.
+     */
     public double reactionTorque() {
         return store().reactionTurn[slot];
     }
 
-    /** Stiffness of its spring, N/m, or N·m/rad where it turns; 0 without one. */
+    /** Stiffness of its spring, N/m, or N·m/rad for a spring of an angle; 0 without a spring. */
     public double stiffness() {
         return store().stiffness[slot];
     }
 
-    /** Damping of its spring, N·s/m, or N·m·s/rad where it turns. */
+    /** Damping of its spring, N·s/m, or N·m·s/rad for a spring of an angle; 0 without a spring. */
     public double damping() {
         return store().damping[slot];
     }
 
-    /** J in its spring: k·x²/2. */
+    /** Energy stored in its spring, k·x²/2, J. */
     public double energy() {
         double away = store().stiffness[slot] == 0 ? 0 : reading().strain(slot);
         return stiffness() * away * away / 2;
     }
 
-    /** What {@link #tag(Object)} was given last, or null; no snapshot keeps it. */
+    /** The object last attached with {@link #tag(Object)}, or null. Snapshots do not keep it. */
     public Object tag() {
         return tag;
     }
 
-    /** Keeps anything of the caller's with the joint. */
+    /** Attaches any object of the caller's to the joint. */
     public void tag(Object anything) {
         tag = anything;
     }
 
     /**
-     * Changes limits, motor, spring and breaking loads, from the next step on.
+     * Sets limits, motor, spring and breaking loads from the next step on.
      *
-     * @throws IllegalArgumentException when the joint has no use for one of them
+     * @throws IllegalArgumentException when this kind of joint cannot have one of them
      */
     public void settings(JointSettings settings) {
         pool.joinery(this).settings(slot, Require.present("Joint.settings", settings));
     }
 
-    /** Changes the limits, rad of a hinge, m of all others. */
+    /** Sets the limits: rad for a hinge, m for all other kinds. */
     public void limits(double lower, double upper) {
         JointSettings now = definition().settings();
         settings(now.limits(new JointLimits(lower, upper, now.limits().elasticity())));
     }
 
-    /** Changes the motor: rad/s or m/s, and N·m or N at most. */
+    /** Sets the motor: its speed in rad/s or m/s, and its greatest torque in N·m or force in N. */
     public void motor(double speed, double most) {
         settings(definition().settings().motor(new JointMotor(speed, most)));
     }
 
-    /** Changes the spring: Hz and damping ratio. */
+    /** Sets the spring: its frequency in Hz and its damping ratio, 1 for critical damping. */
     public void spring(double hertz, double dampingRatio) {
         settings(definition().settings().spring(new JointSpring(hertz, dampingRatio)));
     }
 
-    /** Changes from which force (N) and torque (N·m) on the joint breaks. */
+    /** Sets the force (N) and the torque (N·m) from which on the joint breaks; ∞ for never. */
     public void breaking(double force, double torque) {
         settings(definition().settings().breaking(force, torque));
     }
 
     /**
-     * Pulls to another world point in m.
+     * Sets the world point (m) that a mouse joint pulls to.
      *
-     * @throws IllegalArgumentException when the joint is no {@link MouseJoint}
+     * @throws IllegalArgumentException when the joint is not a {@link MouseJoint}
      */
     public void target(double x, double y) {
         pool.joinery(this).target(slot, x, y);
     }
 
     /**
-     * Changes the length of a {@link DistanceJoint}, m.
+     * Sets the length of a {@link DistanceJoint}, m.
      *
-     * @throws IllegalArgumentException when it is of another kind, or the length below 0
+     * @throws IllegalArgumentException when the joint is of another kind, or the length is negative
      */
     public void length(double metres) {
         pool.joinery(this).length(slot, metres);

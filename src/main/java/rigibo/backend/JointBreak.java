@@ -1,7 +1,8 @@
 package rigibo.backend;
 
 /**
- * A joint that broke in the last step: its mean load was over what it bears, impacts included.
+ * A joint that broke in the last step because its mean load over the step, impacts included, was
+ * over its breaking load.
  *
  * <pre>{@code
  * pool.step(1 / 60.0);
@@ -10,9 +11,9 @@ package rigibo.backend;
  * }
  * }</pre>
  *
- * @param joint is no longer in its pool
- * @param definition as it was
- * @param force N, on B
- * @param torque N·m, on B about its anchor
+ * @param joint the joint, which is no longer in its pool
+ * @param definition the joint's definition before it broke
+ * @param force magnitude of the mean force on B over the step, N
+ * @param torque mean torque on B about its anchor over the step, N·m, counter-clockwise
  */
 public record JointBreak(Joint joint, JointDefinition definition, double force, double torque) {}

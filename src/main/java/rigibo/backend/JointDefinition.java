@@ -7,9 +7,9 @@ import rigibo.backend.setup.JointSettings;
 import rigibo.backend.setup.JointSpring;
 
 /**
- * What two bodies are joined by: handed to {@link Pool#join}, which makes a {@link Joint} of it.
- * Immutable: what changes a definition answers another one. A joint to the world is one to a static
- * body.
+ * The definition of a joint between two bodies; {@link Pool#join} makes a {@link Joint} from it.
+ * Immutable: methods that change something return a changed copy. To joint a body to the world,
+ * join it to a static body.
  *
  * <pre>{@code
  * JointDefinition hinge = RevoluteJoint.at(door, crate, 0, 2).limits(-1, 1);
@@ -29,51 +29,51 @@ public sealed interface JointDefinition
                 PulleyJoint,
                 FilterJoint {
 
-    /** The first body: the joint's axes turn with it. */
+    /** The first body; the joint's axes turn with it. */
     RigidBody a();
 
-    /** The second body: coordinates and speeds are its own, seen from the first. */
+    /** The second body; the joint's coordinate and speed are its motion relative to the first. */
     RigidBody b();
 
-    /** Limits, motor, spring, and from which loads on the joint breaks. */
+    /** Limits, motor, spring and breaking loads. */
     JointSettings settings();
 
     /**
-     * A copy of this joint with other settings.
+     * A copy with other settings.
      *
-     * @throws IllegalArgumentException when it has no use for one of them
+     * @throws IllegalArgumentException when this kind of joint cannot have one of them
      */
     JointDefinition with(JointSettings settings);
 
-    /** Of which kind the joint is. */
+    /** The kind of the joint. */
     JointKind kind();
 
-    /** A copy within limits that do not rebound: rad for a hinge, m for all other kinds. */
+    /** A copy with limits without rebound: rad for a hinge, m for all other kinds. */
     default JointDefinition limits(double lower, double upper) {
         return limits(lower, upper, 0);
     }
 
-    /** A copy within limits that rebound with a share of the speed, 0 to 1. */
+    /** A copy with limits that rebound with a share {@code elasticity} of the speed, 0 to 1. */
     default JointDefinition limits(double lower, double upper, double elasticity) {
         return with(settings().limits(new JointLimits(lower, upper, elasticity)));
     }
 
-    /** A copy driven to a speed (rad/s or m/s) by at most a torque (N·m) or a force (N). */
+    /** A copy with a motor: its speed (rad/s or m/s) and greatest torque (N·m) or force (N). */
     default JointDefinition motor(double speed, double most) {
         return with(settings().motor(new JointMotor(speed, most)));
     }
 
-    /** A copy with a spring of a frequency in Hz and a damping ratio, of which 1 is critical. */
+    /** A copy with a spring: its frequency in Hz and its damping ratio, 1 for critical damping. */
     default JointDefinition spring(double hertz, double dampingRatio) {
         return with(settings().spring(new JointSpring(hertz, dampingRatio)));
     }
 
-    /** A copy whose bodies collide with each other, or do not. */
+    /** A copy that sets whether its two bodies collide with each other. */
     default JointDefinition collideConnected(boolean meet) {
         return with(settings().collideConnected(meet));
     }
 
-    /** A copy that breaks from a force (N) or a torque (N·m) on; at ∞ it never does. */
+    /** A copy that breaks from a force (N) or a torque (N·m) on; ∞ for never. */
     default JointDefinition breaking(double force, double torque) {
         return with(settings().breaking(force, torque));
     }

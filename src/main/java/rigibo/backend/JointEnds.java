@@ -3,13 +3,14 @@ package rigibo.backend;
 import rigibo.backend.setup.JointFrame;
 import rigibo.backend.setup.Require;
 
-/** Where two bodies are held, as they are placed now. */
+/** Joint frames of bodies at their present poses. */
 final class JointEnds {
 
     private JointEnds() {}
 
     /**
-     * The frame of a body whose origin is at a world point (m) and whose axis has an angle, rad.
+     * The joint frame on a body whose origin is now at a world point (m) and whose axis now has the
+     * given world angle, rad.
      */
     static JointFrame frame(RigidBody body, double x, double y, double angle) {
         Require.finite("a joint's x", x, "m");
@@ -19,9 +20,9 @@ final class JointEnds {
     }
 
     /**
-     * Refuses bodies that no joint can be between.
+     * Refuses bodies that cannot be joined.
      *
-     * @throws IllegalArgumentException when one is missing, or both are one
+     * @throws IllegalArgumentException when one is null, or both are the same body
      */
     static void require(String joint, RigidBody a, RigidBody b) {
         Require.present(joint + ".a", a);

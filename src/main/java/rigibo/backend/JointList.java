@@ -5,7 +5,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 
-/** The joints of a pool in the order in which they were joined. Nobody but the pool changes it. */
+/** The joints of a pool in the order in which they were joined. Only the pool changes the list. */
 final class JointList extends AbstractList<Joint> {
 
     private final List<Joint> joints = new ArrayList<>();

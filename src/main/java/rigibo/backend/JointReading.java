@@ -5,21 +5,30 @@ import rigibo.backend.setup.JointKind;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.JointStore;
 
-/** Coordinates, speeds and errors of joints, as their bodies are now. */
+/** Coordinates, speeds and errors of joints at the present state of their bodies. */
 final class JointReading {
 
     private final Bodies bodies;
     private final JointStore joints;
 
-    /** From the centres of mass to the anchors, from A's anchor to B's, m, and A's axis. */
+    /** World vectors, m: arm from A's centre of mass to its anchor. */
     private double armAX;
 
     private double armAY;
+
+    /** Arm from B's centre of mass to its anchor. */
     private double armBX;
+
     private double armBY;
+
+    /** From A's anchor to B's. */
     private double dx;
+
     private double dy;
+
+    /** Unit vector along the joint's axis; for a distance joint, from A's anchor to B's. */
     private double axisX;
+
     private double axisY;
 
     JointReading(Bodies bodies, JointStore joints) {
@@ -63,7 +72,7 @@ final class JointReading {
         return bodies.angle[b] + joints.axisB[joint] - (bodies.angle[a] + joints.axisA[joint]);
     }
 
-    /** rad of a hinge, m of all others. */
+    /** The joint's coordinate: rad for a hinge, m for all other kinds. */
     double coordinate(int joint) {
         return isOf(joint, JointKind.REVOLUTE) ? angle(joint) : translation(joint);
     }
@@ -96,7 +105,7 @@ final class JointReading {
         };
     }
 
-    /** Beyond its limits, or of a rod from its length. */
+    /** How far a distance is beyond its limits, or a rod's from its length, m. */
     private double distanceError(int joint) {
         double length = translation(joint);
         boolean isRod =
@@ -109,7 +118,7 @@ final class JointReading {
                 : Math.max(0, Math.max(joints.lower[joint] - length, length - joints.upper[joint]));
     }
 
-    /** What a gear keeps. */
+    /** q₁ + ratio·q₂, which a gear keeps constant. */
     double geared(int joint) {
         double ratio = joints.parameter[JointStore.RATIO][joint];
         return coordinate(joints.firstGeared[joint])
@@ -135,7 +144,7 @@ final class JointReading {
         return isHeld ? Math.abs(angle(joint)) : 0;
     }
 
-    /** How far a spring is from where it would rest, m or rad. */
+    /** Deflection of a joint's spring from its rest position, m or rad. */
     double strain(int joint) {
         return switch (joints.kindOf(joint)) {
             case WELD -> angle(joint);

@@ -124,7 +124,7 @@ final class JointWriter {
         }
     }
 
-    /** k = m·ω² and c = 2·ζ·m·ω of the reduced mass, or of the reduced inertia. */
+    /** k = m·ω² and c = 2·ζ·m·ω with the reduced mass m, or the reduced inertia for an angle. */
     private void stiffen(int joint) {
         boolean turns =
                 joints.kindOf(joint) == JointKind.REVOLUTE

@@ -7,7 +7,7 @@ import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.Need;
 import rigibo.backend.storage.Waking;
 
-/** Changes between steps what bodies are kept from: turning, and moving along an axis. */
+/** Changes the locks of bodies between steps: of rotation, and of motion along x or y. */
 final class LockEditor {
 
     private final DataStorage data;
@@ -24,7 +24,7 @@ final class LockEditor {
         bodies = data.bodies;
     }
 
-    /** Locks a new body as it is defined, and writes what it weighs. */
+    /** Sets the locks of a new body from its definition, and writes its mass and inertia. */
     void begin(int slot, BodyDefinition definition) {
         lockRotation(slot, definition.rotationLocked());
         lockAxes(slot, definition.xLocked(), definition.yLocked());
@@ -37,7 +37,7 @@ final class LockEditor {
         waking.wake(slot);
     }
 
-    /** The column of locks comes with the first body that has one. */
+    /** Sets the lock of rotation; its column is made for the first body that needs it. */
     private void lockRotation(int slot, boolean isLocked) {
         if (isLocked) {
             bodies.hold(Need.LOCKS);
@@ -57,7 +57,9 @@ final class LockEditor {
         waking.wake(slot);
     }
 
-    /** The columns of locked axes come with the first body that has one, and so do its stages. */
+    /**
+     * Sets the locked axes; their columns and stages are made for the first body that needs them.
+     */
     private void lockAxes(int slot, boolean inX, boolean inY) {
         if ((inX || inY) && bodies.lockedX == null) {
             data.hold(Need.AXES);

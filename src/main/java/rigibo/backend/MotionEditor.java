@@ -81,7 +81,7 @@ final class MotionEditor {
         waking.wake(slot);
     }
 
-    /** Changes the velocity of a body and wakes nobody. */
+    /** Applies an impulse without waking any body. */
     void push(int slot, double jx, double jy, double px, double py) {
         Require.finite("RigidBody.applyImpulse jx", jx, "N·s");
         Require.finite("RigidBody.applyImpulse jy", jy, "N·s");
@@ -145,7 +145,7 @@ final class MotionEditor {
         }
     }
 
-    /** Takes what velocity a body has along its locked axes. */
+    /** Sets the velocity of a body along its locked axes to 0. */
     void hold(int slot) {
         bodies.holdAxes(slot, bodies.velocityX, bodies.velocityY);
     }
@@ -175,12 +175,12 @@ final class MotionEditor {
         }
     }
 
-    /** What a torque in N·m makes together with those asked for before; 0 where nothing turns. */
+    /** Sum of a torque in N·m and those applied since the last step; 0 without {@code Rotation}. */
     private double torqueOf(int slot, double more) {
         return bodies.turns() ? bodies.torque[slot] + more : 0;
     }
 
-    /** Lists a body that a force is asked for the first time since the last step. */
+    /** Lists a body to which the first force since the last step is applied. */
     private void thrust(int slot) {
         if (!bodies.isThrust(slot)) {
             data.thrusting.add(slot);

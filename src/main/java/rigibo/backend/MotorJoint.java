@@ -5,8 +5,8 @@ import rigibo.backend.setup.JointSettings;
 import rigibo.backend.setup.Require;
 
 /**
- * Drives B against A to a velocity, with no more than a force and a torque: a motor without an
- * axle, or, at rest, the friction of a floor that is looked at from above.
+ * Drives B to a velocity relative to A, with limited force and torque: a motor without an axle.
+ * With velocity 0 it acts as dry friction, for instance of a floor seen from above.
  *
  * <pre>{@code
  * RigidBody ground = pool.add(BodyDefinition.fixed(Polygon.box(40, 40)).at(100, 0));
@@ -15,12 +15,13 @@ import rigibo.backend.setup.Require;
  *
  * @param a the first body
  * @param b the second body
- * @param velocityX of B's centre of mass against A's point there, along A's first axis, m/s
- * @param velocityY along its second axis, m/s
- * @param angularVelocity of B against A, rad/s, counter-clockwise
- * @param mostForce N, 0 or more; may be ∞
- * @param mostTorque N·m, likewise
- * @param settings breaking loads and whether the two meet
+ * @param velocityX wanted velocity of B's centre of mass relative to the point of A at the same
+ *     place, along A's x axis, m/s
+ * @param velocityY wanted velocity along A's y axis, m/s
+ * @param angularVelocity wanted angular velocity of B relative to A, rad/s, counter-clockwise
+ * @param mostForce greatest force, N, 0 or more; may be ∞
+ * @param mostTorque greatest torque, N·m, 0 or more; may be ∞
+ * @param settings breaking loads and whether the two bodies collide
  */
 public record MotorJoint(
         RigidBody a,
@@ -49,7 +50,7 @@ public record MotorJoint(
         Require.present("MotorJoint.settings", settings).requireOnly("MotorJoint");
     }
 
-    /** Dry friction of so many N and N·m, and bodies that meet each other. */
+    /** Dry friction with a greatest force (N) and torque (N·m) between bodies that may collide. */
     public static MotorJoint friction(RigidBody a, RigidBody b, double force, double torque) {
         JointSettings settings = JointSettings.NONE.collideConnected(true);
         return new MotorJoint(a, b, 0, 0, 0, force, torque, settings);

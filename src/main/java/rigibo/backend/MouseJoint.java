@@ -7,8 +7,8 @@ import rigibo.backend.setup.JointSpring;
 import rigibo.backend.setup.Require;
 
 /**
- * Pulls a point of B to a point of the world by a damped spring, with no more than a force: what a
- * hand does.
+ * Pulls a point of B towards a world point with a damped spring of limited force, as a hand or a
+ * mouse pointer drags a body.
  *
  * <pre>{@code
  * RigidBody ground = pool.add(BodyDefinition.fixed(Polygon.box(40, 1)));
@@ -16,13 +16,13 @@ import rigibo.backend.setup.Require;
  * hand.target(3, 4);
  * }</pre>
  *
- * @param a any other body, mostly the ground; it takes no reaction
+ * @param a any other body, usually the ground; no reaction acts on it
  * @param b the body that is pulled
- * @param frameB where it is held
- * @param targetX world x to pull it to, m
- * @param targetY world y, m
- * @param mostForce N, positive; may be ∞
- * @param settings spring
+ * @param frameB anchor on B
+ * @param targetX world x of the target, m
+ * @param targetY world y of the target, m, up
+ * @param mostForce greatest force, N, positive; may be ∞
+ * @param settings the spring
  */
 public record MouseJoint(
         RigidBody a,
@@ -52,10 +52,12 @@ public record MouseJoint(
                 .requireOnly("MouseJoint", JointSettings.Part.SPRING);
     }
 
-    /** Usual spring of a hand. */
+    /** Spring of {@link #of}: frequency in Hz and damping ratio. */
     private static final JointSpring HAND = new JointSpring(5, 0.7);
 
-    /** Holds a body at a world point in m, with up to a thousand times its weight on Earth. */
+    /**
+     * Holds a body at a world point (m) with at most about a thousand times its weight on Earth.
+     */
     public static MouseJoint of(RigidBody ground, RigidBody body, double x, double y) {
         JointEnds.require("MouseJoint", ground, body);
         JointFrame frame = JointEnds.frame(body, x, y, body.angle());
@@ -63,10 +65,10 @@ public record MouseJoint(
         return new MouseJoint(ground, body, frame, x, y, MOST_G * body.mass(), settings);
     }
 
-    /** m/s². */
+    /** Greatest force of {@link #of} per mass, m/s²: about 1000 g. */
     private static final double MOST_G = 1e4;
 
-    /** This joint, pulled to another world point in m. */
+    /** A copy with another target, a world point in m. */
     public MouseJoint target(double x, double y) {
         return new MouseJoint(a, b, frameB, x, y, mostForce, settings);
     }

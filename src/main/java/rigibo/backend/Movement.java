@@ -4,13 +4,14 @@ import rigibo.backend.geometry.Placement;
 import rigibo.backend.setup.Require;
 
 /**
- * How a shape moves: evenly, from where it is.
+ * The motion of a shape for {@link Geometry#timeOfImpact}: constant velocity and angular velocity
+ * from a starting pose.
  *
  * <pre>{@code
  * Movement thrown = new Movement(Placement.at(0, 1), 4, 2, 6); // 4 m/s, 2 m/s up, 6 rad/s
  * }</pre>
  *
- * @param from where it is at first
+ * @param from the pose at time 0
  * @param velocityX m/s, to the right
  * @param velocityY m/s, up
  * @param angularVelocity rad/s, counter-clockwise

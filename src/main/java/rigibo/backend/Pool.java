@@ -22,9 +22,9 @@ import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 
 /**
- * A world of rigid bodies. It manages all bodies, their dynamics and every query about them. The
- * same calls give the same bits on every machine. Not thread-safe: one thread uses a pool at a
- * time.
+ * A world of rigid bodies: it holds the bodies and joints, steps them through time and answers
+ * queries. The same calls give the same bits on every machine. Not thread-safe: only one thread may
+ * use a pool at a time. All units are SI, y points up, and angles are counter-clockwise.
  *
  * <pre>{@code
  * Pool world = new Pool(); // gravity, contacts, rotation, friction, restitution, sleep
@@ -37,16 +37,16 @@ import java.util.function.LongSupplier;
  */
 public final class Pool {
 
-    /** Revision of the simulation, raised with every change of the bits that a pool goes on to. */
+    /** Revision of the simulation: raised with every change that alters the bits of results. */
     public static final int REVISION = Snapshot.REVISION;
 
     /** Longest step accepted, s. */
     public static final double LONGEST_STEP = 10;
 
-    /** Shortest step accepted, s: below it rates of change lose their meaning in doubles. */
+    /** Shortest step accepted, s; changes over a shorter step drown in the round-off of doubles. */
     public static final double SHORTEST_STEP = 1e-9;
 
-    /** Bodies or pairs that room is made for: columns of about a gigabyte. */
+    /** Most bodies or pairs that {@link #reserve} accepts: their columns take about 1 GB. */
     private static final int MOST_ROOM = 1 << 22;
 
     private static final LongSupplier NO_CLOCK = () -> 0;
@@ -56,24 +56,26 @@ public final class Pool {
     private final StepReport report;
     private final BodyEditor editor;
 
-    /** Made when it is first asked: who never asks loads none of its classes. */
+    /** Made at the first query, so that a program without queries loads none of its classes. */
     private PoolQueries queries;
 
     private PoolCasts casts;
 
-    /** Made when somebody asks, or edits a body that might touch others. */
+    /** Made when contacts are read, or when a body that might touch others is edited. */
     private PoolContacts contacts;
 
-    /** Made when somebody asks. */
+    /** Made when impacts are read. */
     private PoolHits hits;
 
-    /** Made when somebody asks what sensors see, or edits a body that they may see. */
+    /** Made when sensors are read, or when a body that they may see is edited. */
     private PoolSensors sensors;
 
-    /** Asked of the effects once: a question that allocates nothing asks each time. */
+    /**
+     * Whether {@code Sensors} is declared; cached, since looking it up in the effects allocates.
+     */
     private boolean senses;
 
-    /** Null where no joints are declared. */
+    /** Null while {@code Joints} is not declared. */
     private PoolJoints joints;
 
     private final PoolTotals totals;
@@ -82,7 +84,7 @@ public final class Pool {
     private double time;
     private final Busy busy = new Busy();
 
-    /** A pool with the usual effects at {@link Accuracy#GAME}. */
+    /** An empty pool with {@link Effects#usual} at {@link Accuracy#GAME}. */
     public Pool() {
         this(Effects.usual(), Accuracy.GAME);
     }
@@ -90,8 +92,9 @@ public final class Pool {
     /**
      * An empty pool.
      *
-     * @param effects what is simulated; what is not declared costs nothing
-     * @param accuracy how exactly
+     * @param effects what is simulated; an effect that is not declared costs nothing
+     * @param accuracy how exactly it is simulated
+     * @throws IllegalArgumentException when either is null
      */
     public Pool(Effects effects, Accuracy accuracy) {
         this(
@@ -125,36 +128,38 @@ public final class Pool {
     }
 
     /**
-     * A pool that goes on as the one whose snapshot this is, to the last bit, on every machine. Its
-     * bodies come in the same order and have the same names; the handles are new ones. It has no
-     * clock, and its report is empty until it has made a step.
+     * Restores a pool from a snapshot. On every machine it continues exactly, to the last bit, as
+     * the original pool does. Bodies keep their order and names but get new handles. The new pool
+     * has no clock, and its report is empty until its first step.
      *
-     * @param snapshot as {@link #snapshot} wrote it
-     * @throws IllegalArgumentException when it is cut short, altered, of another format or another
-     *     {@link #REVISION}, states what no pool can be in, or declares an effect that holds a
-     *     function of the caller's, which is named
+     * @param snapshot bytes from {@link #snapshot}
+     * @throws IllegalArgumentException when the snapshot is truncated, altered, of another format
+     *     or another {@link #REVISION}, holds a state that no pool can have, or declares an effect
+     *     that holds a caller's function (the message names the effect)
      */
     public static Pool restore(byte[] snapshot) {
         return PoolSnapshot.restore(snapshot);
     }
 
     /**
-     * Restores a snapshot with the caller's effects in place of those saved, functions and numbers
-     * alike.
+     * Restores a pool from a snapshot, with the given effects in place of the saved ones: both
+     * their functions and their parameters are taken from the argument.
      *
-     * @param snapshot as {@link #snapshot} wrote it
-     * @param effects of the kinds that were declared when it was taken
-     * @throws IllegalArgumentException as above, and when the kinds are not the same, naming the
-     *     difference
+     * @param snapshot bytes from {@link #snapshot}
+     * @param effects the same kinds of effects that were declared when the snapshot was taken
+     * @throws IllegalArgumentException as {@link #restore(byte[])} does, except for functions; and
+     *     when the kinds of effects differ, naming the difference
      */
     public static Pool restore(byte[] snapshot, Effects effects) {
         return PoolSnapshot.restore(snapshot, effects);
     }
 
     /**
-     * Adds a body.
+     * Adds a body and returns its handle.
      *
-     * @throws IllegalArgumentException when the definition gives no finite mass or inertia
+     * @throws IllegalArgumentException when mass or inertia of the definition is out of its range
+     * @throws IllegalStateException when called within a step or from a visitor, or when the body
+     *     has a sensor and the effect {@code Sensors} is not declared
      */
     public RigidBody add(BodyDefinition definition) {
         Require.present("Pool.add definition", definition);
@@ -163,11 +168,12 @@ public final class Pool {
     }
 
     /**
-     * Takes a body out, with its joints, and wakes what it touched; how many other bodies there are
-     * takes no time.
+     * Removes a body and its joints, and wakes the bodies it touched. The cost does not depend on
+     * how many bodies the pool holds.
      *
-     * @throws IllegalArgumentException when the body is of another pool
-     * @throws IllegalStateException when it was removed before
+     * @throws IllegalArgumentException when the body belongs to another pool
+     * @throws IllegalStateException when it was already removed, or when called within a step or
+     *     from a visitor
      */
     public void remove(RigidBody body) {
         BodyEditor bodyEditor = editor(body);
@@ -180,10 +186,12 @@ public final class Pool {
     }
 
     /**
-     * Joins two bodies, and wakes them.
+     * Joins two bodies and wakes them.
      *
-     * @throws IllegalStateException when the effect {@code Joints} is not declared
-     * @throws IllegalArgumentException when a body, or a joint it couples, is of another pool
+     * @throws IllegalStateException when the effect {@code Joints} is not declared, or when called
+     *     within a step or from a visitor
+     * @throws IllegalArgumentException when a body, or a joint that a gear couples, belongs to
+     *     another pool
      */
     public Joint join(JointDefinition definition) {
         Require.present("Pool.join definition", definition);
@@ -196,10 +204,11 @@ public final class Pool {
     }
 
     /**
-     * Ends a joint, with the gears that couple it, and wakes its bodies.
+     * Removes a joint and the gears that couple it, and wakes its bodies.
      *
-     * @throws IllegalArgumentException when it is of another pool
-     * @throws IllegalStateException when it was removed before, or broke
+     * @throws IllegalArgumentException when the joint belongs to another pool
+     * @throws IllegalStateException when it was already removed or is broken, or when called within
+     *     a step or from a visitor
      */
     public void remove(Joint joint) {
         joinery(joint);
@@ -207,15 +216,15 @@ public final class Pool {
     }
 
     /**
-     * All joints in the order they were joined, none where {@code Joints} are not declared; a view
-     * that cannot be changed through itself.
+     * All joints in the order they were joined, as a live read-only view; empty while {@code
+     * Joints} is not declared.
      */
     public List<Joint> joints() {
         return joints == null ? List.of() : joints.all();
     }
 
     /**
-     * The joints that broke in the last step; a list of its own.
+     * The joints that broke in the last step, as a new list.
      *
      * @throws IllegalStateException when the effect {@code Joints} is not declared
      */
@@ -228,11 +237,12 @@ public final class Pool {
     }
 
     /**
-     * Makes room, so that columns need not double in the midst of play; changes nothing else.
+     * Allocates columns in advance, so that no step has to grow them. It changes nothing else.
      *
-     * @param bodies at once, 0 to 4,194,304
-     * @param pairs at once as {@link StepReport#pairs} counts them, 0 to 4,194,304
-     * @throws IllegalArgumentException when one is out of its range
+     * @param bodies number of bodies at the same time, 0 to 4,194,304
+     * @param pairs number of pairs at the same time, counted as {@link StepReport#pairs} does, 0 to
+     *     4,194,304
+     * @throws IllegalArgumentException when a number is out of its range
      */
     public void reserve(int bodies, int pairs) {
         Require.within("Pool.reserve bodies", bodies, 0, MOST_ROOM);
@@ -242,22 +252,22 @@ public final class Pool {
     }
 
     /**
-     * All bodies in the order they were added; a live view that cannot be changed through itself.
-     * An iterator, a for-each loop or a stream over it that goes on after a body was added or
-     * removed throws {@link java.util.ConcurrentModificationException} instead of skipping one,
-     * even after the last but one or the last; {@code List.copyOf(pool.bodies())} can be gone
-     * through whatever happens to the pool.
+     * All bodies in the order they were added, as a live read-only view. If a body is added or
+     * removed while an iterator, a for-each loop or a stream runs over the view, it throws {@link
+     * java.util.ConcurrentModificationException}, even at the last element, rather than skip a
+     * body. To add or remove bodies in a loop, iterate over {@code List.copyOf(pool.bodies())}.
      */
     public List<RigidBody> bodies() {
         return bodies;
     }
 
     /**
-     * Advances time.
+     * Advances the simulation by one step.
      *
-     * @param dt s, from 1e-9 to 10; a game's is 1/60
-     * @return what the step did, overwritten by the next one
+     * @param dt length of the step in s, 1e-9 to 10; a game uses 1/60
+     * @return what the step did; the next step overwrites this object
      * @throws IllegalArgumentException when dt is out of its range
+     * @throws IllegalStateException when called within a step or from a visitor
      */
     public StepReport step(double dt) {
         Require.within("Pool.step dt", dt, SHORTEST_STEP, LONGEST_STEP, "s");
@@ -287,31 +297,31 @@ public final class Pool {
         return time;
     }
 
-    /** What the last step did. */
+    /** What the last step did; the next step overwrites this object. */
     public StepReport report() {
         return report;
     }
 
-    /** How accurately it is simulated. */
+    /** How accurately the pool simulates. */
     public Accuracy accuracy() {
         return plan.accuracy();
     }
 
-    /** Changes the accuracy from the next step on; resting bodies stay at rest. */
+    /** Sets the accuracy from the next step on; resting bodies stay at rest. */
     public void accuracy(Accuracy accuracy) {
         Require.present("Pool.accuracy", accuracy);
         busy.requireChangeable("change the accuracy");
         plan.compile(plan.effects(), accuracy);
     }
 
-    /** What is simulated. */
+    /** The declared effects: what the pool simulates. */
     public Effects effects() {
         return plan.effects();
     }
 
     /**
-     * Changes what is simulated from the next step on, and wakes every body. Where joints are no
-     * longer declared they all end.
+     * Sets the declared effects from the next step on and wakes every body. If {@code Joints} is no
+     * longer declared, all joints are removed.
      */
     public void effects(Effects effects) {
         Require.present("Pool.effects", effects);
@@ -331,44 +341,47 @@ public final class Pool {
     }
 
     /**
-     * How many bits each body takes in the columns that the declared effects need; what they refer
-     * to, its shape and its material, is not counted.
+     * Memory of each body in bits, in the columns that the declared effects need. The objects that
+     * columns refer to (shapes, materials) are not counted.
      */
     public int bitsPerBody() {
         return data.bodies.bitsPerBody();
     }
 
-    /** The stages one step consists of and the columns it keeps, in words. */
+    /** The stages of a step and the columns of a body, in words, for reading. */
     public String plan() {
         return plan.describe();
     }
 
-    /** Hands in a clock that counts ns, so that reports tell the time of each stage. */
+    /** Sets a clock that counts nanoseconds; reports then tell the time of each stage. */
     public void clock(LongSupplier nanoseconds) {
         clock = Require.present("Pool.clock", nanoseconds);
     }
 
     /**
-     * Whether two bodies touch as the last step left them; one that was placed, shaped or given
-     * another type since touches nothing. Refuses bodies as {@link #remove} does.
+     * Whether two bodies touched at the end of the last step. A body that has since been moved, or
+     * been given another shape or type, counts as touching nothing.
+     *
+     * @throws IllegalArgumentException when a body belongs to another pool
+     * @throws IllegalStateException when a body was removed
      */
     public boolean touching(RigidBody a, RigidBody b) {
         return queries().touching(own(a).slot(), own(b).slot());
     }
 
     /**
-     * The contacts of the last step, at most one for any two shapes; a list of its own. It tells
-     * the same until the next step, whatever is edited.
+     * The contacts of the last step, as a new list: at most one for any two shapes. Edits between
+     * steps do not change them.
      */
     public List<ContactEvent> contactEvents() {
         return contacts().list();
     }
 
     /**
-     * Shows the contacts of {@link #contactEvents} one by one and allocates nothing. Meanwhile the
-     * pool makes no step and refuses to be changed with {@link IllegalStateException}.
+     * Calls a visitor with each contact of {@link #contactEvents}, without allocating. Until it
+     * returns, the pool refuses steps and changes with {@link IllegalStateException}.
      *
-     * @param visitor is handed one object again and again, whose contents hold until it returns
+     * @param visitor is given one and the same object for every contact, valid only during the call
      * @throws IllegalStateException when called within a step
      */
     public void forEachContact(Consumer<? super ContactView> visitor) {
@@ -378,18 +391,18 @@ public final class Pool {
     }
 
     /**
-     * The impacts of the last step; a list of its own. Those of flight come first, in the order of
-     * time. One whose body is removed before the next step is not told any more.
+     * The impacts of the last step, as a new list: first those of bodies in flight, in the order of
+     * time, then those inside piles. Impacts of a body that was removed since are left out.
      */
     public List<HitEvent> hits() {
         return shownHits().list();
     }
 
     /**
-     * Shows what {@link #hits} tells one by one and allocates nothing. Meanwhile the pool makes no
-     * step and refuses to be changed with {@link IllegalStateException}.
+     * Calls a visitor with each impact of {@link #hits}, without allocating. Until it returns, the
+     * pool refuses steps and changes with {@link IllegalStateException}.
      *
-     * @param visitor is handed one object again and again, whose contents hold until it returns
+     * @param visitor is given one and the same object for every impact, valid only during the call
      * @throws IllegalStateException when called within a step
      */
     public void forEachHit(Consumer<? super HitView> visitor) {
@@ -399,7 +412,7 @@ public final class Pool {
     }
 
     /**
-     * What sensors saw in the last step; a list of its own.
+     * What sensors saw in the last step, as a new list.
      *
      * @throws IllegalStateException when the effect {@code Sensors} is not declared
      */
@@ -408,10 +421,10 @@ public final class Pool {
     }
 
     /**
-     * Shows what {@link #sensorEvents} tells one by one and allocates nothing. Meanwhile the pool
-     * makes no step and refuses to be changed with {@link IllegalStateException}.
+     * Calls a reader with each event of {@link #sensorEvents}, without allocating. Until it
+     * returns, the pool refuses steps and changes with {@link IllegalStateException}.
      *
-     * @param reader is handed one object again and again, whose contents hold until it returns
+     * @param reader is given one and the same object for every event, valid only during the call
      * @throws IllegalStateException when called within a step, and when the effect {@code Sensors}
      *     is not declared
      */
@@ -422,26 +435,33 @@ public final class Pool {
     }
 
     /**
-     * The bodies that the last step left inside of any sensor of a body, each once. Refuses bodies
-     * as {@link #remove} does.
+     * The bodies that were inside any sensor of the given body at the end of the last step, each
+     * once.
      *
-     * @throws IllegalStateException when the effect {@code Sensors} is not declared
+     * @throws IllegalArgumentException when the body belongs to another pool
+     * @throws IllegalStateException when it was removed, or the effect {@code Sensors} is not
+     *     declared
      */
     public List<RigidBody> inside(RigidBody sensor) {
         return List.copyOf(sensors("inside").inside(own(sensor).slot()));
     }
 
     /**
-     * Whether the last step left a body inside of any sensor of another one. Refuses as {@link
-     * #inside} does.
+     * Whether one body was inside any sensor of another at the end of the last step.
+     *
+     * @param sensor the body with the sensors
+     * @param visitor the body that may be inside
+     * @throws IllegalArgumentException when a body belongs to another pool
+     * @throws IllegalStateException when a body was removed, or the effect {@code Sensors} is not
+     *     declared
      */
     public boolean isInside(RigidBody sensor, RigidBody visitor) {
         return sensors("isInside").inside(own(sensor).slot()).contains(own(visitor));
     }
 
     /**
-     * The body under a point, the last added of several. Here and below every body is asked where
-     * {@code Contacts} are not declared: nobody keeps a tree of boxes.
+     * The body that contains a point; of several, the one added last. Without {@code Contacts}
+     * there is no tree of fixtures, so this and the queries below check every body.
      *
      * @param x world x, m
      * @param y world y, m, up
@@ -452,21 +472,22 @@ public final class Pool {
     }
 
     /**
-     * The first body that a ray meets: the first added of several met in one point. A ray that
-     * starts inside a body does not meet that one. It costs by the fixtures along its way to there.
+     * The first body that a ray hits; of several hit at the same point, the one added first. A ray
+     * that starts inside a body does not hit that body. The cost grows with the number of fixtures
+     * between the start and the hit.
      *
-     * @param fromX start, m
-     * @param fromY start, m
-     * @param toX end, m
-     * @param toY end, m
-     * @throws IllegalArgumentException when one is not finite
+     * @param fromX world x of the start, m
+     * @param fromY world y of the start, m
+     * @param toX world x of the end, m
+     * @param toY world y of the end, m
+     * @throws IllegalArgumentException when a coordinate is not finite
      */
     public Optional<RayHit> rayCast(double fromX, double fromY, double toX, double toY) {
         return queries().rayCast(fromX, fromY, toX, toY, null);
     }
 
     /**
-     * The first body that a ray meets of those that a filter meets; otherwise as {@link
+     * The first body that a ray hits among those that the filter meets; otherwise as {@link
      * #rayCast(double, double, double, double)}.
      */
     public Optional<RayHit> rayCast(
@@ -476,14 +497,15 @@ public final class Pool {
     }
 
     /**
-     * All bodies that a ray enters and a filter meets, each once, in their order on its way: those
-     * entered in one point as they were added. It costs by the fixtures along its way.
+     * All bodies that a ray enters and the filter meets, each once, in the order along the ray;
+     * bodies entered at the same point come in the order they were added. The cost grows with the
+     * number of fixtures along the ray.
      *
-     * @param fromX start, m
-     * @param fromY start, m
-     * @param toX end, m
-     * @param toY end, m
-     * @throws IllegalArgumentException when one is not finite
+     * @param fromX world x of the start, m
+     * @param fromY world y of the start, m
+     * @param toX world x of the end, m
+     * @param toY world y of the end, m
+     * @throws IllegalArgumentException when a coordinate is not finite
      */
     public List<RayHit> rayCastAll(
             double fromX, double fromY, double toX, double toY, Filter filter) {
@@ -491,25 +513,31 @@ public final class Pool {
     }
 
     /**
-     * The first body that a shape meets on a straight way, without turning: the one added first of
-     * several met at once. The hit tells the point and the outward normal of the body met. A shape
-     * that starts in one and goes deeper meets it at once; one that leaves it does not, nor does
-     * one that comes out of the matter of a chain.
+     * Sweeps a shape along a straight line without turning it and returns the first body that it
+     * hits; of several hit at the same time, the one added first. The hit holds the point and the
+     * outward normal of the body that was hit. A shape that starts in overlap with a body hits it
+     * at once if the sweep deepens the overlap, and does not hit it if the sweep leads out of it. A
+     * shape that comes out of the solid side of a chain does not hit the chain.
      *
-     * @param shape may be a compound
-     * @param from where it starts
-     * @param dx way to the right, m
-     * @param dy way up, m
-     * @param filter whom it may meet
-     * @throws IllegalArgumentException when the way is not finite
+     * @param shape any shape, compounds included
+     * @param from the pose where the sweep starts
+     * @param dx displacement to the right, m
+     * @param dy displacement up, m
+     * @param filter which bodies the shape can hit
+     * @throws IllegalArgumentException when the displacement is not finite
      */
     public Optional<RayHit> cast(Shape shape, Placement from, double dx, double dy, Filter filter) {
         return casts().cast(shape, from, dx, dy, filter);
     }
 
     /**
-     * Hands every body that a shape reaches into or touches to a visitor, in order of slots; of a
-     * chain the edges are asked, whose matter has no end.
+     * Calls a visitor with every body that a shape overlaps or touches, in a fixed order. Of a
+     * chain only the edges count: the solid side behind them has no end.
+     *
+     * @param shape any shape, compounds included
+     * @param at its pose
+     * @param filter which bodies are looked for
+     * @param visitor is given each body once
      */
     public void overlapping(Shape shape, Placement at, Filter filter, Consumer<RigidBody> visitor) {
         Require.present("Pool.overlapping visitor", visitor);
@@ -517,11 +545,13 @@ public final class Pool {
     }
 
     /**
-     * The nearest point of any body that a filter meets: that of the body added first of several.
+     * The nearest point of any body that the filter meets; of several bodies equally near, the one
+     * added first.
      *
      * @param x world x, m
      * @param y world y, m, up
-     * @param within how far away it may be, m, 0 or more
+     * @param within greatest distance looked at, m, 0 or more
+     * @param filter which bodies are looked at
      * @throws IllegalArgumentException when a number is not finite
      */
     public Optional<NearestPoint> nearest(double x, double y, double within, Filter filter) {
@@ -529,10 +559,11 @@ public final class Pool {
     }
 
     /**
-     * Strikes all dynamic bodies that a blast reaches, and wakes them.
+     * Gives every dynamic body in reach of an explosion its impulse and wakes it.
      *
-     * @throws IllegalArgumentException when a body would become faster than light: then none is
-     *     struck
+     * @throws IllegalArgumentException when a body would become faster than light; then no body is
+     *     changed
+     * @throws IllegalStateException when called within a step or from a visitor
      */
     public void explode(Explosion explosion) {
         Require.present("Pool.explode explosion", explosion);
@@ -541,7 +572,8 @@ public final class Pool {
     }
 
     /**
-     * Hands every body whose shape reaches into a box to a visitor, in the order of their slots.
+     * Calls a visitor with every body whose shape overlaps a box (m, world frame), in a fixed
+     * order.
      */
     public void overlapping(Aabb box, Consumer<RigidBody> visitor) {
         Require.present("Pool.overlapping box", box);
@@ -549,9 +581,9 @@ public final class Pool {
     }
 
     /**
-     * All that the future depends on, as bytes for {@link #restore}: bodies with their names and
-     * order, contacts with what they carry, time, effects and accuracy. Of an effect that holds a
-     * function only the kind is written.
+     * The whole state that later steps depend on, as bytes for {@link #restore}: bodies with names
+     * and order, joints, contacts with their impulses, time, effects and accuracy. Of an effect
+     * that holds a caller's function only the kind is written.
      *
      * @throws IllegalStateException when called within a step
      */
@@ -561,34 +593,38 @@ public final class Pool {
     }
 
     /**
-     * A 64-bit hash of every bit of the state that the future depends on: pools with equal effects
-     * and accuracy whose hashes are equal go on equally.
+     * A 64-bit hash of every bit of the state that later steps depend on. Two pools with equal
+     * effects, accuracy and hash continue alike.
      */
     public long stateHash() {
         return totals.stateHash();
     }
 
-    /** J of motion and rotation of all dynamic bodies. */
+    /** Kinetic energy of all dynamic bodies, of motion and rotation, J. */
     public double kineticEnergy() {
         return totals.kineticEnergy();
     }
 
-    /** J of all dynamic bodies in the declared gravity; 0 at the world's origin. */
+    /**
+     * Potential energy of all dynamic bodies in the declared gravity, J; 0 at the world's origin.
+     */
     public double potentialEnergy() {
         return totals.potentialEnergy();
     }
 
-    /** N·s to the right, of all dynamic bodies. */
+    /** Momentum of all dynamic bodies to the right, N·s. */
     public double momentumX() {
         return totals.momentumX();
     }
 
-    /** N·s up, of all dynamic bodies. */
+    /** Momentum of all dynamic bodies upwards, N·s. */
     public double momentumY() {
         return totals.momentumY();
     }
 
-    /** kg·m²/s about the world's origin, counter-clockwise, of all dynamic bodies. */
+    /**
+     * Angular momentum of all dynamic bodies about the world's origin, counter-clockwise, kg·m²/s.
+     */
     public double angularMomentum() {
         return totals.angularMomentum();
     }
@@ -628,7 +664,7 @@ public final class Pool {
         return sensors;
     }
 
-    /** Whom a caller asks about sensors; an empty answer would hide that nobody looks. */
+    /** Throws where sensors are not declared: an empty answer would hide that none is simulated. */
     private PoolSensors sensors(String question) {
         if (!senses) {
             throw new IllegalStateException(
@@ -645,16 +681,14 @@ public final class Pool {
         queries().sizeFixture(slot, into);
     }
 
-    /**
-     * What changes a body; refuses bodies of other pools, removed ones, and calls within a step.
-     */
+    /** The editor of a body, once the body is alive and ours and the pool may be changed. */
     BodyEditor editor(RigidBody body) {
         own(body);
         busy.requireChangeable("change a body");
         return editor;
     }
 
-    /** What reads a body; to change one, say which. */
+    /** The editor without those checks: for reading only. */
     BodyEditor editor() {
         return editor;
     }
@@ -667,7 +701,7 @@ public final class Pool {
         return bodies.atSlot(slot);
     }
 
-    /** What changes a joint; refuses as {@link #editor(RigidBody)} does. */
+    /** The editor of a joint, once the joint is alive and ours and the pool may be changed. */
     Joinery joinery(Joint joint) {
         Require.present("joint", joint).requireAlive();
         busy.requireChangeable("change a joint");
@@ -677,7 +711,7 @@ public final class Pool {
         return joints.joinery();
     }
 
-    /** What reads a joint. */
+    /** The editor of joints without those checks: for reading only. */
     Joinery joinery() {
         return joints.joinery();
     }

@@ -25,7 +25,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 
-/** Questions that a shape asks of a pool between steps, or a ray of all that it meets. */
+/** Queries of a pool with a shape, for the nearest point, and for all bodies along a ray. */
 final class PoolCasts {
 
     private final Pool pool;
@@ -49,7 +49,7 @@ final class PoolCasts {
         bodies = pool.columns();
     }
 
-    /** All bodies that a ray enters, each once, by their order on its way. */
+    /** All bodies that a ray enters, each once, in the order along the ray. */
     List<RayHit> rayCastAll(double fromX, double fromY, double toX, double toY, Filter filter) {
         requireWay("rayCastAll", fromX, fromY, toX, toY);
         Require.present("Pool.rayCastAll filter", filter);
@@ -88,7 +88,7 @@ final class PoolCasts {
         return hits;
     }
 
-    /** The first body that a shape meets on a straight way. */
+    /** The first body that a shape hits along a straight line. */
     Optional<RayHit> cast(Shape shape, Placement from, double dx, double dy, Filter filter) {
         Require.present("Pool.cast shape", shape);
         Require.present("Pool.cast from", from);
@@ -133,7 +133,7 @@ final class PoolCasts {
         motion.accelerationY = 0;
     }
 
-    /** Whether a body was added before another, or before anybody. */
+    /** Whether a body was added before another; true if there is no other yet. */
     private boolean isBefore(int slot, int other) {
         return other < 0 || order(slot) < order(other);
     }
@@ -156,7 +156,7 @@ final class PoolCasts {
                 fraction);
     }
 
-    /** The shapes whose fixtures a box may meet that goes from one point to another. */
+    /** The shapes whose fixtures may overlap a box swept from one point to another. */
     private Found onTheWay(Aabb carried, double fromX, double fromY, double toX, double toY) {
         Broadphase broadphase = plan.broadphase();
         if (broadphase == null) {
@@ -176,7 +176,7 @@ final class PoolCasts {
         return found;
     }
 
-    /** The bodies that a shape reaches into or touches. */
+    /** The bodies that a shape overlaps or touches. */
     Set<RigidBody> overlapping(Shape shape, Placement at, Filter filter) {
         Require.present("Pool.overlapping shape", shape);
         Require.present("Pool.overlapping placement", at);
@@ -207,7 +207,7 @@ final class PoolCasts {
         return touches;
     }
 
-    /** The point of any body that is nearest to a point, and no farther than some way in m. */
+    /** The point of any body that is nearest to a point, within a distance in m. */
     Optional<NearestPoint> nearest(double x, double y, double within, Filter filter) {
         Require.finite("Pool.nearest x", x, "m");
         Require.finite("Pool.nearest y", y, "m");
@@ -235,7 +235,7 @@ final class PoolCasts {
         return Optional.ofNullable(nearest);
     }
 
-    /** Puts the pose where the body of a shape is, and answers which body that is. */
+    /** Sets the pose to that of a shape's body and returns the body's slot. */
     private int place(int slot) {
         int body = bodies.bodyOf(slot);
         pose.set(bodies.x[body], bodies.y[body], bodies.cos[body], bodies.sin[body]);

@@ -7,7 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
 
-/** Tells the contacts of the last step: those that pairs keep, and those that edits have taken. */
+/** Reports the contacts of the last step: those in the pairs, and those that edits ended since. */
 final class PoolContacts {
 
     final EndedContacts ended;
@@ -29,7 +29,7 @@ final class PoolContacts {
         return events;
     }
 
-    /** A visit within another one shows a view of its own. */
+    /** Visits every contact; a visit nested in another one uses a view of its own. */
     void forEach(Consumer<? super ContactView> visitor) {
         ContactView shown = busy.isVisited() ? new ContactView() : view;
         busy.beginVisit();

@@ -7,7 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
 
-/** Tells the impacts of the last step. */
+/** Reports the impacts of the last step. */
 final class PoolHits {
 
     private final Pool pool;
@@ -27,7 +27,7 @@ final class PoolHits {
         return events;
     }
 
-    /** A visit within another one shows a view of its own. */
+    /** Visits every impact; a visit nested in another one uses a view of its own. */
     void forEach(Consumer<? super HitView> visitor) {
         Hits hits = data.hits;
         HitView shown = busy.isVisited() ? new HitView() : view;

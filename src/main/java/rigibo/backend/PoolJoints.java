@@ -11,7 +11,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 
-/** The joints of a pool in which they are declared: their handles, and which broke. */
+/** The joints of a pool that declares {@code Joints}: their handles, and which ones broke. */
 final class PoolJoints {
 
     private final Pool pool;
@@ -26,13 +26,13 @@ final class PoolJoints {
         joinery = new Joinery(pool, data, plan);
     }
 
-    /** Goes on with the joints of a snapshot, in the order in which they were joined. */
+    /** Takes over the joints of a snapshot, in the order in which they were joined. */
     void restore(int[] order) {
         store.derive();
         for (int slot : order) {
             joints.append(new Joint(pool, slot));
         }
-        // Definitions refuse what no joint can be.
+        // Making a definition checks the restored values.
         joints.forEach(Joint::definition);
     }
 
@@ -48,7 +48,7 @@ final class PoolJoints {
         return joint;
     }
 
-    /** Ends a joint, and the gears that couple it. */
+    /** Removes a joint and the gears that couple it. */
     void remove(Joint joint) {
         int slot = requireOwn(joint).slot();
         for (Joint other : List.copyOf(joints)) {
@@ -68,7 +68,7 @@ final class PoolJoints {
         joint.markRemoved();
     }
 
-    /** Ends the joints of a body that is about to go. */
+    /** Removes the joints of a body that is about to be removed. */
     void removeAllOf(RigidBody body) {
         int first = store.firstOf(body.slot());
         while (first != JointStore.NONE) {
@@ -77,18 +77,18 @@ final class PoolJoints {
         }
     }
 
-    /** Ends all joints, for they are no longer declared. */
+    /** Marks all joints as removed, since {@code Joints} is no longer declared. */
     void removeAll() {
         joints.forEach(Joint::markRemoved);
     }
 
-    /** Ends the joints that broke in the last step, and tells of them. */
+    /** Removes the joints that broke in the last step, and records them. */
     void followBreaks() {
         broken.clear();
         Found slots = store.broken;
         for (int i = 0; i < slots.count; i++) {
             Joint joint = joints.atSlot(slots.numbers[i]);
-            // One that was geared to another that broke has ended with it.
+            // A gear whose joint broke in the same step was removed with that joint.
             if (joint != null) {
                 broken.add(
                         new JointBreak(

@@ -20,10 +20,10 @@ import java.util.LinkedHashSet;
 import java.util.Optional;
 import java.util.Set;
 
-/** Answers questions about a pool between steps. */
+/** Queries of a pool between steps by point, ray and box. */
 final class PoolQueries {
 
-    /** Side in m of the box that stands for one without an area. */
+    /** Side in m of the box used in place of one without an area. */
     private static final double LEAST_SIDE = 1e-9;
 
     private final Pool pool;
@@ -78,7 +78,7 @@ final class PoolQueries {
         return Optional.ofNullable(last);
     }
 
-    /** Whether a shape is one that a filter meets; sensors are none. */
+    /** Whether a filter meets a shape; it meets no sensor. */
     boolean meets(int slot, Filter filter) {
         if (bodies.isSensor(slot)) {
             return false;
@@ -90,7 +90,7 @@ final class PoolQueries {
                         : own.category(bodies.category[slot]).mask(bodies.mask[slot]));
     }
 
-    /** Whether a body holds a point with any of its parts. */
+    /** Whether any part of a body contains a point. */
     boolean holds(int body, double x, double y) {
         pose.set(bodies.x[body], bodies.y[body], bodies.cos[body], bodies.sin[body]);
         boolean holds = false;
@@ -100,14 +100,14 @@ final class PoolQueries {
         return holds;
     }
 
-    /** Puts the pose where the body of a shape is, and answers which body that is. */
+    /** Sets the pose to that of a shape's body and returns the body's slot. */
     private int place(int slot) {
         int body = bodies.bodyOf(slot);
         pose.set(bodies.x[body], bodies.y[body], bodies.cos[body], bodies.sin[body]);
         return body;
     }
 
-    /** The one of two bodies that was added later; slots are used again, so they do not tell. */
+    /** The body that was added later; slots are reused, so their order does not tell. */
     private static RigidBody later(RigidBody one, RigidBody other) {
         return one == null || one.place < other.place ? other : one;
     }
@@ -126,17 +126,17 @@ final class PoolQueries {
         return ray.first(near(box), fromX, fromY, toX, toY, filter);
     }
 
-    /** The last ray, which counts its work. */
+    /** The ray cast, with the work counters of its last use. */
     RayCast ray() {
         return ray;
     }
 
-    /** Bodies whose shape, not only whose fixture, reaches into the box. */
+    /** Bodies whose shape, not only whose fixture, overlaps the box. */
     Set<RigidBody> overlapping(Aabb area) {
         Set<RigidBody> inside = new LinkedHashSet<>();
         double width = area.maxX - area.minX;
         double height = area.maxY - area.minY;
-        // A box without an area is no polygon; half a nanometre is nothing to any body.
+        // A box without an area cannot be a polygon; half a nanometre does not matter to any body.
         Outline outline =
                 Polygon.box(Math.max(width, LEAST_SIDE), Math.max(height, LEAST_SIDE)).outline();
         areaPose.set((area.minX + area.maxX) / 2, (area.minY + area.maxY) / 2, 1, 0);
@@ -153,7 +153,8 @@ final class PoolQueries {
     }
 
     /**
-     * The slots of all shapes that may reach into a box; without contacts nobody keeps fixtures.
+     * The slots of all shapes that may overlap a box. Without contacts there are no fixtures, so it
+     * then compares the bounds of every shape.
      */
     Found near(Aabb area) {
         Broadphase broadphase = plan.broadphase();
@@ -179,7 +180,8 @@ final class PoolQueries {
     }
 
     /**
-     * Writes the box kept for a body, or its bounds where none is kept; of its parts that of all.
+     * Writes the fixture of a body (for a compound, around all its parts), or its bounds if it has
+     * no fixture.
      */
     void sizeFixture(int body, Aabb into) {
         fixture(body, into);

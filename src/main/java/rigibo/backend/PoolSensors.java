@@ -12,7 +12,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.function.Consumer;
 
-/** Tells what sensors saw in the last step, and what edits have taken from them since. */
+/** Reports the sensor events of the last step, and visits that edits ended since. */
 final class PoolSensors {
 
     private final Pool pool;
@@ -21,7 +21,7 @@ final class PoolSensors {
     private final Busy busy;
     private final SensorView view = new SensorView();
 
-    /** Visits that an edit has ended: the step after it tells so. */
+    /** Visits that edits ended since the last step: the next step reports them. */
     private final List<SensorEvent> ending = new ArrayList<>();
 
     private final List<SensorEvent> ended = new ArrayList<>();
@@ -33,7 +33,7 @@ final class PoolSensors {
         bodies = data.bodies;
     }
 
-    /** Forgets the visits of a body whose shapes are about to go. */
+    /** Ends the visits of a body whose shapes are about to be removed. */
     void cutAllOf(int body) {
         Visits visits = data.visits;
         for (int i = 0; i < visits.count; i++) {
@@ -50,10 +50,10 @@ final class PoolSensors {
         }
     }
 
-    /** After a step tells the ends that edits made before it. */
+    /** After a step: makes the visits that edits ended before it part of that step's events. */
     void follow() {
         ended.clear();
-        // List.addAll makes an array of what is added, even of nothing.
+        // List.addAll allocates an array even for an empty list.
         for (int i = 0; i < ending.size(); i++) {
             ended.add(ending.get(i));
         }
@@ -66,7 +66,7 @@ final class PoolSensors {
         return events;
     }
 
-    /** A visit within another one shows a view of its own. */
+    /** Passes every event to a reader; a call nested in another one uses a view of its own. */
     void forEach(Consumer<? super SensorView> reader) {
         SensorView shown = busy.isVisited() ? new SensorView() : view;
         busy.beginVisit();
@@ -117,7 +117,7 @@ final class PoolSensors {
         shown.phase = event.phase();
     }
 
-    /** The bodies inside of any sensor of a body, each once, in the order they were found. */
+    /** The bodies inside any sensor of a body, each once, in the order they were found. */
     Set<RigidBody> inside(int body) {
         Set<RigidBody> inside = new LinkedHashSet<>();
         Visits visits = data.visits;

@@ -10,8 +10,9 @@ import java.util.function.IntConsumer;
 import java.util.function.Supplier;
 
 /**
- * Snapshots of other revisions of the simulation: {@link Pool#restore(byte[])} refuses them, for a
- * pool restored from one goes on from the same state, but to other bits than it once did.
+ * Restores snapshots that another revision of the simulation wrote. {@link Pool#restore(byte[])}
+ * refuses them: a pool restored from one has the same state, but continues to different bits than
+ * the original did.
  *
  * <pre>{@code
  * byte[] kept = pool.snapshot();
@@ -31,7 +32,7 @@ public final class PoolSnapshot {
     /**
      * The {@link Pool#REVISION} of the engine that wrote a snapshot.
      *
-     * @throws IllegalArgumentException when it is cut short, altered or of another format
+     * @throws IllegalArgumentException when the snapshot is truncated, altered or of another format
      */
     public static int revision(byte[] snapshot) {
         Require.present("PoolSnapshot.revision snapshot", snapshot);
@@ -39,9 +40,10 @@ public final class PoolSnapshot {
     }
 
     /**
-     * A pool with the state of a snapshot, whatever its revision.
+     * Restores a pool from a snapshot of any revision.
      *
-     * @throws IllegalArgumentException as {@link Pool#restore(byte[])}, but for the revision
+     * @throws IllegalArgumentException as {@link Pool#restore(byte[])} does, except for the
+     *     revision
      */
     public static Pool restoreOfAnyRevision(byte[] snapshot) {
         Require.present(OF_ANY + " snapshot", snapshot);
@@ -49,10 +51,11 @@ public final class PoolSnapshot {
     }
 
     /**
-     * Restores a snapshot of any revision, with the caller's effects in place of those saved.
+     * Restores a pool from a snapshot of any revision, with the given effects in place of the saved
+     * ones.
      *
-     * @throws IllegalArgumentException as {@link Pool#restore(byte[], Effects)}, but for the
-     *     revision
+     * @throws IllegalArgumentException as {@link Pool#restore(byte[], Effects)} does, except for
+     *     the revision
      */
     public static Pool restoreOfAnyRevision(byte[] snapshot, Effects effects) {
         Require.present(OF_ANY + " snapshot", snapshot);
@@ -93,7 +96,7 @@ public final class PoolSnapshot {
         return snapshot.encode();
     }
 
-    /** Says whose snapshot it is that cannot be read. */
+    /** Prefixes the message of a refused snapshot with the method that was called. */
     private static <T> T told(String verb, Supplier<T> reading) {
         try {
             return reading.get();

@@ -6,8 +6,8 @@ import rigibo.backend.setup.JointSettings;
 import rigibo.backend.setup.Require;
 
 /**
- * A slide: B does not turn against A and its point stays on an axis of A. Its coordinate is the way
- * of that point along the axis, m; a spring pulls it to 0.
+ * A slide: B does not turn relative to A, and the anchor on B stays on an axis of A. The coordinate
+ * is the displacement of that anchor along the axis, m; a spring pulls it to 0.
  *
  * <pre>{@code
  * RigidBody wall = pool.add(BodyDefinition.fixed(Polygon.box(0.2, 3)));
@@ -16,9 +16,9 @@ import rigibo.backend.setup.Require;
  * }</pre>
  *
  * @param a the first body
- * @param b the second body, whose coordinate is told
- * @param frameA where the joint holds A, and its axis
- * @param frameB where it holds B
+ * @param b the second body, whose motion relative to A is the coordinate
+ * @param frameA anchor and axis on A
+ * @param frameB anchor on B
  * @param settings limits (m), motor (m/s, N), spring
  */
 public record PrismaticJoint(
@@ -42,7 +42,10 @@ public record PrismaticJoint(
                         JointSettings.Part.SPRING);
     }
 
-    /** A slide through a world point in m along an angle in rad, at 0 as the two are placed now. */
+    /**
+     * A slide through a world point (m) along a world angle (rad), whose coordinate is 0 at the
+     * bodies' present poses.
+     */
     public static PrismaticJoint along(RigidBody a, RigidBody b, double x, double y, double angle) {
         JointEnds.require("PrismaticJoint", a, b);
         return new PrismaticJoint(

@@ -6,9 +6,9 @@ import rigibo.backend.setup.JointSettings;
 import rigibo.backend.setup.Require;
 
 /**
- * A rope over two fixed points of the world, from a point of A to a point of B, which pulls and
- * never pushes: its coordinate is the length on A's side plus {@code ratio} times that on B's, m,
- * and never more than {@code length}. A ratio other than 1 is a block and tackle.
+ * A rope from an anchor on A over two fixed world points to an anchor on B; it pulls and never
+ * pushes. The rope's length on A's side plus {@code ratio} times its length on B's side is never
+ * more than {@code length}. A ratio other than 1 makes it a block and tackle.
  *
  * <pre>{@code
  * pool.join(PulleyJoint.over(crate, door, 10)); // over two points, 10 m above the bodies
@@ -16,15 +16,15 @@ import rigibo.backend.setup.Require;
  *
  * @param a the first body
  * @param b the second body
- * @param frameA where the rope holds A
- * @param frameB where it holds B
- * @param groundAX world x of the point over A, m
- * @param groundAY world y, m
- * @param groundBX world x of the point over B, m
- * @param groundBY world y, m
- * @param ratio positive
- * @param length m, positive
- * @param settings breaking loads and whether the two meet
+ * @param frameA anchor on A
+ * @param frameB anchor on B
+ * @param groundAX world x of the fixed point above A, m
+ * @param groundAY world y of the fixed point above A, m, up
+ * @param groundBX world x of the fixed point above B, m
+ * @param groundBY world y of the fixed point above B, m, up
+ * @param ratio weight of the rope's length on B's side, no unit, positive
+ * @param length greatest value of the weighted length, m, positive
+ * @param settings breaking loads and whether the two bodies collide
  */
 public record PulleyJoint(
         RigidBody a,
@@ -59,10 +59,10 @@ public record PulleyJoint(
     }
 
     /**
-     * A taut rope from a body's centre of mass straight up to the height of a world point, over two
-     * points there, and down to the other's centre.
+     * A taut rope from A's centre of mass straight up to a height, across at that height, and
+     * straight down to B's centre of mass, with a ratio of 1.
      *
-     * @param height of the two points, world y, m
+     * @param height world y of the two fixed points, m
      */
     public static PulleyJoint over(RigidBody a, RigidBody b, double height) {
         JointEnds.require("PulleyJoint", a, b);

@@ -11,7 +11,7 @@ import rigibo.backend.storage.Pairs;
 
 import java.util.Optional;
 
-/** Finds the first body that a ray meets. */
+/** Finds the first body that a ray hits. */
 final class RayCast {
 
     private static final int NOBODY = -1;
@@ -22,7 +22,7 @@ final class RayCast {
     private final Pose pose = new Pose();
     private final PointAndRay pointAndRay = new PointAndRay();
 
-    /** Whom the ray may meet; null for everybody. */
+    /** Which shapes the ray can hit; null for all. */
     private Filter filter;
 
     private double fromX;
@@ -30,7 +30,7 @@ final class RayCast {
     private double toX;
     private double toY;
 
-    /** The first body met so far, where on the way, and the outward normal there. */
+    /** The first body hit so far; below, the fraction of the ray and the outward normal there. */
     private int met;
 
     private double fraction;
@@ -46,7 +46,7 @@ final class RayCast {
         bodies = pool.columns();
     }
 
-    /** Along the broadphase's tree. */
+    /** Searches the broadphase's tree. */
     Optional<RayHit> first(
             Broadphase broadphase,
             double fromX,
@@ -64,7 +64,7 @@ final class RayCast {
         return hit();
     }
 
-    /** Among these bodies. */
+    /** Searches the given shapes. */
     Optional<RayHit> first(
             Found slots, double fromX, double fromY, double toX, double toY, Filter whom) {
         filter = whom;
@@ -75,12 +75,12 @@ final class RayCast {
         return hit();
     }
 
-    /** Boxes of the tree that the last ray was compared with. */
+    /** Number of boxes of the tree that the last ray was tested against. */
     int nodes() {
         return nodes;
     }
 
-    /** Shapes that the last ray was compared with. */
+    /** Number of shapes that the last ray was tested against. */
     int shapes() {
         return shapes;
     }
@@ -111,12 +111,15 @@ final class RayCast {
         }
     }
 
-    /** Of a body in one piece the ray itself has told: it does not enter what it starts in. */
+    /** For a body in one piece always false: the ray test itself leaves out bodies it starts in. */
     private boolean startsWithin(int body) {
         return bodies.nextShapeOf(body) != Pairs.NONE && queries.holds(body, fromX, fromY);
     }
 
-    /** Slots are used again, so that they do not tell. */
+    /**
+     * Whether a shape belongs before the hit one, by the order in which bodies were added and then
+     * of parts; slots are reused, so their order does not tell.
+     */
     private boolean isFirstAdded(int slot) {
         if (met == NOBODY) {
             return true;

@@ -6,8 +6,8 @@ import rigibo.backend.setup.JointSettings;
 import rigibo.backend.setup.Require;
 
 /**
- * A hinge: a point of A and a point of B stay together. Its coordinate is the angle from A's frame
- * to B's, rad, counter-clockwise; a spring pulls it to 0.
+ * A hinge: the anchors on A and B stay together. The coordinate is the angle from A's axis to B's,
+ * rad, counter-clockwise; a spring pulls it to 0.
  *
  * <pre>{@code
  * RigidBody wall = pool.add(BodyDefinition.fixed(Polygon.box(0.2, 3)));
@@ -17,9 +17,9 @@ import rigibo.backend.setup.Require;
  * }</pre>
  *
  * @param a the first body
- * @param b the second body, whose coordinate is told
- * @param frameA where the joint holds A, and its axis
- * @param frameB where it holds B
+ * @param b the second body, whose motion relative to A is the coordinate
+ * @param frameA anchor and axis on A
+ * @param frameB anchor and axis on B
  * @param settings limits (rad), motor (rad/s, N·m), spring
  */
 public record RevoluteJoint(
@@ -43,7 +43,7 @@ public record RevoluteJoint(
                         JointSettings.Part.SPRING);
     }
 
-    /** A hinge at a world point in m, with an angle of 0 as the two are placed now. */
+    /** A hinge at a world point (m), whose angle is 0 at the bodies' present poses. */
     public static RevoluteJoint at(RigidBody a, RigidBody b, double x, double y) {
         JointEnds.require("RevoluteJoint", a, b);
         return new RevoluteJoint(

@@ -12,9 +12,10 @@ import rigibo.backend.storage.Pairs;
 import java.util.List;
 
 /**
- * A handle on one body of a {@link Pool}. Readers tell its state now; verbs change it between steps
- * and wake it. Once the body is removed, everything but {@link #isAlive}, {@link #name} and {@link
- * #toString} throws {@link IllegalStateException}.
+ * A handle on one body of a {@link Pool}. Readers return its current state; verbs change the state
+ * between steps and wake the body. After removal every method but {@link #isAlive}, {@link #name},
+ * {@link #tag} and {@link #toString} throws {@link IllegalStateException}; so does every verb but
+ * {@link #tag(Object)} within a step or from a visitor of the pool.
  *
  * <pre>{@code
  * crate.velocity(2, 0);
@@ -31,7 +32,7 @@ public final class RigidBody {
     private int slot;
     private Object tag;
 
-    /** Place in the pool's list of bodies, which tells who was added before whom. */
+    /** Index in the pool's list of bodies; a body added earlier has a smaller one. */
     int place;
 
     RigidBody(Pool pool, int slot, String name) {
@@ -50,7 +51,7 @@ public final class RigidBody {
         return columns().y[slot];
     }
 
-    /** Angle in rad, counter-clockwise, not wrapped: it counts full turns. */
+    /** Angle in rad, counter-clockwise. It is not wrapped: full turns add up. */
     public double angle() {
         return columns().angle[slot];
     }
@@ -78,8 +79,9 @@ public final class RigidBody {
     }
 
     /**
-     * Inertia about the centre of mass in kg·m², stated or of the shape, whether rotation is
-     * declared or not; infinite for static and kinematic bodies.
+     * Moment of inertia about the centre of mass in kg·m²: as the definition stated it, otherwise
+     * that of the shape. It is known even if rotation is not declared; infinite for static and
+     * kinematic bodies.
      */
     public double inertia() {
         Bodies bodies = columns();
@@ -94,30 +96,30 @@ public final class RigidBody {
         return columns().angularMomentum(slot);
     }
 
-    /** Energy of motion and rotation in J; 0 for static and kinematic bodies. */
+    /** Kinetic energy of motion and rotation in J; 0 for static and kinematic bodies. */
     public double kineticEnergy() {
         return columns().kineticEnergy(slot);
     }
 
-    /** What may move the body. */
+    /** Whether the body is dynamic, static or kinematic. */
     public BodyType type() {
         return columns().type[slot];
     }
 
-    /** The shape, whose centre of mass is at (x, y). */
+    /** The shape; its centre of mass lies at (x, y). */
     public Shape shape() {
         return columns().shape[slot];
     }
 
-    /** What the body is made of. */
+    /** The material of the body; of a compound, that of its first part. */
     public Material material() {
         return columns().material[slot];
     }
 
     /**
-     * What the surface of one part of the shape is made of.
+     * The surface material of one part of the shape.
      *
-     * @param part from 0
+     * @param part index of the part, from 0
      * @throws IllegalArgumentException when there is no such part
      */
     public Material material(int part) {
@@ -125,15 +127,15 @@ public final class RigidBody {
         return pool.editor().material(slot, part);
     }
 
-    /** Whom the body meets; of a compound its first part. */
+    /** The collision filter of the body; of a compound, that of its first part. */
     public Filter filter() {
         return filter(0);
     }
 
     /**
-     * Whom one part of the shape meets.
+     * The collision filter of one part of the shape.
      *
-     * @param part from 0
+     * @param part index of the part, from 0
      * @throws IllegalArgumentException when there is no such part
      */
     public Filter filter(int part) {
@@ -141,7 +143,7 @@ public final class RigidBody {
         return pool.editor().filter(slot, part);
     }
 
-    /** Whether all parts of the shape touch nothing and tell who is inside. */
+    /** Whether all parts of the shape are sensors: they touch nothing and report who is inside. */
     public boolean isSensor() {
         Bodies bodies = columns();
         boolean isSensor = true;
@@ -151,61 +153,64 @@ public final class RigidBody {
         return isSensor;
     }
 
-    /** The joints that hold the body, in the order they were joined; a list of its own. */
+    /** The joints that hold the body, in the order they were joined, as a new list. */
     public List<Joint> joints() {
         columns();
         return pool.jointsOf(slot);
     }
 
-    /** Whether the body is kept from turning. */
+    /** Whether the rotation of the body is locked. */
     public boolean rotationLocked() {
         return columns().isRotationLocked(slot);
     }
 
-    /** Whether the body is kept from moving to the left and right. */
+    /** Whether the centre of mass is locked in x. */
     public boolean xLocked() {
         return columns().isLockedInX(slot);
     }
 
-    /** Whether the body is kept from moving up and down. */
+    /** Whether the centre of mass is locked in y. */
     public boolean yLocked() {
         return columns().isLockedInY(slot);
     }
 
-    /** The name from the definition; also after removal. */
+    /** The name from the definition. It can be read after removal too. */
     public String name() {
         return name;
     }
 
-    /** Whether the body is simulated; a static body is never awake. */
+    /** Whether the body is awake, that is, simulated in the next step. A static body never is. */
     public boolean isAwake() {
         return columns().awake[slot] && columns().type[slot] != BodyType.STATIC;
     }
 
     /**
-     * Writes the box that the broadphase keeps for the body, m: its bounds with a margin and, where
-     * it is fast, its way ahead; its bounds alone where no contacts are declared.
+     * Writes the fixture that the broadphase keeps for the body, in m: its bounds enlarged by a
+     * margin and, for a fast body, by its path in the next step. Without {@code Contacts} it is the
+     * bounds alone.
+     *
+     * @param into is overwritten
      */
     public void sizeFixture(Aabb into) {
         columns();
         pool.sizeFixture(slot, into);
     }
 
-    /** World x in m of a point of the body's own frame, whose origin is the centre of mass, m. */
+    /** World x in m of a point (m) in the body's frame, whose origin is the centre of mass. */
     public double worldX(double localX, double localY) {
         Bodies bodies = columns();
         return bodies.x[slot] + (bodies.cos[slot] * localX - bodies.sin[slot] * localY);
     }
 
-    /** World y in m of a point of the body's own frame, m. */
+    /** World y in m of a point (m) in the body's frame, whose origin is the centre of mass. */
     public double worldY(double localX, double localY) {
         Bodies bodies = columns();
         return bodies.y[slot] + (bodies.sin[slot] * localX + bodies.cos[slot] * localY);
     }
 
     /**
-     * World x in m of the point that was the origin where the corners of the polygon or the parts
-     * of the compound were stated; the body's own x for shapes that are stated about their centre.
+     * World x in m of the origin of the coordinates in which the polygon's corners or the
+     * compound's parts were stated. For shapes stated about their centre it equals {@link #x}.
      *
      * <pre>{@code
      * Polygon wedge = Polygon.of(0, 0, 3, 0, 0, 1); // the right angle is its origin
@@ -217,13 +222,13 @@ public final class RigidBody {
         return worldX(shape.originX(), shape.originY());
     }
 
-    /** World y in m of the same point. */
+    /** World y in m of the origin of the coordinates in which the shape was stated. */
     public double originY() {
         Shape shape = shape();
         return worldY(shape.originX(), shape.originY());
     }
 
-    /** Where a world point in m is in the body's own frame, m along its first axis. */
+    /** The x coordinate of a world point (m) in the body's frame, m. */
     public double localX(double worldX, double worldY) {
         Bodies bodies = columns();
         double dx = worldX - bodies.x[slot];
@@ -231,7 +236,7 @@ public final class RigidBody {
         return bodies.cos[slot] * dx + bodies.sin[slot] * dy;
     }
 
-    /** Where a world point in m is in the body's own frame, m along its second axis. */
+    /** The y coordinate of a world point (m) in the body's frame, m. */
     public double localY(double worldX, double worldY) {
         Bodies bodies = columns();
         double dx = worldX - bodies.x[slot];
@@ -239,19 +244,21 @@ public final class RigidBody {
         return bodies.cos[slot] * dy - bodies.sin[slot] * dx;
     }
 
-    /** Velocity to the right in m/s of the body's point that is at a world point in m. */
+    /** Velocity to the right, m/s, of the material point of the body at a world point (m). */
     public double velocityXAt(double worldX, double worldY) {
         return velocityX() - angularVelocity() * (worldY - y());
     }
 
-    /** Velocity upwards in m/s of the body's point that is at a world point in m. */
+    /** Velocity upwards, m/s, of the material point of the body at a world point (m). */
     public double velocityYAt(double worldX, double worldY) {
         return velocityY() + angularVelocity() * (worldX - x());
     }
 
     /**
-     * World x in m of the centre of mass at a share of the last step, for pictures between two
-     * steps: 0 where it began, 1 where it ended.
+     * World x of the centre of mass in m, interpolated linearly over the last step: for drawing
+     * frames between two steps.
+     *
+     * @param share 0 for the start of the last step, 1 for its end
      */
     public double xAt(double share) {
         Bodies bodies = columns();
@@ -259,14 +266,14 @@ public final class RigidBody {
         return bodies.isMoved(slot) ? now - (1 - share) * (now - bodies.startX[slot]) : now;
     }
 
-    /** World y in m of the centre of mass at a share of the last step. */
+    /** World y of the centre of mass in m, interpolated as {@link #xAt} is. */
     public double yAt(double share) {
         Bodies bodies = columns();
         double now = bodies.y[slot];
         return bodies.isMoved(slot) ? now - (1 - share) * (now - bodies.startY[slot]) : now;
     }
 
-    /** Angle in rad at a share of the last step. */
+    /** Angle in rad, interpolated as {@link #xAt} is. */
     public double angleAt(double share) {
         Bodies bodies = columns();
         double now = bodies.angle[slot];
@@ -274,17 +281,17 @@ public final class RigidBody {
         return hasTurned ? now - (1 - share) * (now - bodies.startAngle[slot]) : now;
     }
 
-    /** What {@link #tag(Object)} was given last, or null; no snapshot keeps it. */
+    /** The object last attached with {@link #tag(Object)}, or null. Snapshots do not keep it. */
     public Object tag() {
         return tag;
     }
 
-    /** Keeps anything of the caller's with the body: a sprite, a player, a score. */
+    /** Attaches any object of the caller's to the body: a sprite, a player, a score. */
     public void tag(Object anything) {
         tag = anything;
     }
 
-    /** Whether the body takes part; see {@link #disable}. */
+    /** Whether the body takes part in the simulation; see {@link #disable}. */
     public boolean isEnabled() {
         return !columns().isDisabled(slot);
     }
@@ -295,42 +302,42 @@ public final class RigidBody {
     }
 
     /**
-     * Places the body anew; its velocity stays.
+     * Moves the body to a pose at once; its velocity does not change.
      *
      * @param x world x of the centre of mass, m
      * @param y world y of the centre of mass, m, up
      * @param angle rad, counter-clockwise, within a million turns
-     * @throws IllegalArgumentException when one is not finite
+     * @throws IllegalArgumentException when a number is out of its range
      */
     public void moveTo(double x, double y, double angle) {
         pool.editor(this).moveTo(slot, x, y, angle);
     }
 
     /**
-     * Sets the velocity of the centre of mass; a static body's cannot be set.
+     * Sets the velocity of the centre of mass. Along a locked axis it stays 0.
      *
      * @param vx m/s, to the right
      * @param vy m/s, up
-     * @throws IllegalArgumentException when one is not finite or the body is static
+     * @throws IllegalArgumentException when a number is not within ± the speed of light, or not 0
+     *     for a static body
      */
     public void velocity(double vx, double vy) {
         pool.editor(this).motion.velocity(slot, vx, vy);
     }
 
     /**
-     * Sets the angular velocity; a static body's cannot be set. Where rotation is not declared the
-     * body does not turn, and does not begin to when it is declared later; nor does one that is
-     * kept from turning.
+     * Sets the angular velocity. The call has no effect where {@code Rotation} is not declared or
+     * the body's rotation is locked; the value is not remembered for later either.
      *
-     * @param radiansPerSecond counter-clockwise
-     * @throws IllegalArgumentException when it is not finite or the body is static
+     * @param radiansPerSecond rad/s, counter-clockwise, within ±1e6
+     * @throws IllegalArgumentException when it is out of its range, or not 0 for a static body
      */
     public void spin(double radiansPerSecond) {
         pool.editor(this).motion.spin(slot, radiansPerSecond);
     }
 
     /**
-     * Applies a force during the next step: the origin report's thrust T at the point P.
+     * Applies a force during the whole next step; forces applied between two steps add up.
      *
      * @param fx N, to the right
      * @param fy N, up
@@ -344,7 +351,7 @@ public final class RigidBody {
     }
 
     /**
-     * Applies a torque during the next step.
+     * Applies a torque during the whole next step; torques applied between two steps add up.
      *
      * @param torque N·m, counter-clockwise
      * @throws IllegalStateException when the effect {@code Thrust} is not declared
@@ -355,84 +362,99 @@ public final class RigidBody {
     }
 
     /**
-     * Changes the momentum at once.
+     * Applies an impulse at a point: velocity and angular velocity change at once.
      *
      * @param jx N·s, to the right
      * @param jy N·s, up
      * @param px world x of the point, m
      * @param py world y of the point, m
-     * @throws IllegalArgumentException when a number is not finite
+     * @throws IllegalArgumentException when a number is not finite, or the body would become faster
+     *     than light or than 1e6 rad/s
      */
     public void applyImpulse(double jx, double jy, double px, double py) {
         pool.editor(this).motion.applyImpulse(slot, jx, jy, px, py);
     }
 
-    /** Changes how the body answers forces; one that becomes static loses its velocity. */
+    /**
+     * Makes the body dynamic, static or kinematic. A body that becomes static loses its velocity.
+     *
+     * @throws IllegalArgumentException when a body with a {@code Chain} should become dynamic
+     */
     public void type(BodyType type) {
         pool.editor(this).type(slot, Require.present("RigidBody.type", type));
     }
 
     /**
-     * Changes the material of all parts; the mass follows the density unless the definition stated
-     * it.
+     * Sets the material of all parts. The mass follows from the new density, unless the definition
+     * stated a mass.
      */
     public void material(Material material) {
         pool.editor(this).material(slot, Require.present("RigidBody.material", material));
     }
 
     /**
-     * Changes the surface of one part of the shape; density and drag stay the body's.
+     * Sets the surface material of one part of the shape. Its density and drag are ignored: those
+     * are the body's.
      *
-     * @param part from 0
+     * @param part index of the part, from 0
      * @throws IllegalArgumentException when there is no such part
      */
     public void material(int part, Material surface) {
         pool.editor(this).material(slot, part, Require.present("RigidBody.material", surface));
     }
 
-    /** Changes whom the body meets, with all its parts. */
+    /** Sets the collision filter of all parts. */
     public void filter(Filter filter) {
         pool.editor(this).filter(slot, Require.present("RigidBody.filter", filter));
     }
 
     /**
-     * Changes whom one part of the shape meets.
+     * Sets the collision filter of one part of the shape.
      *
-     * @param part from 0
+     * @param part index of the part, from 0
      * @throws IllegalArgumentException when there is no such part
      */
     public void filter(int part, Filter filter) {
         pool.editor(this).filter(slot, part, Require.present("RigidBody.filter", filter));
     }
 
-    /** Keeps the body from turning from now on, or lets it turn again, from rest. */
+    /** Locks the rotation of the body, which stops its spin, or unlocks it. */
     public void rotationLocked(boolean isLocked) {
         pool.editor(this).locks.rotation(slot, isLocked);
     }
 
     /**
-     * Keeps the centre of mass from moving to the left and right from now on, or lets it move
-     * again, from rest. While it is locked every velocity it is given along x is passed over.
+     * Locks the centre of mass in x, which stops its motion along x, or unlocks it. While it is
+     * locked, every velocity set along x is ignored.
      */
     public void xLocked(boolean isLocked) {
         pool.editor(this).locks.axes(slot, isLocked, yLocked());
     }
 
-    /** Keeps the centre of mass from moving up and down likewise. */
+    /** Locks the centre of mass in y, or unlocks it, as {@link #xLocked(boolean)} does in x. */
     public void yLocked(boolean isLocked) {
         pool.editor(this).locks.axes(slot, xLocked(), isLocked);
     }
 
-    /** Changes the shape about the same centre of mass; the mass follows likewise. */
+    /**
+     * Sets the shape; the centre of mass stays where it is. The mass follows from the new shape,
+     * unless the definition stated a mass.
+     *
+     * @throws IllegalArgumentException when a dynamic body should get a {@code Chain}, or the mass
+     *     or inertia would be out of its range
+     * @throws IllegalStateException when the shape has a sensor and the effect {@code Sensors} is
+     *     not declared
+     */
     public void shape(Shape shape) {
         pool.editor(this).shape(slot, Require.present("RigidBody.shape", shape));
     }
 
     /**
-     * Drives a kinematic body to a pose, in so many seconds of simulated time, where it then stops.
-     * On the way it turns evenly, and its centre of mass goes along the arc that belongs to the
-     * turn, so that a door turns about its hinge; straight where it does not turn, or by more than
-     * half a turn. What stands on it is taken along. Any other velocity, pose or type ends it.
+     * Drives a kinematic body to a pose within a given time and stops it there. On the way it turns
+     * at a constant rate, and its centre of mass moves along the matching arc, so that a door turns
+     * about its hinge. The path is straight if the body does not turn or turns by more than half a
+     * turn. Bodies that stand on it are carried along. Setting its velocity, spin, pose or type
+     * ends the drive.
      *
      * <pre>{@code
      * RigidBody lift = pool.add(BodyDefinition.kinematic(Polygon.box(2, 0.2)));
@@ -441,33 +463,33 @@ public final class RigidBody {
      *
      * @param x world x of the centre of mass, m
      * @param y world y of the centre of mass, m, up
-     * @param angle rad, counter-clockwise, within a million turns; passed over where rotation is
-     *     not declared
-     * @param seconds from now on, positive
+     * @param angle rad, counter-clockwise, within a million turns; ignored where {@code Rotation}
+     *     is not declared
+     * @param seconds duration from now, s of simulated time, positive
      * @throws IllegalArgumentException when a number is out of its range, the body is not
-     *     kinematic, or it would be faster than light
+     *     kinematic, would have to move along a locked axis, or would have to be faster than light
      */
     public void driveTo(double x, double y, double angle, double seconds) {
         pool.editor(this).motion.driveTo(slot, x, y, angle, seconds);
     }
 
     /**
-     * Puts a dynamic body to sleep where it is, without velocity: it hangs there until something
-     * touches it or it is woken. Others are not concerned.
+     * Stops a dynamic body and puts it to sleep where it is, even in mid-air, until something
+     * touches it or it is woken. Has no effect on static and kinematic bodies.
      */
     public void sleep() {
         pool.editor(this).motion.sleep(slot);
     }
 
     /**
-     * Takes the body out of the simulation until {@link #enable}: nothing moves it, nobody meets or
-     * finds it, and it keeps what it has, its velocity too. Wakes what it touched.
+     * Takes the body out of the simulation until {@link #enable}: it does not move or collide, and
+     * queries do not find it. Its state, velocity included, is kept. The bodies it touched wake.
      */
     public void disable() {
         pool.editor(this).disable(slot);
     }
 
-    /** Lets a disabled body take part again, awake. */
+    /** Brings a disabled body back into the simulation, awake. */
     public void enable() {
         pool.editor(this).enable(slot);
     }

@@ -1,10 +1,11 @@
 package rigibo.backend;
 
 /**
- * What a sensor saw in the last step; plain data, read after the step. A visitor that came in tells
- * {@code ENTERED}, then {@code INSIDE} with each further step, and {@code LEFT} in the step that
- * takes it out or that follows an edit which does. One that passed through within one step tells
- * {@code ENTERED} and {@code LEFT}. Of compounds each part tells for itself.
+ * An event of a sensor in the last step: plain data, read after the step. When a visitor comes in,
+ * the pool reports {@code ENTERED}, then {@code INSIDE} in each further step, and {@code LEFT} in
+ * the step in which it goes out, or in the step after an edit that takes it out. A visitor that
+ * passes through within one step causes both {@code ENTERED} and {@code LEFT}. The parts of a
+ * compound cause events of their own.
  *
  * <pre>{@code
  * for (SensorEvent event : pool.sensorEvents()) {
@@ -15,21 +16,21 @@ package rigibo.backend;
  * }</pre>
  *
  * @param sensor the body whose shape is the sensor
- * @param part which part of its shape that is, from 0
+ * @param part index of the part of its shape that is the sensor, from 0
  * @param visitor the other body, which may have been removed since
- * @param visitorPart which part of the visitor's shape, from 0
- * @param phase what became of the visit
+ * @param visitorPart index of the part of the visitor's shape, from 0
+ * @param phase whether the visitor entered, stayed inside or left
  */
 public record SensorEvent(
         RigidBody sensor, int part, RigidBody visitor, int visitorPart, Phase phase) {
 
-    /** What became of a visit in the step. */
+    /** What happened to a visit in the step. */
     public enum Phase {
-        /** It came in, and may have left again: then {@code LEFT} is told, too. */
+        /** It came in; if it also left within the step, {@code LEFT} is reported too. */
         ENTERED,
-        /** It was inside before the step and is. */
+        /** It was inside before the step and still is. */
         INSIDE,
-        /** It is not inside any more. */
+        /** It is no longer inside. */
         LEFT
     }
 }

@@ -1,9 +1,9 @@
 package rigibo.backend;
 
 /**
- * A visit of the last step as {@link Pool#forEachSensorEvent} shows it. It is one object that is
- * written anew for each visit: what must last beyond the visitor's call is copied, or kept as
- * {@link #event}.
+ * A sensor event of the last step as {@link Pool#forEachSensorEvent} passes it to its reader. The
+ * pool overwrites this one object for each event: copy what must outlast the call, or keep {@link
+ * #event}.
  *
  * <pre>{@code
  * int[] entered = {0};
@@ -16,21 +16,21 @@ public final class SensorView {
     /** The body whose shape is the sensor. */
     public RigidBody sensor;
 
-    /** Which part of its shape that is, from 0. */
+    /** Index of the part of its shape that is the sensor, from 0. */
     public int part;
 
     /** The other body, which may have been removed since. */
     public RigidBody visitor;
 
-    /** Which part of the visitor's shape, from 0. */
+    /** Index of the part of the visitor's shape, from 0. */
     public int visitorPart;
 
-    /** What became of the visit. */
+    /** Whether the visitor entered, stayed inside or left. */
     public SensorEvent.Phase phase;
 
     SensorView() {}
 
-    /** A copy that lasts. */
+    /** A permanent copy. */
     public SensorEvent event() {
         return new SensorEvent(sensor, part, visitor, visitorPart, phase);
     }

@@ -3,7 +3,7 @@ package rigibo.backend;
 import java.util.List;
 
 /**
- * Where two convex parts touch or nearly touch.
+ * The contact of two convex parts that touch or nearly touch.
  *
  * <pre>{@code
  * Shape box = Polygon.box(1, 1);
@@ -13,11 +13,11 @@ import java.util.List;
  * }
  * }</pre>
  *
- * @param part which part of the first shape, from 0
- * @param otherPart which part of the second
+ * @param part index of the part of the first shape, from 0
+ * @param otherPart index of the part of the second shape, from 0
  * @param normalX unit normal from the first to the second, world x
  * @param normalY unit normal from the first to the second, world y
- * @param points one, or two where faces are near parallel
+ * @param points one point, or two where two faces are nearly parallel
  */
 public record ShapeContact(
         int part, int otherPart, double normalX, double normalY, List<Point> points) {
@@ -25,8 +25,8 @@ public record ShapeContact(
     /**
      * A point of contact.
      *
-     * @param x world, midway between the two surfaces, m
-     * @param y world, m, up
+     * @param x world x, midway between the two surfaces, m
+     * @param y world y, midway between the two surfaces, m, up
      * @param gap along the normal, m; negative in overlap
      */
     public record Point(double x, double y, double gap) {}

@@ -1,7 +1,7 @@
 package rigibo.backend;
 
 /**
- * How far two shapes are apart, and between which points.
+ * The gap between two shapes, and the two nearest points.
  *
  * <pre>{@code
  * ShapeGap gap =
@@ -10,15 +10,16 @@ package rigibo.backend;
  * System.out.println(gap.gap() + " m"); // 1.5 m
  * }</pre>
  *
- * @param gap m; in overlap minus the least way that would part the two parts
+ * @param gap distance of the two nearest parts, m; in overlap negative: minus the shortest
+ *     displacement that would separate them
  * @param normalX unit vector from the first shape to the second, world x
  * @param normalY unit vector from the first shape to the second, world y
  * @param x nearest point of the first shape, world, m
  * @param y nearest point of the first shape, world, m
  * @param otherX nearest point of the second, world, m
  * @param otherY nearest point of the second, world, m
- * @param part which part of the first shape, from 0
- * @param otherPart which part of the second
+ * @param part index of the part of the first shape, from 0
+ * @param otherPart index of the part of the second shape, from 0
  */
 public record ShapeGap(
         double gap,

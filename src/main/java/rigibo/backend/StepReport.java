@@ -6,8 +6,8 @@ import rigibo.backend.storage.Counters;
 import rigibo.backend.storage.DataStorage;
 
 /**
- * What the last step did and cost. It is the pool's own object and is overwritten by the next step;
- * copy what must last.
+ * What the last step did and cost. The pool has one report and overwrites it in every step: copy
+ * what must last.
  *
  * <pre>{@code
  * StepReport report = pool.step(1.0 / 60);
@@ -31,7 +31,7 @@ public final class StepReport {
         return data.bodies.count();
     }
 
-    /** Dynamic and kinematic bodies that were simulated. */
+    /** Dynamic and kinematic bodies that were awake and so were simulated. */
     public int awake() {
         return data.roster.awakeCount;
     }
@@ -42,9 +42,9 @@ public final class StepReport {
     }
 
     /**
-     * Pairs that every column has room for. From three quarters of it on, steps that meet new pairs
-     * copy column after column into one twice as long, and when the last one is done it doubles;
-     * {@link Pool#reserve} makes room beforehand. It never shrinks.
+     * Capacity of the columns of pairs. Once three quarters are used, steps that find new pairs
+     * grow the columns one after the other, and the capacity doubles when all are grown. It never
+     * shrinks. {@link Pool#reserve} grows them beforehand.
      */
     public int pairRoom() {
         return data.pairs.room();
@@ -55,12 +55,12 @@ public final class StepReport {
         return counters.contacts;
     }
 
-    /** Impacts that were resolved at their own time. */
+    /** Impacts that were resolved at their own time within the step. */
     public int impacts() {
         return counters.impacts;
     }
 
-    /** Evaluations of a distance in the search for times of impact. */
+    /** Distance evaluations in the search for times of impact. */
     public int evaluations() {
         return counters.evaluations;
     }
@@ -70,71 +70,76 @@ public final class StepReport {
         return counters.rows;
     }
 
-    /** How often a contact was solved in passes: some 60 multiplications each. */
+    /** Contacts solved in passes, each counted once per pass: about 60 multiplications each. */
     public long contactSolves() {
         return counters.contactSolves;
     }
 
-    /** Multiplications by which small islands were solved whole. */
+    /** Multiplications spent on eliminations, of islands and of simultaneous impacts. */
     public double multiplications() {
         return counters.multiplications;
     }
 
-    /** Islands of touching bodies that got their answer by a method. */
+    /** Islands that were solved by the given method. */
     public int islands(SolveMethod method) {
         return counters.islandsBy[method.ordinal()];
     }
 
-    /** Rows of those islands; of all methods together {@link #rows()}. */
+    /**
+     * Solver rows of the islands that were solved by the given method; all together {@link
+     * #rows()}.
+     */
     public int rows(SolveMethod method) {
         return counters.rowsBy[method.ordinal()];
     }
 
     /**
-     * Pairs of bodies in flight that met as often as {@code Accuracy.maxImpactsPerPair} allows in a
-     * step: what they would have done in the rest of it is left to the solver of piles, or to the
-     * next step at a wall where they lose nothing.
+     * Pairs of bodies in flight that reached {@code Accuracy.maxImpactsPerPair} impacts within the
+     * step. For the rest of the step the solver of piles takes them over; at a wall with an
+     * elasticity of 1 the body waits for the next step.
      */
     public int cappedPairs() {
         return counters.cappedPairs;
     }
 
-    /** Pairs of bodies in flight whose infinitely many bounces ended in their limit: Zeno's. */
+    /**
+     * Pairs of bodies in flight whose bounces ended by Zeno's limit: infinitely many in finite
+     * time.
+     */
     public int settledPairs() {
         return counters.settledPairs;
     }
 
-    /** Deepest overlap of two bodies at the end of the step's contact search, m, 0 or more. */
+    /** Deepest overlap of two bodies that the step's contact search found, m, 0 or more. */
     public double deepestOverlap() {
         return counters.deepestOverlap;
     }
 
-    /** How often a shape was asked whether it is inside of a sensor that it is near. */
+    /** Tests of whether a shape is inside a sensor whose fixture it overlaps. */
     public int sensed() {
         return data.counters.sensed;
     }
 
     /**
-     * Pairs of a pile that overlapped deeper than 5 % of the width of the smaller of the two as the
-     * step began: something had to give, because a body is driven or struck against what does not
-     * move, or because there is no room. What is kinematic presses no further into a body that does
-     * not follow it.
+     * Pairs of a pile that overlap by more than 5 % of the smaller body's width. This happens when
+     * a body is driven or struck against an obstacle that cannot yield, or when there is no room. A
+     * kinematic body presses no further into a crushed body that does not move along with it.
      */
     public int crushed() {
         return counters.crushed;
     }
 
-    /** How many bodies were put to rest because their state stopped being finite. */
+    /** Number of bodies that were put to rest because their state stopped being finite. */
     public int quarantined() {
         return counters.quarantinedCount;
     }
 
-    /** A body that was put to rest, from 0 to {@link #quarantined} − 1. */
+    /** The i-th body that was put to rest, i from 0 to {@link #quarantined()} − 1. */
     public RigidBody quarantined(int i) {
         return pool.handle(counters.quarantined[i]);
     }
 
-    /** Time of a stage in ns; 0 unless the pool was given a clock. */
+    /** Time that a stage took, ns; 0 unless the pool was given a clock. */
     public long nanos(StepStage stage) {
         return counters.nanos[stage.ordinal()];
     }

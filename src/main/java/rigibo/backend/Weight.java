@@ -8,8 +8,8 @@ import rigibo.backend.setup.Material;
 import rigibo.backend.storage.Bodies;
 
 /**
- * What a body weighs: as was stated, else by its shape and its material. What is not dynamic or
- * kept from turning has its mass and inertia all the same, and inverses of 0.
+ * Mass and inertia of a body: as stated, otherwise from its shape and material. A body that is not
+ * dynamic, or whose rotation is locked, keeps both numbers; only the inverses are 0.
  */
 final class Weight {
 
@@ -20,7 +20,7 @@ final class Weight {
         return of(bodies, slot, bodies.shape[slot], bodies.material[slot]);
     }
 
-    /** The same with another shape or material. */
+    /** Mass and inertia that the body would have with another shape or material. */
     static MassProperties of(Bodies bodies, int slot, Shape shape, Material material) {
         BodyDefinition definition = BodyDefinition.fixed(shape).material(material);
         if (bodies.statedMass[slot] > 0) {
@@ -32,12 +32,12 @@ final class Weight {
         return definition.massProperties();
     }
 
-    /** Writes the columns of mass as the body weighs. */
+    /** Writes the columns of mass and inertia. */
     static void write(Bodies bodies, int slot) {
         write(bodies, slot, of(bodies, slot));
     }
 
-    /** Writes the columns of mass, where what the body weighs is known. */
+    /** Writes the columns of mass and inertia from known values. */
     static void write(Bodies bodies, int slot, MassProperties plate) {
         boolean moves = bodies.type[slot] == BodyType.DYNAMIC;
         bodies.mass[slot] = plate.mass();

@@ -6,17 +6,18 @@ import rigibo.backend.setup.JointSettings;
 import rigibo.backend.setup.Require;
 
 /**
- * Two bodies in one piece. With a spring the angle between them is soft, as in a fishing rod.
+ * Holds two bodies together as one piece. With a spring the angle between them can bend, as in a
+ * fishing rod.
  *
  * <pre>{@code
  * pool.join(WeldJoint.at(crate, door, 0, 1).spring(4, 0.5)); // bends by 4 Hz
  * }</pre>
  *
  * @param a the first body
- * @param b the second body, whose coordinate is told
- * @param frameA where the joint holds A, and its axis
- * @param frameB where it holds B
- * @param settings spring
+ * @param b the second body
+ * @param frameA anchor and axis on A
+ * @param frameB anchor and axis on B
+ * @param settings the spring
  */
 public record WeldJoint(
         RigidBody a, RigidBody b, JointFrame frameA, JointFrame frameB, JointSettings settings)
@@ -35,7 +36,7 @@ public record WeldJoint(
                 .requireOnly("WeldJoint", JointSettings.Part.SPRING);
     }
 
-    /** A weld at a world point in m, of two bodies as they are placed now. */
+    /** A weld at a world point (m), which holds the bodies at their present relative pose. */
     public static WeldJoint at(RigidBody a, RigidBody b, double x, double y) {
         JointEnds.require("WeldJoint", a, b);
         return new WeldJoint(

@@ -6,8 +6,9 @@ import rigibo.backend.setup.JointSettings;
 import rigibo.backend.setup.Require;
 
 /**
- * A wheel on a strut: a point of B stays on an axis of A, and B turns freely. Its coordinate is the
- * way of that point along the axis, m, which limits and the spring are of; the motor turns B.
+ * A wheel on a suspension strut: the anchor on B stays on an axis of A, and B turns freely. The
+ * coordinate is the displacement of that anchor along the axis, m; limits and the spring act on it,
+ * while the motor turns B.
  *
  * <pre>{@code
  * double upwards = Math.PI / 2;
@@ -16,9 +17,9 @@ import rigibo.backend.setup.Require;
  * }</pre>
  *
  * @param a the first body
- * @param b the second body, whose coordinate is told
- * @param frameA where the joint holds A, and its axis
- * @param frameB where it holds B
+ * @param b the second body: the wheel
+ * @param frameA anchor and axis on A
+ * @param frameB anchor on B
  * @param settings limits (m), motor (rad/s, N·m), spring
  */
 public record WheelJoint(
@@ -43,8 +44,8 @@ public record WheelJoint(
     }
 
     /**
-     * A wheel on a chassis, through a world point in m along an angle in rad, at 0 as they are
-     * placed now.
+     * A wheel on a chassis whose axis runs through a world point (m) along a world angle (rad); the
+     * coordinate is 0 at the bodies' present poses.
      */
     public static WheelJoint at(
             RigidBody chassis, RigidBody wheel, double x, double y, double angle) {

@@ -17,12 +17,12 @@ public final class ContactStage {
     private final IslandSolver solver;
     private final Bodies bodies;
 
-    /** Of islands with joints and locked axes, or null where there cannot be any. */
+    /** Solves islands with joints or locked axes; null if there cannot be any. */
     private final JointedIslands jointed;
 
     /**
-     * A stage of what is declared, at an accuracy; {@code forces} change along the way, null where
-     * there are none.
+     * A stage for the declared effects at an accuracy; {@code forces} are those that vary along the
+     * path, null if there are none.
      */
     public ContactStage(
             DataStorage data,
@@ -64,7 +64,7 @@ public final class ContactStage {
         counters.take(jointed.work());
     }
 
-    /** Whether a body of an island is kept from moving along an axis. */
+    /** Whether a body of an island has a locked axis. */
     private boolean isAnyLocked(int island) {
         boolean isAny = false;
         int end = bodies.lockedX == null ? 0 : islands.bodyStart[island + 1];

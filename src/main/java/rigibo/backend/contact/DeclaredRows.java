@@ -24,8 +24,9 @@ import rigibo.backend.effect.SurfaceSpeed;
 import rigibo.backend.storage.DataStorage;
 
 /**
- * What the declared effects ask of the contacts of an island. What is not declared is null here,
- * and asked for once per substep, not once per contact; its classes are not even loaded.
+ * The parts of contact solving that depend on the declared effects. A part whose effect is not
+ * declared is null, which is tested once per substep rather than once per contact, and its classes
+ * are not even loaded.
  */
 final class DeclaredRows {
 
@@ -38,7 +39,7 @@ final class DeclaredRows {
     private final BentRows bent;
     private final IslandImpacts impacts;
 
-    /** Who goes farther than foreseen, or null where that cannot bring another corner to land. */
+    /** Finds strays; null where a stray cannot land on another corner. */
     private final Strays strays;
 
     DeclaredRows(
@@ -75,19 +76,19 @@ final class DeclaredRows {
         return rubs ? friction : new NoRubbing();
     }
 
-    /** What surfaces do to each other. */
+    /** Friction and rolling resistance between surfaces. */
     Rubbing rubbing() {
         return rubbing;
     }
 
-    /** How many substeps an island needs for the rest of a step, {@code left} seconds. */
+    /** Number of substeps that an island needs for the rest ({@code left} s) of a step. */
     int substepsFor(int island, double left, int usual) {
         return turning == null ? usual : turning.substepsFor(island, left, usual);
     }
 
     /**
-     * Writes the rows of the packed island for substeps of h seconds. To answer its impacts jointly
-     * is worth so many multiplications in this step.
+     * Writes the rows of the packed island for substeps of h seconds; {@code worthOfImpacts} limits
+     * the multiplications spent in this step on solving simultaneous impacts together.
      */
     void begin(double h, double worthOfImpacts) {
         bent.begin();
@@ -101,10 +102,11 @@ final class DeclaredRows {
     }
 
     /**
-     * Measures what joins, turns or goes round, before a part of a substep, the first one or
-     * another, that begins at a time, with {@code left} seconds to go.
+     * Measures contacts of late joiners, and of outlines or normals that turn, before a part of a
+     * substep that begins at a time, s; {@code left} seconds of the step remain.
      *
-     * @return whether there was anything
+     * @param isFirst whether the part is the first of its substep
+     * @return whether any contact is bent or was measured
      */
     boolean measureAnew(int substep, boolean isFirst, double time, double left) {
         if (impacts != null) {
@@ -118,16 +120,16 @@ final class DeclaredRows {
         return isAny;
     }
 
-    /** In how many parts of a substep of h seconds bodies turn so far that it counts. */
+    /** Number of parts of a substep of h seconds in which no body turns by too much. */
     int partsFor(double h) {
         return turning == null ? 1 : turning.partsFor(h);
     }
 
     /**
-     * Measures what turns far in the next part of a substep, of h seconds, with {@code left}
-     * seconds of the step to go.
+     * Measures contacts of bodies that turn far in the next part of a substep, of h seconds; {@code
+     * left} seconds of the step remain.
      *
-     * @return whether there was anything
+     * @return whether any contact was measured
      */
     boolean measureTurned(double h, double left) {
         boolean isAny = turning.measureTurned(h, left);
@@ -142,14 +144,14 @@ final class DeclaredRows {
         return contacts.count > 0;
     }
 
-    /** Whether nothing joins the packed island in a substep or after it. */
+    /** Whether no body joins the packed island in a substep or after it. */
     boolean haveAllJoined(int substep) {
         return contacts.lastJoining <= substep;
     }
 
     /**
-     * Measures before a part of so many seconds of a substep of an island with joints, which has
-     * {@code left} seconds of the step to go.
+     * Measures contacts before a part of a substep of an island with joints; {@code left} seconds
+     * of the step remain.
      */
     void measureJointed(int substep, boolean isFirst, double time, double left, double part) {
         if (contacts.count > 0) {
@@ -158,9 +160,7 @@ final class DeclaredRows {
         }
     }
 
-    /**
-     * Foresees how far all bodies go in what is left of the step, s, for {@link #measureStrays}.
-     */
+    /** Predicts how far all bodies move in the rest of the step, s, for {@link #measureStrays}. */
     void foresee(double left) {
         if (strays != null) {
             strays.begin(left);
@@ -168,9 +168,9 @@ final class DeclaredRows {
     }
 
     /**
-     * Measures anew what bodies touch that go farther in what is left of the step, s.
+     * Measures the contacts of strays again, for the rest of the step, s.
      *
-     * @return whether there was anything
+     * @return whether any contact was measured
      */
     boolean measureStrays(double left) {
         if (strays == null || !strays.areAny(left)) {
@@ -189,7 +189,7 @@ final class DeclaredRows {
         return isAny;
     }
 
-    /** How long the points of what slides from one face to the next are all that there are, s. */
+    /** Time in s for which bodies that slide from one face to the next have no further points. */
     double untilNewPoints() {
         return bent.untilNewPoints();
     }
@@ -200,17 +200,17 @@ final class DeclaredRows {
     }
 
     /**
-     * Foresees what gaps do by bending within h seconds; those of curves within as many as gaps may
-     * close in.
+     * Predicts how far gaps open by turning outlines within h seconds, and by turning normals
+     * within {@code closing} seconds, in which gaps may close.
      */
     void bend(double h, double closing) {
         bent.bend(h, closing);
     }
 
     /**
-     * Resolves the impacts in a substep of h seconds of a pile that is solved whole.
+     * Resolves the impacts in a substep of h seconds of an island that is solved whole.
      *
-     * @return whether what was left of the step's work was enough for that
+     * @return whether the rest of the step's budget was enough
      */
     boolean strikeJointly(double h, int substep) {
         if (impacts == null) {
@@ -220,7 +220,11 @@ final class DeclaredRows {
         return impacts.resolveJointly(h, substep);
     }
 
-    /** Resolves impacts at the velocities as they are, within next to no time. */
+    /**
+     * Resolves impacts at the present velocities, within h seconds that count as no time.
+     *
+     * @return whether the rest of the step's budget was enough
+     */
     boolean strikeAtOnce(double h, int substep) {
         return impacts == null || impacts.resolveAtOnce(h, substep);
     }
@@ -232,19 +236,19 @@ final class DeclaredRows {
         }
     }
 
-    /** Leaves what is about to bounce to the next step, in the kick that ends this one. */
+    /** In the last kick of a step, leaves out contacts that will bounce in the next step. */
     void leaveOpen(int substep) {
         if (impacts != null) {
             impacts.leaveOpen(substep);
         }
     }
 
-    /** How many rows a pass along the tangents solves. */
+    /** Number of tangential rows that a pass solves. */
     int rowCount() {
         return rubbing.rowCount();
     }
 
-    /** Keeps what held in the last substep of h seconds. */
+    /** Stores the tangential forces of the last substep of h seconds. */
     void store(double h) {
         rubbing.store(h);
     }

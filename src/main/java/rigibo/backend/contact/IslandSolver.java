@@ -34,43 +34,48 @@ import rigibo.backend.storage.Islands;
 import rigibo.backend.storage.PairTolerances;
 
 /**
- * Advances islands by one step, one after the other. Everything that solving takes is its own, and
- * nothing outside of an island decides how that island is solved.
+ * Advances islands by one step, one after the other. The solver owns all state it works with, and
+ * how an island is solved depends on nothing outside that island.
  */
 final class IslandSolver {
 
-    /** Share of a substep that counts as an instant, but lets a gap of round-off stay open. */
+    /**
+     * Share of a substep that stands for no time. It is not 0, so that the speed at which a gap of
+     * round-off may close, gap over time, stays negligible.
+     */
     private static final double NO_TIME = 1e-3;
 
-    /** Smallest share of the fastest speed to which passes solve. */
+    /** Finest accuracy of passes, as a share of the island's fastest speed. */
     private static final double FINEST_OF_PASSES = 1e-4;
 
     /**
-     * Factor by which rows that were not solved to the end may exceed the fastest speed of the step
-     * before.
+     * Greatest speed that rows which did not converge may leave, as a multiple of the fastest speed
+     * before the step; after eliminations.
      */
     private static final double MOST_LEVERAGE = 2;
 
+    /** Greatest speed that passes may leave, as a multiple of that fastest speed. */
     private static final double MOST_LEVERAGE_OF_PASSES = 8;
 
     /**
      * Upper bound on the velocity change of one impulse, as a multiple of the island's fastest
-     * speed. A box of 10,000 times the mass of the one below needs that much; a body wedged between
-     * two others can be squeezed ever harder, in vain, until its impulses have lost their digits.
+     * speed. A box of 10,000 times the mass of the one below it needs that much. Without the bound,
+     * a body wedged between two others is squeezed ever harder without effect, until its impulses
+     * lose their digits.
      */
     private static final double MOST_STRESS = 1e6;
 
     /**
-     * Factor by which a contact's first guess may exceed what it carried in the substep before,
-     * where passes solve: loads that passes left too small may grow again, an impact does not
-     * repeat.
+     * Upper bound on a contact's warm start for passes, as a multiple of the impulse in the kick
+     * before the last. Loads that passes left too small can grow again, while the impulse of an
+     * impact is not repeated.
      */
     private static final double MOST_GROWTH = 2;
 
-    /** Rotation in a step, rad, by which loads may change their direction before the next one. */
+    /** Largest rotation in a step, rad, up to which loads are taken over to the next step. */
     private static final double MOST_TURN = 0.5;
 
-    /** Gap in widths that counts as closed in a calm island where a contact carries. */
+    /** Gap in widths that counts as closed in a calm island if the contact carries a load. */
     private static final double CLOSED = 3e-5;
 
     private final Islands islands;
@@ -93,32 +98,35 @@ final class IslandSolver {
     private final CarriedFrame frame;
     private final Substeps fewer;
 
-    /** Whether the packed island is small enough to be solved to the end. */
+    /** Whether the packed island is solved whole, by elimination. */
     private boolean isWhole;
 
-    /** The highest speed before contacts answer, m/s. */
+    /** Highest speed before contacts are solved, m/s. */
     private double fastest;
 
-    /** The highest speed at which rows that were not solved may leave a body in this step, m/s. */
+    /** Highest speed that rows which did not converge may leave in this step, m/s. */
     private double limit;
 
-    /** Whether every body of the packed island was found to be held where it is. */
+    /** Whether every body of the packed island was found to be held in place. */
     private boolean isHeld;
 
-    /** Substeps that the packed island is given. */
+    /** Number of substeps for the packed island. */
     private int substeps;
 
-    /** When the last kick ended, s after the step's start, and how long it was, s. */
+    /** End of the last kick, s after the step's start. */
     private double middle;
 
+    /** Length of the last kick, s. */
     private double kicked;
 
-    /** How long the last part of a substep was, s, mostly all of it; 0 where a kick begins anew. */
+    /**
+     * Length of the last part, s, usually a substep; 0 if velocities are those of the present time.
+     */
     private double lastPart;
 
     /**
-     * A solver of what is declared, at an accuracy; {@code forces} change along the way, null where
-     * there are none.
+     * A solver for the declared effects at an accuracy; {@code forces} are those that vary along
+     * the path, null if there are none.
      */
     IslandSolver(
             DataStorage data,
@@ -177,14 +185,14 @@ final class IslandSolver {
         }
     }
 
-    /** Whether an island that is held overlaps where nothing can be parted. */
+    /** Whether a held island has overlap, but none that could be removed. */
     private boolean isBlocked(int island, double dt) {
         double h = dt / fewer.of(island, dt, accuracy.substeps());
         builder.build(island, h / 2);
         return passes.areBlocked(h);
     }
 
-    /** What its islands took since that was asked for last. */
+    /** Work counters of the islands since the last call. */
     IslandWork work() {
         return contacts.work;
     }
@@ -224,7 +232,7 @@ final class IslandSolver {
         declared.store(2 * kicked);
     }
 
-    /** A substep of h seconds, which is taken in parts where something lands within it. */
+    /** Makes a substep of h seconds, in parts if something lands within it. */
     private void advanceSubstep(double start, double h, int substep, double dt, boolean wasStill) {
         landings.beginSubstep();
         double gone = 0;
@@ -235,7 +243,8 @@ final class IslandSolver {
                 rounds.forget();
             }
             if (isWhole && landings.haveLanded(h)) {
-                // What carried so far has carried up to here, and what is landed on does from here.
+                // Contacts carried up to here without the landed points, and carry with them from
+                // here on.
                 endKick(time, h, substep);
                 landings.close();
             }
@@ -257,8 +266,8 @@ final class IslandSolver {
     }
 
     /**
-     * Kicks all bodies up to the middle of a part, and begins with what contacts carried; {@code
-     * left} seconds of the step are to go.
+     * Kicks all bodies up to the middle of a part and warm starts the contacts; {@code left}
+     * seconds of the step are to go.
      */
     private void beginPart(double time, double part, int substep, double left) {
         kick.remember();
@@ -267,8 +276,8 @@ final class IslandSolver {
         fastest = motions.fastest();
         setLimit(substep);
         if (!isWhole) {
-            // What contacts carried may throw bodies about until it is answered: an impact between
-            // bodies that were only thrown would be for good.
+            // The warm start may give bodies wrong speeds until contacts are solved; an impact
+            // resolved at such speeds could not be undone.
             declared.strikeApart(part, substep);
             declared.measureStrays(left);
         }
@@ -277,7 +286,7 @@ final class IslandSolver {
         lastPart = part;
     }
 
-    /** Returns whether the first substep has shown that the island rests. */
+    /** Makes the first substep; returns whether it shows that the island rests. */
     private boolean solvePart(double start, double h, int substep, boolean mayRest, double left) {
         if (isWhole) {
             if (!declared.strikeJointly(h, substep)) {
@@ -305,7 +314,7 @@ final class IslandSolver {
         return false;
     }
 
-    /** Strikes impacts of bodies that what contacts carried has not thrown about. */
+    /** Resolves impacts, at velocities without the warm start. */
     private void strikeUnloaded(double h, int substep) {
         warmStart.add(-1, substep);
         declared.strikeApart(h, substep);
@@ -313,15 +322,15 @@ final class IslandSolver {
     }
 
     /**
-     * Lets contacts carry in all other substeps what they carried in the first. No body moves: its
-     * remaining speed is below the threshold.
+     * Lets contacts keep the impulses of the first substep in all others. No body moves, since the
+     * remaining speeds are below the threshold.
      */
     private void rest() {
         contacts.addUpImpulses(2 * substeps - 1);
         substeps = 1;
     }
 
-    /** Begins a kick of so many seconds with what contacts carried in the one before. */
+    /** Warm starts a kick of a length in s from the kick before. */
     private void begin(double length, int substep) {
         double scale = length / kicked;
         kicked = length;
@@ -333,7 +342,7 @@ final class IslandSolver {
         }
         warmStart.scaleBefore(scale, substep);
         warmStart.apply(scale, substep);
-        // What contacts carried throws bodies about if what they carried it against is gone.
+        // A warm start gives bodies wrong speeds if the load that it carried is gone.
         guard.limitSpeed(leverage() * fastest);
         if (isWhole) {
             double turn = MOST_TURN / substeps;
@@ -342,8 +351,8 @@ final class IslandSolver {
     }
 
     /**
-     * What passes solve may also part as fast as overlap is taken back. What gets faster by itself
-     * within the step is no answer of contacts: kept to a lower limit, all of them would be undone.
+     * Passes may also separate bodies as fast as overlap is removed. Speed that bodies gain within
+     * the step without contacts must be within the limit, or all impulses would be scaled down.
      */
     private void setLimit(int substep) {
         if (substep == 0) {
@@ -354,7 +363,7 @@ final class IslandSolver {
         }
     }
 
-    /** Passes never solve to the end: there the limit only keeps speeds from exploding. */
+    /** The limit factor; passes never converge fully, and only need protection from explosions. */
     private double leverage() {
         return isWhole ? MOST_LEVERAGE : MOST_LEVERAGE_OF_PASSES;
     }
@@ -365,8 +374,8 @@ final class IslandSolver {
     }
 
     /**
-     * The fastest speed, m/s, after contacts carried what they carried in the substep before: in a
-     * heap that calms down it is that of its own motion, not that of a kick.
+     * The fastest speed after the warm start, m/s; in a heap that calms down it is the speed of its
+     * own motion and not that of a kick.
      */
     private double unanswered() {
         return Math.min(fastest, motions.fastest());
@@ -377,7 +386,7 @@ final class IslandSolver {
         return isHeld;
     }
 
-    /** What held the first half of a kick holds its second half as well: nothing moves at all. */
+    /** Ends the step of an island at rest: the second half kick repeats the first. */
     private void finishHeld() {
         motions.halt();
         contacts.addUpImpulses(1);
@@ -392,9 +401,9 @@ final class IslandSolver {
     }
 
     /**
-     * The second half of a kick, after which velocities are those of a point in time. Nothing moves
-     * in it, so that an island that is solved whole need not stop for a gap that would close in the
-     * next substep of h seconds. Passes leave errors that would grow there, and do stop.
+     * Makes the second half of the last kick, after which velocities are those at the end of the
+     * step. No body moves in it, so an island that is solved whole ignores gaps that would close in
+     * the next substep of h seconds. Passes consider them, since their errors would grow otherwise.
      */
     private void endKick(double time, double h, int substep) {
         declared.bend(0, isWhole ? 0 : h);
@@ -422,9 +431,9 @@ final class IslandSolver {
     }
 
     /**
-     * Closes gaps that round-off, or what passes left, opened under contacts that carried a load in
-     * the last substep: such a contact must not fall for half a kick, and in a calm island not all
-     * redundant points could close their gaps at once.
+     * Closes gaps that round-off or the error of passes opened under contacts which carried a load
+     * in the last substep. Otherwise such a contact would fall for half a kick, and in a calm
+     * island the redundant points could not all close their gaps at once.
      */
     private void closeLoadedGaps(double share) {
         double[] d = contacts.data;

@@ -27,15 +27,15 @@ import rigibo.backend.storage.IslandWork;
 import rigibo.backend.storage.Islands;
 
 /**
- * Advances islands with joints by one step, one after the other. A joined body is part of an island
- * from the step's start on, whether it touches anything or not.
+ * Advances islands with joints or locked axes by one step, one after the other. A joined body is
+ * part of an island from the start of the step, whether it touches anything or not.
  */
 final class JointedIslands {
 
-    /** Factor by which substeps may be too few for what became taut within the step. */
+    /** Factor by which the substeps may be too few after a joint became taut within the step. */
     private static final double MORE = 1.5;
 
-    /** Substeps of what is too taut and moves fast, as a multiple of the usual. */
+    /** Number of substeps for fast islands that are too taut, as a multiple of the usual one. */
     private static final int MORE_IF_TAUT = 2;
 
     private final Accuracy accuracy;
@@ -113,7 +113,8 @@ final class JointedIslands {
         joints.tell(dt);
         int wanted = substepsFor(island, dt);
         if (wanted > MORE * substeps) {
-            // What became taut within the step trembles faster than its substeps can follow.
+            // An island that became taut within the step oscillates faster than its substeps
+            // resolve.
             advance(island, dt, wanted);
             joints.tell(dt);
         }
@@ -135,8 +136,8 @@ final class JointedIslands {
     }
 
     /**
-     * Packs an island for as many substeps as usual, for more where springs are fast, or for fewer
-     * where it turns out to be too much for an elimination of all its rows; answers how many.
+     * Packs an island and returns its number of substeps: the usual one, more if springs are fast,
+     * or fewer if eliminating all of its rows is too much work.
      */
     private int pack(int island, double dt, int usual) {
         packFor(island, dt / usual / 2, usual);
@@ -156,23 +157,26 @@ final class JointedIslands {
         motions.areFollowed = joints.areImpactsTimed();
     }
 
-    /** Substeps that are not composed for the packed island; all of them where it moves fast. */
+    /**
+     * Number of substeps for the packed island if they are not composed; all of them if it is fast.
+     */
     private int plainSubsteps(int island, double dt, int packed) {
         int byWay = declared.areAnyContacts() ? fewer.byWay(island, dt, packed) : 1;
         return joints.plainSubsteps(island, dt, byWay, packed);
     }
 
-    /** Advances an island as it is stored, without storing what it comes to. */
+    /** Advances an island from its stored state, without storing the result. */
     private void advance(int island, double dt, int usual) {
         int packed = pack(island, dt, usual);
         int substeps = plainSubsteps(island, dt, packed);
-        // A step back in time would drive what drag brakes.
+        // A composed substep has a stage back in time, in which drag would accelerate bodies.
         boolean isFree = stages.mayCompose() && !kick.isForced() && !joints.isTaut();
         boolean mayCompose =
                 substeps == packed && isFree && joints.areHeldByEquations(2 * dt / packed);
         if (mayCompose) {
-            // Half as many of the fourth order are worth more, and cost little more; but contacts
-            // are measured once in each, and bodies that only locks hold turn about them.
+            // Half as many substeps of the fourth order are more accurate and cost little more. But
+            // contacts are measured once per substep, and bodies held only by locks turn about
+            // them.
             boolean isTurning = declared.areAnyContacts() && !islands.areJoined(island);
             int most = isTurning ? packed : (packed + 1) / 2;
             substeps = joints.composedSubsteps(island, dt, most);
@@ -196,7 +200,7 @@ final class JointedIslands {
         parts.finish(dt, h, substeps);
     }
 
-    /** What its islands took since that was asked for last. */
+    /** Work counters of the islands since the last call. */
     IslandWork work() {
         return contacts.work;
     }

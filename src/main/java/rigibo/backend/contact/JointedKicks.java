@@ -11,18 +11,23 @@ import rigibo.backend.contact.solve.OverlapSolver;
 import rigibo.backend.storage.Pairs;
 
 /**
- * Kicks and drifts of an island with joints. Between two kicks velocities are those of the middle
- * of a part; after the second half of a kick they are those of now.
+ * Kicks and drifts of an island with joints. Between two kicks velocities are those at the middle
+ * of a part; after the second half of a kick they are those at the present time.
  */
 final class JointedKicks {
 
-    /** Share of a substep that counts as an instant, but lets a gap of round-off stay open. */
+    /**
+     * Share of a substep that stands for no time. It is not 0, so that the speed at which a gap of
+     * round-off may close, gap over time, stays negligible.
+     */
     private static final double NO_TIME = 1e-3;
 
-    /** Passes in which overlap is taken back in a substep; the next one goes on. */
+    /** Passes over overlap in a substep; the next substep continues. */
     private static final int PASSES_OVER_OVERLAP = 6;
 
-    /** Energy that contacts may add, as a share of what a kick gives to bodies at rest. */
+    /**
+     * Energy that contacts may add, as a share of the energy that a kick gives to bodies at rest.
+     */
     private static final double NOISE = 0.1;
 
     private final Motions motions;
@@ -33,24 +38,25 @@ final class JointedKicks {
     private final Stages stages;
     private final JointedMoment moment;
 
-    /** Axes along which bodies are kept from moving, or null where none is locked. */
+    /** Locked axes; null if there are none. */
     private final LockedAxes locks;
 
-    /** What takes overlap back, or null where nobody wants that. */
+    /** Removes overlap; null if overlap is not corrected. */
     private final OverlapSolver overlap;
 
-    /** When the last kick ended, s after the step's start, and how long it was, s. */
+    /** End of the last kick, s after the step's start. */
     private double middle;
 
+    /** Length of the last kick, s. */
     private double kicked;
 
-    /** How long the last part was, s; 0 where velocities are those of now. */
+    /** Length of the last part, s; 0 if velocities are those at the present time. */
     private double last;
 
-    /** How long bodies have drifted since without a kick, s. */
+    /** Time that bodies have drifted since then without a kick, s. */
     private double slipped;
 
-    /** What {@link #middle}, {@link #kicked}, {@link #last} and {@link #slipped} were when kept. */
+    /** Kept values of {@link #middle}, {@link #kicked}, {@link #last} and {@link #slipped}. */
     private double keptMiddle;
 
     private double keptKicked;
@@ -77,7 +83,7 @@ final class JointedKicks {
         moment = new JointedMoment(motions, contacts, pairs, joints);
     }
 
-    /** Begins a step whose first kick would be so many seconds long. */
+    /** Starts a step whose first kick would have a length in s. */
     void begin(double firstKick) {
         middle = 0;
         kicked = firstKick;
@@ -85,17 +91,17 @@ final class JointedKicks {
         slipped = 0;
     }
 
-    /** How long the last kick was, s. */
+    /** Length of the last kick, s. */
     double kicked() {
         return kicked;
     }
 
-    /** Whether velocities are those of now. */
+    /** Whether velocities are those at the present time. */
     boolean areVelocitiesOfNow() {
         return last == 0;
     }
 
-    /** Keeps this moment, to be gone back to. */
+    /** Keeps the present state, to be restored later. */
     void keep() {
         moment.keep();
         keptMiddle = middle;
@@ -104,7 +110,7 @@ final class JointedKicks {
         keptSlipped = slipped;
     }
 
-    /** Goes back to the moment that was kept last. */
+    /** Restores the state that was kept last. */
     void recall() {
         moment.recall();
         middle = keptMiddle;
@@ -113,7 +119,7 @@ final class JointedKicks {
         slipped = keptSlipped;
     }
 
-    /** All stages of a part of h seconds that begins at a time in s. */
+    /** Makes all stages of a part of h seconds that begins at a time, s. */
     void advance(double time, double h, int substep) {
         double now = time;
         for (int i = 0; i < stages.count(); i++) {
@@ -152,7 +158,7 @@ final class JointedKicks {
         }
     }
 
-    /** Gives contacts a share of what they carried in the kick before. */
+    /** Warm starts contacts with a share of their impulses in the kick before. */
     private void applyWarmStart(double length, int substep) {
         warmStart.apply(length / kicked, substep);
         if (locks != null) {
@@ -163,7 +169,7 @@ final class JointedKicks {
     private void accelerate(double until) {
         kick.remember();
         if (stages.areComposed()) {
-            // Back in time, too; nobody joins later than it begins, but a force may begin.
+            // The kick may go back in time. No body joins in it, but a force may begin to act.
             kick.refresh(middle, until);
             stages.accelerate(middle, until);
         } else {
@@ -175,15 +181,15 @@ final class JointedKicks {
         middle = until;
     }
 
-    /** Lets bodies drift as they move, for a time too short for a kick of its own, s. */
+    /** Lets bodies drift at their velocities for a time (s) that is too short for a kick. */
     void slip(double length) {
         motions.drift(length);
         slipped += length;
     }
 
     /**
-     * The second half of the last kick, up to a time in s, after which velocities are those of now;
-     * substeps are h seconds long.
+     * Makes the second half of the last kick, up to a time in s, after which velocities are those
+     * at the present time; substeps are h seconds long.
      */
     void end(double time, double h, int substep) {
         double length = last / 2 + slipped;

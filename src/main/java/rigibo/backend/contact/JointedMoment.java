@@ -6,14 +6,14 @@ import rigibo.backend.contact.row.PackedContacts;
 import rigibo.backend.storage.Pairs;
 
 /**
- * A moment of an island with joints, to be gone back to: how bodies move, and what contacts and
- * joints have carried. How contacts were measured stays as it is: the newest is the best. A point
- * that was not there then has carried nothing, and what a point carried that is there no longer is
- * left out: no row would ever take it back.
+ * A saved state of an island with joints, to be restored later: the motion of bodies and the
+ * impulses of contacts and joints. Restoring does not undo later measurements of contacts, since
+ * the newest is the most accurate. A point that did not exist in the saved state gets no impulse,
+ * and the impulse of a point that no longer exists is dropped, since no row could take it back.
  */
 final class JointedMoment {
 
-    /** What is kept of a contact; the impulses of its points come first, in their order. */
+    /** Columns that are saved of a contact, first the impulses of its points in order. */
     private static final int[] KEPT = {
         PackedContacts.IMPULSE0,
         PackedContacts.IMPULSE1,
@@ -29,9 +29,10 @@ final class JointedMoment {
     private double[] bodies = new double[16 * Motions.STRIDE];
     private double[] impulses = new double[16 * KEPT.length];
 
-    /** By contact: how many points it had, and what they stem from. */
+    /** By contact: its number of points. */
     private int[] points = new int[16];
 
+    /** By point: its feature id. */
     private int[] features = new int[32];
 
     JointedMoment(Motions motions, PackedContacts contacts, Pairs pairs, JointSolver joints) {
@@ -77,7 +78,7 @@ final class JointedMoment {
         joints.recall();
     }
 
-    /** Hands on what points carried to those that stem from the same. */
+    /** Gives each point the saved impulse of the point with the same feature id. */
     private void handOn(int row) {
         int at = row * PackedContacts.STRIDE;
         for (int point = 0; point < 2; point++) {

@@ -5,26 +5,26 @@ import rigibo.backend.contact.joint.Stages;
 import rigibo.backend.contact.joint.Strikes;
 
 /**
- * Advances an island with joints by a substep, in parts. A part ends where a stop is reached fast
- * (a limit, the end of a rope, another body); the impact is resolved there, at the velocities of
- * that instant, and the next part begins anew. Where equations and stops that are open or pressed
- * alone hold an island, a part is composed of several stages.
+ * Advances an island with joints by a substep, in parts. A part ends at the time when a stop (a
+ * limit, the end of a rope, another body) is reached fast; the impact is resolved at the velocities
+ * of that time, and the next part begins. If an island is held only by equations and by stops that
+ * stay open or stay pressed, a part is composed of several stages.
  */
 final class JointedParts {
 
-    /** Parts of a substep that end before it does; then stops are solved as they are reached. */
+    /** Most parts of a substep that end early; after them stops are solved as they are reached. */
     private static final int MOST_ENDED = 48;
 
-    /** Times that the end of a part is looked for. */
+    /** Most searches for the end of a part. */
     private static final int MOST_LOOKS = 12;
 
-    /** Share of a substep that is too short for a kick of its own. */
+    /** Share of a substep that is too short for a separate kick. */
     private static final double INSTANT = 1e-5;
 
     /** Share of a substep that is round-off. */
     private static final double NOTHING = 1e-12;
 
-    /** Of a part that cannot be composed. */
+    /** Result for a part that cannot be composed. */
     private static final double NOT_COMPOSED = -1;
 
     private final JointSolver joints;
@@ -33,24 +33,28 @@ final class JointedParts {
     private final Stages stages;
     private final DeclaredRows declared;
 
-    /** The substep: its length in s, its number, and how long the step is, s. */
+    /** Length of the substep, s. */
     private double h;
 
+    /** Number of the substep. */
     private int substep;
+
+    /** Length of the step, s. */
     private double dt;
 
-    /** How long a part of a substep is that was to be composed and cannot be, s. */
+    /** Length of a part that was to be composed but cannot be, s. */
     private double plain;
 
-    /** Parts of the substep that ended early, and how many may. */
+    /** Number of parts of the substep that ended early. */
     private int ended;
 
+    /** Most parts of the substep that may end early. */
     private int most;
 
-    /** Whether impacts of an instant had no end: in the rest of the step stops are solved. */
+    /** Whether simultaneous impacts did not end; then stops are solved for the rest of the step. */
     private boolean isWedged;
 
-    /** Whether bodies lie on something, which does not end until something is struck. */
+    /** Whether bodies lie on stops; that holds until an impact. */
     private boolean isOnStops;
 
     JointedParts(JointSolver joints, JointedKicks kicks, Stages stages, DeclaredRows declared) {
@@ -61,7 +65,7 @@ final class JointedParts {
         strikes = joints.strikes;
     }
 
-    /** Begins a step in which parts that are not composed are so many seconds long. */
+    /** Starts a step; parts that are not composed have the given length, s. */
     void begin(double plainPart) {
         plain = plainPart;
         isOnStops = false;
@@ -69,8 +73,8 @@ final class JointedParts {
     }
 
     /**
-     * Advances a substep of {@code length} seconds that begins at a time, of a step of {@code step}
-     * seconds. A composed one is made in shorter parts where it cannot be composed.
+     * Advances a substep of {@code length} seconds that begins at a time, in a step of {@code step}
+     * seconds. If it should be composed but cannot be, it is made in shorter parts.
      */
     void advance(double start, double length, int number, double step, boolean mayCompose) {
         h = length;
@@ -137,29 +141,29 @@ final class JointedParts {
         joints.findStrikes(part, kicks.kicked(), substep, areOfNow, isComposed);
     }
 
-    /** Strikes what is on its stop already. */
+    /** Resolves impacts of bodies that are already on their stops. */
     private void strikeNow(double time) {
         isOnStops = false;
         boolean wereOfNow = kicks.areVelocitiesOfNow();
         kicks.end(time, h, substep);
         boolean isAny = strike(time);
-        // What could not be answered at velocities of now will not be when it is asked again.
+        // Impacts without a solution at the present velocities would not get one by a retry.
         ended = isWedged || !isAny && wereOfNow ? most : ended + 1;
     }
 
-    /** Strikes all that is on its stop; whether there was anything that had an end. */
+    /** Resolves all impacts on stops; returns whether there were any and they ended. */
     private boolean strike(double time) {
         kicks.keep();
         boolean isAny = joints.impacts.strike(time, substep);
         if (joints.impacts.areEndless()) {
-            // Thrown to and fro in no time, bodies may have become faster than anything here.
+            // Bodies thrown to and fro in no time may have become faster than any body before.
             kicks.recall();
             isWedged = true;
         }
         return isAny && !isWedged;
     }
 
-    /** Advances a part, up to where the first stop is reached; returns how far that is, s. */
+    /** Advances a part up to the time when the first stop is reached; returns its length, s. */
     private double follow(double time, double part, boolean isComposed) {
         if (!strikes.areAny() && !isComposed) {
             kicks.advance(time, part, substep);
@@ -181,15 +185,15 @@ final class JointedParts {
         if (first != Strikes.NEVER) {
             kicks.end(time + gone, h, substep);
             boolean isAny = strike(time + gone);
-            // What could not be answered goes on closing, which stages back in time would feed.
+            // Unsolved impacts go on closing; stages back in time would add to that.
             isOnStops = !isAny && declared.areAnyContacts();
-            // What was reached before the part began, and slowly, would be found there again.
+            // A stop that was reached slowly before the part began would be found there again.
             ended = isWedged || !isAny && gone <= INSTANT * h ? most : ended + 1;
         }
         return gone;
     }
 
-    /** Goes as far as the first stop; does nothing where that is no distance. */
+    /** Advances up to the first stop; returns the length of the part, s. */
     private double reach(double time, double part, double first) {
         double to = first;
         for (int look = 0; look < MOST_LOOKS; look++) {
@@ -212,7 +216,7 @@ final class JointedParts {
         return to;
     }
 
-    /** The end of the step, with substeps of so many seconds. */
+    /** Ends the step; substeps have the given length, s. */
     void finish(double step, double length, int substeps) {
         kicks.keep();
         kicks.end(step, length, substeps);

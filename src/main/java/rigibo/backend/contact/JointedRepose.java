@@ -12,8 +12,8 @@ import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.Islands;
 
 /**
- * Islands with joints at rest: those whose contacts and joints hold every body by what they carried
- * when the last step ended.
+ * Finds islands with joints that rest: the forces that contacts and joints carried when the last
+ * step ended hold every body.
  */
 final class JointedRepose {
 
@@ -55,13 +55,13 @@ final class JointedRepose {
                 && isPulledSteadily(h);
     }
 
-    /** Whether forces that change along the way stay the same up to the end of the step. */
+    /** Whether forces that vary along the path stay the same up to the end of the step. */
     private boolean isPulledSteadily(double h) {
         return !kick.mayChange()
                 || kick.isSteady(h, h, substeps, Equilibrium.UNHELD * kick.strongest());
     }
 
-    /** Lets an island that rests stay as it is for a step of {@code dt} seconds. */
+    /** Keeps an island at rest for a step of {@code dt} seconds. */
     void goOn(int island, double dt) {
         for (int i = islands.bodyStart[island]; i < islands.bodyStart[island + 1]; i++) {
             bodies.halt(islands.bodies[i]);

@@ -11,80 +11,82 @@ import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.Correction;
 
 /**
- * Advances an island that moves, substep by substep, by passes over its contacts. Where bodies
- * overlap they are moved apart, which gives them no speed.
+ * Advances an island, substep by substep, by passes over its contacts. Overlapping bodies are moved
+ * apart without giving them speed.
  */
 public final class Passes {
 
     /**
-     * Share of the island's fastest speed below which a change is neglected; less where substeps
-     * are longer than the game's, for a kick adds more in them.
+     * Share of the island's fastest speed below which a change of speed is neglected. It is smaller
+     * if substeps are longer than the game's, since a kick adds more in them.
      */
     private static final double QUIET = 0.03;
 
     /**
-     * The same in a crowd that falls or is struck: {@link ContactSweep} solves what sinks in
-     * strictly whatever this share is. A crowd that slows down is given less and less of it, for it
-     * would never come to rest with all of it.
+     * That share in a crowd that falls or is struck. {@link ContactSweep} solves contacts that sink
+     * in strictly, whatever this share is. It shrinks as a crowd slows down, which would otherwise
+     * never come to rest.
      */
     private static final double QUIET_IN_A_CROWD = 0.1;
 
-    /** Share of what a free body gains in a step below which a crowd gets half of the passes. */
+    /** Share of a free body's gain of speed in a step below which a crowd gets half the passes. */
     private static final double CALM = 0.25;
 
     /**
-     * Speed that does not count in a large crowd, as a share of what a free body gains in a step,
-     * times what may be missed in widths: a sixth of a millimetre a second at the game's accuracy.
-     * What lies still is then asked little, and comes nearer to rest all the same.
+     * Change of speed that is neglected in a large crowd, as a multiple of a free body's gain of
+     * speed in a step times {@code missed}: 1/6 mm/s at the game's accuracy. Bodies at rest then
+     * cost little and still come nearer to rest.
      */
     private static final double UNSEEN = 1;
 
-    /** A crowd of more contacts than these counts as large. */
+    /** Number of contacts above which a crowd counts as large. */
     private static final int LARGE = 512;
 
-    /** What does not count where a crowd lies still, as a share of what does not count for all. */
+    /**
+     * Neglected change of speed where a crowd lies still, as a share of that for the whole crowd.
+     */
     private static final double OF_THE_FASTEST = 0.05;
 
     /**
-     * Cubed number of substeps for each pass that a substep is given at most: twice the substeps
-     * halve the threshold about five times, and each halving takes as many passes again.
+     * Divisor of the cube of the number of substeps; the quotient is the limit of passes per
+     * substep. Twice the substeps halve the threshold about five times, and each halving takes as
+     * many passes again.
      */
     private static final int CUBES_PER_PASS = 2;
 
     private static final int LEAST_PASSES = 16;
 
-    /** How many times farther a contact of a crowd may miss its bounds than one of a few. */
+    /** Factor on {@code missed} in a crowd. */
     private static final double MISSED_IN_A_CROWD = 3;
 
     /**
-     * How many times what may be missed a contact of a crowd may sink in before passes go on: an
-     * impact that many bodies pass on to the ground is not answered by the usual ones.
+     * Multiple of {@code missed} by which a contact may sink in before further passes are made. The
+     * usual passes do not suffice for an impact that many bodies hand down to the ground.
      */
     private static final double SUNK = 2;
 
-    /** How many times the passes are made anew for the sake of that. */
+    /** Most repetitions of the passes for contacts that sink in. */
     private static final int LONGER = 7;
 
-    /** Contacts that these solve in a substep at most: no crowd's worst step is to take longer. */
+    /** Most contact solutions in these repetitions per substep: bounds a crowd's slowest step. */
     private static final int MOST_SOLVES = 80_000;
 
     /**
-     * Contacts of few that are solved in a substep at most for the sake of what sinks in: a bullet
-     * of a thousand times the mass of what it presses against a wall.
+     * Most contact solutions per substep for contacts that sink in, in islands that are no crowd.
+     * The worst case is a bullet of a thousand times the mass of the body that it presses against a
+     * wall.
      */
     private static final int MOST_SOLVES_OF_FEW = 400_000;
 
-    /**
-     * As many as the finest accuracy that has a name is given; what asks for more gains nothing.
-     */
+    /** Most passes per substep: the number at {@code EXACT}; more have no effect. */
     private static final int MOST_PASSES = 2048;
 
-    /** Passes in which overlap is taken back in a substep; the next one goes on. */
+    /** Passes over overlap in a substep; the next substep continues. */
     private static final int PASSES_OVER_OVERLAP = 6;
 
     /**
-     * Energy that the contacts of a substep may add, as a share of what a kick of the game's length
-     * gives to bodies at rest.
+     * Energy that the contacts of a substep may add, as a share of the energy that a kick of the
+     * game's length gives to bodies at rest.
      */
     private static final double NOISE = 0.1;
 
@@ -98,16 +100,16 @@ public final class Passes {
     private final OverlapSolver overlap;
 
     /**
-     * How far a contact may miss its bounds in a substep, in widths: the tolerance of impacts to
-     * the power of three quarters, a thousandth at the game's accuracy. Finer accuracies ask for
-     * less, but each pass only removes a share of the error, not a digit.
+     * Allowed error of a contact in a substep, in widths: the impact tolerance to the power of
+     * three quarters, a thousandth at the game's accuracy. The power is below 1 since each pass
+     * removes only a share of the error, not a digit.
      */
     private final double missed;
 
-    /** How many substeps a step has for each of the game's, at most 1. */
+    /** Number of substeps relative to the game's, at most 1. */
     private final double shorter;
 
-    /** How many times passes are made anew; at a draft's accuracy what sinks in does. */
+    /** Most repetitions of the passes; 0 at {@code DRAFT}, where bodies may sink in. */
     private final int longer;
 
     private final double noise;
@@ -115,10 +117,10 @@ public final class Passes {
     private final int most;
     private final int usual;
 
-    /** Passes that a calm crowd is given in a substep at most. */
+    /** Most passes per substep in a calm crowd. */
     private int mostIfCalm;
 
-    /** Passes that an island of few contacts is given: the more the more its masses differ. */
+    /** Most passes per substep in an island of few contacts; grows with the ratio of masses. */
     private int mostOfFew;
 
     /** Length of the step, s. */
@@ -151,21 +153,18 @@ public final class Passes {
         most = Math.min(MOST_PASSES, accuracy.velocityIterations() * passes);
     }
 
-    /**
-     * What a contact may miss its bounds by in a substep, in widths: the tolerance of impacts to
-     * the power of three quarters, a thousandth at the game's accuracy. Finer ones ask for more,
-     * but passes come nearer by a share each, not by a digit.
-     */
+    /** Value of {@link #missed} at an accuracy. */
     private static double missed(Accuracy accuracy) {
         double root = Math.sqrt(accuracy.impactTolerance());
         return root * Math.sqrt(root);
     }
 
     /**
-     * Begins a step of {@code dt} seconds of the packed island, which is given so many substeps of
-     * the usual ones: fewer have to find in more passes what a heap needs to come to rest. Between
-     * a wall and what is a thousand times as heavy, few contacts are passed over until none is due:
-     * that takes thousands of passes, but no more than the elimination which was given up.
+     * Starts a step of {@code dt} seconds of the packed island in the given number of substeps.
+     * With fewer substeps than usual, a heap needs more passes in each to come to rest. Few
+     * contacts, such as those of a body between a wall and another of a thousand times its mass,
+     * are solved until none is due: that takes thousands of passes, but no more work than the
+     * elimination that was given up.
      */
     void begin(double dt, int substeps) {
         step = dt;
@@ -174,11 +173,15 @@ public final class Passes {
     }
 
     /**
-     * One substep of h seconds, whose kick lasts {@code length} seconds, in which nothing goes
-     * faster than {@code fastest} m/s by what contacts carried, and that leaves nothing faster than
-     * a limit, m/s; {@code left} seconds of the step are to go. What is struck may turn so fast
-     * that it would be on another corner when the substep ends: its contacts are measured again on
-     * the way.
+     * Makes one substep. A struck body may turn so fast that it stands on another corner when the
+     * substep ends; its contacts are then measured again within the substep.
+     *
+     * @param h length of the substep, s
+     * @param length length of its kick, s
+     * @param substep its number
+     * @param fastest fastest speed after the warm start, m/s
+     * @param limit greatest speed that contacts may leave, m/s
+     * @param left rest of the step, s
      */
     void advance(double h, double length, int substep, double fastest, double limit, double left) {
         hold(h, length, substep, fastest, limit);
@@ -197,7 +200,7 @@ public final class Passes {
     }
 
     /**
-     * Whether no body of the packed island, which is held, could be parted from another in a
+     * Whether removal of overlap would move no body of the packed island, which is held, in a
      * substep of h seconds.
      */
     boolean areBlocked(double h) {
@@ -205,10 +208,10 @@ public final class Passes {
         return overlap.isBlocked(h);
     }
 
-    /** Keeps contacts from closing and sliding. */
+    /** Solves contacts, so that they neither close nor slide. */
     void hold(double h, double length, int substep, double fastest, double limit) {
-        // Against what is driven and what stands no load is enough. Loads that grow with every pass
-        // would lose the digits in which friction holds what is pressed, and throw it out instead.
+        // Between a driven body and an immovable one no load suffices. Loads that grow with every
+        // pass would lose the digits of the friction that holds the pressed body, and throw it out.
         sweep.limitPresses(motions.mass() * limit);
         if (contacts.areCrowd()) {
             sweepCrowd(h, length, substep, fastest);
@@ -222,8 +225,8 @@ public final class Passes {
     }
 
     /**
-     * Keeps what has turned within a substep from closing in the next part of it, of h seconds.
-     * What contacts carried up to here has been done, and cannot be taken back.
+     * Solves contacts that were measured again within a substep, for its next part of h seconds.
+     * The impulses so far in the substep have acted and cannot be taken back.
      */
     private void stopTurned(double h, int substep, double fastest, double limit) {
         guard.begin();
@@ -240,7 +243,7 @@ public final class Passes {
         earlier.addBack();
     }
 
-    /** Few contacts that sink in are passed over until they do not, or cost too much. */
+    /** Solves few contacts; repeats the passes until none sinks in or they cost too much. */
     private void sweepFew(double h, double length, int substep, double fastest) {
         long start = contacts.work.contactSolves;
         double sunk = SUNK * MISSED_IN_A_CROWD * missed;
@@ -258,8 +261,8 @@ public final class Passes {
     }
 
     /**
-     * A crowd is solved the more coarsely the faster it moves, but what lies still in it by its own
-     * speeds; when all of it is calm in fewer passes, and to the end if it is not too large.
+     * Solves a crowd: the more coarsely the faster it moves, except where bodies in it lie still. A
+     * calm crowd gets fewer passes.
      */
     private void sweepCrowd(double h, double length, int substep, double fastest) {
         boolean isCalm = fastest < CALM * kick.strongest() * step;
@@ -274,7 +277,7 @@ public final class Passes {
         }
     }
 
-    /** Change of speed that does not count in a crowd, m/s. */
+    /** Change of speed that is neglected in a crowd, m/s. */
     private double quietOfCrowd(double fastest) {
         double gained = kick.strongest() * step;
         double ofFall = gained > 0 ? Math.min(1, fastest / gained) : 0;

@@ -13,88 +13,88 @@ import rigibo.backend.setup.ContactSolver;
 import rigibo.backend.setup.Correction;
 
 /**
- * Solves a small island to the end, substep by substep, in rounds of one pass, which finds what is
- * left, and one elimination. An island that takes more work than it is worth is restored as it was
+ * Solves a small island until it converges, substep by substep, in rounds of one pass, which
+ * measures the residual, and one elimination. An island that exceeds its budget of work is restored
  * and left to {@link Passes}.
  */
 public final class Rounds {
 
-    /** Share of the fastest speed that may be left unsolved, per metre of the tolerance. */
+    /** Allowed residual as a share of the fastest speed, per metre of impact tolerance. */
     private static final double SETTLED = 1e-2;
 
     /**
-     * Share of its own loads that may be left unsolved of a body in a calm island: less than a body
-     * at rest may be held too little, so that what nothing holds is told from an error.
+     * Allowed residual of a body in a calm island, as a share of its own loads. It is smaller than
+     * the share by which a body at rest may be held too little, so that an unsupported body can be
+     * told from an error.
      */
     private static final double SETTLED_IF_CALM = 5e-10;
 
     /**
-     * The share that may be left where rounds come no nearer: what rows give way by, and rows that
-     * elimination would have to try one after the other.
+     * That share if rounds no longer converge, because of the compliance of rows, or because
+     * elimination would have to try rows one after the other.
      */
     private static final double LEFT_IF_CALM = 1e-7;
 
-    /** Share of the strongest answer below which a change is round-off: some 64 ulp. */
+    /** Share of the largest change of speed below which a change is round-off: about 64 ulp. */
     private static final double ROUND_OFF = 1e-14;
 
-    /** Rounds that a substep is given beside one for each substep of the accuracy. */
+    /** Rounds per substep in addition to one for each substep of the accuracy. */
     private static final int LEAST_ROUNDS = 4;
 
     /**
-     * A round whose changes are larger than this share of those of the round before is taken back
-     * by half.
+     * Largest change of a round, as a share of that of the round before; a round with a larger one
+     * is undone by half.
      */
     private static final double SHRINKS = 0.5;
 
     /**
-     * How many times the work of passes elimination is worth among bodies of one mass that keep
-     * nothing of what they close with: passes are soon done there.
+     * Budget of elimination as a multiple of the work of passes, for equal masses and e = 0, where
+     * passes converge quickly.
      */
     private static final double WORTH = 0.25;
 
     /**
-     * How many times it is worth for a single body on what nobody moves, with its three unknowns,
-     * and for what a driven body presses, which no load can stop.
+     * That multiple for a single body on immovable ones, which has three unknowns, and for islands
+     * that a driven body presses, which no load can stop.
      */
     private static final double WORTH_ALONE = 8;
 
     /**
-     * How many times that it is worth, at most, where passes take long: with bodies that differ in
-     * mass, where a bullet is through a box before they are done, and with elastic ones, which lose
-     * nothing of what passes leave.
+     * Largest multiple, where passes converge slowly: for bodies of different masses, where a
+     * bullet would be through a box before they converge, and for elastic bodies, which do not lose
+     * the error that passes leave.
      */
     private static final double MOST_WORTH = 100;
 
-    /**
-     * How many times the work of passes elimination is worth in an island that hardly moves: once
-     * solved it rests, and costs nothing any more.
-     */
+    /** That multiple in a calm island, which rests once it is solved and then costs nothing. */
     private static final double WORTH_IF_CALM = 24;
 
-    /** Speed at which contacts count as steady, as a share of what a pull gives in a step. */
+    /** Speed up to which contacts count as steady, as a share of a free body's gain in a step. */
     private static final double STEADY = 1e-3;
 
-    /** Multiplications that the smallest island is worth in a substep: a microsecond. */
+    /** Least budget of an island in a substep, in multiplications: a microsecond. */
     private static final double LEAST_WORTH = 2_500;
 
-    /** Multiplications that the impacts of the smallest island are worth in a step. */
+    /** Least budget of the impacts of an island in a step, in multiplications. */
     private static final double LEAST_WORTH_OF_IMPACTS = 1e5;
 
-    /** What passes take in multiplications: by a contact in a substep, mostly six times. */
+    /**
+     * Work of passes per contact and substep, in multiplications: about six solutions of 60 each.
+     */
     private static final double WORK_OF_PASSES = 6 * 60;
 
     /**
-     * Share of the fastest speed by which rounds may miss: what they leave worse than passes would
-     * is left to passes.
+     * Largest residual that rounds may leave, as a share of the fastest speed; islands with a
+     * larger one are left to passes, which do better.
      */
     private static final double GIVEN_UP = 0.03;
 
-    /** Rounds that begin with one pass, as most islands need no more. */
+    /** Number of rounds that begin with a single pass; most islands need no more rounds. */
     private static final int QUICK = 2;
 
     /**
-     * Passes of a round at most, where masses differ: which contacts carry is hard to tell there
-     * from one pass.
+     * Most passes of a round where masses differ, since one pass does not tell there which contacts
+     * carry load.
      */
     private static final int MOST_PASSES = 32;
 
@@ -110,27 +110,27 @@ public final class Rounds {
     private final Halfway before;
     private final Halfway best;
 
-    /** Whether rounds go on where masses differ; at a draft's accuracy what is hard is left. */
+    /** Whether more rounds are made where masses differ; not at {@code DRAFT}. */
     private final boolean isThorough;
 
     private final boolean isDirect;
     private final boolean isCorrecting;
     private final int most;
 
-    /** Share of the fastest speed that counts as solved. */
+    /** Allowed residual as a share of the fastest speed. */
     private final double share;
 
-    /** Multiplications that passes take for a contact in a substep; without a limit at EXACT. */
+    /** Work of passes per contact and substep, in multiplications; infinite from EXACT on. */
     private final double ofPasses;
 
     private final double worthIfCalm;
 
     private boolean isCalm;
 
-    /** Change of speed that the last pass found where rounds were not enough, m/s. */
+    /** Change of speed in the last pass, if the rounds did not converge, m/s. */
     private double missed;
 
-    /** Speed that counts as none in the present round, m/s. */
+    /** Allowed residual in the present round, m/s. */
     private double settled;
 
     public Rounds(
@@ -159,7 +159,7 @@ public final class Rounds {
         isCorrecting = accuracy.correction() == Correction.SOFT;
         most = LEAST_ROUNDS + substeps;
         share = SETTLED * accuracy.impactTolerance();
-        // From EXACT on elimination is worth any work.
+        // From EXACT on the budget of elimination is unlimited.
         boolean isLimited = substeps < Accuracy.EXACT.substeps();
         double coarser = Math.min(1, substeps / (double) Accuracy.GAME.substeps());
         ofPasses = isLimited ? WORK_OF_PASSES : Double.POSITIVE_INFINITY;
@@ -168,8 +168,8 @@ public final class Rounds {
     }
 
     /**
-     * Begins the packed island, unless it is too large; {@code gained} is what a free body gains in
-     * the step, m/s.
+     * Prepares the packed island; returns false if it is too large for its budget. A free body
+     * gains {@code gained} m/s in the step.
      */
     boolean prepare(boolean isCalm, double gained) {
         this.isCalm = isCalm && !motions.isAnyDriven;
@@ -180,9 +180,9 @@ public final class Rounds {
     }
 
     /**
-     * Whether every contact that carried a load goes on and no other closes: no point of them parts
-     * or closes faster than so much, m/s. Then rows that are found once are found again, however
-     * fast bodies roll and slide.
+     * Whether every loaded contact persists and no other one closes: no point of theirs parts or
+     * closes faster than so many m/s. Then the same rows are loaded again in the next substep,
+     * however fast bodies roll and slide.
      */
     private boolean areContactsSteady(double most) {
         for (int row = 0; row < contacts.count; row++) {
@@ -196,7 +196,7 @@ public final class Rounds {
         return true;
     }
 
-    /** How many times the work of passes elimination of an island that moves is worth. */
+    /** Budget of a moving island, as a multiple of the work of passes. */
     private double timesOfPasses() {
         double elasticity = contacts.highestElasticity();
         double lost = 1 - elasticity * elasticity;
@@ -206,37 +206,40 @@ public final class Rounds {
         return isAlone ? Math.max(WORTH_ALONE, moving) : moving;
     }
 
-    /** How many times the work of passes elimination is worth for the sake of masses. */
+    /** Budget by the ratio of masses, as a multiple of the work of passes. */
     static double timesByMass(Motions motions) {
         return Math.min(MOST_WORTH, WORTH * motions.massRatio());
     }
 
-    /** Whether the packed island hardly moves. */
+    /** Whether the packed island is calm. */
     boolean isCalm() {
         return isCalm;
     }
 
-    /** Multiplications that the impacts of so many kicks are worth, be the island calm or not. */
+    /** Budget of the impacts of a number of kicks, in multiplications. */
     double worthOfImpacts(int kicks) {
         return Math.max(LEAST_WORTH_OF_IMPACTS, ofPasses * kicks * contacts.count);
     }
 
-    /** The rows are not what they were. */
+    /** Discards the factorization, since the rows have changed. */
     void forget() {
         direct.forget();
     }
 
-    /** Share of the fastest speed that counts as solved. */
+    /** Allowed residual as a share of the fastest speed. */
     double share() {
         return share;
     }
 
     /**
-     * Solves a substep of h seconds, whose kick lasted {@code kicked} seconds, in which nothing
-     * went faster than {@code fastest} m/s before contacts answered, and nothing that is not solved
-     * may go faster than a limit in m/s.
+     * Solves a substep.
      *
-     * @return whether it was worth it; if not, everything is as it was
+     * @param h length of the substep, s
+     * @param kicked length of its kick, s
+     * @param substep its number
+     * @param fastest fastest speed before contacts are solved, m/s
+     * @param limit greatest speed that rows which did not converge may leave, m/s
+     * @return whether it was solved within the budget; if not, everything is restored
      */
     boolean settle(double h, double kicked, int substep, double fastest, double limit) {
         before.begin();
@@ -255,11 +258,11 @@ public final class Rounds {
     }
 
     /**
-     * Goes on until nothing is left, which at rest it is after the first round; a calm island goes
-     * on as long as that brings it nearer. Newton's method is tried as long as it does; where it
-     * does not, its round is taken back and elimination goes on; where masses differ, and more
-     * rounds are made, it is tried again. Rounds of a calm island may take turns for ever; then the
-     * best of them counts.
+     * Makes rounds until the residual is small enough, at rest after the first one; in a calm
+     * island as long as rounds converge. Newton's method is used as long as it converges; a round
+     * of it that does not is undone and elimination continues. Where masses differ and more rounds
+     * are made, it is tried again. If the rounds of a calm island cycle, the best of them is kept.
+     * Returns whether they converged.
      */
     private boolean settleRows(double h, double kicked, int substep, double fastest) {
         double enough = isCalm ? LEFT_IF_CALM / SETTLED_IF_CALM : 1;
@@ -311,7 +314,9 @@ public final class Rounds {
         return false;
     }
 
-    /** What a pass over the rows finds left, as a multiple of what may be left; 0 if nothing. */
+    /**
+     * The residual that a pass finds, as a multiple of the allowed one; 0 if it is small enough.
+     */
     private double left(double h, double kicked, int substep, double fastest) {
         double change = sweep.once(h, substep);
         if (!isCalm) {
@@ -323,7 +328,7 @@ public final class Rounds {
         return changeOfOwn() / SETTLED_IF_CALM;
     }
 
-    /** The most that the last pass changed the speed of a body, as a share of its own loads. */
+    /** Largest change of a body's speed in the last pass, as a share of its own loads. */
     private double changeOfOwn() {
         double most = 0;
         for (int entry = 1; entry < motions.count; entry++) {
@@ -333,7 +338,7 @@ public final class Rounds {
         return most;
     }
 
-    /** The least that any body would gain by its own loads, m/s. */
+    /** Least speed that any body would gain by its own loads, m/s. */
     private double leastOwn() {
         double least = Double.POSITIVE_INFINITY;
         for (int entry = 1; entry < motions.count; entry++) {
@@ -343,7 +348,7 @@ public final class Rounds {
         return least;
     }
 
-    /** Takes overlap back by moving bodies, after a substep of h seconds. */
+    /** Removes overlap by moving bodies, after a substep of h seconds. */
     void takeOverlapBack(double h, int substep) {
         if (isCorrecting && overlap.isJammed()) {
             overlap.partJammed(h, substep);

@@ -7,12 +7,14 @@ import rigibo.backend.storage.Islands;
 import rigibo.backend.storage.Pairs;
 
 /**
- * How many substeps a crowd is given. Substeps keep small what is neglected along the way of a
- * body, and that grows with the square of the way: a heap that creeps needs but one.
+ * The number of substeps of a crowd. The error of a substep grows with the square of the distance
+ * that bodies move in it, so that a creeping heap needs only one.
  */
 final class Substeps {
 
-    /** Way of a body in a step, in its widths, from which on its crowd gets all substeps. */
+    /**
+     * Distance that a body moves in a step, in widths, from which on its crowd gets all substeps.
+     */
     private static final double FAR = 0.4;
 
     private final Bodies bodies;
@@ -25,15 +27,15 @@ final class Substeps {
         islands = data.islands;
     }
 
-    /** Substeps of an island for a step of {@code dt} seconds, of the usual number at most. */
+    /** Number of substeps of an island for a step of {@code dt} seconds, at most the usual one. */
     int of(int island, double dt, int usual) {
         return PackedContacts.areCrowd(islands, island) ? byWay(island, dt, usual) : usual;
     }
 
     /**
-     * Substeps of an island, crowd or not, by the way that its bodies go. Of an island with joints
-     * whose equations alone are eliminated, what it carries is held at any length of substep, and
-     * what it neglects grows with the square of the way.
+     * Number of substeps of an island, crowd or not, by the distance that its bodies move. It also
+     * serves islands with joints of which only the equations are eliminated: these hold loads at
+     * any length of substep, and their error grows with the square of the distance too.
      */
     int byWay(int island, double dt, int usual) {
         if (usual == 1 || isDriven(island)) {
@@ -43,7 +45,7 @@ final class Substeps {
         return way >= FAR ? usual : (int) Math.max(1, Math.ceil(usual * way / FAR));
     }
 
-    /** Whether something pushes the island at a speed of its own. */
+    /** Whether a driven body or surface pushes the island. */
     private boolean isDriven(int island) {
         for (int i = islands.pairStart[island]; i < islands.pairStart[island + 1]; i++) {
             int pair = islands.pairs[i];
@@ -61,7 +63,7 @@ final class Substeps {
                         || bodies.spinOf(slot) != 0);
     }
 
-    /** The highest speed of any point of a body, in its widths a second. */
+    /** Highest speed of any point of a body, in its widths per second. */
     private double fastest(int island) {
         double most = 0;
         for (int i = islands.bodyStart[island]; i < islands.bodyStart[island + 1]; i++) {
@@ -73,7 +75,7 @@ final class Substeps {
         return most;
     }
 
-    /** Speed that turning gives the outline of a body, m/s. */
+    /** Highest speed of a body's outline by its spin, m/s. */
     private double turning(int slot) {
         return Math.abs(bodies.spin[slot]) * bodies.sweepRadius[slot];
     }

@@ -1,7 +1,7 @@
 package rigibo.backend.effect;
 
 /**
- * Bodies collide and rest on each other; left out, they pass through each other.
+ * Bodies collide and rest on each other. Without this effect they pass through each other.
  *
  * <pre>{@code
  * Pool floats = new Pool(Effects.of(new Contacts(), new Rotation()), Accuracy.GAME);

@@ -1,7 +1,8 @@
 package rigibo.backend.effect;
 
 /**
- * Impacts at their own time within the step; left out, only overlap at the step's end counts.
+ * Impacts are resolved at their time within the step, so that fast bodies cannot pass through
+ * others. Without this effect only overlap at the end of a step counts.
  *
  * <pre>{@code
  * // Then a shot of 100 m/s may pass a wall of 10 cm.

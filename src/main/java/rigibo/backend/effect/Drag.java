@@ -1,7 +1,8 @@
 package rigibo.backend.effect;
 
 /**
- * A force per mass of k·v against motion, k from the material; the decay is exactly e^(−kt).
+ * Linear drag: an acceleration of k·v against the velocity, with k from the material. A free body's
+ * speed decays exactly as e^(−kt).
  *
  * <pre>{@code
  * pool.effects(pool.effects().with(new Drag()));

@@ -1,7 +1,7 @@
 package rigibo.backend.effect;
 
 /**
- * Something that is simulated because a scene declares it; what is not declared costs nothing.
+ * A part of physics that is simulated only where it is declared; otherwise it costs nothing.
  *
  * <pre>{@code
  * for (Effect effect : pool.effects().all()) {
@@ -29,15 +29,14 @@ public sealed interface Effect
                 Sleep,
                 Sensors {
 
-    /**
-     * Whether the effect holds a function of the caller's, which may change with time and cannot be
-     * written down.
-     */
+    /** Whether the effect holds a caller's function, which a snapshot cannot save. */
     default boolean holdsFunction() {
         return false;
     }
 
-    /** The effect's name in levels and messages, in kebab-case: {@code rolling-resistance}. */
+    /**
+     * Name of the effect in level files and messages, in kebab-case: {@code rolling-resistance}.
+     */
     default String title() {
         return getClass()
                 .getSimpleName()

@@ -8,7 +8,8 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * The declared set of effects of a pool: at most one of each, and none without what it needs.
+ * The set of effects that a pool declares. It holds at most one effect of each kind, and every
+ * effect that another one needs.
  *
  * <pre>{@code
  * Effects slippery = Effects.usual().without(Friction.class);
@@ -29,9 +30,9 @@ public final class Effects {
     /**
      * A set of effects.
      *
-     * @param effects each kind at most once, in any order
-     * @throws IllegalArgumentException when one is null, declared twice, or lacks an effect that it
-     *     needs, naming both
+     * @param effects in any order, each kind at most once
+     * @throws IllegalArgumentException when an effect is null, declared twice, or needs an effect
+     *     that is not declared, naming both
      */
     public static Effects of(Effect... effects) {
         List<Effect> once = new ArrayList<>();
@@ -58,7 +59,7 @@ public final class Effects {
                 new Sleep());
     }
 
-    /** The declared effects in the order they were given; cannot be changed. */
+    /** The declared effects in the order they were given, as a read-only list. */
     public List<Effect> all() {
         return declared;
     }
@@ -68,17 +69,21 @@ public final class Effects {
         return find(kind).isPresent();
     }
 
-    /** The declared effect of this kind, with its parameters. */
+    /** The declared effect of a kind, or empty if none is declared. */
     public <T extends Effect> Optional<T> find(Class<T> kind) {
         return declared.stream().filter(kind::isInstance).map(kind::cast).findFirst();
     }
 
-    /** Whether one of them holds a function of the caller's. */
+    /** Whether one of the effects holds a caller's function, which a snapshot cannot save. */
     public boolean holdFunctions() {
         return declared.stream().anyMatch(Effect::holdsFunction);
     }
 
-    /** The same set with one more effect, or with another in place of the one of its kind. */
+    /**
+     * A copy with one more effect, which replaces one of the same kind.
+     *
+     * @throws IllegalArgumentException when the effect needs another one that is not declared
+     */
     public Effects with(Effect effect) {
         List<Effect> next = new ArrayList<>(declared);
         next.removeIf(other -> other.getClass() == effect.getClass());
@@ -87,7 +92,7 @@ public final class Effects {
     }
 
     /**
-     * The same set without the effect of this kind.
+     * A copy without the effect of a kind.
      *
      * @throws IllegalArgumentException when another declared effect needs it
      */

@@ -3,9 +3,9 @@ package rigibo.backend.effect;
 import rigibo.backend.setup.Require;
 
 /**
- * A force of the caller's own on every dynamic body, at its centre of mass, by place, velocity,
- * mass and time: springs, magnets, whirls. As nobody can say that it will not change, bodies do not
- * fall asleep where a field is declared.
+ * A force defined by a caller's function of position, velocity, mass and time, applied to every
+ * dynamic body at its centre of mass: springs, magnets, whirls. The force may change at any time,
+ * so no body falls asleep while a field is declared.
  *
  * <pre>{@code
  * // A spring to the origin, 40 N/m.
@@ -13,7 +13,7 @@ import rigibo.backend.setup.Require;
  * Pool springs = new Pool(Effects.of(spring), Accuracy.FINE);
  * }</pre>
  *
- * @param function what acts; several forces go into one function
+ * @param function computes the force; combine several forces in one function
  */
 public record Field(FieldFunction function) implements Effect {
 

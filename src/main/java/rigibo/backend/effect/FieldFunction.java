@@ -1,10 +1,10 @@
 package rigibo.backend.effect;
 
 /**
- * What a {@link Field} does to a body at a place. Called many times within a step, also for places
- * the body will not come to; it must answer the same numbers with the same force, allocate nothing
- * and change nothing but the point it is given. A body on which the force is not finite is put to
- * rest and named in the step's report.
+ * The force of a {@link Field} on a body in a given state. It is called many times within a step,
+ * also for states that the body will not reach. Equal inputs must give an equal force; the function
+ * must allocate nothing and change nothing but the point it is given. A body whose force is not
+ * finite is put to rest and named in the step's report.
  *
  * <pre>{@code
  * FieldFunction whirl = at -> at.accelerate(-2 * at.y, 2 * at.x);

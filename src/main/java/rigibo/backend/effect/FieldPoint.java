@@ -1,8 +1,8 @@
 package rigibo.backend.effect;
 
 /**
- * What a {@link FieldFunction} is told of a body, and what it answers. A plain carrier that is used
- * again for the next body.
+ * Input and output of a {@link FieldFunction}: the state of a body, and the acceleration added so
+ * far. The object is reused for the next body.
  *
  * <pre>{@code
  * // Against motion, and up to a height of 3 m.
@@ -11,10 +11,10 @@ package rigibo.backend.effect;
  */
 public final class FieldPoint {
 
-    /** World place of the centre of mass, m, to the right. */
+    /** World x of the centre of mass, m. */
     public double x;
 
-    /** World place of the centre of mass, m, up. */
+    /** World y of the centre of mass, m, up. */
     public double y;
 
     /** Velocity of the centre of mass, m/s, to the right. */
@@ -23,16 +23,16 @@ public final class FieldPoint {
     /** Velocity of the centre of mass, m/s, up. */
     public double velocityY;
 
-    /** kg, positive. */
+    /** Mass of the body, kg, positive. */
     public double mass;
 
-    /** s since the pool was made. */
+    /** Simulated time since the pool was made, s. */
     public double time;
 
-    /** What has been added so far, m/s², to the right. */
+    /** Acceleration added so far, m/s², to the right. */
     public double accelerationX;
 
-    /** What has been added so far, m/s², up. */
+    /** Acceleration added so far, m/s², up. */
     public double accelerationY;
 
     /** Adds a force in N, to the right and up. */

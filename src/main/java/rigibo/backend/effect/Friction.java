@@ -1,7 +1,8 @@
 package rigibo.backend.effect;
 
 /**
- * Coulomb's friction at contacts and impacts, from the materials' μ.
+ * Coulomb friction in contacts and impacts, with μ from the materials. Without this effect all
+ * surfaces are smooth.
  *
  * <pre>{@code
  * pool.effects(pool.effects().without(Friction.class)); // everything is ice

@@ -3,14 +3,14 @@ package rigibo.backend.effect;
 import rigibo.backend.setup.Require;
 
 /**
- * A uniform acceleration of every dynamic body, times its gravity scale.
+ * A uniform acceleration of every dynamic body, multiplied by the body's gravity scale.
  *
  * <pre>{@code
  * pool.effects(pool.effects().with(new Gravity(0, -1.62))); // the moon
  * }</pre>
  *
- * @param x m/s², to the right
- * @param y m/s², up; the Earth's is -9.81
+ * @param x m/s², to the right, within ±1e6
+ * @param y m/s², up, within ±1e6; on Earth -9.81
  */
 public record Gravity(double x, double y) implements Effect {
 

@@ -1,7 +1,7 @@
 package rigibo.backend.effect;
 
 /**
- * How a wind changes with time. Called within a step, and given a number only.
+ * A function that scales a {@link Wind} over time. It is called within a step.
  *
  * <pre>{@code
  * Gusts sway = time -> 1 + 0.5 * Math.sin(time);
@@ -10,14 +10,14 @@ package rigibo.backend.effect;
 @FunctionalInterface
 public interface Gusts {
 
-    /** The wind as it is stated, at all times. */
+    /** A constant wind, at its stated speed. */
     Gusts STEADY = time -> 1;
 
     /**
-     * The share of the stated wind that blows: 1 for all of it, 0 for calm, negative for the
-     * opposite direction. The same time must always give the same share.
+     * The factor on the stated wind: 1 for its full speed, 0 for calm, negative for the opposite
+     * direction. Equal times must give equal factors.
      *
-     * @param time s since the pool was made
+     * @param time simulated time since the pool was made, s
      */
     double at(double time);
 }

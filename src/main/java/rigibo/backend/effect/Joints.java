@@ -1,7 +1,8 @@
 package rigibo.backend.effect;
 
 /**
- * Bodies are joined by hinges, rods, springs and the like; left out, nobody can be.
+ * Bodies can be joined by hinges, rods, springs and other joints. Without this effect {@code
+ * Pool.join} throws.
  *
  * <pre>{@code
  * Pool pool = new Pool(Effects.usual().with(new Joints()), Accuracy.GAME);

@@ -1,7 +1,7 @@
 package rigibo.backend.effect;
 
 /**
- * Impacts rebound by the materials' elasticity; left out, every impact has e = 0.
+ * Impacts rebound with the materials' elasticity e. Without this effect every impact has e = 0.
  *
  * <pre>{@code
  * pool.effects(pool.effects().with(new Restitution()));

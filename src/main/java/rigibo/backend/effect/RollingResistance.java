@@ -1,7 +1,8 @@
 package rigibo.backend.effect;
 
 /**
- * A torque up to c·N against rolling, from the materials' lever c; it stops and never reverses.
+ * Rolling resistance: a torque of up to c·N against rolling, with the lever c from the materials
+ * and the normal force N. It can stop a rolling body but never reverse it.
  *
  * <pre>{@code
  * pool.effects(pool.effects().with(new RollingResistance()));

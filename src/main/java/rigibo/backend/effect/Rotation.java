@@ -1,8 +1,8 @@
 package rigibo.backend.effect;
 
 /**
- * Bodies turn; left out, they only translate and count as infinitely hard to turn. What was stated
- * of their spin is not kept then: when this is declared later, they begin to turn from rest.
+ * Bodies turn. Without this effect they only translate, as if their moment of inertia were
+ * infinite, and their spin is not kept: if it is declared later, they start to turn from rest.
  *
  * <pre>{@code
  * // Nothing turns: discs without friction, crowds, particles.

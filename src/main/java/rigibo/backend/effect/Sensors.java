@@ -1,10 +1,10 @@
 package rigibo.backend.effect;
 
 /**
- * Shapes that touch nothing and tell who is inside: coins, doors, goals, the foot of a character.
- * Who entered, who is inside and who left is read after the step, along each body's way within it,
- * so that a bullet that passed through entered and left. A sensor sees sleeping and static visitors
- * too, obeys filters and sees no other sensor.
+ * Sensors: shapes that touch nothing and report which bodies are inside: coins, doors, goals, the
+ * foot of a character. Entries and exits are found along each body's path within the step, so a
+ * bullet that passes through is reported as entering and leaving. A sensor detects sleeping and
+ * static bodies too, obeys filters, and detects no other sensor.
  *
  * <pre>{@code
  * Pool pool = new Pool(Effects.usual().with(new Sensors()), Accuracy.GAME);

@@ -3,14 +3,15 @@ package rigibo.backend.effect;
 import rigibo.backend.setup.Require;
 
 /**
- * Islands of bodies that rest stop costing until something touches them.
+ * Islands of bodies at rest fall asleep: they are no longer simulated until something wakes them.
  *
  * <pre>{@code
  * pool.effects(pool.effects().with(new Sleep(1, 0.001))); // 1 s within 1 mm
  * }</pre>
  *
- * @param seconds how long every body of an island must have stayed in place, s, positive
- * @param distance how far a body of one metre may stray meanwhile, m, positive; scales with size
+ * @param seconds time for which every body of an island must stay in place, s, positive
+ * @param distance how far a body one metre wide may move in that time, m, positive; scales with the
+ *     width of the body
  */
 public record Sleep(double seconds, double distance) implements Effect {
 
@@ -25,8 +26,8 @@ public record Sleep(double seconds, double distance) implements Effect {
     }
 
     /**
-     * Half a second within a tenth of a millimetre: 0.2 mm/s, far below what an eye sees move, far
-     * above the residue of a resting stack.
+     * The default: 0.5 s within 0.1 mm. That is 0.2 mm/s, far slower than the eye can see and far
+     * faster than the residual motion of a stack at rest.
      */
     public Sleep() {
         this(0.5, 1e-4);

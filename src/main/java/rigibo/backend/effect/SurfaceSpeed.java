@@ -1,11 +1,11 @@
 package rigibo.backend.effect;
 
 /**
- * Conveyors: the outline of a body runs at its material's surface speed, while the body stays as it
- * is. Counter-clockwise is positive, as for spin: what lies on top is carried to the left at a
- * positive speed and to the right at a negative one, and a body on tracks of its own moves as a
- * wheel of that rim speed would. Where two outlines meet, their speeds add. Friction carries, so it
- * has to be declared.
+ * Conveyor belts: the outline of a body runs at its material's surface speed, while the body itself
+ * stays in place. Positive is counter-clockwise, as for spin: a load on top is carried to the left
+ * by a positive speed and to the right by a negative one. A body with running tracks moves as a
+ * wheel with that rim speed would. At a contact the speeds of both outlines add. {@link Friction}
+ * must be declared, since it does the carrying.
  *
  * <pre>{@code
  * pool.effects(pool.effects().with(new SurfaceSpeed()));

@@ -1,8 +1,8 @@
 package rigibo.backend.effect;
 
 /**
- * Forces and torques applied by the caller; without it {@code applyForce} and {@code applyTorque}
- * throw.
+ * Forces and torques applied by the caller. Without this effect {@code RigidBody.applyForce} and
+ * {@code applyTorque} throw.
  *
  * <pre>{@code
  * pool.effects(pool.effects().with(new Thrust()));

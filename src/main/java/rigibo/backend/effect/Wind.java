@@ -3,8 +3,8 @@ package rigibo.backend.effect;
 import rigibo.backend.setup.Require;
 
 /**
- * Moving air: {@link Drag} and {@link AirDrag} brake against it instead of against the world. One
- * of the two has to be declared.
+ * Moving air: {@link Drag} and {@link AirDrag} act on the velocity relative to it. One of the two
+ * must be declared.
  *
  * <pre>{@code
  * pool.effects(pool.effects().with(new AirDrag(1.2, 1.1)).with(new Wind(10, 0)));
@@ -12,7 +12,7 @@ import rigibo.backend.setup.Require;
  *
  * @param x speed of the air to the right, m/s, within ±1e4
  * @param y speed of the air upwards, m/s, within ±1e4
- * @param gusts what share of that speed blows at a time; {@link Gusts#STEADY} where it is constant
+ * @param gusts factor on that speed over time; {@link Gusts#STEADY} for a constant wind
  */
 public record Wind(double x, double y, Gusts gusts) implements Effect {
 
@@ -31,7 +31,7 @@ public record Wind(double x, double y, Gusts gusts) implements Effect {
     }
 
     /**
-     * A wind that always blows the same.
+     * A constant wind.
      *
      * @param x m/s, to the right
      * @param y m/s, up
@@ -41,7 +41,7 @@ public record Wind(double x, double y, Gusts gusts) implements Effect {
         this(x, y, Gusts.STEADY);
     }
 
-    /** Whether the wind is always the same. */
+    /** Whether the wind is constant. */
     public boolean isSteady() {
         return gusts == Gusts.STEADY;
     }

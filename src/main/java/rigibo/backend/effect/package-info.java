@@ -1,5 +1,5 @@
 /**
- * The effects a scene may declare. Records only: what an effect does sits in a stage or a kernel of
- * its own, which is loaded only where the effect is declared.
+ * The effects a scene can declare, as records without behaviour. The code of an effect is a stage
+ * or a kernel in another package and is loaded only where the effect is declared.
  */
 package rigibo.backend.effect;

@@ -12,24 +12,25 @@ import rigibo.backend.storage.Pairs;
 import rigibo.backend.storage.PointSpeeds;
 
 /**
- * Flyers near a body of a pile that is struck or about to bounce. Where that body goes in the rest
- * of the step only the pile's solver will tell, and by then they would have passed it. So those
- * that it could reach join the pile, whose solver moves what touches nothing as exactly as flight
- * does.
+ * Flyers near a body of a pile that is struck or about to bounce. Only the pile's solver finds
+ * where that body goes in the rest of the step, and by then the flyers would have passed it. So
+ * flyers that it could reach join the pile. They lose no accuracy, since that solver moves bodies
+ * that touch nothing as exactly as flight does.
  */
 final class Bystanders {
 
     /**
-     * How much faster than by a single impact a body may leave when it is struck against others.
+     * Factor on the speed after a single impact for a body that may also be struck against others.
      */
     private static final double WEDGED = 2;
 
-    /** How far a body may leave its path, in widths, before its neighbours have to be looked at. */
+    /** Deviation from its path, in widths, up to which a body's neighbours need not be searched. */
     private final double allowance;
 
-    /** What was found of the last impact, m. */
+    /** Reach of body A after the last measured impact, m; 0 within the allowance. */
     double reachOfA;
 
+    /** Reach of body B after the last measured impact, m; 0 within the allowance. */
     double reachOfB;
 
     private final Bodies bodies;
@@ -42,9 +43,8 @@ final class Bystanders {
     private final Pose poseB = new Pose();
 
     /**
-     * Allows bodies to leave their paths by twice the square root of the impact tolerance, in
-     * widths. The root is the geometric mean of the tolerance (m) and the width of a body of one
-     * metre.
+     * Sets the allowance to twice the square root of the impact tolerance, in widths. For a body
+     * one metre wide the root is the geometric mean of the tolerance and the width.
      */
     Bystanders(
             DataStorage data,
@@ -61,10 +61,11 @@ final class Bystanders {
     }
 
     /**
-     * Finds how far (m) the bodies of an impact may get in the rest of the step (s) from where they
-     * are expected: {@link #reachOfA} and {@link #reachOfB}, 0 where that is within the allowance.
-     * A flyer strikes a pile whose carriers move at (u, v) m/s; the impact is resolved in their
+     * Computes the reach of both bodies when a flyer strikes a pile: {@link #reachOfA} and {@link
+     * #reachOfB}. The carriers of the pile move at (u, v), m/s, and the impact is resolved in their
      * frame.
+     *
+     * @param left rest of the step, s
      */
     void measureImpact(int a, int b, Impact impact, double u, double v, double left) {
         impact.velocityAX -= u;
@@ -82,7 +83,7 @@ final class Bystanders {
         reachOfB = reach(b, impact.velocityBX, impact.velocityBY, oldBX, oldBY, left);
     }
 
-    /** It may be stopped, or thrown back, by whatever else touches it. */
+    /** Reach of a body whose velocity changes, m; other contacts may stop it or throw it back. */
     private double reach(int slot, double vx, double vy, double oldX, double oldY, double left) {
         if (!bodies.isDynamic(slot)) {
             return 0;
@@ -96,14 +97,14 @@ final class Bystanders {
         return Math.sqrt(x * x + y * y);
     }
 
-    /** Whether a way of so many m takes a body off its path by more than it is allowed. */
+    /** Whether a distance in m is more than the body's allowance. */
     private boolean leavesPath(int slot, double way) {
         return way > allowance * bodies.smallestWidth[slot];
     }
 
     /**
-     * How far in m the bodies of a contact in a pile may get in a step of dt seconds in which they
-     * strike each other; 0 where that is within the allowance.
+     * Reach of the bodies of a contact in a pile that strike each other, in a time of dt seconds,
+     * m; 0 within the allowance.
      */
     double reachOfBouncers(int pair, double dt) {
         int a = pairs.bodyA[pair];
@@ -119,8 +120,8 @@ final class Bystanders {
     }
 
     /**
-     * Speed of a body at a contact, m/s: there a long wall that turns is slower than at its far
-     * end.
+     * Velocity of a body at a contact along x, m/s. For driven bodies it is that of the point of
+     * contact: a long turning wall is slower there than at its far end.
      */
     private double meetsX(int slot, int pair) {
         return bodies.isDynamic(slot)
@@ -134,22 +135,23 @@ final class Bystanders {
                 : PointSpeeds.velocityY(bodies, pairs, 2 * pair, slot);
     }
 
-    /** Speed in m/s that turning gives the outline of a body, all round or across a contact. */
+    /** Greatest speed of a body's outline by its spin, m/s; of a driven body within a width, m. */
     private double turning(int slot, double width) {
         double reach = bodies.isDynamic(slot) ? bodies.sweepRadius[slot] : width;
         return Math.abs(bodies.spin[slot]) * reach;
     }
 
-    /** Finds all that lies within a reach of a body at a time, as pairs. */
+    /** Makes pairs of a body with everything within a reach (m) of it at a time (s). */
     void lookRound(int slot, double time, double reach) {
         paths.poseAt(slot, time, poseA);
         broadphase.lookRound(slot, poseA.x, poseA.y, poseA.cos, poseA.sin, reach);
     }
 
     /**
-     * Measures a pair of which one body, of a pile, may get {@code reach} m away in the rest of the
-     * step (s); returns whether the other is within that reach. Two that were in piles from the
-     * start are measured where they began, others where they are by then.
+     * Measures a pair one of whose bodies, in a pile, has a reach of {@code reach} m for the rest
+     * ({@code left} s) of the step; returns whether the other body is within it. Two bodies that
+     * were in piles from the start of the step are measured at their poses there, others at {@code
+     * time}.
      */
     boolean isWithinReach(int pair, double reach, double time, double left) {
         int a = pairs.bodyA[pair];
@@ -169,7 +171,7 @@ final class Bystanders {
         return pairs.points[pair] > 0;
     }
 
-    /** Whether even the bounding circles of two bodies are farther apart than by a gap in m. */
+    /** Whether the gap between the bounding circles of two bodies is larger than {@code gap}, m. */
     private boolean isBeyond(int a, int b, double gap) {
         double dx = poseB.x - poseA.x;
         double dy = poseB.y - poseA.y;
@@ -178,11 +180,11 @@ final class Bystanders {
     }
 
     /**
-     * How far (m) a body may get when another strikes it whose reach is {@code reach}. That reach
-     * first closes the gap, as far as the two do not close it on their own ways in dt seconds; of
-     * what is left the struck body gets its share by mass. 0 where that is within the allowance. A
-     * flyer keeps its whole way: it may fall on what a floor has stopped, and then is stopped by
-     * the floor.
+     * Reach (m) that a body gets when another one with a reach of {@code reach} may strike it; 0
+     * within the allowance. The part of the gap that the two do not close by their own motion in dt
+     * seconds is subtracted; of the rest the struck body gets a share by its mass. A flyer gets at
+     * least the whole rest: it may fall on a body that a floor has stopped, and then the floor
+     * stops it too.
      */
     double reachLeft(int pair, int struck, double reach, double dt) {
         double left = reach - Math.max(0, pairs.gap(pair) - narrowphase.reach(pair, dt));
@@ -191,7 +193,7 @@ final class Bystanders {
         return leavesPath(struck, handedOn) ? handedOn : 0;
     }
 
-    /** Speed with which the struck body of a pair leaves, as a share of the speed of the other. */
+    /** Speed that the struck body of a pair gains, as a share of the speed of the other. */
     private double shareOf(int struck, int pair) {
         double inverse = bodies.inverseMass[struck];
         double both = inverse + bodies.inverseMass[pairs.other(pair, struck)];

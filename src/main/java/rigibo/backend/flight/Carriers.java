@@ -10,9 +10,9 @@ import java.util.Arrays;
 
 /**
  * The velocity of the driven body that carries a pile, directly or through bodies that may touch
- * within the step. Speeds in the pile are measured against it, so that a pile on a floor that moves
- * straight on is judged as on a floor at rest. Where nothing that moves straight on carries a body,
- * or where fixed or driven bodies carry it in different ways, the velocity is that of the world, 0.
+ * within the step. Speeds in the pile are measured relative to it, so that a pile on a floor in
+ * steady translation behaves as on a floor at rest. The velocity is 0 where no translating body
+ * carries the pile, or where it lies on fixed or driven bodies with different velocities.
  */
 final class Carriers {
 
@@ -20,20 +20,20 @@ final class Carriers {
     private final Pairs pairs;
     private final Roster roster;
 
-    /** Velocity of what carries each body, m/s; 0 wherever nothing is driven. */
+    /** By body: velocity of its carrier, m/s; 0 if none is driven. */
     private double[] velocityX = new double[16];
 
     private double[] velocityY = new double[16];
 
-    /** Which bodies were come upon in this step. */
+    /** By body: whether this step has visited it. */
     private boolean[] isSeen = new boolean[16];
 
     private final Found carried = new Found();
 
-    /** Whether any body is seen in another frame than the world's. */
+    /** Whether any body has a moving carrier. */
     private boolean isAny;
 
-    /** Whether all fixed and driven bodies that the pile at hand touches move alike. */
+    /** Whether all fixed and driven bodies that the present pile touches have the same velocity. */
     private boolean areAlike;
 
     Carriers(DataStorage data) {
@@ -42,7 +42,7 @@ final class Carriers {
         roster = data.roster;
     }
 
-    /** Finds what carries whom as a step begins. */
+    /** Finds the carriers of all bodies at the start of a step. */
     void begin() {
         int capacity = bodies.type.length;
         if (velocityX.length < capacity) {
@@ -70,7 +70,7 @@ final class Carriers {
         return bodies.velocityX[slot] != 0 || bodies.velocityY[slot] != 0;
     }
 
-    /** Finds all that hangs together with a driven body, one pile after the other. */
+    /** Finds the piles that touch a driven body, one after the other. */
     private void carry(int carrier) {
         for (int p = bodies.firstPair[carrier]; p != Pairs.NONE; p = pairs.nextOf(p, carrier)) {
             carried.clear();
@@ -101,14 +101,14 @@ final class Carriers {
         }
     }
 
-    /** What is fixed has no velocity. */
+    /** Whether a fixed or driven body has the same velocity as the carrier. */
     private boolean movesAs(int slot, int carrier) {
         return bodies.velocityX[slot] == bodies.velocityX[carrier]
                 && bodies.velocityY[slot] == bodies.velocityY[carrier]
                 && bodies.spinOf(slot) == 0;
     }
 
-    /** What joins a pile within the step is carried as the body that it joins. */
+    /** Gives a body that joins a pile within the step the carrier of the body it joins. */
     void join(int flyer, int pileBody) {
         velocityX[flyer] = velocityX[pileBody];
         velocityY[flyer] = velocityY[pileBody];

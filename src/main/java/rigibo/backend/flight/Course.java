@@ -8,11 +8,11 @@ import rigibo.backend.storage.Quarantine;
 import rigibo.backend.storage.Roster;
 
 /**
- * The paths of bodies under forces that change along the way. What such forces do until a path's
- * end is integrated in substeps; then one path of constant acceleration is laid that ends in the
- * same place, so that impacts are searched on a path with certain bounds. What its velocity lacks
- * there is added at the end: for a force that grows by j per second, j·T²/6 after T seconds. On the
- * way no place is off by more than j·T³/40.
+ * The paths of bodies under forces that vary along the path. The effect of such forces up to the
+ * end of a path is integrated in substeps. Then a path of constant acceleration is laid that ends
+ * at the same place, since the search for impacts needs a path with known bounds. The error of its
+ * end velocity is added at the end of the path: for an acceleration that grows by j per second it
+ * is j·T²/6 after T seconds. Places along the path are off by at most j·T³/40.
  */
 public final class Course {
 
@@ -21,20 +21,21 @@ public final class Course {
     private final int substeps;
     private final Deviation deviation;
 
-    /** Per body: when its path starts and ends, s after the step's start. */
+    /** By body: start of its path, s after the step's start. */
     private double[] from = new double[16];
 
+    /** By body: end of its path, s after the step's start. */
     private double[] to = new double[16];
 
-    /** Per body: what the velocity lacks at the path's end, m/s. */
+    /** By body: velocity that the laid path lacks at its end, m/s. */
     private double[] lackX = new double[16];
 
     private double[] lackY = new double[16];
 
-    /** The same of turning, or null where nothing turns. */
+    /** Turning on the paths; null without rotation. */
     private final TurningCourse turning;
 
-    /** Paths under these forces at an accuracy. */
+    /** Paths under the given forces, integrated at an accuracy. */
     public Course(DataStorage data, ChangingForces forces, Accuracy accuracy) {
         this.data = data;
         bodies = data.bodies;
@@ -56,7 +57,7 @@ public final class Course {
                 bodies.pullX[slot] = 0;
                 bodies.pullY[slot] = 0;
                 if (!isLaid(slot, 0, dt)) {
-                    // The report of the step, which looks next, puts it to rest.
+                    // The report stage of this step will find the body and put it to rest.
                     bodies.accelerationX[slot] = Double.NaN;
                 }
             }
@@ -73,14 +74,14 @@ public final class Course {
     }
 
     /**
-     * Lays a body's path between two times in s after the step's start; its columns hold at the
-     * first. Where its forces are beyond all bounds it goes on as before until the next step.
+     * Lays a body's path between two times, s after the step's start; its columns hold its state at
+     * the first one. If its forces are not finite, the body keeps its old path until the next step.
      */
     void lay(int slot, double begin, double end) {
         isLaid(slot, begin, end);
     }
 
-    /** The same; returns whether the path is within bounds. */
+    /** Lays a path as {@link #lay} does; returns whether it is within bounds. */
     private boolean isLaid(int slot, double begin, double end) {
         from[slot] = begin;
         to[slot] = end;
@@ -102,15 +103,15 @@ public final class Course {
         return true;
     }
 
-    /** Whether the path, and the velocity it leads to, are such that bodies can meet on it. */
+    /** Whether the path and its end velocity are within the bounds that impact searches need. */
     private boolean isBounded(double length) {
         return deviation.moved.isWithin(Quarantine.FASTEST * length)
                 && deviation.gained.isWithin(Quarantine.FASTEST);
     }
 
     /**
-     * From x₁ = x₀ + v₀·E₁ + a·E₂: a deviation d of place takes the acceleration d/E₂ beside the
-     * one that keeps to the reference.
+     * Writes the acceleration of the path. By x₁ = x₀ + v₀·E₁ + a·E₂, a deviation d of the end
+     * place takes the acceleration d/E₂, added to the one that keeps to the reference.
      */
     private void write(int slot, double length) {
         double e1 = deviation.velocityShare(length);
@@ -129,9 +130,9 @@ public final class Course {
     }
 
     /**
-     * Gives a body, whose columns were brought to a time on its path, the velocity it has there.
-     * After a share σ of the path's length it gets σ(3σ − 2) of what the path's velocity lacks at
-     * its end, as on the cubic with the same ends.
+     * Corrects the velocity of a body whose columns were advanced to a time on its path. After a
+     * share σ of the path it gets σ(3σ − 2) of the velocity that the path lacks at its end, as on
+     * the cubic with the same ends.
      */
     void catchUp(int slot, double time) {
         boolean lacksSpin = turning != null && turning.lacksSpin(slot);

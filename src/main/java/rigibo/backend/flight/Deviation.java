@@ -8,27 +8,27 @@ import rigibo.backend.setup.Integrator;
 import rigibo.backend.storage.Bodies;
 
 /**
- * How far forces that change along the way take a body from a reference that is known exactly. With
- * {@code BALLISTIC} the reference is the body's path without those forces, so that forces which are
- * 0 leave no trace; the deviation is integrated after Runge and Kutta. The other integrators'
- * reference is the straight line, which leaves all accelerations to them.
+ * The deviation of a body, caused by forces that vary along the path, from an exactly known
+ * reference path. With {@code BALLISTIC} the reference is the path without those forces, so that a
+ * force of 0 causes no error at all, and the deviation is integrated by Runge–Kutta. With the other
+ * integrators the reference is the straight line, so that they integrate all accelerations.
  */
 final class Deviation {
 
     /**
-     * Change of a rate between the two looks at a substep's middle, as a share of the rate, beyond
-     * which a substep is too long: at a quarter ω·h or k·h is 1, and an explicit method overshoots
-     * from 2.8 on.
+     * Largest change between the two evaluations at a substep's middle, as a share of the rate;
+     * with a larger one the substep is too long. At a quarter, ω·h or k·h is 1; an explicit method
+     * overshoots from 2.8 on.
      */
     private static final double MOST_CHANGE = 0.25;
 
-    /** Share of a path's length for which a rate is followed to see how it changes. */
+    /** Share of a path's length after which a rate is evaluated again to find how it changes. */
     private static final double SMALL_CHANGE = 1e-3;
 
-    /** Substeps of a path at most; what is too stiff for them is braked without overshooting. */
+    /** Most substeps of a path; stiffer forces are integrated implicitly, without overshooting. */
     private static final int MOST_SUBSTEPS = 1024;
 
-    /** What the path has deviated by: m and rad, and the same per second. */
+    /** Deviation of the path so far: place in m and rad, then velocity in m/s and rad/s. */
     final Freedoms moved = new Freedoms();
 
     final Freedoms gained = new Freedoms();
@@ -37,33 +37,33 @@ final class Deviation {
     private final Integrator method;
     private final boolean isBallistic;
 
-    /** Where nothing turns, an angle asks for no substep and is not looked at. */
+    /** Whether bodies turn; if not, angles are not integrated. */
     private final boolean turns;
 
     private final Motion reference = new Motion();
     private final Pose pose = new Pose();
     private final Instant instant = new Instant();
 
-    /** The deviation at the instant that is looked at. */
+    /** Deviation at the time of the present evaluation. */
     private final Freedoms movedThere = new Freedoms();
 
     private final Freedoms gainedThere = new Freedoms();
 
-    /** The rates of a substep's looks: at its start, twice at its middle, at its end. */
+    /** Rates k₁ to k₄ of a substep: at its start, twice at its middle, at its end. */
     private final Freedoms first = new Freedoms();
 
     private final Freedoms second = new Freedoms();
     private final Freedoms third = new Freedoms();
     private final Freedoms fourth = new Freedoms();
 
-    /** The accelerations that stay the same, m/s² and rad/s², and the drag in 1/s. */
+    /** Constant accelerations, m/s² and rad/s², and the linear drag, 1/s. */
     private double steadyX;
 
     private double steadyY;
     private double steadyTurn;
     private double drag;
 
-    /** When the path starts, s since the pool was made. */
+    /** Start of the path, s since the pool was made. */
     private double start;
 
     Deviation(ChangingForces forces, Integrator method, boolean turns) {
@@ -73,7 +73,7 @@ final class Deviation {
         isBallistic = method == Integrator.BALLISTIC;
     }
 
-    /** Takes a body at a time in s since the pool was made, at which its columns hold. */
+    /** Loads a body whose columns hold its state at a time, s since the pool was made. */
     void of(Bodies bodies, int slot, double time) {
         start = time;
         instant.take(bodies, slot);
@@ -101,8 +101,8 @@ final class Deviation {
     }
 
     /**
-     * Integrates over a length in s, with more substeps where the forces are stiff. Where a method
-     * that can tell still finds them too long, it begins anew with twice as many.
+     * Integrates over a length in s, with more substeps where the forces are stiff. If the method
+     * can estimate its error and finds the substeps too long, it starts again with twice as many.
      */
     void integrate(double length, int substeps) {
         begin();
@@ -113,7 +113,7 @@ final class Deviation {
         }
     }
 
-    /** Goes back to the path's start and looks there. */
+    /** Resets to the start of the path and evaluates the forces there. */
     private void begin() {
         moved.clear();
         gained.clear();
@@ -121,9 +121,10 @@ final class Deviation {
     }
 
     /**
-     * How many substeps of length h keep k·h below 1. Drag changes a force by the share k per
-     * second, which a look shortly after the start tells: where a strong drag and another force are
-     * in balance, nothing else would tell before the balance is lost. The start has been looked at.
+     * Number of substeps of length h that keeps k·h below 1, with k the relative change of the
+     * force per second that drag causes. A second evaluation shortly after the start measures k:
+     * while a strong drag balances another force, nothing else shows it. The forces at the start
+     * have been evaluated.
      */
     private int substepsByDrag(double length) {
         if (method == Integrator.EULER || method == Integrator.VERLET) {
@@ -143,7 +144,10 @@ final class Deviation {
         return rates > 0 ? changes / rates : 0;
     }
 
-    /** Goes all substeps from the start, which has been looked at. */
+    /**
+     * Makes all substeps from the start, where the forces have been evaluated; returns false if one
+     * is too long.
+     */
     private boolean isIntegrated(double length, int count) {
         double h = length / count;
         for (int i = 0; i < count; i++) {
@@ -160,7 +164,7 @@ final class Deviation {
         return true;
     }
 
-    /** Goes one substep from where it was looked, unless it is found too long. */
+    /** Makes one substep from the last evaluation; returns false if it is too long. */
     private boolean step(double time, double h) {
         return switch (method) {
             case EULER -> stepByEuler(h);
@@ -185,7 +189,7 @@ final class Deviation {
         return true;
     }
 
-    /** Kutta's method of 1901 for x″ = f(x, x′, t). */
+    /** Kutta's method of 1901 for x″ = f(x, x′, t); returns false if the substep is too long. */
     private boolean stepByRungeKutta(double time, double h) {
         double half = h / 2;
         goAhead(half, first, 0, first);
@@ -210,9 +214,9 @@ final class Deviation {
     }
 
     /**
-     * Compares the two looks at the middle. Between them the velocity moved by h/2 times the change
-     * from the first look, and the place by h²/4 times the rate: they differ by (kh/2)² or (ωh/2)²
-     * of the rate.
+     * Whether the two evaluations at the middle agree well enough. Between them the velocity
+     * differs by h/2 times the change of the first rate, and the place by h²/4 times the rate, so
+     * the rates differ by (kh/2)² or (ωh/2)² of their size.
      */
     private boolean isShortEnough() {
         double most = square(MOST_CHANGE);
@@ -229,7 +233,7 @@ final class Deviation {
         return value * value;
     }
 
-    /** Of first order, but no rate, however stiff, does more than undo what it acts against. */
+    /** A first-order substep in which no rate, however stiff, overshoots its equilibrium. */
     private void brake(double time, double h) {
         goAhead(h, first, 0, first);
         look(time + h, second);
@@ -244,12 +248,12 @@ final class Deviation {
         moved.add(h, gained);
     }
 
-    /** The inverse of how many times over a full substep of a rate would undo the rate. */
+    /** Share of a substep's rate that is applied, so that it does not overshoot. */
     private static double shareThatBrakes(double squared, double undone) {
         return undone > squared ? squared / undone : 1;
     }
 
-    /** Looks from where the deviation has come to, at a time in s since the path's start. */
+    /** Evaluates the rates at the present deviation and a time, s since the path's start. */
     private void lookHere(double time) {
         movedThere.set(moved);
         gainedThere.set(gained);
@@ -257,8 +261,8 @@ final class Deviation {
     }
 
     /**
-     * Lets the deviation that is looked at go ahead of the one reached: for {@code ahead} seconds
-     * with its velocity and with a rate, and {@code square} s² times another.
+     * Sets the deviation of the next evaluation ahead of the present one: {@code ahead} seconds on
+     * by its velocity and the rate {@code kicking}, plus {@code square} s² times {@code pulling}.
      */
     private void goAhead(double ahead, Freedoms kicking, double square, Freedoms pulling) {
         movedThere.x = moved.x + (ahead * gained.x + square * pulling.x);
@@ -271,7 +275,7 @@ final class Deviation {
         }
     }
 
-    /** Writes the rates at a time in s since the path's start. */
+    /** Evaluates the forces at a time, s since the path's start, and writes the rates. */
     private void look(double time, Freedoms out) {
         takePlace(time);
         if (turns) {
@@ -303,7 +307,7 @@ final class Deviation {
         instant.spin = reference.spinAt(time) + gainedThere.turn;
     }
 
-    /** E₁ and E₂ of the path's own drag, after a length in s. */
+    /** E₁ of the path's linear drag after a length in s. */
     double velocityShare(double length) {
         reference.drag = drag;
         return reference.velocityShare(length);
@@ -315,8 +319,8 @@ final class Deviation {
     }
 
     /**
-     * The constant acceleration that keeps a path with drag on the reference: the steady one, or
-     * what holds up the straight line, k·v.
+     * The constant acceleration that keeps a path with drag on the reference: for {@code BALLISTIC}
+     * the steady one, otherwise k·v, which keeps the line straight.
      */
     double keepingX() {
         return isBallistic ? steadyX : drag * reference.velocityX;

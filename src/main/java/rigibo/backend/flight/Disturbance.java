@@ -8,15 +8,15 @@ import rigibo.backend.storage.Pairs;
 import java.util.Arrays;
 
 /**
- * How far bodies of piles may leave the paths that flyers expect of them, because they are struck
- * or about to bounce. What such a body may reach becomes part of the pile, or a contact, and so
- * does what that may reach in its turn. A reach is used up by the gaps on its way, and a body that
- * is struck gets its share of it by mass. The neighbours of a body are looked at again whenever its
- * reach has grown.
+ * How far bodies of piles may leave their predicted paths because they are struck or about to
+ * bounce. A flyer within reach of such a body joins the pile, a body of a pile within reach gets a
+ * contact with it, and their own reach spreads in the same way. Gaps on the way reduce a reach, and
+ * a struck body gets a share of it by its mass. Whenever the reach of a body has grown, its
+ * neighbours are searched again.
  */
 final class Disturbance {
 
-    /** What a flyer that is within reach does. */
+    /** Called for a flyer within reach. */
     interface Joining {
 
         /** Makes a flyer part of a body's pile, at a time in s within a step of dt seconds. */
@@ -24,8 +24,9 @@ final class Disturbance {
     }
 
     /**
-     * Factor by which a body's reach has to grow for its neighbours to be looked at again: without
-     * it, what equal bodies of full elasticity hand to and fro would grow by round-off for ever.
+     * Factor by which a body's reach must grow before its neighbours are searched again. Without
+     * it, the reach that equal bodies of elasticity 1 hand to and fro would grow by round-off for
+     * ever.
      */
     private static final double GROWN = 1.05;
 
@@ -36,14 +37,14 @@ final class Disturbance {
     private final Joining joining;
 
     /**
-     * Bodies whose neighbours are to be looked at, in the order found; and those being looked at.
+     * Bodies whose neighbours are still to be searched, in the order found; and those in progress.
      */
     private final Found waiting = new Found();
 
     private final Found present = new Found();
     private boolean[] isWaiting = new boolean[16];
 
-    /** For each body how far it may get in this step from where it is expected, m. */
+    /** By body: its reach in this step, m. */
     private double[] reachOf = new double[16];
 
     Disturbance(DataStorage data, Trajectories paths, Bystanders bystanders, Joining joining) {
@@ -54,7 +55,7 @@ final class Disturbance {
         this.joining = joining;
     }
 
-    /** Begins a step: all are where they are expected. */
+    /** Starts a step, with a reach of 0 for all bodies. */
     void begin() {
         int capacity = bodies.type.length;
         if (reachOf.length < capacity) {
@@ -77,7 +78,9 @@ final class Disturbance {
         spread(0, dt);
     }
 
-    /** Notes how far the bodies of a contact of a pile get in some seconds by bouncing. */
+    /**
+     * Records the reach that the bodies of a contact in a pile get by bouncing in {@code left} s.
+     */
     void noteBouncers(int pair, double left) {
         int a = pairs.bodyA[pair];
         int b = pairs.bodyB[pair];
@@ -88,7 +91,7 @@ final class Disturbance {
         }
     }
 
-    /** Notes how far (m) a body of a pile may get, if that is farther than was known. */
+    /** Records a reach (m) of a body of a pile, if it is larger than the known one. */
     void note(int slot, double reach) {
         boolean isPiled = bodies.isDynamic(slot) && bodies.awake[slot] && !paths.isFlyer(slot);
         if (isPiled && reach > GROWN * reachOf[slot]) {
@@ -100,7 +103,7 @@ final class Disturbance {
         }
     }
 
-    /** Lets the bodies that the noted ones may reach in the rest of a step join at a time. */
+    /** Spreads the recorded reaches: bodies within them join the pile at a time, s. */
     void spread(double time, double dt) {
         while (waiting.count > 0) {
             takeWaiting();
@@ -131,8 +134,8 @@ final class Disturbance {
                 double left = bystanders.reachLeft(p, other, reach, dt);
                 if (flies) {
                     joining.join(other, slot, time, dt);
-                    // Whoever joins is measured against the pile for the ways both are expected to
-                    // go, and this one goes farther.
+                    // Joining measures the contact only for the predicted motions; this body may go
+                    // farther.
                     bystanders.isWithinReach(p, reach, time, dt - time);
                     noteBouncersOf(other, dt - time);
                 }
@@ -142,8 +145,9 @@ final class Disturbance {
     }
 
     /**
-     * A fast flyer that joins for a slow neighbour's sake strikes it all the same, and what it
-     * strikes goes farther than the neighbour would have gone by itself.
+     * Records the reaches by the impacts of a flyer that just joined. A fast flyer that joins
+     * because of a slow neighbour still strikes it, and sends it farther than it would go by
+     * itself.
      */
     private void noteBouncersOf(int joined, double left) {
         for (int p = bodies.firstPair[joined]; p != Pairs.NONE; p = pairs.nextOf(p, joined)) {

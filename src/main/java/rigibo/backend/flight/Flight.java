@@ -16,23 +16,24 @@ import rigibo.backend.storage.Waking;
 import java.util.Arrays;
 
 /**
- * Moves the bodies in flight, with their impacts in the order of time. At an impact only its two
- * bodies are brought to that time; their other impacts are predicted anew.
+ * Moves the bodies in flight and resolves their impacts in time order. At an impact only its two
+ * bodies are advanced to that time, and their other impacts are predicted again.
  */
 public final class Flight {
 
     /**
-     * Impacts this close are one instant, s per metre of the tolerance: a thousandth of what a body
-     * of 1 m/s may miss the other by.
+     * Impacts within this time of each other count as simultaneous, s per metre of impact
+     * tolerance: a body at 1 m/s moves a thousandth of the tolerance in it.
      */
     private static final double TIE_PER_METRE = 1e-3;
 
     /**
-     * How often an edge of a chain looks for an impact of its own, and how far it goes on between
-     * two looks, as a share of the other's width.
+     * Most restarts of the search for an impact with an edge of a chain, after it found a place
+     * where the edge does not push.
      */
     private static final int MOST_LOOKS = 16;
 
+    /** Distance between two restarts, as a share of the narrower one's width. */
     private static final double LOOK_AHEAD = 1e-3;
 
     private final Bodies bodies;
@@ -49,7 +50,7 @@ public final class Flight {
     private final Disturbance disturbance;
     private final Carriers carriers;
 
-    /** Paths under forces that change along the way, or null where there are none. */
+    /** Paths under forces that vary along the path; null if there are none. */
     private final Course course;
 
     private final ImpactQueue queue;
@@ -59,7 +60,7 @@ public final class Flight {
     private final Pose poseA = new Pose();
     private final Pose poseB = new Pose();
 
-    /** Pairs whose impacts fall on the instant that is looked at. */
+    /** Pairs whose impacts happen at the present time. */
     private int[] tied = new int[16];
 
     private int tiedCount;
@@ -97,7 +98,7 @@ public final class Flight {
         disturbance.begin();
         carriers.begin();
         for (int i = 0; i < pairs.activeCount; i++) {
-            // An edge tells of no point before something is over it.
+            // The edge of a chain has no points until a body is above it.
             int pair = pairs.active[i];
             if (pairs.points[pair] > 0 || narrowphase.isOneSided(pair)) {
                 predict(pair, 0, dt);
@@ -112,7 +113,7 @@ public final class Flight {
         free.finish(dt);
     }
 
-    /** A bystander becomes part of a pile. */
+    /** Makes a bystander part of a pile. */
     private void join(int flyer, int pileBody, double time, double dt) {
         impacts.bring(flyer, time);
         carriers.join(flyer, pileBody);
@@ -121,8 +122,8 @@ public final class Flight {
     }
 
     /**
-     * Notes when a pair with a flyer hits within the step, seen from a time on. Flyers that have
-     * met as often as they may wait for the next step, but a pile does not wait for them.
+     * Predicts the impact of a pair with a flyer between a time and the end of the step. A pair of
+     * flyers that reached the limit of impacts waits for the next step; a pile does not wait.
      */
     private void predict(int pair, double from, double dt) {
         queue.remove(pair);
@@ -151,7 +152,7 @@ public final class Flight {
         }
     }
 
-    /** How long (s) the two take to approach by that share of the narrower one's width. */
+    /** Time in s in which the two move by {@link #LOOK_AHEAD} against each other. */
     private double lookAhead() {
         double speed =
                 Math.abs(motionA.velocityX - motionB.velocityX)
@@ -169,8 +170,8 @@ public final class Flight {
     }
 
     /**
-     * When a pair meets, which for the edge of a chain may be later than found: where two edges
-     * meet, what comes near strikes one of them, if any, and the other goes on looking.
+     * Time of impact of a one-sided pair, which may be later than the one found. Where two edges of
+     * a chain meet, a body strikes one of them, if any; for the other edge the search restarts.
      */
     private double firstThatIsMet(int pair, double found, double dt) {
         double time = found;
@@ -203,8 +204,8 @@ public final class Flight {
     }
 
     /**
-     * Makes room for an instant at which all pairs meet, those found within the step included.
-     * Pairs already taken for that instant are kept.
+     * Grows the arrays to the present number of pairs, which can grow within the step. Ties that
+     * were already taken are kept.
      */
     private void reserve() {
         int pairCapacity = pairs.bodyA.length;
@@ -216,8 +217,8 @@ public final class Flight {
     }
 
     /**
-     * Takes the earliest impact from the queue, and all at the same instant that are connected to
-     * it by bodies which pass an impulse on. Others at that instant are resolved apart.
+     * Takes the earliest impact from the queue, with all simultaneous ones that are connected to it
+     * through dynamic bodies. Other simultaneous impacts are resolved separately.
      */
     private void takeTies() {
         reserve();
@@ -243,7 +244,7 @@ public final class Flight {
         }
     }
 
-    /** Flyers that hit a pile join it; the others strike each other, alone or together. */
+    /** Lets flyers that hit a pile join it, and resolves the other impacts. */
     private void strikeTies(double time, double dt) {
         int first = tied[0];
         int left = 0;
@@ -269,7 +270,7 @@ public final class Flight {
             return false;
         }
         int flyer = isPileA ? b : a;
-        // One that hits several at once has joined by the first of them.
+        // A flyer that hits several bodies at once has joined at the first of them.
         if (paths.isFlyer(flyer)) {
             impacts.meet(pair, time);
             joinPile(flyer, isPileA ? a : b, pair, time, dt);
@@ -281,7 +282,7 @@ public final class Flight {
         return bodies.isDynamic(slot) && !paths.isFlyer(slot);
     }
 
-    /** A flyer that hits a pile becomes part of it; the pile's solver resolves the impact. */
+    /** Makes a flyer that hits a pile part of it; the pile's solver resolves the impact. */
     private void joinPile(int flyer, int pileBody, int pair, double time, double dt) {
         if (!bodies.awake[pileBody]) {
             waking.wakeIntoPile(pileBody);
@@ -309,7 +310,8 @@ public final class Flight {
     }
 
     /**
-     * Predicts the impacts of a body whose path changed; one that joined a pile meets its pairs.
+     * Predicts the impacts of a body whose path changed; for a body that joined a pile, measures
+     * its contacts there.
      */
     private void repredict(int slot, double time, double dt) {
         if (!bodies.isDynamic(slot)) {
@@ -331,7 +333,7 @@ public final class Flight {
         }
     }
 
-    /** The manifold of a pair that the pile's solver will see to, where its bodies are by then. */
+    /** Measures a pair of two piled bodies at their poses at a time, for the solver of piles. */
     private void remeasure(int pair, double time, double dt) {
         paths.poseAt(pairs.bodyA[pair], time, poseA);
         paths.poseAt(pairs.bodyB[pair], time, poseB);

@@ -15,10 +15,10 @@ import rigibo.backend.storage.PairTolerances;
 import rigibo.backend.storage.Pairs;
 import rigibo.backend.storage.Quarantine;
 
-/** What happens when flyers meet: they part again, or their bounces have come to an end. */
+/** Resolves the impacts of flyers: they rebound, or their series of bounces ends. */
 final class FlightImpacts {
 
-    /** Factor by which two that both move and lose nothing may meet more often in a step. */
+    /** Factor on the limit of impacts for two dynamic bodies with an elasticity of 1. */
     private static final int CHATTER = 16;
 
     private final DataStorage data;
@@ -29,7 +29,7 @@ final class FlightImpacts {
     private final Accuracy accuracy;
     private final Trajectories paths;
 
-    /** Paths under forces that change along the way, or null where there are none. */
+    /** Paths under forces that vary along the path; null if there are none. */
     private final Course course;
 
     private final ImpactLaw law = new ImpactLaw();
@@ -42,10 +42,10 @@ final class FlightImpacts {
     private final Pose poseA = new Pose();
     private final Pose poseB = new Pose();
 
-    /** For each body in how many of the pairs of this instant it is; 0 between instants. */
+    /** By body: number of simultaneous impacts it takes part in; 0 between impacts. */
     private int[] meetings = new int[16];
 
-    /** For each pair of this instant when it rests, s after the step's start. */
+    /** By simultaneous impact: time at which the pair comes to rest, s after the step's start. */
     private double[] restsAt = new double[16];
 
     FlightImpacts(
@@ -68,8 +68,8 @@ final class FlightImpacts {
     }
 
     /**
-     * Resolves the impacts of one instant, at once where they share a body; of the first of them
-     * the time is exact.
+     * Resolves simultaneous impacts, together where they share a body. The time is exactly that of
+     * the pair {@code first}.
      */
     void strike(int[] tied, int count, int first, double time, double dt) {
         countMeetings(tied, count, 1);
@@ -84,8 +84,9 @@ final class FlightImpacts {
             quarantine.putToRestIfUnbounded(pairs.bodyB[tied[i]]);
         }
         for (int i = 0; i < count; i++) {
-            // What is fast may be far yet though it meets within the same instant: it is looked for
-            // anew. If the first has not met, the search for it has given up, and the pile goes on.
+            // A fast body may still be apart at the common time: its impact is predicted again. If
+            // the first pair does not touch, its search gave up, and the solver of piles takes
+            // over.
             if (touches(tied[i])) {
                 end(tied[i], time, restsAt[i], dt);
             } else if (tied[i] == first) {
@@ -94,7 +95,7 @@ final class FlightImpacts {
         }
     }
 
-    /** Makes room for as many pairs at one instant, and for all bodies. */
+    /** Grows the arrays to a number of pairs, and to all bodies. */
     void reserve(int pairCapacity) {
         if (restsAt.length < pairCapacity) {
             restsAt = new double[pairCapacity];
@@ -131,14 +132,14 @@ final class FlightImpacts {
         }
     }
 
-    /** Notes where, when and how fast the two of a loaded impact meet. */
+    /** Records place, time and speed of an impact as a hit. */
     private void note(int pair, Impact met, double time) {
         double x = poseA.x + (met.armAX[0] + met.armAX[met.points - 1]) / 2;
         double y = poseA.y + (met.armAY[0] + met.armAY[met.points - 1]) / 2;
         hits.add(bodies, pairs, pair, x, y, -met.slowestParting(), time);
     }
 
-    /** Notes an impact whose outcome a pile's solver will find, at a time in s. */
+    /** Records the hit of an impact at a time (s) that a pile's solver will resolve. */
     void foretell(int pair, Impact expected, double time) {
         if (touches(pair)) {
             note(pair, expected, time);
@@ -146,13 +147,15 @@ final class FlightImpacts {
         }
     }
 
-    /** When the bounces of the pair whose impact is loaded have ended, s; infinite if not yet. */
+    /**
+     * Time at which the bounces of the loaded pair end, s after the step's start; may be infinite.
+     */
     private double restsAt(int pair, double time, double dt) {
         double end = time + bouncesLeft(pair);
         return isExhausted(pair) && isInvisible(pair) ? Math.min(end, dt) : end;
     }
 
-    /** What is not dynamic passes nothing on. */
+    /** Whether a dynamic body of the pair has another simultaneous impact. */
     private boolean sharesBody(int pair) {
         int a = pairs.bodyA[pair];
         int b = pairs.bodyB[pair];
@@ -160,9 +163,10 @@ final class FlightImpacts {
     }
 
     /**
-     * Whether a pair has met as often as it may in a step. What loses nothing and cannot wait for
-     * the next step may chatter on: the corner of a body that turns against a face parts with it a
-     * hundred times, and a pile would take the energy of that.
+     * Whether a pair has reached the limit of impacts in a step. The limit is higher for two
+     * dynamic bodies with an elasticity of 1, which cannot wait for the next step: the corner of a
+     * turning body can strike a face a hundred times in a step, and the solver of piles would take
+     * that energy.
      */
     boolean isExhausted(int pair) {
         boolean isChatter = pairs.elasticityOf(pair) == 1 && bothMove(pair);
@@ -178,9 +182,9 @@ final class FlightImpacts {
     }
 
     /**
-     * Ends the bounces of a pair for this step. It rests once they are over. A pair that could
-     * bounce on for ever, too fast to rest, is left to the solver of piles, or stands at a wall
-     * where nothing may be lost.
+     * Ends the bounces of a pair within this step, if their series is over or the limit is reached.
+     * A pair that is too fast to rest is left to the solver of piles or, at a wall with an
+     * elasticity of 1, waits for the next step.
      */
     private void end(int pair, double time, double restsAt, double dt) {
         if (isExhausted(pair)) {
@@ -198,9 +202,8 @@ final class FlightImpacts {
     }
 
     /**
-     * Whether a pair may wait for the next step. At a wall what loses nothing may; two that both
-     * move would have to go on with their common centre of mass meanwhile, so they are left to the
-     * pile.
+     * Whether a pair may wait for the next step. A body with an elasticity of 1 at a wall may. Two
+     * dynamic bodies may not, since their common centre of mass would have to move on meanwhile.
      */
     private boolean mayWait(int pair) {
         return pairs.elasticityOf(pair) == 1 && !bothMove(pair);
@@ -215,9 +218,10 @@ final class FlightImpacts {
     }
 
     /**
-     * Both stand until the step ends, with the speeds they parted with. No number of impacts
-     * without loss brings a pair to rest, as a solver of piles would; so such a pair loses time,
-     * but no energy. What is driven does not wait: the pile has to give way to it.
+     * Lets both bodies wait until the step ends, with the velocities after their impact. The solver
+     * of piles would bring them to rest, which impacts without loss never do; waiting costs such a
+     * pair time but no energy. A driven body does not wait, so its pair goes to the solver of
+     * piles.
      */
     private void stand(int pair, double time) {
         int a = pairs.bodyA[pair];
@@ -235,14 +239,14 @@ final class FlightImpacts {
         paths.land(pairs.bodyB[pair], time);
     }
 
-    /** Whether a pair touched where it was last measured: one that has met does. */
+    /** Whether a pair touched when it was last measured. */
     boolean touches(int pair) {
         return pairs.points[pair] > 0;
     }
 
     /**
-     * Expects a body that has met a pile to rebound as from a wall. A pile gives way rather than
-     * pushes, so that whatever follows behind is met no later than expected.
+     * Predicts that a body which hit a pile rebounds as from a wall. Since a pile yields, the body
+     * really goes no faster, so that it meets followers no later than predicted.
      */
     void expectRebound(int pair, int lander) {
         if (!touches(pair)) {
@@ -262,7 +266,7 @@ final class FlightImpacts {
         }
     }
 
-    /** What would be beyond all bounds is not expected: the body goes on as it came. */
+    /** Sets the predicted velocity, unless it is not finite; then the old velocity is kept. */
     private void expect(int lander, double velocityX, double velocityY, double spin) {
         if (Quarantine.isBounded(velocityX)
                 && Quarantine.isBounded(velocityY)
@@ -271,7 +275,7 @@ final class FlightImpacts {
         }
     }
 
-    /** The impact of a pair that has met, at the velocities that both are expected to have. */
+    /** The impact of a pair that has met, at the predicted velocities of both. */
     Impact expectedImpact(int pair) {
         loadImpact(pair);
         impact.velocityAX = motionA.velocityX;
@@ -283,7 +287,7 @@ final class FlightImpacts {
         return impact;
     }
 
-    /** Brings both bodies to the time of their impact and finds where they touch. */
+    /** Advances both bodies to the time of their impact and measures their contact. */
     void meet(int pair, double time) {
         int a = pairs.bodyA[pair];
         int b = pairs.bodyB[pair];
@@ -301,14 +305,14 @@ final class FlightImpacts {
         narrowphase.measure(pair, poseA, poseB, PairTolerances.TOUCHING_GAP * width);
     }
 
-    /** What flew here flies on another way. */
+    /** Starts a new path of a flyer at a time, s. */
     private void note(int slot, double time) {
         if (paths.isFlyer(slot)) {
             data.ways.note(bodies, slot, time);
         }
     }
 
-    /** Brings a body's columns to a time in s, if it flies. */
+    /** Advances a flyer's columns to a time, s after the step's start. */
     void bring(int slot, double time) {
         if (paths.isFlyer(slot)) {
             paths.advance(slot, time);
@@ -318,7 +322,7 @@ final class FlightImpacts {
         }
     }
 
-    /** Takes the points that touch: those as near as the nearest, within the tolerance. */
+    /** Loads the points that touch: those that are as near as the nearest within the tolerance. */
     private void loadImpact(int pair) {
         impact.load(bodies, pairs, pair);
         double width = PairTolerances.width(bodies, pairs.bodyA[pair], pairs.bodyB[pair]);
@@ -337,8 +341,8 @@ final class FlightImpacts {
     }
 
     /**
-     * How long in s all bounces still to come take: Zeno's series 2ev/(a(1 − e)) for an approach at
-     * speed v against an acceleration a; infinite where nothing presses or nothing is lost.
+     * Duration in s of all bounces still to come: Zeno's series 2ev/(a(1 − e)) for an approach at
+     * speed v with a pressing acceleration a; infinite if nothing presses or e = 1.
      */
     private double bouncesLeft(int pair) {
         double speed = Math.max(0, -impact.slowestParting());
@@ -350,7 +354,7 @@ final class FlightImpacts {
         return e * speed == 0 ? 0 : 2 * e * speed / (pressing * (1 - e));
     }
 
-    /** The acceleration in m/s² at which A and B close along the normal. */
+    /** Closing acceleration of A and B along the normal, m/s². */
     private double relativePressing(int pair) {
         int a = pairs.bodyA[pair];
         int b = pairs.bodyB[pair];
@@ -368,8 +372,8 @@ final class FlightImpacts {
     }
 
     /**
-     * Ends a series of bounces: the bodies rest on each other from its end on. A disc slides on
-     * while its last bounces go by unseen; other shapes also turn, so they rest at once.
+     * Ends a series of bounces, after which the bodies rest on each other. A disc moves on during
+     * its last, invisible bounces; other shapes would also turn, so they rest at once.
      */
     private void endBounces(int pair, double time, double end) {
         pairs.resting[pair] = true;

@@ -3,14 +3,14 @@ package rigibo.backend.flight;
 import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.Roster;
 
-/** Moves the bodies in flight along their paths, whatever is in the way. */
+/** Moves the bodies in flight along their paths, without impacts. */
 public final class FreeFlight {
 
     final Trajectories paths;
 
     private final Roster roster;
 
-    /** Paths under forces that change along the way, or null where there are none. */
+    /** Paths under forces that vary along the path; null if there are none. */
     private final Course course;
 
     /** Free flight; {@code course} is null where no path has to be integrated. */
@@ -26,7 +26,7 @@ public final class FreeFlight {
         finish(dt);
     }
 
-    /** Moves every flyer from where it is to the end of a step. */
+    /** Moves every flyer from its present time to the end of a step. */
     void finish(double dt) {
         paths.advanceAll(roster, dt);
         if (course != null) {

@@ -1,6 +1,6 @@
 package rigibo.backend.flight;
 
-/** The three freedoms of a body: two of place, which belong together, and one to turn. */
+/** A value for each degree of freedom of a body: two of place and one of angle. */
 final class Freedoms {
 
     double x;
@@ -19,26 +19,26 @@ final class Freedoms {
         turn = other.turn;
     }
 
-    /** Adds so many times another. */
+    /** Adds a multiple of another. */
     void add(double times, Freedoms other) {
         x += times * other.x;
         y += times * other.y;
         turn += times * other.turn;
     }
 
-    /** The square of the two of place. */
+    /** Squared length of the part of place. */
     double squaredPlace() {
         return x * x + y * y;
     }
 
-    /** The squared distance of the two freedoms of place from another's. */
+    /** Squared distance of the part of place from another's. */
     double squaredChange(Freedoms other) {
         double dx = x - other.x;
         double dy = y - other.y;
         return dx * dx + dy * dy;
     }
 
-    /** Whether each is less than so much, either way. */
+    /** Whether the magnitude of each value is less than a bound. */
     boolean isWithin(double most) {
         return Math.abs(x) < most && Math.abs(y) < most && Math.abs(turn) < most;
     }

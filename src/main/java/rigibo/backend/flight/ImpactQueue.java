@@ -5,9 +5,9 @@ import rigibo.backend.storage.Pairs;
 import java.util.Arrays;
 
 /**
- * The impacts to come, earliest first, one per pair at most: a binary heap that knows where each
- * pair sits, so that a prediction can be replaced. Impacts at the same time come in the order of
- * their bodies, which does not depend on what else there is.
+ * The predicted impacts, earliest first, at most one per pair: a binary heap that knows the place
+ * of each pair, so that a prediction can be replaced. Simultaneous impacts come in the order of
+ * their bodies, which does not depend on other bodies.
  */
 final class ImpactQueue {
 
@@ -52,17 +52,17 @@ final class ImpactQueue {
         return heap[0];
     }
 
-    /** When that is, s after the step's start. */
+    /** Time of the first impact, s after the step's start. */
     double firstTime() {
         return time[heap[0]];
     }
 
-    /** When a pair hits, s; infinite where nothing is noted. */
+    /** Predicted time of a pair's impact, s after the step's start; infinite if there is none. */
     double timeOf(int pair) {
         return place[pair] == ABSENT ? Double.POSITIVE_INFINITY : time[pair];
     }
 
-    /** Notes when a pair hits, in place of what was noted before. */
+    /** Sets the predicted time of a pair's impact, in place of an earlier one. */
     void put(int pair, double when) {
         remove(pair);
         time[pair] = when;
@@ -71,7 +71,7 @@ final class ImpactQueue {
         up(size++);
     }
 
-    /** Forgets the impact of a pair, if one was noted. */
+    /** Removes the predicted impact of a pair, if there is one. */
     void remove(int pair) {
         int at = place[pair];
         if (at == ABSENT) {
@@ -121,7 +121,7 @@ final class ImpactQueue {
         return a != otherA ? a < otherA : b != otherB ? b < otherB : isOfFormerParts(pair, other);
     }
 
-    /** Whether, of two pairs of the same bodies, the first is of earlier parts of theirs. */
+    /** Of two pairs of the same bodies, whether the first is of parts with lower indices. */
     private boolean isOfFormerParts(int pair, int other) {
         int a = pairs.shapeA(pair);
         int otherA = pairs.shapeA(other);

@@ -5,17 +5,17 @@ import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.Roster;
 
-/** Moves every body along its exact path through everything: contacts are not declared. */
+/** Moves every body along its exact path through all others, in pools without contacts. */
 public final class OpenFlight {
 
     private final Bodies bodies;
     private final Roster roster;
     private final Motion motion = new Motion();
 
-    /** Paths under forces that change along the way, or null where there are none. */
+    /** Paths under forces that vary along the path; null if there are none. */
     private final Course course;
 
-    /** How bodies turn on the way, or null where none does. */
+    /** Turning of the bodies; null without rotation. */
     private final OpenTurning turning;
 
     /** Open flight; {@code course} is null where no path has to be integrated. */
@@ -41,7 +41,7 @@ public final class OpenFlight {
         }
     }
 
-    /** A parabola is a parabola at any length of the step. */
+    /** Moves every body along its parabola. */
     private void flyFreely(double dt) {
         double half = dt * dt / 2;
         for (int i = 0; i < roster.awakeCount; i++) {

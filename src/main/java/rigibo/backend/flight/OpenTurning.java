@@ -4,7 +4,7 @@ import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.Roster;
 
-/** Turns every body through a step in one go: contacts are not declared, rotation is. */
+/** Turns every body through a whole step, in pools with rotation but without contacts. */
 final class OpenTurning {
 
     private final Bodies bodies;

@@ -8,26 +8,27 @@ import rigibo.backend.storage.Roster;
 import java.util.Arrays;
 
 /**
- * How each body moves within the step. A body in flight follows its exact path from the time its
- * columns were last brought to; one in a pile is predicted by its velocity.
+ * The motion of each body within the step. A body in flight follows its exact path from the time of
+ * its columns on; the motion of a body in a pile is predicted from its velocity.
  */
 final class Trajectories {
 
     private final Bodies bodies;
     private final Motion motion = new Motion();
 
-    /** The time in s after the step's start that a flyer's columns hold. */
+    /** By flyer: the time that its columns hold, s after the step's start. */
     private double[] since = new double[16];
 
-    /** Whether a body joined a pile in this step, and its velocity from then on as expected. */
+    /** By body: whether it joined a pile in this step. */
     private boolean[] hasLanded = new boolean[16];
 
+    /** By body: predicted velocity after it joined a pile, x and y, m/s. */
     private double[] expected = new double[2 * 16];
 
-    /** Whether a flyer waits where it is for the end of the step. */
+    /** By flyer: whether it waits in place for the end of the step. */
     private boolean[] stands = new boolean[16];
 
-    /** How bodies turn on their paths, or null where none does. */
+    /** Turning on the paths; null without rotation. */
     private final TurningPaths turning;
 
     Trajectories(Bodies bodies) {
@@ -35,7 +36,7 @@ final class Trajectories {
         turning = bodies.turns() ? new TurningPaths(bodies, this) : null;
     }
 
-    /** Begins a step: all columns hold its start. */
+    /** Starts a step, at whose start all columns hold. */
     void begin() {
         if (since.length < bodies.type.length) {
             since = new double[bodies.type.length];
@@ -64,7 +65,7 @@ final class Trajectories {
         }
     }
 
-    /** Lets a flyer wait where its columns are until the step ends, whatever speed it has. */
+    /** Lets a flyer wait at the place in its columns until the step ends; it keeps its velocity. */
     void stand(int slot) {
         stands[slot] = isFlyer(slot);
     }
@@ -74,7 +75,7 @@ final class Trajectories {
         return stands[slot] && isFlyer(slot);
     }
 
-    /** A body that was to come to rest later comes to rest now, for something hits it. */
+    /** Lets a body that was to land later land at a time (s) already, since something hits it. */
     void landEarlier(int slot, double time) {
         double left = bodies.pileTime[slot] - time;
         if (hasLanded[slot] && left > 0) {
@@ -85,7 +86,7 @@ final class Trajectories {
         }
     }
 
-    /** Notes how a body that has landed is expected to go on, for those that may meet it. */
+    /** Sets the predicted velocity of a body that has landed, for flyers that may meet it. */
     void expect(int slot, double velocityX, double velocityY, double spin) {
         hasLanded[slot] = true;
         expected[2 * slot] = velocityX;
@@ -100,7 +101,7 @@ final class Trajectories {
         return hasLanded[slot];
     }
 
-    /** The time in s after the step's start that a flyer's columns hold. */
+    /** The time that a flyer's columns hold, s after the step's start. */
     double since(int slot) {
         return since[slot];
     }
@@ -113,7 +114,7 @@ final class Trajectories {
         }
     }
 
-    /** Writes the way of a body's centre of mass within the step. */
+    /** Writes the path of a body's centre of mass within the step. */
     private void loadWay(int slot, Motion out) {
         out.take(bodies, slot);
         if (stands(slot)) {
@@ -134,7 +135,7 @@ final class Trajectories {
         out.accelerationY = 0;
     }
 
-    /** What does not fly goes straight on, as fast as it is expected to, or stands still. */
+    /** Writes the straight path of a body not in flight at its predicted velocity, or at rest. */
     private void loadUnflying(int slot, Motion out) {
         out.startTime = bodies.isDynamic(slot) ? bodies.pileTimeOf(slot) : since[slot];
         out.accelerationX = 0;
@@ -148,13 +149,13 @@ final class Trajectories {
         }
     }
 
-    /** Writes where a body's path leads it by a time in s. */
+    /** Writes the pose of a body on its path at a time, s after the step's start. */
     void poseAt(int slot, double time, Pose out) {
         load(slot, motion);
         motion.poseAt(time, out);
     }
 
-    /** Brings a flyer's columns to a time in s after the step's start. */
+    /** Advances a flyer's columns to a time, s after the step's start. */
     void advance(int slot, double time) {
         if (stands(slot)) {
             return;
@@ -165,7 +166,7 @@ final class Trajectories {
         move(slot, time);
     }
 
-    /** Brings all flyers' columns to a time in s after the step's start. */
+    /** Advances the columns of all flyers to a time, s after the step's start. */
     void advanceAll(Roster roster, double time) {
         if (turning != null) {
             turning.advanceAll(roster, time);

@@ -3,13 +3,13 @@ package rigibo.backend.flight;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.Roster;
 
-/** How bodies turn under forces that change along the way, beside where these take them. */
+/** The turning of bodies on the integrated paths of {@link Course}. */
 final class TurningCourse {
 
     private final Bodies bodies;
     private final Deviation deviation;
 
-    /** Per body: what the spin lacks at the path's end, rad/s. */
+    /** By body: spin that the laid path lacks at its end, rad/s. */
     private double[] lackSpin = new double[16];
 
     TurningCourse(Bodies bodies, Deviation deviation) {
@@ -17,7 +17,7 @@ final class TurningCourse {
         this.deviation = deviation;
     }
 
-    /** Begins a step, in which these forces have turned nothing yet. */
+    /** Starts a step, before forces have turned any body. */
     void begin(Roster roster) {
         if (lackSpin.length < bodies.type.length) {
             lackSpin = new double[bodies.type.length];
@@ -27,12 +27,12 @@ final class TurningCourse {
         }
     }
 
-    /** Begins another path. */
+    /** Clears the correction of a body that gets a new path. */
     void forget(int slot) {
         lackSpin[slot] = 0;
     }
 
-    /** Writes how the body turns on the integrated path of a length in s: {@link Course#lay}. */
+    /** Writes the turning of a body on a path with a length in s; see {@link Course#lay}. */
     void write(int slot, double length) {
         double turn = deviation.moved.turn / (length * length / 2);
         bodies.angularAcceleration[slot] = deviation.keepingTurn() + turn;
@@ -44,7 +44,7 @@ final class TurningCourse {
         return lackSpin[slot] != 0;
     }
 
-    /** Gives a body a share of the spin that its path lacks. */
+    /** Adds a share of the spin that the path lacks to a body. */
     void catchUp(int slot, double share) {
         bodies.spin[slot] += share * lackSpin[slot];
         lackSpin[slot] = 0;

@@ -4,13 +4,13 @@ import rigibo.backend.collision.Motion;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.Roster;
 
-/** How each body turns within the step, beside the way of its centre: {@link Trajectories}. */
+/** The turning of each body within the step; {@link Trajectories} moves the centres of mass. */
 final class TurningPaths {
 
     private final Bodies bodies;
     private final Trajectories paths;
 
-    /** The spin in rad/s that a body which has landed is expected to go on with. */
+    /** By body: predicted spin after it landed, rad/s. */
     private double[] expected = new double[16];
 
     TurningPaths(Bodies bodies, Trajectories paths) {
@@ -18,19 +18,22 @@ final class TurningPaths {
         this.paths = paths;
     }
 
-    /** Makes room for all bodies. */
+    /** Grows the arrays to all bodies. */
     void reserve() {
         if (expected.length < bodies.type.length) {
             expected = new double[bodies.type.length];
         }
     }
 
-    /** Notes the spin in rad/s with which a body that has landed is expected to go on. */
+    /** Sets the predicted spin of a body that has landed, rad/s. */
     void expect(int slot, double spin) {
         expected[slot] = spin;
     }
 
-    /** Writes how a body turns on its path; what does not fly turns steadily, or not at all. */
+    /**
+     * Writes the turning of a body on its path; bodies not in flight turn at a constant rate or
+     * not.
+     */
     void load(int slot, Motion out) {
         out.takeTurning(bodies, slot);
         if (paths.stands(slot)) {

@@ -1,5 +1,5 @@
 /**
- * Bodies that touch nothing: they move exactly, a parabola is a parabola at any step, and hit each
- * other and everything else in the order of time.
+ * Bodies in flight: they follow their exact paths whatever the length of the step, and their
+ * impacts with each other and with everything else are resolved in time order.
  */
 package rigibo.backend.flight;

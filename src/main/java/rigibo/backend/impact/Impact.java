@@ -9,27 +9,29 @@ import rigibo.backend.storage.Pairs;
  */
 public final class Impact {
 
-    /** Unit normal from A to B, and how many points touch, 1 or 2. */
+    /** Unit normal from A to B. */
     public double normalX;
 
     public double normalY;
+
+    /** Number of points that touch, 1 or 2. */
     public int points;
 
-    /** From a body's centre of mass to the points, m. */
+    /** World vectors from each body's centre of mass to the points, m. */
     public final double[] armAX = new double[2];
 
     public final double[] armAY = new double[2];
     public final double[] armBX = new double[2];
     public final double[] armBY = new double[2];
 
-    /** 1/kg and 1/(kg·m²), 0 for what cannot be moved or turned. */
+    /** Inverse masses, 1/kg, and inverse inertias, 1/(kg·m²); 0 for what impulses cannot move. */
     public double inverseMassA;
 
     public double inverseInertiaA;
     public double inverseMassB;
     public double inverseInertiaB;
 
-    /** m/s and rad/s. */
+    /** Velocities, m/s, and spins, rad/s; resolving the impact changes them. */
     public double velocityAX;
 
     public double velocityAY;
@@ -38,20 +40,23 @@ public final class Impact {
     public double velocityBY;
     public double spinB;
 
-    /** Speed in m/s at which B is carried along the tangent on A; 0 where nothing carries. */
+    /** Sum of both running surfaces' speeds along the tangent, m/s; 0 if no surface runs. */
     public double surfaceSpeed;
 
-    /** Mixed for the pair. */
+    /** Friction coefficient of the pair, mixed from both materials. */
     public double friction;
 
+    /** Elasticity of the pair, mixed from both materials, 0 to 1. */
     public double elasticity;
 
-    /** Result, N·s: along the normal at each point, and along the tangent (−ny, nx) in all. */
+    /** Result, N·s: impulse along the normal at each point, and total along (−ny, nx). */
     public final double[] normalImpulse = new double[2];
 
     public double tangentImpulse;
 
-    /** Takes masses, velocities and materials of a pair from the columns; points come apart. */
+    /**
+     * Loads masses, velocities and materials of a pair from the columns; {@link #addPoint} follows.
+     */
     public void load(Bodies bodies, Pairs pairs, int pair) {
         int a = pairs.bodyA[pair];
         int b = pairs.bodyB[pair];
@@ -73,7 +78,9 @@ public final class Impact {
         spinB = bodies.spinOf(b);
     }
 
-    /** Adds a point at (x, y) in m, of bodies whose centres of mass are where is said, m. */
+    /**
+     * Adds a point at (x, y); the bodies' centres of mass are at (ax, ay) and (bx, by), all in m.
+     */
     public void addPoint(double x, double y, double ax, double ay, double bx, double by) {
         armAX[points] = x - ax;
         armAY[points] = y - ay;
@@ -82,13 +89,13 @@ public final class Impact {
         points++;
     }
 
-    /** Writes the velocities of what can be moved back into the columns. */
+    /** Writes the velocities of movable bodies back into the columns. */
     public void store(Bodies bodies, Pairs pairs, int pair) {
         store(bodies, pairs.bodyA[pair], velocityAX, velocityAY, spinA);
         store(bodies, pairs.bodyB[pair], velocityBX, velocityBY, spinB);
     }
 
-    /** An impulse beyond all bounds gives even what has no inverse mass a velocity: 0·∞. */
+    /** Skips immovable bodies: an infinite impulse would give them 0·∞ = NaN. */
     private static void store(Bodies bodies, int slot, double vx, double vy, double spin) {
         if (!bodies.isDynamic(slot)) {
             return;
@@ -100,19 +107,19 @@ public final class Impact {
         }
     }
 
-    /** Speed in m/s at which the bodies part at a point; negative when they close. */
+    /** Parting speed at a point, m/s; negative when the bodies close. */
     double parting(int i) {
         double vx = velocityBX - spinB * armBY[i] - velocityAX + spinA * armAY[i];
         double vy = velocityBY + spinB * armBX[i] - velocityAY - spinA * armAX[i];
         return vx * normalX + vy * normalY;
     }
 
-    /** The slowest parting over the points, m/s. */
+    /** Least parting speed of all points, m/s. */
     public double slowestParting() {
         return points == 1 ? parting(0) : Math.min(parting(0), parting(1));
     }
 
-    /** Normal impulse over all points, N·s. */
+    /** Sum of the normal impulses of all points, N·s. */
     public double totalNormalImpulse() {
         return points == 1 ? normalImpulse[0] : normalImpulse[0] + normalImpulse[1];
     }

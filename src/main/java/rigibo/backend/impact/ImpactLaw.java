@@ -5,24 +5,24 @@ import java.util.Arrays;
 /**
  * Newton's law of impact with Coulomb's friction, for one or two points of one pair at once.
  *
- * <p>Rows 0 and 1 are the normals at the points, row 2 the tangent, taken at the middle of the
- * points, where two points of one flat contact share it. With kᵢⱼ the velocity that a unit impulse
- * in row j gives row i (Baraff, "Analytical methods for dynamic simulation", 1989, eq. 9), the law
- * asks for impulses j ≥ 0 with vₙ' = −e·vₙ wherever j &gt; 0. Sticking is tried first, vₜ' = 0 with
- * |jₜ| ≤ μ·Σjₙ; else the contact slides and jₜ = ±μ·Σjₙ enters the normal equations, so that
- * friction that lifts or presses the point is accounted for. An impact never adds energy: where the
- * law would (Kane and Levinson 1985 show that it can), all impulses are scaled back until it does
- * not. vₜ is measured against the running surfaces, so that sticking aims at their speed; the
- * energy is then that of the motion less what the surfaces' drives put in.
+ * <p>Rows 0 and 1 are the normals at the points. Row 2 is the tangent at the midpoint of the
+ * points, which both points of a flat contact share. kᵢⱼ is the speed that a unit impulse in row j
+ * gives row i (Baraff, "Analytical methods for dynamic simulation", 1989, eq. 9). The law requires
+ * impulses j ≥ 0, and vₙ' = −e·vₙ wherever j &gt; 0. Sticking is tried first: vₜ' = 0, valid if
+ * |jₜ| ≤ μ·Σjₙ. Otherwise the contact slides, and jₜ = ±μ·Σjₙ is put into the normal equations,
+ * since friction can lift or press the points. An impact never adds energy: where the law would
+ * (Kane and Levinson, "Dynamics", 1985), all impulses are scaled down until it does not. With
+ * running surfaces vₜ is measured relative to them, so that sticking aims at their speed, and the
+ * work of their drives is not counted as added energy.
  */
 public final class ImpactLaw {
 
     private static final int TANGENT = 2;
 
-    /** Two points closer than this, relative to their rows, are one point to the arithmetic. */
+    /** Relative determinant of two rows below which their points count as one point. */
     private static final double SINGULAR = 1e-9;
 
-    /** What sums of rows are off by, as a share of the speeds that go into them. */
+    /** Round-off of sums over rows, as a share of the speeds summed. */
     private static final double ROUND_OFF = 1e-12;
 
     private Impact impact;
@@ -33,12 +33,12 @@ public final class ImpactLaw {
     private final double[] leverA = new double[3];
     private final double[] leverB = new double[3];
 
-    /** Changes the velocities of the carrier by the impact, with its own elasticity. */
+    /** Resolves an impact with its own elasticity: writes impulses and new velocities into it. */
     public void resolve(Impact impact) {
         resolve(impact, impact.elasticity);
     }
 
-    /** Changes the velocities of the carrier by the impact, with another elasticity from 0 to 1. */
+    /** Resolves an impact with another elasticity, 0 to 1. */
     public void resolve(Impact impact, double elasticity) {
         this.impact = impact;
         if (impact.points == 2 && isOnePoint()) {
@@ -58,7 +58,7 @@ public final class ImpactLaw {
         apply();
     }
 
-    /** Pushes the point that closes faster, alone. */
+    /** Applies an impulse only at the point that closes faster. */
     private void pushFaster() {
         Arrays.fill(result, 0);
         int first = velocity[0] <= velocity[1] ? 0 : 1;
@@ -106,7 +106,10 @@ public final class ImpactLaw {
         }
     }
 
-    /** Finds which points push: both, or one while the other parts by itself. */
+    /**
+     * Finds the points that push: both, or one if the other then parts by itself. Returns whether
+     * there is such a solution.
+     */
     private boolean solve(double friction) {
         if (impact.points == 1) {
             return solveOne(0, friction);
@@ -121,7 +124,7 @@ public final class ImpactLaw {
         for (int j = 0; j < 3; j++) {
             after += k[3 * i + j] * result[j];
         }
-        // A point that another's impulse lifts may be lifted exactly as much: round-off decides.
+        // The other point's impulse may lift this one exactly at the limit: allow for round-off.
         return after >= target[i] - ROUND_OFF * (Math.abs(velocity[i]) + Math.abs(target[i]));
     }
 
@@ -129,7 +132,7 @@ public final class ImpactLaw {
         Arrays.fill(result, 0);
         double wanted = target[i] - velocity[i];
         if (wanted <= 0) {
-            // Sticking could hold a point that parts, where its friction presses it on.
+            // Sticking friction could press a parting point on, and so hold it.
             return false;
         }
         double kn = k[4 * i];
@@ -164,7 +167,9 @@ public final class ImpactLaw {
         return slideBoth(0);
     }
 
-    /** Eliminates the tangent from the two normal equations, then reads it back. */
+    /**
+     * Solves sticking at both points, by elimination of the tangent; returns whether it is valid.
+     */
     private boolean stickBoth(double friction) {
         double kt = k[8];
         double k00 = k[0] - k[2] * k[2] / kt;
@@ -185,7 +190,10 @@ public final class ImpactLaw {
                 && Math.abs(result[TANGENT]) <= friction * (result[0] + result[1]);
     }
 
-    /** Slides the way that sticking would have had to be held against. */
+    /**
+     * Solves sliding at both points, in the direction that the sticking friction would have had to
+     * oppose; returns whether it is valid.
+     */
     private boolean slideBoth(double friction) {
         double slope = result[TANGENT] > 0 ? friction : -friction;
         double k00 = k[0] + slope * k[2];
@@ -205,8 +213,8 @@ public final class ImpactLaw {
     }
 
     /**
-     * Whether friction acts against the sliding that it leaves. It drives it instead where sticking
-     * failed only because one of the points would have had to pull: there that one parts.
+     * Whether friction opposes the sliding that remains. It would drive the sliding where sticking
+     * failed only because one of the points would have had to pull; then that point parts instead.
      */
     private boolean rubs() {
         double after = velocity[TANGENT];

@@ -3,36 +3,39 @@ package rigibo.backend.impact;
 import rigibo.backend.algebra.EnvelopeFactor;
 
 /**
- * Solves all rows of tied impacts that carry something at once, as passes have found them: points
- * that push, friction within its cone, and friction at its cone, which goes with what presses. The
- * passes tell well which rows these are, and come to their impulses slowly: Newton's method on
- * Coulomb's law (P. Alart and A. Curnier, 1991) started from them.
+ * Solves all active rows of tied impacts as one system of equations: points that push, friction
+ * inside its cone, and friction on its cone, which is proportional to the normal impulse. Passes
+ * identify the active rows well but approach their impulses slowly; this is Newton's method on
+ * Coulomb's law (P. Alart and A. Curnier, 1991), started from the result of the passes.
  */
 final class TiedElimination {
 
-    /** Rows beyond which elimination takes longer than passes. */
+    /** Number of rows above which elimination takes longer than passes. */
     private static final int MOST_ROWS = 96;
 
-    /** By what share of its response a row gives way: redundant rows share what they carry. */
+    /** Compliance of a row as a share of its response, so that redundant rows share their load. */
     private static final double GIVE = 1e-10;
 
     /**
-     * How many times the fastest approach the impulse of a row may change its own speed by: what
-     * lies farther contradicts itself, and only what rows give way by bounds it.
+     * Largest change of its own speed that a row's impulse may cause, as a multiple of the fastest
+     * approach. A larger one means that the equations contradict each other and only the compliance
+     * bounds the solution.
      */
     private static final double FARTHEST = 1e4;
 
     private final TiedRows rows;
 
-    /** The rows that are equations, and the place of each row among them. */
+    /** The active rows: those that are equations. */
     private int[] set = new int[16];
 
+    /** By row: its place among the active rows. */
     private int[] place = new int[16];
+
     private int size;
 
     private final EnvelopeFactor factor = new EnvelopeFactor();
 
-    /** What each row's impulse lacks, N·s. */
+    /** By active row: change of impulse that solves the equations, N·s. */
     private double[] lacks = new double[16];
 
     TiedElimination(TiedRows rows) {
@@ -40,10 +43,10 @@ final class TiedElimination {
     }
 
     /**
-     * Goes to the impulses that give every row that carries something the speed it asks for, or up
-     * to the first bound on the way, where nothing approached faster than {@code fastest} m/s.
+     * Moves the impulses to the solution of the active rows, or towards it up to the first bound.
      *
-     * @return multiplications that this took, 0 where there is nothing to be solved at once
+     * @param fastest fastest approach of any row before the impacts, m/s
+     * @return multiplications done, 0 if there was nothing to solve
      */
     double solve(double fastest) {
         choose();
@@ -91,7 +94,7 @@ final class TiedElimination {
         }
     }
 
-    /** Whether a tangent rubs as much as it can. */
+    /** Whether a tangent's friction is on its cone. */
     private boolean isSliding(int row) {
         return rows.points[row] > 0 && place[row] == TiedRows.NONE && rows.impulse[row] != 0;
     }
@@ -101,7 +104,7 @@ final class TiedElimination {
         return Math.copySign(rows.friction[tangent], rows.impulse[tangent]);
     }
 
-    /** What a unit impulse of one row, and the friction with it, gives another, 1/kg. */
+    /** Speed that a unit impulse of one row, with the friction it causes, gives another, 1/kg. */
     private double answer(int i, int j) {
         double direct = rows.response(i, j);
         int tangent = rows.tangent[j];
@@ -109,7 +112,7 @@ final class TiedElimination {
         return slides ? direct + slides(tangent) * rows.response(i, tangent) : direct;
     }
 
-    /** In the order of the rows, whatever shares a body with whatever. */
+    /** Factors the equations in the order of the rows, without using sparsity. */
     private void factorize() {
         factor.lay(size, MOST_ROWS * (MOST_ROWS + 1) / 2);
         for (int i = 0; i < size; i++) {
@@ -132,7 +135,9 @@ final class TiedElimination {
         return false;
     }
 
-    /** Up to where no point pulls, and no friction leaves its cone. */
+    /**
+     * Share of the way to the solution up to which no point pulls and no friction leaves its cone.
+     */
     private double shareToFirstBound() {
         double share = 1;
         for (int i = 0; i < size; i++) {

@@ -6,33 +6,37 @@ import rigibo.backend.storage.Pairs;
 import java.util.Arrays;
 
 /**
- * Impacts that fall on the same instant and share bodies, resolved at once: one after the other
- * they would give the first of two equals more than the second.
+ * Resolves impacts that happen at the same time and share bodies, all at once. Resolved one after
+ * the other, the first of two equal impacts would get a larger impulse than the second.
  *
- * <p>Every point asks for vₙ' ≥ −e·vₙ, j ≥ 0, and one of the two as an equation; every pair for
- * |jₜ| ≤ μ·Σjₙ. Passes over the rows go on until nothing changes (projected Gauss–Seidel, which
+ * <p>Every point requires vₙ' ≥ −e·vₙ and j ≥ 0, one of them with equality, and every pair |jₜ| ≤
+ * μ·Σjₙ. Passes over the rows are repeated until nothing changes (projected Gauss–Seidel, which
  * converges for such problems; R. W. Cottle et al., The Linear Complementarity Problem, 1992, ch.
- * 5). For e = 1 and μ = 0 the limit keeps the energy, as one impact does; where friction would add
- * to it, all impulses are scaled back.
+ * 5). With e = 1 and μ = 0 the limit keeps the energy, as a single impact does. Where friction
+ * would add energy, all impulses are scaled down.
  */
 public final class TiedImpacts {
 
-    /** Passes after which impacts count as ones without an answer. */
+    /** Number of passes after which the impacts count as having no solution. */
     private static final int MOST_PASSES = 300;
 
     /** A change of speed that is round-off, as a share of the fastest approach. */
     private static final double ROUND_OFF = 1e-14;
 
-    /** How many times faster than the fastest row impacts without an answer may leave one. */
+    /**
+     * Greatest speed that impacts without a solution may leave, as a multiple of the fastest row's.
+     */
     private static final double MOST_LEVERAGE = 2;
 
-    /** Passes between two eliminations: they find anew which rows carry something. */
+    /** Passes between two eliminations, which find the active rows again. */
     private static final int PASSES_EACH = 4;
 
-    /** What is left must have shrunk to this share since the last elimination; else it cycles. */
+    /**
+     * Share to which the residual must have shrunk since the last elimination; otherwise it cycles.
+     */
     private static final double SHRINKS = 0.5;
 
-    /** What solving a row takes, in multiplications of an elimination. */
+    /** Cost of solving a row in a pass, in multiplications of an elimination. */
     static final int WORK_OF_ROW = 60;
 
     private final Bodies bodies;
@@ -43,12 +47,13 @@ public final class TiedImpacts {
     private double fastest;
     private double work;
 
-    /** How many solutions have changed something so far. */
+    /** Number of row solutions so far that changed an impulse. */
     private int changes;
 
-    /** By slot the last of them that moved the body, and by row the last that it has answered. */
+    /** By slot: number of the last change that moved the body. */
     private int[] movedBy = new int[16];
 
+    /** By row: number of the last change that the row has taken into account. */
     private int[] answered = new int[16];
 
     private static final int NONE = -1;
@@ -61,14 +66,14 @@ public final class TiedImpacts {
         elimination = new TiedElimination(rows);
     }
 
-    /** Begins another instant. */
+    /** Starts the next set of impacts. */
     public void clear() {
         rows.count = 0;
         fastest = 0;
         changes = 0;
     }
 
-    /** Adds the impact of a pair, with the elasticity it is to have; nothing moves yet. */
+    /** Adds the impact of a pair, to be resolved with the given elasticity; nothing changes yet. */
     public void add(int pair, Impact impact, double elasticity) {
         for (int i = 0; i < impact.points; i++) {
             double speed = impact.parting(i);
@@ -98,14 +103,14 @@ public final class TiedImpacts {
         return row;
     }
 
-    /** What the last impacts took, in multiplications. */
+    /** Multiplications that the last set of impacts took. */
     public double work() {
         return work;
     }
 
     /**
-     * Changes the velocities of all bodies, and adds up the impulses of the pairs. Returns whether
-     * the impacts have an answer: between a driven body and a wall nothing can part from both.
+     * Changes the velocities of all bodies and adds the impulses to the pairs. Returns whether the
+     * impacts have a solution: a body between a driven body and a wall cannot part from both.
      */
     public boolean resolve() {
         boolean isAnswered = solve(Double.POSITIVE_INFINITY);
@@ -114,7 +119,7 @@ public final class TiedImpacts {
     }
 
     /**
-     * Changes velocities alone. Returns whether passes came to an answer, for no more than so many
+     * Changes velocities only. Returns whether the passes converged within {@code worth}
      * multiplications.
      */
     public boolean solve(double worth) {
@@ -133,16 +138,18 @@ public final class TiedImpacts {
         return false;
     }
 
-    /** Returns whether there was something to be solved at once. */
+    /** Makes an elimination; returns whether there were active rows to solve. */
     private boolean eliminate() {
         double multiplications = elimination.solve(fastest);
         work += multiplications;
-        // All bodies have moved: every row is asked anew.
+        // All bodies may have moved: every row is due again.
         Arrays.fill(answered, 0, rows.count, NONE);
         return multiplications > 0;
     }
 
-    /** Adds up the impulses of the pairs, once they add no energy; or no speed, if unanswered. */
+    /**
+     * Limits the energy (without a solution, also the speed), then adds the impulses to the pairs.
+     */
     public void keep(boolean isAnswered) {
         limitEnergy();
         if (!isAnswered) {
@@ -160,7 +167,7 @@ public final class TiedImpacts {
         double linear = 0;
         double quadratic = 0;
         for (int i = 0; i < rows.count; i++) {
-            // What a running surface does to what it carries is work of its drive.
+            // The work of a running surface is done by its drive and is not counted.
             double driven = rows.points[i] > 0 ? rows.target[i] : 0;
             linear += rows.impulse[i] * (rows.speedBefore[i] - driven);
             quadratic += rows.impulse[i] * (rows.speed(i) - rows.speedBefore[i]) / 2;
@@ -170,7 +177,7 @@ public final class TiedImpacts {
         }
     }
 
-    /** Scales all impulses back until no row is much faster than the fastest one was. */
+    /** Scales all impulses down until no row exceeds {@link #MOST_LEVERAGE} times the fastest. */
     private void limitSpeed() {
         double most = 0;
         for (int i = 0; i < rows.count; i++) {
@@ -195,8 +202,8 @@ public final class TiedImpacts {
     }
 
     /**
-     * One pass over all rows whose bodies have moved since they were solved last: an impact far
-     * from them is none of their matter. Returns the largest change of speed, m/s.
+     * One pass over all rows whose bodies have moved since the row was last solved; other rows
+     * cannot have changed. Returns the largest change of speed, m/s.
      */
     private double pass() {
         double most = 0;

@@ -14,7 +14,7 @@ final class TiedRows {
     private final Bodies bodies;
     private final Pairs pairs;
 
-    /** How many there are. */
+    /** Number of rows. */
     int count;
 
     /** By row: the pair, and its two bodies. */
@@ -23,10 +23,10 @@ final class TiedRows {
     int[] bodyA = new int[16];
     int[] bodyB = new int[16];
 
-    /** By row: for a tangent its number of normal rows, which stand before it; 0 for a normal. */
+    /** By row: for a tangent, the number of its normal rows, which precede it; 0 for a normal. */
     int[] points = new int[16];
 
-    /** By row: for a normal the tangent row of its pair, {@link #NONE} where nothing rubs. */
+    /** By row: for a normal, the tangent row of its pair; {@link #NONE} without friction. */
     int[] tangent = new int[16];
 
     static final int NONE = -1;
@@ -38,7 +38,7 @@ final class TiedRows {
     private double[] leverA = new double[16];
     private double[] leverB = new double[16];
 
-    /** By row: what a unit impulse gives it, 1/kg; the speed that it asks for, m/s. */
+    /** By row: speed that its own unit impulse gives it, 1/kg; the speed that it aims at, m/s. */
     double[] response = new double[16];
 
     double[] target = new double[16];
@@ -56,7 +56,7 @@ final class TiedRows {
         this.pairs = pairs;
     }
 
-    /** Adds a row along a direction through the middle of two of an impact's points. */
+    /** Adds a row along (x, y) through the midpoint of an impact's points i and j; returns it. */
     int add(int ofPair, double x, double y, Impact impact, int i, int j) {
         if (count == pair.length) {
             grow();
@@ -83,7 +83,7 @@ final class TiedRows {
         return row;
     }
 
-    /** Takes a row for the tangent of the so many normal rows before it. */
+    /** Marks a row as the tangent of the given number of normal rows before it. */
     void makeTangent(int row, int normals, double coefficient) {
         points[row] = normals;
         friction[row] = coefficient;
@@ -112,7 +112,7 @@ final class TiedRows {
         speedBefore = Arrays.copyOf(speedBefore, capacity);
     }
 
-    /** How fast B moves against A along a row, m/s. */
+    /** Speed of B relative to A along a row, m/s. */
     double speed(int row) {
         int a = bodyA[row];
         int b = bodyB[row];
@@ -122,7 +122,7 @@ final class TiedRows {
                 - leverA[row] * bodies.spinOf(a);
     }
 
-    /** Adds to a row's impulse, N·s, and moves its bodies by it. */
+    /** Adds to a row's impulse, N·s, and changes the velocities of its bodies. */
     void push(int row, double change) {
         impulse[row] += change;
         double x = directionX[row] * change;
@@ -132,7 +132,7 @@ final class TiedRows {
     }
 
     private void push(int slot, double x, double y, double turn) {
-        // An impulse beyond all bounds would move even what has no inverse mass: 0·∞.
+        // An infinite impulse would give an immovable body 0·∞ = NaN.
         if (!bodies.isDynamic(slot)) {
             return;
         }
@@ -143,7 +143,7 @@ final class TiedRows {
         }
     }
 
-    /** The most that friction carries by what presses now, N·s. */
+    /** Largest friction impulse that the present normal impulses allow, N·s. */
     double cone(int tangent) {
         double normal = 0;
         for (int row = tangent - points[tangent]; row < tangent; row++) {
@@ -152,7 +152,7 @@ final class TiedRows {
         return friction[tangent] * normal;
     }
 
-    /** What a unit impulse of one row gives another, 1/kg. */
+    /** Speed that a unit impulse of one row gives another, 1/kg. */
     double response(int i, int j) {
         double direct = directionX[i] * directionX[j] + directionY[i] * directionY[j];
         int a = bodyA[i];

@@ -1,5 +1,6 @@
 /**
- * The impact law: what impulses an impact between two bodies exchanges at one instant, with one or
- * two points of contact, elasticity and friction. Used by bodies in flight and inside piles.
+ * The impact law: the impulses of an impact between two bodies, with one or two points of contact,
+ * elasticity and friction, and of several impacts at the same time. Used in flight and inside
+ * piles.
  */
 package rigibo.backend.impact;

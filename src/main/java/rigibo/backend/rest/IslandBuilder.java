@@ -8,9 +8,9 @@ import rigibo.backend.storage.Pairs;
 import rigibo.backend.storage.Roster;
 
 /**
- * Groups piled bodies into islands by union-find over their pairs. Static and kinematic bodies join
- * nothing: two stacks on one floor are two islands. Islands are numbered by their first body in the
- * roster, and bodies and pairs keep their order within an island.
+ * Groups piled bodies into islands by union-find over their pairs and joints. Static and kinematic
+ * bodies do not connect islands: two stacks on one floor are two islands. Islands are numbered in
+ * the order of their first body in the roster; bodies and pairs keep their order within an island.
  */
 public final class IslandBuilder {
 
@@ -72,7 +72,7 @@ public final class IslandBuilder {
         for (int i = 1; i <= islands.count; i++) {
             islands.jointStart[i + 1] += islands.jointStart[i];
         }
-        // Each start is moved to its end while the island before it is filled up to it.
+        // Filling an island moves its start to its end, which is the start of the next one.
         for (int i = 0; i < joints.active.count; i++) {
             int joint = joints.active.numbers[i];
             islands.joints[islands.jointStart[islandOf(joints, joint) + 1]++] = joint;
@@ -121,7 +121,7 @@ public final class IslandBuilder {
         if (bodies.isDynamic(a) && bodies.isDynamic(b)) {
             int rootA = root(a);
             int rootB = root(b);
-            // The lower slot leads, so that the shape of the forest cannot depend on pair order.
+            // The lower slot becomes the root, so that roots do not depend on the order of pairs.
             parent[Math.max(rootA, rootB)] = Math.min(rootA, rootB);
         }
     }
@@ -186,7 +186,7 @@ public final class IslandBuilder {
         return bodies.isDynamic(slot) && bodies.piled[slot];
     }
 
-    /** The leader of a body's group; halves the path on the way. */
+    /** The root of a body's group; halves the path to it (path halving). */
     private int root(int slot) {
         int at = slot;
         while (parent[at] != at) {

@@ -8,8 +8,8 @@ import rigibo.backend.storage.Roster;
 import rigibo.backend.storage.Waking;
 
 /**
- * Makes every joined body that is awake part of a pile, whether it touches anything or not: what a
- * joint holds follows no path of its own.
+ * Makes every awake body with a joint part of a pile, whether it touches anything or not, since a
+ * joint can deflect it from a path of free flight at any time.
  */
 public final class JointedBodies {
 
@@ -18,7 +18,7 @@ public final class JointedBodies {
     private final JointStore joints;
     private final Waking waking;
 
-    /** Over the bodies and joints of a storage, in which joints are declared. */
+    /** The storage must hold joints. */
     public JointedBodies(DataStorage data) {
         bodies = data.bodies;
         roster = data.roster;
@@ -26,11 +26,11 @@ public final class JointedBodies {
         waking = new Waking(data);
     }
 
-    /** Lists the joints that a step looks at. Who sleeps beside somebody awake wakes. */
+    /** Lists the joints of this step, and wakes sleepers that are joined to an awake body. */
     public void pile(double dt) {
         Found active = joints.active;
         active.clear();
-        // The list grows while it is read: who wakes has joints as well.
+        // The list grows while it is read, since woken bodies can have joints too.
         for (int i = 0; i < roster.awakeCount; i++) {
             pile(roster.awake[i], active);
         }

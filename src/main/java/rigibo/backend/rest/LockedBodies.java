@@ -5,21 +5,21 @@ import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.Roster;
 
 /**
- * Makes every awake body that is kept from moving along an axis part of a pile, whether it touches
- * anything or not: impacts in flight know of one mass for all directions.
+ * Makes every awake body with a locked axis part of a pile, whether it touches anything or not,
+ * since impacts in flight assume the same mass in all directions.
  */
 public final class LockedBodies {
 
     private final Bodies bodies;
     private final Roster roster;
 
-    /** Over the bodies of a storage in which axes are locked. */
+    /** The storage must hold locked axes. */
     public LockedBodies(DataStorage data) {
         bodies = data.bodies;
         roster = data.roster;
     }
 
-    /** Piles all that a step moves. */
+    /** Piles all bodies with a locked axis that this step moves. */
     public void pile(double dt) {
         for (int i = 0; i < roster.awakeCount; i++) {
             int slot = roster.awake[i];

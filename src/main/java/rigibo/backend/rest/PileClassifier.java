@@ -10,16 +10,16 @@ import rigibo.backend.storage.PointSpeeds;
 import rigibo.backend.storage.Waking;
 
 /**
- * Tells bodies in flight from bodies in a pile. A body is piled when one of its pairs rests: it
- * touches, something presses the two together, and they part no faster than could be seen. A pair
- * that did not rest before begins to only by lying still; a bouncing one ends by its own series of
- * bounces, in flight.
+ * Separates bodies in flight from bodies in piles. A body is piled when one of its pairs rests: the
+ * two touch, an acceleration presses them together, and they part too slowly for it to be seen. A
+ * pair that did not rest before starts to rest only when it lies still; a bouncing pair comes to
+ * rest in flight, by the end of its series of bounces.
  */
 public final class PileClassifier {
 
     /**
-     * Relative speed, per unit of the pressing acceleration, under which a pair that touches for
-     * the first time lies still; only round-off is below it. In s.
+     * Relative speed divided by the pressing acceleration, s, below which a pair that touches for
+     * the first time counts as lying still; only round-off is below it.
      */
     private static final double STILLNESS = 1e-6;
 
@@ -38,9 +38,9 @@ public final class PileClassifier {
         this.mode = mode;
     }
 
-    /** Marks the piled among the bodies, all of which count as flyers before. */
+    /** Marks the piled bodies; before, all bodies count as flyers. */
     public void classify(double dt) {
-        // Both lists grow while they are read: bodies that wake bring their pairs.
+        // Both lists grow while they are read, since woken bodies add their pairs.
         for (int i = 0; i < pairs.activeCount; i++) {
             classifyPair(pairs.active[i]);
         }
@@ -49,7 +49,7 @@ public final class PileClassifier {
         }
     }
 
-    /** A sleeper that a pile or a driven body is about to touch wakes before it does. */
+    /** Wakes a sleeper that a pile or a driven body is about to touch. */
     private void wakeWhatIsHit(int pair, double dt) {
         int a = pairs.bodyA[pair];
         int b = pairs.bodyB[pair];
@@ -79,7 +79,7 @@ public final class PileClassifier {
         }
     }
 
-    /** A sleeper that something awake leans on wakes, with all it touches. */
+    /** Piles a body; a sleeper on which an awake body leans wakes, with all it touches. */
     private void pile(int slot) {
         if (!bodies.isDynamic(slot)) {
             return;
@@ -97,7 +97,8 @@ public final class PileClassifier {
         double width = PairTolerances.width(bodies, a, b);
         double gap = pairs.gap(pair);
         if (mode != ImpactMode.EVENTS) {
-            // Without a queue of impacts the pile's solver sees to whatever may touch in this step.
+            // Without a queue of impacts the solver of piles takes every pair that may touch in
+            // this step.
             return pairs.points[pair] > 0
                     && (mode == ImpactMode.SPLIT || gap <= PairTolerances.TOUCHING_GAP * width);
         }
@@ -120,7 +121,7 @@ public final class PileClassifier {
                 && Math.abs(parting(pair)) <= STILLNESS * pressing;
     }
 
-    /** Speed in m/s at which the point that parts fastest moves apart; negative when all close. */
+    /** Greatest parting speed of the pair's points, m/s; negative when all points close. */
     private double parting(int pair) {
         if (!bodies.turns()) {
             return partingOfCentres(pair);
@@ -143,7 +144,7 @@ public final class PileClassifier {
         return slowest;
     }
 
-    /** What does not turn parts at all points alike. */
+    /** Parting speed without rotation, which is the same at all points, m/s. */
     private double partingOfCentres(int pair) {
         int a = pairs.bodyA[pair];
         int b = pairs.bodyB[pair];

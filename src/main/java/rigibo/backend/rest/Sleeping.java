@@ -9,22 +9,23 @@ import rigibo.backend.storage.Pairs;
 import rigibo.backend.storage.Roster;
 
 /**
- * Puts islands to sleep by displacement: every body has stayed close to where it was for long
- * enough. Displacement instead of speed, so that a slowly sliding body stays awake however slow,
- * and one that trembles in place may sleep. What is slow and drifts on, for nothing resists it,
- * stays awake as well.
+ * Puts an island to sleep once every body of it has stayed close to one place for long enough.
+ * Displacement is the criterion rather than speed, so that a sliding body stays awake however slow
+ * it is, and a body that trembles in place can sleep. A slow body that drifts on without resistance
+ * stays awake too.
  */
 public final class Sleeping {
 
     /**
-     * By how much of the way the last velocity may differ from the mean one where a body goes on
-     * evenly: what nothing resists does to round-off, what creeps or trembles does not.
+     * Largest deviation, as a share of the displacement, of a body that moves on uniformly: without
+     * resistance the last velocity equals the mean one to round-off, while a creeping or trembling
+     * body is farther off.
      */
     private static final double EVEN = 1e-6;
 
     /**
-     * Share of the distance below which a drift in the time of falling asleep does not count: it
-     * would take a thousand such times to be told from rest.
+     * Share of the sleep distance below which a drift does not count: a body that drifts so slowly
+     * would need a thousand times the sleep time to cover the distance.
      */
     private static final double UNTOLD = 1e-3;
 
@@ -35,7 +36,7 @@ public final class Sleeping {
     private final Islands islands;
     private final Sleep sleep;
 
-    /** Sleep by declared thresholds. */
+    /** Sleep with the thresholds of the declared effect. */
     public Sleeping(DataStorage data, Sleep sleep) {
         this.data = data;
         bodies = data.bodies;
@@ -55,7 +56,7 @@ public final class Sleeping {
         }
     }
 
-    /** How long in s the most restless body of the island has stayed in place. */
+    /** Time in s for which all bodies of an island have stayed in place. */
     private double stillTime(int island, double dt) {
         int start = islands.bodyStart[island];
         int end = islands.bodyStart[island + 1];
@@ -73,7 +74,9 @@ public final class Sleeping {
         return least;
     }
 
-    /** How long in s a body has stayed in place whose outline has turned so far in m, at most. */
+    /**
+     * Time in s for which a body has stayed in place; its outline has turned by {@code turned}, m.
+     */
     private double stillTime(int slot, double turned, double dt) {
         double limit = sleep.distance() * bodies.smallestWidth[slot];
         double time = bodies.stillTime[slot] + dt;
@@ -85,7 +88,7 @@ public final class Sleeping {
         return bodies.stillTime[slot];
     }
 
-    /** Whether a body that has stayed in place for a time in s did so only because it is slow. */
+    /** Whether a body that stayed in place for a time in s did so only because it drifts slowly. */
     private boolean driftsOn(int slot, double time) {
         double x = time * bodies.velocityX[slot];
         double y = time * bodies.velocityY[slot];
@@ -96,8 +99,8 @@ public final class Sleeping {
     }
 
     /**
-     * Whether a body has gone and turned, along the way in m on which its last velocities would
-     * have taken it, as far as they would: across, it may have settled.
+     * Whether a body moved and turned as far as its last velocities would have taken it, measured
+     * along that displacement (m); motion across it may be settling.
      */
     private boolean isEven(int slot, double x, double y, double turn, double squared) {
         double turned = bodies.turns() ? bodies.angle[slot] - bodies.stillAngle[slot] : 0;
@@ -108,7 +111,7 @@ public final class Sleeping {
         return Math.abs(along - squared) <= EVEN * squared;
     }
 
-    /** Whether nothing presses on a body or is joined to it that could hold it. */
+    /** Whether no loaded contact and no joint could hold a body. */
     private boolean isLoose(int slot) {
         for (int p = bodies.firstPair[slot]; p != Pairs.NONE; p = pairs.nextOf(p, slot)) {
             for (int point = 2 * p; point < 2 * p + pairs.points[p]; point++) {
@@ -120,20 +123,20 @@ public final class Sleeping {
         return data.joints == null || data.joints.firstOf(slot) == JointStore.NONE;
     }
 
-    /** How far in m the body is from where it was. */
+    /** Distance of the body from its reference place, m. */
     private double moved(int slot) {
         double dx = bodies.x[slot] - bodies.stillX[slot];
         double dy = bodies.y[slot] - bodies.stillY[slot];
         return Math.sqrt(dx * dx + dy * dy);
     }
 
-    /** How far in m any point of the body has turned since. */
+    /** Largest displacement of a point of the body by turning since its reference pose, m. */
     private double turned(int slot) {
         double angle = Math.abs(bodies.angle[slot] - bodies.stillAngle[slot]);
         return angle * bodies.boundingRadius[slot];
     }
 
-    /** Whether something kinematic that moves touches the island: it will not stay still. */
+    /** Whether a moving kinematic body touches the island, which then will not stay still. */
     private boolean isDriven(int island) {
         for (int i = islands.pairStart[island]; i < islands.pairStart[island + 1]; i++) {
             int pair = islands.pairs[i];
@@ -144,7 +147,7 @@ public final class Sleeping {
         return data.joints != null && isDrivenByJoint(data.joints, island);
     }
 
-    /** Whether one of its joints is to something kinematic that moves. */
+    /** Whether one of the island's joints is to a moving kinematic body. */
     private boolean isDrivenByJoint(JointStore joints, int island) {
         int end = islands.areJoined(island) ? islands.jointStart[island + 1] : 0;
         for (int i = end == 0 ? 0 : islands.jointStart[island]; i < end; i++) {

@@ -10,18 +10,18 @@ import rigibo.backend.storage.Waking;
 import java.util.Arrays;
 
 /**
- * Who wakes when a body goes: all that leaned on it, and of what it stood on whatever might not be
- * steady without it. A box in the middle of a tower sleeps on when the upper half is taken away; a
- * seesaw that loses a weight does not.
+ * Wakes neighbours when a body is removed: all bodies that leaned on it, and those bodies below it
+ * that might not be steady without its load. A box in the middle of a tower sleeps on when the
+ * upper half is taken away; a seesaw that loses a weight wakes.
  *
- * <p>A sleeper is steady whatever it carries if its centre of mass and every place where something
- * stands on it lie above the span of its supports, and if the same holds for what supports it. Each
- * body is looked at once per loss, so that a loss takes time linear in the contacts, however many
- * ways lead down a pile.
+ * <p>A sleeper is steady under any load if its centre of mass and every point where another body
+ * stands on it lie above the span of its supports, and if its supports are steady too. Each body is
+ * tested once per removal, so that the time is linear in the number of contacts however many paths
+ * lead down through the pile.
  */
 public final class SupportLoss {
 
-    /** Contacts this upright (cosine to gravity) carry; others hold from the side. */
+    /** Cosine between normal and gravity from which on a contact carries; others hold sideways. */
     private static final double UPRIGHT = 0.999;
 
     private final DataStorage data;
@@ -29,32 +29,34 @@ public final class SupportLoss {
     private final Pairs pairs;
     private final Waking waking;
 
-    /**
-     * Sleepers whose steadiness is asked for by the one that lost a neighbour, itself the first.
-     */
+    /** Sleepers to be tested: first the body that lost a neighbour, then those that support it. */
     private final Found asked = new Found();
 
-    /** For each body the loss in which it was last asked about, and the number of this one. */
+    /** By body: number of the removal in which it was last tested. */
     private int[] askedIn = new int[16];
 
+    /** Number of the present removal. */
     private int loss;
 
-    /** Contacts looked at so far, for tests of how much work a loss is. */
+    /** Contacts read so far: tests bound the work of a removal by it. */
     private long contactsLookedAt;
 
-    /** Gravity's direction for the body looked at. */
+    /** Direction of gravity for the body being tested. */
     private double downX;
 
     private double downY;
 
-    /** The span of its supports and of what it must stand under, m across gravity. */
+    /** Span of the body's supports, m across gravity. */
     private double supportLeft;
 
     private double supportRight;
+
+    /** Span of its centre of mass and of the loads on it, m across gravity. */
     private double loadLeft;
+
     private double loadRight;
 
-    /** Waking in this storage. */
+    /** Waking of the bodies of a storage. */
     public SupportLoss(DataStorage data, Waking waking) {
         this.data = data;
         bodies = data.bodies;
@@ -62,9 +64,9 @@ public final class SupportLoss {
         this.waking = waking;
     }
 
-    /** Wakes who must, before a body goes. */
+    /** Wakes the neighbours that must wake, before a body is removed. */
     public void wakeNeighbours(int going) {
-        // Waking spreads through sleepers; it is not to spread through the one that goes.
+        // Waking spreads through sleepers, but must not spread through the body being removed.
         bodies.awake[going] = true;
         loss++;
         if (askedIn.length < bodies.type.length) {
@@ -81,14 +83,14 @@ public final class SupportLoss {
 
     private void loseNeighbour(int pair, int slot) {
         if (bodies.awake[slot]) {
-            // It was about to sleep, perhaps: what it does now has to be seen first.
+            // It may have been about to sleep: its time at rest starts again.
             bodies.restartStillness(slot);
         } else if (!(isUnder(pair, slot) && isSteady(slot))) {
             waking.wake(slot);
         }
     }
 
-    /** Whether a body of a pair lies under the other, by its own gravity. */
+    /** Whether a body of a pair lies below the other, along its own gravity. */
     private boolean isUnder(int pair, int body) {
         findDown(body);
         return sideOf(pair, body) < -UPRIGHT;
@@ -100,7 +102,7 @@ public final class SupportLoss {
         return sign * (pairs.normalX[pair] * downX + pairs.normalY[pair] * downY);
     }
 
-    /** Without weight nothing is down: what is not a number is neither under nor above anything. */
+    /** Without weight the direction is NaN, which compares as neither below nor above. */
     private void findDown(int body) {
         double ax = bodies.accelerationX[body];
         double ay = bodies.accelerationY[body];
@@ -110,8 +112,8 @@ public final class SupportLoss {
     }
 
     /**
-     * Whether a sleeper and all that supports it are steady. Who was asked about before in this
-     * loss is steady: else it has woken, with everyone that stands on it.
+     * Whether a sleeper and all that supports it are steady. A body already tested in this removal
+     * is steady; otherwise it has woken, together with everything that stands on it.
      */
     private boolean isSteady(int body) {
         asked.clear();
@@ -144,8 +146,8 @@ public final class SupportLoss {
     }
 
     /**
-     * Asks about every dynamic support; false where one is awake, or is pulled another way:
-     * relieved of its load, it might rise.
+     * Adds every dynamic support to the tests. Returns false if one is awake, or is pulled in
+     * another direction, since it could rise once relieved of its load.
      */
     private boolean askSupportsOf(int body) {
         for (int p = bodies.firstPair[body]; p != Pairs.NONE; p = pairs.nextOf(p, body)) {
@@ -163,7 +165,7 @@ public final class SupportLoss {
         return true;
     }
 
-    /** Measures both spans; false where something holds from the side or moves. */
+    /** Measures both spans; returns false if a contact holds sideways or a neighbour moves. */
     private boolean measure(int body) {
         supportLeft = Double.POSITIVE_INFINITY;
         supportRight = Double.NEGATIVE_INFINITY;
@@ -200,7 +202,7 @@ public final class SupportLoss {
         return x * -downY + y * downX;
     }
 
-    /** With those that waking looked at. */
+    /** Contacts read so far, those of waking included. */
     long contactsLookedAt() {
         return contactsLookedAt + waking.contactsLookedAt();
     }

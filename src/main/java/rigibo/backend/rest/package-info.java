@@ -1,5 +1,5 @@
 /**
- * Rest: islands of bodies that lean on each other, their sleep, and who wakes whom. Knows contacts
- * as storage keeps them, not how they are solved.
+ * Rest: which bodies form piles and islands, when islands fall asleep, and which bodies wake. This
+ * package reads contacts from storage and knows nothing of how they are solved.
  */
 package rigibo.backend.rest;

@@ -1,27 +1,27 @@
 package rigibo.backend.setup;
 
 /**
- * How exactly a pool is to be simulated, and so what it costs. Every knob can be turned alone with
- * its {@code with…} method; the presets are choices that were measured.
+ * How accurately a pool simulates, and so how much time it takes. The presets are measured choices;
+ * a {@code with…} method changes one knob and leaves the others as they are.
  *
  * <pre>{@code
  * pool.accuracy(Accuracy.EXACT);
  * pool.accuracy(Accuracy.GAME.withSubsteps(8)); // between two steps
  * }</pre>
  *
- * @param substeps 1 to 64 substeps of a pile per step, and of a flight under forces that change
- *     along the way; their time grows with it
- * @param velocityIterations 1 to 8 passes over the contacts per substep
- * @param impacts when impacts happen; {@code DISCRETE} wherever {@code ContinuousImpacts} is not
- *     declared
- * @param impactTolerance 1e-9 to 1e-3 m, for a body of one metre: how far before touching an impact
- *     may be taken
- * @param search how the time of an impact is found
- * @param maxImpactsPerPair 4 to 64 impacts of one pair in one step before it counts as resting, or
- *     waits for the next step at a wall where its elasticity is 1
- * @param integrator how flight is integrated
- * @param contactSolver how contact impulses are found
- * @param correction what is done about overlap
+ * @param substeps substeps per step, 1 to 64, of piles and of flight under forces that vary along
+ *     the path; the time of both grows with it
+ * @param velocityIterations solver passes over the contacts per substep, 1 to 8
+ * @param impacts at what time within a step impacts are resolved; treated as {@code DISCRETE} where
+ *     {@code ContinuousImpacts} is not declared
+ * @param impactTolerance largest gap at which an impact may be resolved, 1e-9 to 1e-3 m for a body
+ *     one metre wide; scales with the width of the body
+ * @param search how the time of impact is searched for
+ * @param maxImpactsPerPair impacts of one pair in one step, 4 to 64, after which the pair counts as
+ *     resting or, at a wall with an elasticity of 1, waits for the next step
+ * @param integrator how bodies in flight are integrated
+ * @param contactSolver how the impulses of contacts are solved for
+ * @param correction how overlap is removed
  */
 public record Accuracy(
         int substeps,
@@ -34,7 +34,7 @@ public record Accuracy(
         ContactSolver contactSolver,
         Correction correction) {
 
-    /** Fast and plausible: 1 substep, split impacts. What is fast and turns may sink in deep. */
+    /** Fast and plausible: 1 substep, split impacts. Fast, turning bodies may sink in deeply. */
     public static final Accuracy DRAFT =
             new Accuracy(
                     1,
@@ -47,7 +47,7 @@ public record Accuracy(
                     ContactSolver.DIRECT,
                     Correction.SOFT);
 
-    /** The game's: 4 substeps, impacts at their times within 0.1 mm. */
+    /** The game's preset: 4 substeps, impacts in time order within 0.1 mm. */
     public static final Accuracy GAME =
             new Accuracy(
                     4,
@@ -60,14 +60,11 @@ public record Accuracy(
                     ContactSolver.DIRECT,
                     Correction.SOFT);
 
-    /** Measurable: 8 substeps, impacts within a micrometre. */
+    /** For measurements: 8 substeps, impacts within 1 µm. */
     public static final Accuracy FINE =
             GAME.withSubsteps(8).withImpactTolerance(1e-6).withMaxImpactsPerPair(32);
 
-    /**
-     * The most exact of the four: 16 substeps, impacts within a nanometre, small islands solved
-     * directly.
-     */
+    /** For references, the most accurate preset: 16 substeps, impacts within 1 nm. */
     public static final Accuracy EXACT =
             GAME.withSubsteps(16).withImpactTolerance(1e-9).withMaxImpactsPerPair(64);
 
@@ -88,7 +85,7 @@ public record Accuracy(
         Require.present("Accuracy.correction", correction);
     }
 
-    /** The same with another number of substeps, 1 to 64. */
+    /** A copy with another number of substeps, 1 to 64. */
     public Accuracy withSubsteps(int count) {
         return new Accuracy(
                 count,
@@ -102,7 +99,7 @@ public record Accuracy(
                 correction);
     }
 
-    /** The same with another number of passes per substep, 1 to 8. */
+    /** A copy with another number of solver passes per substep, 1 to 8. */
     public Accuracy withVelocityIterations(int count) {
         return new Accuracy(
                 substeps,
@@ -116,7 +113,7 @@ public record Accuracy(
                 correction);
     }
 
-    /** The same with impacts at other times. */
+    /** A copy that resolves impacts at other times. */
     public Accuracy withImpacts(ImpactMode mode) {
         return new Accuracy(
                 substeps,
@@ -130,7 +127,7 @@ public record Accuracy(
                 correction);
     }
 
-    /** The same with another tolerance of impacts, 1e-9 to 1e-3 m. */
+    /** A copy with another impact tolerance, 1e-9 to 1e-3 m. */
     public Accuracy withImpactTolerance(double metres) {
         return new Accuracy(
                 substeps,
@@ -144,7 +141,7 @@ public record Accuracy(
                 correction);
     }
 
-    /** The same with another search for the time of impact. */
+    /** A copy with another search for the time of impact. */
     public Accuracy withSearch(ImpactSearch method) {
         return new Accuracy(
                 substeps,
@@ -158,7 +155,7 @@ public record Accuracy(
                 correction);
     }
 
-    /** The same with another most number of impacts of a pair in a step, 4 to 64. */
+    /** A copy with another limit of impacts of one pair in a step, 4 to 64. */
     public Accuracy withMaxImpactsPerPair(int count) {
         return new Accuracy(
                 substeps,
@@ -172,7 +169,7 @@ public record Accuracy(
                 correction);
     }
 
-    /** The same with another integrator of flight. */
+    /** A copy with another integrator of flight. */
     public Accuracy withIntegrator(Integrator method) {
         return new Accuracy(
                 substeps,
@@ -186,7 +183,7 @@ public record Accuracy(
                 correction);
     }
 
-    /** The same with another contact solver. */
+    /** A copy with another contact solver. */
     public Accuracy withContactSolver(ContactSolver method) {
         return new Accuracy(
                 substeps,
@@ -200,7 +197,7 @@ public record Accuracy(
                 correction);
     }
 
-    /** The same with another treatment of overlap. */
+    /** A copy with another removal of overlap. */
     public Accuracy withCorrection(Correction method) {
         return new Accuracy(
                 substeps,

@@ -5,8 +5,9 @@ import rigibo.backend.geometry.Shape;
 import rigibo.backend.geometry.ShapeKind;
 
 /**
- * A body as its creator states it. Immutable: every verb returns another definition, so one may be
- * the pattern for many. Static and kinematic bodies have no mass: nothing moves them.
+ * The definition of a body, from which {@code Pool.add} makes one. Immutable: every method that
+ * changes something returns a changed copy, so one definition can serve as a pattern for many
+ * bodies. Static and kinematic bodies act as if their mass were infinite.
  *
  * <pre>{@code
  * BodyDefinition pattern =
@@ -38,9 +39,10 @@ public final class BodyDefinition {
     private boolean yLocked;
     private boolean sensor;
 
-    /** Of the parts of a compound that have their own; null elsewhere, or where none has. */
+    /** Surface of each part that has its own, null for the others; null if no part has its own. */
     private Material[] surfaces;
 
+    /** Filter of each part that has its own, null for the others; null if no part has its own. */
     private Filter[] filters;
 
     private BodyDefinition(BodyType type, Shape shape) {
@@ -88,7 +90,7 @@ public final class BodyDefinition {
     }
 
     /**
-     * A body that forces and contacts move.
+     * A dynamic body: forces and contacts move it.
      *
      * @throws IllegalArgumentException when the shape is a {@code Chain}, which has no mass
      */
@@ -96,18 +98,18 @@ public final class BodyDefinition {
         return new BodyDefinition(BodyType.DYNAMIC, shape);
     }
 
-    /** A body that never moves. */
+    /** A static body: it never moves. */
     public static BodyDefinition fixed(Shape shape) {
         return new BodyDefinition(BodyType.STATIC, shape);
     }
 
-    /** A body that moves with the velocity it is given and is never pushed. */
+    /** A kinematic body: it moves with the velocity it is given, whatever it meets. */
     public static BodyDefinition kinematic(Shape shape) {
         return new BodyDefinition(BodyType.KINEMATIC, shape);
     }
 
     /**
-     * Where the centre of mass is.
+     * A copy with another position of the centre of mass.
      *
      * @param metresX world x, m
      * @param metresY world y, m, up
@@ -119,9 +121,7 @@ public final class BodyDefinition {
         return next;
     }
 
-    /**
-     * The angle in rad, counter-clockwise; at most a million turns, where doubles resolve 1 nrad.
-     */
+    /** A copy with another angle in rad, counter-clockwise, within a million turns. */
     public BodyDefinition angle(double radians) {
         BodyDefinition next = new BodyDefinition(this);
         next.angle =
@@ -130,10 +130,12 @@ public final class BodyDefinition {
     }
 
     /**
-     * Velocity of the centre of mass; a static body's must be 0.
+     * A copy with another velocity of the centre of mass; a static body's must be 0.
      *
-     * @param metresPerSecondX m/s
+     * @param metresPerSecondX m/s, to the right
      * @param metresPerSecondY m/s, up
+     * @throws IllegalArgumentException when a component is not within ± the speed of light, or not
+     *     0 for a static body
      */
     public BodyDefinition velocity(double metresPerSecondX, double metresPerSecondY) {
         BodyDefinition next = new BodyDefinition(this);
@@ -156,8 +158,8 @@ public final class BodyDefinition {
     }
 
     /**
-     * Angular velocity in rad/s, counter-clockwise; a static body's must be 0. It is passed over
-     * where the effect {@code Rotation} is not declared.
+     * A copy with another angular velocity in rad/s, counter-clockwise; a static body's must be 0.
+     * It is ignored where the effect {@code Rotation} is not declared.
      */
     public BodyDefinition spin(double radiansPerSecond) {
         BodyDefinition next = new BodyDefinition(this);
@@ -168,40 +170,49 @@ public final class BodyDefinition {
         return next;
     }
 
-    /** The same body with another shape; one of as many parts keeps what they have of their own. */
+    /**
+     * A copy with another shape. If it has the same number of parts, the parts' own materials and
+     * filters are kept.
+     */
     public BodyDefinition shape(Shape other) {
         return new BodyDefinition(this, Require.present("BodyDefinition.shape", other));
     }
 
-    /** What the body is made of. */
+    /** A copy with another material. */
     public BodyDefinition material(Material substance) {
         BodyDefinition next = new BodyDefinition(this);
         next.material = Require.present("BodyDefinition.material", substance);
         return next;
     }
 
-    /** A name for messages and levels; may be empty, need not be unique. */
+    /** A copy with a name for messages and levels, which may be empty and need not be unique. */
     public BodyDefinition name(String words) {
         BodyDefinition next = new BodyDefinition(this);
         next.name = Require.present("BodyDefinition.name", words);
         return next;
     }
 
-    /** A mass in kg in place of density times area, positive; the inertia scales with it. */
+    /**
+     * A copy with a mass in kg, positive, in place of density times area; the moment of inertia
+     * scales with it unless it is set too.
+     */
     public BodyDefinition mass(double kilograms) {
         BodyDefinition next = new BodyDefinition(this);
         next.mass = Require.positive("BodyDefinition.mass", kilograms, "kg");
         return next;
     }
 
-    /** An inertia in kg·m² about the centre of mass in place of the shape's, positive. */
+    /**
+     * A copy with a moment of inertia about the centre of mass in kg·m², positive, in place of the
+     * shape's.
+     */
     public BodyDefinition inertia(double kilogramSquareMetres) {
         BodyDefinition next = new BodyDefinition(this);
         next.inertia = Require.positive("BodyDefinition.inertia", kilogramSquareMetres, "kg·m²");
         return next;
     }
 
-    /** A factor on the declared gravity: 0 floats, -1 rises. */
+    /** A copy with a factor on gravity, within ±1e6: with 0 the body floats, with -1 it rises. */
     public BodyDefinition gravityScale(double factor) {
         BodyDefinition next = new BodyDefinition(this);
         next.gravityScale =
@@ -215,11 +226,11 @@ public final class BodyDefinition {
     }
 
     /**
-     * What the surface of one part is made of: its friction, elasticity, rolling resistance and
-     * surface speed. Density and drag are those of the body; what a part weighs, its own relative
-     * density says.
+     * A copy with another surface material of one part: its friction, elasticity, rolling
+     * resistance, surface speed and one-way normal. Density and drag are the body's; the relative
+     * density of a part is set where the compound is made.
      *
-     * @param part from 0
+     * @param part index of the part, from 0
      * @throws IllegalArgumentException when the shape has no such part
      */
     public BodyDefinition material(int part, Material surface) {
@@ -231,7 +242,7 @@ public final class BodyDefinition {
         return next;
     }
 
-    /** Whom the body meets. */
+    /** A copy with another collision filter. */
     public BodyDefinition filter(Filter whom) {
         BodyDefinition next = new BodyDefinition(this);
         next.filter = Require.present("BodyDefinition.filter", whom);
@@ -239,9 +250,9 @@ public final class BodyDefinition {
     }
 
     /**
-     * Whom one part meets.
+     * A copy with another collision filter of one part.
      *
-     * @param part from 0
+     * @param part index of the part, from 0
      * @throws IllegalArgumentException when the shape has no such part
      */
     public BodyDefinition filter(int part, Filter whom) {
@@ -257,12 +268,12 @@ public final class BodyDefinition {
         Require.within("BodyDefinition." + verb + " part", part, 0, shape.parts() - 1);
     }
 
-    /** Bodies of the same group other than 0 never meet each other; their filter's group. */
+    /** A copy in another group: bodies of the same group, other than 0, never collide. */
     public BodyDefinition group(int number) {
         return filter(filter.group(number));
     }
 
-    /** Keeps the body from turning, whatever pushes it: a player, a lift. */
+    /** A copy with locked rotation, whatever acts on the body: for a player or a lift. */
     public BodyDefinition lockRotation() {
         BodyDefinition next = new BodyDefinition(this);
         next.rotationLocked = true;
@@ -270,10 +281,10 @@ public final class BodyDefinition {
     }
 
     /**
-     * Keeps the body's centre of mass from moving to the left and right, whatever pushes it: a
-     * piston, a float in a pipe. Its velocity along x is 0, whatever is stated; along x it is as
-     * heavy as the ground. Of a static body that says nothing until its type changes; a kinematic
-     * one does not move along x either.
+     * A copy whose centre of mass is locked in x, whatever acts on it: for a piston or a float in a
+     * pipe. Its velocity along x is 0 whatever is set, and along x it has infinite mass. A
+     * kinematic body does not move along x either; for a static body the lock matters only once its
+     * type changes.
      *
      * <pre>{@code
      * pool.add(BodyDefinition.dynamic(Polygon.box(1, 1)).lockX().lockRotation()); // slides up, down
@@ -285,7 +296,7 @@ public final class BodyDefinition {
         return next;
     }
 
-    /** Keeps the body's centre of mass from moving up and down likewise: a trolley, a bead. */
+    /** A copy locked in y, as {@link #lockX} does in x: for a trolley or a bead. */
     public BodyDefinition lockY() {
         BodyDefinition next = new BodyDefinition(this);
         next.yLocked = true;
@@ -293,8 +304,9 @@ public final class BodyDefinition {
     }
 
     /**
-     * Makes the whole body a sensor, which touches nothing and tells who is inside. {@code Sensors}
-     * have to be declared where it is added, and a dynamic one has to state its mass.
+     * A copy that is a sensor as a whole: it touches nothing and reports which bodies are inside.
+     * The pool it is added to must declare {@code Sensors}. A dynamic sensor must have its mass
+     * set.
      */
     public BodyDefinition sensor() {
         BodyDefinition next = new BodyDefinition(this);
@@ -302,24 +314,24 @@ public final class BodyDefinition {
         return next;
     }
 
-    /** Whether the whole body touches nothing and tells who is inside. */
+    /** Whether the whole body is a sensor. */
     public boolean isSensor() {
         return sensor;
     }
 
-    /** Whether the body starts awake; one that starts asleep waits for a touch. */
+    /** A copy that starts awake, or asleep until it is touched. */
     public BodyDefinition awake(boolean isAwake) {
         BodyDefinition next = new BodyDefinition(this);
         next.awake = isAwake;
         return next;
     }
 
-    /** What may move the body. */
+    /** Whether the body is dynamic, static or kinematic. */
     public BodyType type() {
         return type;
     }
 
-    /** The shape, whose centre of mass is at (x, y). */
+    /** The shape; its centre of mass lies at (x, y). */
     public Shape shape() {
         return shape;
     }
@@ -334,52 +346,55 @@ public final class BodyDefinition {
         return y;
     }
 
-    /** rad, counter-clockwise. */
+    /** Angle in rad, counter-clockwise. */
     public double angle() {
         return angle;
     }
 
-    /** m/s. */
+    /** Velocity of the centre of mass to the right, m/s. */
     public double velocityX() {
         return velocityX;
     }
 
-    /** m/s, up. */
+    /** Velocity of the centre of mass upwards, m/s. */
     public double velocityY() {
         return velocityY;
     }
 
-    /** rad/s, counter-clockwise. */
+    /** Angular velocity in rad/s, counter-clockwise. */
     public double spin() {
         return spin;
     }
 
-    /** {@link Material#DEFAULT} unless another was stated. */
+    /** The material of the body: {@link Material#DEFAULT} unless another was set. */
     public Material material() {
         return material;
     }
 
-    /** Empty unless one was stated. */
+    /** The name; empty unless one was set. */
     public String name() {
         return name;
     }
 
-    /** kg: the mass stated, else density times area. */
+    /** Mass in kg: as set, otherwise density times area. */
     public double mass() {
         return massProperties().mass();
     }
 
-    /** kg·m² about the centre of mass: the inertia stated, else the shape's at this mass. */
+    /**
+     * Moment of inertia about the centre of mass in kg·m²: as set, otherwise the shape's at this
+     * mass.
+     */
     public double inertia() {
         return massProperties().inertia();
     }
 
-    /** Whether a mass was stated in place of the material's density. */
+    /** Whether a mass was set in place of the material's density. */
     public boolean statesMass() {
         return mass > 0;
     }
 
-    /** Whether an inertia was stated in place of the shape's. */
+    /** Whether a moment of inertia was set in place of the shape's. */
     public boolean statesInertia() {
         return inertia > 0;
     }
@@ -389,52 +404,53 @@ public final class BodyDefinition {
         return gravityScale;
     }
 
-    /** What the surface of a part is made of: the body's material unless another was stated. */
+    /** The surface material of a part: the body's material unless another was set for the part. */
     public Material material(int part) {
         requirePart("material", part);
         return surfaces == null || surfaces[part] == null ? material : surfaces[part];
     }
 
-    /** Whom the body meets: {@link Filter#ALL} unless another was stated. */
+    /** The collision filter of the body: {@link Filter#ALL} unless another was set. */
     public Filter filter() {
         return filter;
     }
 
-    /** Whom a part meets: as the body unless another was stated. */
+    /** The collision filter of a part: the body's unless another was set for the part. */
     public Filter filter(int part) {
         requirePart("filter", part);
         return filters == null || filters[part] == null ? filter : filters[part];
     }
 
-    /** Group of the body's filter, 0 for none. */
+    /** The group of the body's filter; 0 for none. */
     public int group() {
         return filter.group();
     }
 
-    /** Whether the body is kept from turning. */
+    /** Whether the rotation of the body is locked. */
     public boolean rotationLocked() {
         return rotationLocked;
     }
 
-    /** Whether the body is kept from moving to the left and right. */
+    /** Whether the centre of mass is locked in x. */
     public boolean xLocked() {
         return xLocked;
     }
 
-    /** Whether the body is kept from moving up and down. */
+    /** Whether the centre of mass is locked in y. */
     public boolean yLocked() {
         return yLocked;
     }
 
-    /** Whether the body begins awake. */
+    /** Whether the body starts awake. */
     public boolean awake() {
         return awake;
     }
 
     /**
-     * Mass and inertia together.
+     * Mass in kg and moment of inertia in kg·m² about the centre of mass.
      *
-     * @throws IllegalArgumentException when density and size give no positive, finite number
+     * @throws IllegalArgumentException when one is outside 1e-100 to 1e100, or a dynamic sensor has
+     *     no mass set
      */
     public MassProperties massProperties() {
         if (shape.kind() == ShapeKind.CHAIN) {
@@ -454,15 +470,15 @@ public final class BodyDefinition {
         return new MassProperties(kilograms, aboutCentre, 0, 0);
     }
 
-    /** Highest speed accepted, m/s: light's. Beyond it squares of speeds soon overflow. */
+    /** Highest speed accepted, m/s: that of light. Squares of much higher speeds would overflow. */
     public static final double MOST_SPEED = 299_792_458;
 
     /**
-     * Least and greatest mass in kg and inertia in kg·m²: their squares and inverses are finite.
+     * Least mass in kg and moment of inertia in kg·m² accepted: squares and inverses stay finite.
      */
     public static final double LEAST_MASS = 1e-100;
 
-    /** The greatest. */
+    /** Greatest mass in kg and moment of inertia in kg·m² accepted: squares stay finite. */
     public static final double MOST_MASS = 1e100;
 
     /** Highest spin accepted, rad/s. */

@@ -1,7 +1,7 @@
 package rigibo.backend.setup;
 
 /**
- * How a body answers forces.
+ * How a body responds to forces and contacts.
  *
  * <pre>{@code
  * crate.type(BodyType.STATIC); // from now on nothing moves it
@@ -12,6 +12,6 @@ public enum BodyType {
     DYNAMIC,
     /** Never moves. */
     STATIC,
-    /** Moves with exactly the velocity it was given; pushes others and is never pushed. */
+    /** Moves with exactly the velocity it is given; pushes other bodies and is never pushed. */
     KINEMATIC
 }

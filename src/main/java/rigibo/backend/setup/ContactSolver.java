@@ -1,20 +1,20 @@
 package rigibo.backend.setup;
 
 /**
- * How the impulses of resting contacts are found.
+ * How the impulses of contacts in piles are solved for.
  *
  * <pre>{@code
  * pool.accuracy(Accuracy.GAME.withContactSolver(ContactSolver.BLOCK));
  * }</pre>
  */
 public enum ContactSolver {
-    /** One contact point after the other. */
+    /** Passes over the contacts, one contact point after the other (projected Gauss–Seidel). */
     SEQUENTIAL,
-    /** Both points of a flat contact at once, contact after contact. */
+    /** Passes over the contacts that solve both points of a contact together. */
     BLOCK,
     /**
-     * Islands of up to 192 rows solved whole, by trying sets of loaded ones, as far as that is
-     * worth its time; what is larger as {@link #BLOCK}.
+     * Islands of up to 192 rows are solved whole: sets of loaded rows are tried as systems of
+     * linear equations, within a budget of time. Larger islands are solved as with {@link #BLOCK}.
      */
     DIRECT
 }

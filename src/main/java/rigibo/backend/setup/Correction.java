@@ -1,15 +1,15 @@
 package rigibo.backend.setup;
 
 /**
- * What is done about overlap.
+ * How overlap is removed.
  *
  * <pre>{@code
  * pool.accuracy(Accuracy.GAME.withCorrection(Correction.SOFT));
  * }</pre>
  */
 public enum Correction {
-    /** Nothing: overlap stays as it is. */
+    /** Not at all: overlap stays as it is. */
     NONE,
-    /** A strongly damped spring pushes apart, and its velocity is taken out again. */
+    /** A strongly damped spring pushes the bodies apart; its velocity is removed afterwards. */
     SOFT
 }

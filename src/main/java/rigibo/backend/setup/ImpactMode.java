@@ -1,17 +1,17 @@
 package rigibo.backend.setup;
 
 /**
- * When within a step an impact happens.
+ * At what time within a step impacts are resolved.
  *
  * <pre>{@code
  * pool.accuracy(Accuracy.GAME.withImpacts(ImpactMode.EVENTS));
  * }</pre>
  */
 public enum ImpactMode {
-    /** At the end of the step, where bodies already overlap. */
+    /** At the end of the step, when the bodies already overlap. */
     DISCRETE,
-    /** Inside the substep, at the time a straight line gives in closed form. */
+    /** Within the substep, at the time of impact of straight motion, which has a closed form. */
     SPLIT,
-    /** Bodies in flight at their exact times, in time order; inside piles split. */
+    /** For bodies in flight at their times of impact, in time order; inside piles as SPLIT. */
     EVENTS
 }

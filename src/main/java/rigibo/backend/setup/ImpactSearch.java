@@ -1,15 +1,19 @@
 package rigibo.backend.setup;
 
 /**
- * How the time of an impact is found once it is bracketed.
+ * How the time of impact is found once it is bracketed.
  *
  * <pre>{@code
  * pool.accuracy(Accuracy.GAME.withSearch(ImpactSearch.BISECTION));
  * }</pre>
  */
 public enum ImpactSearch {
-    /** Halving: one evaluation per factor 2 of precision. */
+    /** Bisection: one evaluation halves the bracket. */
     BISECTION,
-    /** Halving with interpolation (ITP): the same worst case, about 8 evaluations in practice. */
+    /**
+     * Bisection with interpolation (ITP): the same worst case, about 8 evaluations in practice.
+     * Oliveira and Takahashi, "An enhancement of the bisection method average performance
+     * preserving minmax optimality", 2020.
+     */
     ITP
 }

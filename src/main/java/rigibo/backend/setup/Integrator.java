@@ -1,9 +1,10 @@
 package rigibo.backend.setup;
 
 /**
- * How a body in flight is moved. What is the same all along a step is exact with {@link #BALLISTIC}
- * at any step; forces that change along the way ({@code Field}, {@code CentralForce}, {@code
- * AirDrag}, gusts, {@code Buoyancy}) are integrated in {@link Accuracy#substeps} steps.
+ * How bodies in flight are integrated. {@link #BALLISTIC} is exact for constant accelerations and
+ * linear drag at any length of step. Forces that vary along the path ({@code Field}, {@code
+ * CentralForce}, {@code AirDrag}, gusts, {@code Buoyancy}) are integrated numerically in {@link
+ * Accuracy#substeps} substeps.
  *
  * <pre>{@code
  * pool.accuracy(Accuracy.FINE.withIntegrator(Integrator.RK4));
@@ -17,8 +18,8 @@ public enum Integrator {
     /** Runge and Kutta, fourth order. */
     RK4,
     /**
-     * Exact under constant acceleration and linear drag; of fourth order, after Runge and Kutta, in
-     * what other forces add.
+     * Exact under constant acceleration and linear drag; the contribution of other forces is
+     * integrated by fourth-order Runge–Kutta.
      */
     BALLISTIC
 }

@@ -1,23 +1,24 @@
 package rigibo.backend.setup;
 
 /**
- * Where a joint holds a body, in the body's own frame, whose origin is its centre of mass.
+ * The anchor and axis of a joint on a body, in the body's frame, whose origin is its centre of
+ * mass.
  *
  * <pre>{@code
  * JointFrame corner = new JointFrame(0.5, 0.5, 0);
  * pool.join(new RevoluteJoint(door, crate, corner, JointFrame.CENTRE, JointSettings.NONE));
  * }</pre>
  *
- * @param x m, along the body's first axis
- * @param y m, along its second axis
- * @param angle of the joint's axis against the body's first one, rad, counter-clockwise
+ * @param x anchor along the body's x axis, m
+ * @param y anchor along the body's y axis, m
+ * @param angle angle from the body's x axis to the joint's axis, rad, counter-clockwise
  */
 public record JointFrame(double x, double y, double angle) {
 
-    /** The centre of mass and the body's own axes. */
+    /** The anchor at the centre of mass and the axis along the body's x axis. */
     public static final JointFrame CENTRE = new JointFrame(0, 0, 0);
 
-    /** Farthest from the centre of mass that a joint may hold a body, m. */
+    /** Largest coordinate of an anchor accepted, m. */
     private static final double FARTHEST = 1e6;
 
     /**

@@ -1,7 +1,7 @@
 package rigibo.backend.setup;
 
 /**
- * The kinds of joints, each of which has a definition of its own.
+ * The kinds of joints; each has its own {@code JointDefinition}.
  *
  * <pre>{@code
  * for (Joint joint : pool.joints()) {

@@ -1,16 +1,16 @@
 package rigibo.backend.setup;
 
 /**
- * Between which values a joint's coordinate stays, and how it rebounds from them.
+ * The limits of a joint's coordinate, and how it rebounds from them.
  *
  * <pre>{@code
  * JointLimits stop = new JointLimits(-0.5, 0.5, 0); // half a radian either way
  * pool.join(RevoluteJoint.at(door, crate, 0, 2).with(JointSettings.NONE.limits(stop)));
  * }</pre>
  *
- * @param lower rad of a hinge, m of all others; may be −∞
- * @param upper not below {@code lower}; may be ∞
- * @param elasticity 0 to 1: the share of its speed with which the coordinate rebounds
+ * @param lower least value: rad for a hinge, m for all other kinds; may be −∞
+ * @param upper greatest value, in the same unit, not below {@code lower}; may be ∞
+ * @param elasticity rebound speed as a share of the impact speed, 0 to 1
  */
 public record JointLimits(double lower, double upper, double elasticity) {
 
@@ -21,7 +21,8 @@ public record JointLimits(double lower, double upper, double elasticity) {
     /**
      * Checks all numbers.
      *
-     * @throws IllegalArgumentException when one is not a number, or the lower is over the upper
+     * @throws IllegalArgumentException when one is NaN, {@code lower} exceeds {@code upper}, or
+     *     {@code elasticity} is not 0 to 1
      */
     public JointLimits {
         if (!(lower <= upper) || lower == Double.POSITIVE_INFINITY) {
@@ -35,7 +36,7 @@ public record JointLimits(double lower, double upper, double elasticity) {
         Require.within("JointLimits.elasticity", elasticity, 0, 1, "no unit");
     }
 
-    /** Whether there is a bound at all. */
+    /** Whether at least one limit is finite. */
     public boolean areAny() {
         return lower > Double.NEGATIVE_INFINITY || upper < Double.POSITIVE_INFINITY;
     }

@@ -1,22 +1,24 @@
 package rigibo.backend.setup;
 
 /**
- * What drives a joint's coordinate. At speed 0 it is a brake, or dry friction.
+ * A motor that drives a joint's coordinate to a speed. With speed 0 it acts as a brake, that is, as
+ * dry friction.
  *
  * <pre>{@code
  * JointMotor brake = new JointMotor(0, 20); // N·m
  * pool.join(RevoluteJoint.at(door, crate, 0, 2).with(JointSettings.NONE.motor(brake)));
  * }</pre>
  *
- * @param speed that it drives to: rad/s of what turns, m/s of what slides
- * @param most that it drives with, N·m of what turns, N of what slides; may be ∞
+ * @param speed wanted speed: rad/s for an angle, m/s for a displacement, within ±1e6
+ * @param most greatest torque in N·m for an angle, force in N for a displacement; 0 or more, may be
+ *     ∞; with 0 there is no motor
  */
 public record JointMotor(double speed, double most) {
 
-    /** Nothing drives. */
+    /** No motor. */
     public static final JointMotor NONE = new JointMotor(0, 0);
 
-    /** Fastest that anything is driven, rad/s or m/s. */
+    /** Highest speed accepted, rad/s or m/s. */
     private static final double FASTEST = 1e6;
 
     /**
@@ -29,7 +31,7 @@ public record JointMotor(double speed, double most) {
         Require.within("JointMotor.most", most, 0, Double.POSITIVE_INFINITY, "N·m or N");
     }
 
-    /** Whether it drives at all. */
+    /** Whether there is a motor: {@code most} is not 0. */
     public boolean drives() {
         return most > 0;
     }

@@ -3,19 +3,20 @@ package rigibo.backend.setup;
 import java.util.List;
 
 /**
- * What may be set on joints of several kinds, and changed while they hold.
+ * Settings that several kinds of joints share; they can be changed while the joint exists.
  *
  * <pre>{@code
  * JointSettings sprung = JointSettings.NONE.spring(new JointSpring(3, 0.7));
  * pool.join(RevoluteJoint.at(door, crate, 0, 2).with(sprung));
  * }</pre>
  *
- * @param limits of the joint's coordinate
- * @param motor that drives it
- * @param spring that pulls it to where it belongs
- * @param collideConnected whether the two bodies meet each other all the same
- * @param breakForce N, mean over a step, from which on the joint breaks; may be ∞
- * @param breakTorque N·m about the anchor on B, likewise
+ * @param limits limits of the joint's coordinate
+ * @param motor motor that drives the coordinate
+ * @param spring spring that pulls the coordinate to its rest value
+ * @param collideConnected whether the two joined bodies collide with each other
+ * @param breakForce mean force over a step above which the joint breaks, N, over 0; may be ∞
+ * @param breakTorque mean torque about the anchor on B over a step above which the joint breaks,
+ *     N·m, over 0; may be ∞
  */
 public record JointSettings(
         JointLimits limits,
@@ -25,7 +26,7 @@ public record JointSettings(
         double breakForce,
         double breakTorque) {
 
-    /** No limit, no motor, no spring, bodies that do not meet, and unbreakable. */
+    /** No limits, motor or spring; the two bodies do not collide; the joint never breaks. */
     public static final JointSettings NONE =
             new JointSettings(
                     JointLimits.NONE,
@@ -38,7 +39,7 @@ public record JointSettings(
     /**
      * Checks all parts.
      *
-     * @throws IllegalArgumentException when one is missing or out of its range
+     * @throws IllegalArgumentException when one is null, or a breaking load is not over 0
      */
     public JointSettings {
         Require.present("JointSettings.limits", limits);
@@ -55,32 +56,32 @@ public record JointSettings(
         }
     }
 
-    /** The same with other limits. */
+    /** A copy with other limits. */
     public JointSettings limits(JointLimits other) {
         return new JointSettings(other, motor, spring, collideConnected, breakForce, breakTorque);
     }
 
-    /** The same with another motor. */
+    /** A copy with another motor. */
     public JointSettings motor(JointMotor other) {
         return new JointSettings(limits, other, spring, collideConnected, breakForce, breakTorque);
     }
 
-    /** The same with another spring. */
+    /** A copy with another spring. */
     public JointSettings spring(JointSpring other) {
         return new JointSettings(limits, motor, other, collideConnected, breakForce, breakTorque);
     }
 
-    /** The same with bodies that meet each other, or do not. */
+    /** A copy that sets whether the two bodies collide with each other. */
     public JointSettings collideConnected(boolean meet) {
         return new JointSettings(limits, motor, spring, meet, breakForce, breakTorque);
     }
 
-    /** The same that breaks from other forces (N) and torques (N·m) on; ∞ is never. */
+    /** A copy with other breaking loads, N and N·m; ∞ for never. */
     public JointSettings breaking(double force, double torque) {
         return new JointSettings(limits, motor, spring, collideConnected, force, torque);
     }
 
-    /** What a kind of joint may have. */
+    /** The settings that only some kinds of joints can have. */
     public enum Part {
         LIMITS,
         MOTOR,
@@ -88,9 +89,11 @@ public record JointSettings(
     }
 
     /**
-     * Refuses what a kind of joint has no use for.
+     * Refuses settings that a kind of joint cannot have.
      *
-     * @throws IllegalArgumentException naming the joint and what it cannot have
+     * @param joint name of the kind, for the message
+     * @param parts the settings it can have
+     * @throws IllegalArgumentException naming the joint and the setting it cannot have
      */
     public void requireOnly(String joint, Part... parts) {
         List<Part> may = List.of(parts);

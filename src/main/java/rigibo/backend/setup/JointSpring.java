@@ -1,17 +1,18 @@
 package rigibo.backend.setup;
 
 /**
- * A spring with a damper. Its stiffness follows when it is joined: k = m·(2πf)² with the reduced
- * mass m = mₐ·m_b/(mₐ + m_b) of the two bodies, or their reduced inertia where it turns them; c =
- * 2·ζ·m·2πf. It stays what it is when masses change later.
+ * A spring with a damper. When the bodies are joined, its stiffness k = m·(2πf)² and its damping c
+ * = 2·ζ·m·2πf are computed from the reduced mass m = mₐ·m_b/(mₐ + m_b) of the two bodies, or from
+ * their reduced moment of inertia for a spring of an angle. Later changes of mass do not change
+ * them.
  *
  * <pre>{@code
  * JointSpring soft = new JointSpring(2, 0.5);
  * pool.join(WeldJoint.at(door, crate, 0, 2).with(JointSettings.NONE.spring(soft)));
  * }</pre>
  *
- * @param hertz 0 to 100,000 Hz; 0 is no spring
- * @param dampingRatio ζ, 0 to 100; 1 is critical
+ * @param hertz frequency f of the undamped oscillation, 0 to 100,000 Hz; with 0 there is no spring
+ * @param dampingRatio ζ, 0 to 100; 1 is critical damping
  */
 public record JointSpring(double hertz, double dampingRatio) {
 
@@ -31,7 +32,7 @@ public record JointSpring(double hertz, double dampingRatio) {
         Require.within("JointSpring.dampingRatio", dampingRatio, 0, MOST_DAMPING, "no unit");
     }
 
-    /** Whether there is one. */
+    /** Whether there is a spring: the frequency is not 0. */
     public boolean isThere() {
         return hertz > 0;
     }

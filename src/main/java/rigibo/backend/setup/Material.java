@@ -1,8 +1,8 @@
 package rigibo.backend.setup;
 
 /**
- * What a body is made of. Where two bodies meet, friction mixes as √(μaμb), elasticity as max(ea,
- * eb), rolling resistance as max(ca, cb) and surface speeds add.
+ * The material of a body. For a contact of two bodies, friction mixes as √(μₐ·μ_b), elasticity as
+ * max(eₐ, e_b), rolling resistance as max(cₐ, c_b), and surface speeds add.
  *
  * <pre>{@code
  * Material oak = new Material(700, 0.4, 0.3); // kg/m², Coulomb's friction, elasticity
@@ -11,15 +11,15 @@ package rigibo.backend.setup;
  *
  * @param density kg/m², positive and finite
  * @param friction Coulomb's μ, 0 to 1e9; ice 0.03, wood 0.4, rubber 0.9
- * @param elasticity Newton's coefficient of restitution e, 0 (stays where it lands) to 1 (returns
- *     to its height)
- * @param rollingResistance lever c in m, 0 to 1e9: a rolling body is braked by the torque c·N
- * @param surfaceSpeed of the outline in m/s, up to light's, counter-clockwise positive: a
- *     conveyor's belt
- * @param drag k in 1/s, 0 to 1e100: the force per mass against motion is k·v
- * @param oneWayX normal of a one-way surface in the body's frame, a unit vector; see {@link
- *     #oneWay}
- * @param oneWayY likewise; both 0 where the surface is solid all round
+ * @param elasticity Newton's coefficient of restitution e: 0 (no rebound) to 1 (a dropped ball
+ *     returns to its height)
+ * @param rollingResistance lever c in m, 0 to 1e9: rolling is braked by a torque of up to c·N, N
+ *     being the normal force
+ * @param surfaceSpeed speed of the running outline in m/s, positive counter-clockwise, up to the
+ *     speed of light: a conveyor belt
+ * @param drag k in 1/s, 0 to 1e100: the body is braked by the acceleration k·v
+ * @param oneWayX x of the unit normal of a one-way surface in the body's frame; see {@link #oneWay}
+ * @param oneWayY y of that normal; both are 0 for a surface that is solid on all sides
  */
 public record Material(
         double density,
@@ -31,19 +31,21 @@ public record Material(
         double oneWayX,
         double oneWayY) {
 
-    /** Highest friction accepted, no unit: what sticks sticks, and squares of loads stay finite. */
+    /**
+     * Highest friction accepted, no unit: far beyond sticking, and squares of loads stay finite.
+     */
     public static final double MOST_FRICTION = 1e9;
 
     /** Longest rolling lever accepted, m. */
     public static final double MOST_ROLLING_RESISTANCE = 1e9;
 
-    /** Fastest running surface accepted, m/s: light's speed, as for bodies. */
+    /** Highest surface speed accepted, m/s: that of light, as for bodies. */
     public static final double MOST_SURFACE_SPEED = 299_792_458;
 
-    /** Strongest drag accepted, 1/s: it stops whatever moves within any step. */
+    /** Strongest drag accepted, 1/s: it stops any body within any step. */
     public static final double MOST_DRAG = 1e100;
 
-    /** How far the square of a unit vector's length may be off 1. */
+    /** Tolerance of the square of a unit vector's length, which is 1. */
     private static final double UNIT = 1e-12;
 
     /** Density 1 kg/m², friction 0.5, elasticity 0. */
@@ -79,14 +81,14 @@ public record Material(
     }
 
     /**
-     * A material that is solid all round.
+     * A material that is solid on all sides.
      *
      * @param density kg/m², positive and finite
      * @param friction Coulomb's μ, 0 to 1e9
      * @param elasticity 0 to 1
-     * @param rollingResistance m, 0 to 1e9
-     * @param surfaceSpeed m/s, up to light's
-     * @param drag 1/s, 0 to 1e100
+     * @param rollingResistance lever c, m, 0 to 1e9
+     * @param surfaceSpeed m/s, within ± the speed of light, positive counter-clockwise
+     * @param drag k, 1/s, 0 to 1e100
      * @throws IllegalArgumentException naming the field that is out of its range
      */
     public Material(
@@ -111,7 +113,7 @@ public record Material(
         this(density, friction, elasticity, 0, 0, 0);
     }
 
-    /** The same with another density, kg/m², positive. */
+    /** A copy with another density, kg/m², positive. */
     public Material density(double kilogramsPerSquareMetre) {
         return with(
                 kilogramsPerSquareMetre,
@@ -122,27 +124,27 @@ public record Material(
                 drag);
     }
 
-    /** The same with another Coulomb friction, 0 or more. */
+    /** A copy with another coefficient of friction, 0 to 1e9. */
     public Material friction(double coefficient) {
         return with(density, coefficient, elasticity, rollingResistance, surfaceSpeed, drag);
     }
 
-    /** The same with another elasticity, 0 to 1. */
+    /** A copy with another elasticity, 0 to 1. */
     public Material elasticity(double coefficient) {
         return with(density, friction, coefficient, rollingResistance, surfaceSpeed, drag);
     }
 
-    /** The same with a rolling resistance; counts where {@code RollingResistance} is declared. */
+    /** A copy with another rolling lever, m; it needs the effect {@code RollingResistance}. */
     public Material rollingResistance(double metres) {
         return with(density, friction, elasticity, metres, surfaceSpeed, drag);
     }
 
-    /** The same with a surface speed in m/s; counts where {@code SurfaceSpeed} is declared. */
+    /** A copy with another surface speed, m/s; it needs the effect {@code SurfaceSpeed}. */
     public Material surfaceSpeed(double metresPerSecond) {
         return with(density, friction, elasticity, rollingResistance, metresPerSecond, drag);
     }
 
-    /** The same with a drag k in 1/s; counts where {@code Drag} is declared. */
+    /** A copy with another drag k, 1/s; it needs the effect {@code Drag}. */
     public Material drag(double perSecond) {
         return with(density, friction, elasticity, rollingResistance, surfaceSpeed, perSecond);
     }
@@ -166,16 +168,17 @@ public record Material(
     }
 
     /**
-     * The same with a one-way surface: solid for who lay wholly on the normal's side when they came
-     * near, with all parts; whoever comes from elsewhere passes untouched, and is stopped only once
-     * it lies on that side. Of a part of a compound, or an edge of a chain, it is that part's.
+     * A copy with a one-way surface. The surface is solid only for a body that lay wholly, with all
+     * its parts, on the side the normal points to when it came near. Any other body passes through
+     * until it lies wholly on that side. For a part of a compound or an edge of a chain this holds
+     * for that part alone.
      *
      * <pre>{@code
      * pool.add(BodyDefinition.fixed(Polygon.box(3, 0.2)).material(wood.oneWay(0, 1))); // a shelf
      * }</pre>
      *
-     * @param normalX in the body's frame, of any length
-     * @param normalY likewise
+     * @param normalX x of the normal in the body's frame; the normal may have any length but 0
+     * @param normalY y of the normal in the body's frame
      * @throws IllegalArgumentException when the normal is not finite or 0
      */
     public Material oneWay(double normalX, double normalY) {
@@ -192,7 +195,7 @@ public record Material(
                 normalY / length);
     }
 
-    /** Whether the surface is solid on one side alone. */
+    /** Whether the surface is one-way. */
     public boolean isOneWay() {
         return oneWayX != 0 || oneWayY != 0;
     }

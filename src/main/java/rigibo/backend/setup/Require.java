@@ -1,7 +1,8 @@
 package rigibo.backend.setup;
 
 /**
- * Refusals at the public door: each names the field, the value, the unit and the allowed range.
+ * Argument checks of the public API. Each throws an {@link IllegalArgumentException} that names the
+ * field, the value, the unit and the allowed range, and otherwise returns the value.
  *
  * <pre>{@code
  * double speed = Require.positive("Lift.speed", 2, "m/s"); // or an exception that says it all

@@ -1,17 +1,17 @@
 package rigibo.backend.setup;
 
 /**
- * How an island of touching bodies got its answer in a step.
+ * How an island of touching bodies was solved in a step.
  *
  * <pre>{@code
  * int islands = pool.report().islands(SolveMethod.PASSES); // of the last step
  * }</pre>
  */
 public enum SolveMethod {
-    /** It rested on what its contacts carried already: nothing was solved. */
+    /** Not at all: the forces that its contacts already carried keep it at rest. */
     AT_REST,
-    /** All its rows at once, by elimination. */
+    /** By elimination: all rows at once. */
     ELIMINATION,
-    /** Contact by contact, in passes over them in every substep. */
+    /** By passes over its contacts, one after the other, in every substep. */
     PASSES
 }

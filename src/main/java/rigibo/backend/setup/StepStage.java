@@ -1,7 +1,7 @@
 package rigibo.backend.setup;
 
 /**
- * The eight stages of a step, in their order; a report tells the time of each.
+ * The eight stages of a step, in order; {@code StepReport.nanos} tells the time of each.
  *
  * <pre>{@code
  * pool.clock(System::nanoTime);
@@ -9,20 +9,20 @@ package rigibo.backend.setup;
  * }</pre>
  */
 public enum StepStage {
-    /** Removals, additions and wake-ups asked for since the last step. */
+    /** Takes in the removals, additions and wake-ups since the last step. */
     ACCEPT,
-    /** Declared effects become accelerations. */
+    /** Turns the declared effects into accelerations. */
     EFFECTS,
-    /** Size fixtures become candidate pairs. */
+    /** Finds candidate pairs: bodies whose fixtures overlap. */
     BROADPHASE,
-    /** Manifolds; who is in flight and who is in a pile. */
+    /** Computes the manifolds, and sorts bodies into those in flight and those in piles. */
     CLASSIFY,
-    /** Bodies in flight and their impacts in time order. */
+    /** Moves the bodies in flight and resolves their impacts in time order. */
     FLIGHT,
-    /** Piles: the substepped impulse resolver. */
+    /** Solves the piles, island by island, in substeps. */
     CONTACT,
-    /** Islands fall asleep. */
+    /** Puts islands at rest to sleep. */
     REST,
-    /** Statistics. */
+    /** Quarantines bodies whose state is not finite, and gathers statistics and sensor events. */
     REPORT
 }

@@ -1,5 +1,5 @@
 /**
- * What a caller states: bodies, materials and the accuracy wanted. Pure values that check
- * themselves at the door, in SI units; knows shapes, but nothing of a pool or of motion.
+ * The values a caller states: bodies, materials, joint settings and accuracy. Immutable, in SI
+ * units, and checked when they are made. This package knows shapes, but no pool and no motion.
  */
 package rigibo.backend.setup;

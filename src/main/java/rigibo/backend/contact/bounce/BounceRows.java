@@ -6,12 +6,12 @@ import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.PairTolerances;
 import rigibo.backend.storage.Pairs;
 
-/** The contacts of a packed island that can bounce, and from which approach on they do. */
+/** The contacts of a packed island that can bounce, and the closing speed from which on they do. */
 final class BounceRows {
 
     /**
-     * Closing speed of an impact, as a share of what the effects add to a speed in one substep:
-     * passes leave smaller speeds behind.
+     * Least closing speed of an impact, as a share of the speed that the effects add in one
+     * substep; passes leave smaller speeds as errors.
      */
     private static final double PULLED = 0.25;
 
@@ -22,7 +22,7 @@ final class BounceRows {
     /** Rows with elasticity. */
     int[] elastic = new int[16];
 
-    /** The approach of each of them from which on it bounces, m/s. */
+    /** By row with elasticity: closing speed from which on it bounces, m/s. */
     double[] bounceSpeeds = new double[16];
 
     int count;
@@ -53,9 +53,10 @@ final class BounceRows {
     }
 
     /**
-     * Approach in m/s from which a contact bounces. A contact is pressed by the effects'
-     * acceleration or by the load it carried, whichever is larger: inside a heap that load comes
-     * from far above. What a body gains by that pressure within a substep is load, not an impact.
+     * Closing speed from which on a contact bounces, m/s. A contact is pressed by the acceleration
+     * of the effects or by the load it carried, whichever is larger; inside a heap that load comes
+     * from far above. Speed that a body gains by that pressure within a substep is load, not an
+     * impact.
      */
     private double bounceSpeed(int row, double h) {
         double[] d = contacts.data;

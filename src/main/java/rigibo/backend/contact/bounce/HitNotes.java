@@ -8,7 +8,7 @@ import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.Hits;
 import rigibo.backend.storage.Pairs;
 
-/** Notes the impacts within an island that flight has not told of before. */
+/** Records the impacts within an island as hits, except those that flight has recorded before. */
 public final class HitNotes {
 
     private final Bodies bodies;
@@ -17,7 +17,7 @@ public final class HitNotes {
     private final Motions motions;
     private final PackedContacts contacts;
 
-    /** When the present part of a substep began, s after the step did. */
+    /** Start of the present part of a substep, s after the step's start. */
     public double start;
 
     public HitNotes(DataStorage data, Motions motions, PackedContacts contacts) {
@@ -29,8 +29,8 @@ public final class HitNotes {
     }
 
     /**
-     * Notes an impact of a row whose points are loaded, with the speed in m/s at which they close,
-     * {@code ahead} seconds after the present part began.
+     * Records the impact of a row whose points are loaded, with their closing speed in m/s, {@code
+     * ahead} seconds after the start of the present part.
      */
     public void note(int row, Impact impact, double closing, double ahead) {
         int pair = contacts.pair[row];

@@ -11,40 +11,43 @@ import rigibo.backend.storage.Bodies;
 import java.util.Arrays;
 
 /**
- * Displacements that the impacts of a substep cause: up to its impact each body went on with its
- * old velocity. Contacts do not hold it back before that; displacements that lead into another body
- * are taken back, as far as the energy lost in the impacts pays for the lift.
+ * Displacements caused by the impacts of a substep. Drift moves a body through the whole substep at
+ * its new velocity, while it really moved at its old velocity up to the impact; the shift corrects
+ * its place. No contact stops such a shift, so shifts that lead into another body are taken back,
+ * as far as the energy lost in the impacts covers the lift.
  */
 final class ImpactShifts {
 
     /** x, y and turn of each entry of the motions. */
     private static final int STRIDE = 3;
 
-    /** Rounds in which a shift may keep a share; from then on what leads into another is lost. */
+    /**
+     * Rounds in which a shift can be shortened; later, a shift that leads into a body is dropped.
+     */
     private static final int PARTLY = 4;
 
     private static final int MOST_ROUNDS = 16;
 
-    /** The share from which on a shift leaves bodies apart, but for round-off. */
+    /** Share of a shift from which on it counts as whole; the rest is round-off. */
     private static final double APART = 1 - 1e-9;
 
-    /** Way into another that does not show, as a share of the width. */
+    /** Overlap by shifts that is neglected, in widths. */
     private static final double UNSEEN = 1e-4;
 
     private final Bodies bodies;
     private final Motions motions;
     private final PackedContacts contacts;
 
-    /** What the impacts took of the energy of motion, less what has been lifted for it, J. */
+    /** Kinetic energy lost in the impacts, less the energy spent on lifting bodies back, J. */
     private double taken;
 
-    /** By entry of the motions, m and rad. */
+    /** By entry of the motions: its shift, m and rad. */
     private double[] shifts = new double[16 * STRIDE];
 
-    /** By entry of the motions the share of its shift that stays. */
+    /** By entry of the motions: the share of its shift that is kept. */
     private double[] shares = new double[16];
 
-    /** The contacts of those that were shifted. */
+    /** The contacts of shifted bodies. */
     private int[] asked = new int[16];
 
     private int askedCount;
@@ -55,7 +58,7 @@ final class ImpactShifts {
         this.contacts = contacts;
     }
 
-    /** Begins a substep in which there are impacts. */
+    /** Starts a substep with impacts. */
     void begin() {
         if (shares.length < motions.count) {
             shares = new double[motions.slots.length];
@@ -65,12 +68,12 @@ final class ImpactShifts {
         taken = 0;
     }
 
-    /** Notes that an impact took some J of the energy of motion. */
+    /** Records the kinetic energy that an impact took, J. */
     void take(double energy) {
         taken += Math.max(0, energy);
     }
 
-    /** Moves the body at an offset of the motions, m and rad; the ground stays. */
+    /** Shifts the body at an offset of the motions, m and rad; the ground is not shifted. */
     void shift(int at, double x, double y, double turn) {
         motions.data[at + DX] += x;
         motions.data[at + DY] += y;
@@ -84,8 +87,8 @@ final class ImpactShifts {
     }
 
     /**
-     * Takes back what leads into others. That may lead into the next ones, which the same shift had
-     * left behind: so again, until all are apart or nothing is left.
+     * Takes back shifts that lead into other bodies. A body that goes back may meet one that had
+     * been shifted along with it, so this is repeated until none overlaps or no shift is left.
      */
     void limit(int substep) {
         listContacts(substep);
@@ -107,7 +110,7 @@ final class ImpactShifts {
         }
     }
 
-    /** The energy in J that it takes to move a body back as far as it may not stay. */
+    /** Energy that it takes to move a body back by the part of its shift that is not kept, J. */
     private double lift(int entry) {
         int i = entry * STRIDE;
         double inverseMass = motions.data[entry * Motions.STRIDE + Motions.INVERSE_MASS];
@@ -157,7 +160,7 @@ final class ImpactShifts {
         shares[entry] = Math.min(shares[entry], share);
     }
 
-    /** The share of their shifts that leaves the bodies of a contact apart. */
+    /** Largest share of their shifts at which the bodies of a contact do not overlap. */
     private double shareOf(int row) {
         double share = 1;
         double unseen = UNSEEN * contacts.data[row * PackedContacts.STRIDE + PackedContacts.WIDTH];
@@ -171,7 +174,7 @@ final class ImpactShifts {
         return share;
     }
 
-    /** What of a point's gap has come by shifts, m. */
+    /** Change of a point's gap by the shifts, m. */
     private double opened(int row, int point) {
         double[] d = contacts.data;
         int at = row * PackedContacts.STRIDE;
@@ -183,7 +186,7 @@ final class ImpactShifts {
                 - d[at + 2 * point + PackedContacts.LEVER_A0] * shifts[a + 2];
     }
 
-    /** Takes back a share of what may not stay; what floats keeps its centre of mass. */
+    /** Takes back the parts that are not kept; floating islands keep their centre of mass. */
     private void takeBack(double paid) {
         double massTimesX = 0;
         double massTimesY = 0;

@@ -6,8 +6,8 @@ import rigibo.backend.contact.row.PackedContacts;
 import rigibo.backend.storage.DataStorage;
 
 /**
- * Impacts within an island: resolved for all contacts at once where the island is solved whole,
- * else in turn.
+ * Impacts within an island: resolved together with all touching contacts if the island is solved
+ * whole, otherwise pair by pair.
  */
 public final class IslandImpacts {
 
@@ -23,14 +23,14 @@ public final class IslandImpacts {
         apart = new PairwiseImpacts(data, motions, contacts, bounces, notes);
     }
 
-    /** What is resolved next is in a part of a substep that begins at a time of the step, s. */
+    /** Starts a part of a substep at a time, s after the step's start. */
     public void startAt(double time) {
         notes.start = time;
     }
 
     /**
-     * Lists what can bounce in the packed island, for substeps of h seconds; to answer it jointly
-     * is worth so many multiplications in this step.
+     * Lists the contacts of the packed island that can bounce, for substeps of h seconds; {@code
+     * worth} limits the multiplications for simultaneous impacts in this step.
      */
     public void begin(double h, double worth) {
         bounces.begin(h);
@@ -40,13 +40,17 @@ public final class IslandImpacts {
     /**
      * Resolves all impacts that fall into a substep of h seconds of a pile that is solved whole.
      *
-     * @return whether what was left of the step's work was enough for that
+     * @return whether the rest of the step's budget was enough
      */
     public boolean resolveJointly(double h, int substep) {
         return joint.resolve(h, substep);
     }
 
-    /** Resolves impacts at the velocities as they are, within next to no time. */
+    /**
+     * Resolves impacts at the present velocities, within h seconds that count as no time.
+     *
+     * @return whether the rest of the step's budget was enough
+     */
     public boolean resolveAtOnce(double h, int substep) {
         return joint.resolveAtOnce(h, substep);
     }
@@ -56,7 +60,7 @@ public final class IslandImpacts {
         apart.resolve(h, substep);
     }
 
-    /** Leaves what is about to bounce to the next step, in the kick that ends this one. */
+    /** In the last kick of a step, leaves out contacts that will bounce in the next step. */
     public void leaveOpen(int substep) {
         apart.leaveOpen(substep);
     }

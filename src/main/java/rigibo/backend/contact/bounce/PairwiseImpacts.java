@@ -17,18 +17,19 @@ import rigibo.backend.storage.Pairs;
 import java.util.Arrays;
 
 /**
- * Impacts inside piles, split within the substep: up to the time the gap closes bodies move with
- * their old velocities, from there with the new ones. The pairs that close fastest come first, and
- * an impact that makes a neighbour close fast is answered in the next sweep.
+ * Impacts inside piles, resolved pair by pair, each at its time within the substep: up to the time
+ * at which the gap closes bodies move at their old velocities, and from there on at the new ones.
+ * The pairs that close fastest come first; an impact that makes a neighbour close fast is resolved
+ * in the next sweep.
  *
- * <p>Between two kicks a velocity v is that of the middle of the substep; at a time τ of it a body
- * that nothing carries has v + a·(τ − h/2), and that is what strikes. Its way needs no such term:
- * on both sides of the impact it is off by a·τ·(h − τ)/2, once each way. With v itself a bounce
- * would gain or lose up to the weight times h times v, of first order in h.
+ * <p>Between two kicks a velocity v is that at the middle of the substep. At the time τ a body that
+ * nothing supports has the velocity v + a·(τ − h/2), with which it strikes. Its place needs no such
+ * term: before and after the impact it is off by a·τ·(h − τ)/2, with opposite signs. With v itself
+ * a bounce would gain or lose energy of up to weight · h · v, an error of first order in h.
  */
 final class PairwiseImpacts {
 
-    /** Sweeps over the contacts in one substep; a longer chain goes on in the next substep. */
+    /** Most sweeps over the contacts in one substep; longer chains continue in the next substep. */
     private static final int MOST_SWEEPS = 8;
 
     private final Bodies bodies;
@@ -42,20 +43,20 @@ final class PairwiseImpacts {
     private final BounceRows bounces;
     private final ImpactShifts shifts;
 
-    /** Of the rows that can bounce the ones that close fast, with their speed. */
+    /** Rows that can bounce and close fast, with their speeds. */
     private long[] closing = new long[16];
 
     private int closingCount;
 
-    /** By entry of the motions the sweep in which it was struck last, in this substep. */
+    /** By entry of the motions: the sweep of this substep in which it was last struck. */
     private int[] struckIn = new int[16];
 
     private static final int NEVER = -1;
 
-    /** By entry of the motions: whether a contact carries it, or nothing pulls at it. */
+    /** By entry of the motions: whether a contact supports it, or it has no acceleration. */
     private boolean[] isHeld = new boolean[16];
 
-    /** How long after the middle of the substep the present impact is, s. */
+    /** Time of the present impact after the middle of the substep, s. */
     private double late;
 
     PairwiseImpacts(
@@ -92,8 +93,8 @@ final class PairwiseImpacts {
     }
 
     /**
-     * Leaves out, of the kick that ends a step, what is about to bounce and has not met yet: the
-     * next step strikes it. Held so that it closes no gap within a substep it would lose its speed.
+     * In the kick that ends a step, leaves out contacts that will bounce but have not met yet; the
+     * next step resolves their impacts. Solved as contacts they would lose their closing speed.
      */
     void leaveOpen(int substep) {
         reserve();
@@ -115,7 +116,7 @@ final class PairwiseImpacts {
         }
     }
 
-    /** Whether nothing carries what can be moved of a contact's two bodies. */
+    /** Whether no contact supports the movable bodies of a contact. */
     private boolean areFree(int row) {
         return isFree(contacts.bodyA[row]) && isFree(contacts.bodyB[row]);
     }
@@ -129,7 +130,7 @@ final class PairwiseImpacts {
                 && (contacts.points[row] == 1 || motions.gap(contacts, row, 1) > 0);
     }
 
-    /** What a contact carried in the substep before does not fall before it is struck. */
+    /** Marks bodies that contacts supported in the last substep: they do not fall until struck. */
     private void findHeld() {
         for (int entry = 0; entry < motions.count; entry++) {
             isHeld[entry] = !(motions.data[entry * Motions.STRIDE + INVERSE_MASS] > 0);
@@ -151,8 +152,8 @@ final class PairwiseImpacts {
     }
 
     /**
-     * Sorted by closing speed, as the bits of a float order; ties by row. After the first sweep
-     * only what the one before has struck can close anew.
+     * Lists closing rows, sorted by the bits of their closing speed as a float, ties by row. After
+     * the first sweep only rows of bodies struck in the last one can close.
      */
     private void findClosing(double h, int substep, int sweep) {
         closingCount = 0;
@@ -185,7 +186,7 @@ final class PairwiseImpacts {
         return v < limit && v < -ROUND_OFF && motions.gap(contacts, row, point) + h * v < 0;
     }
 
-    /** Closing speeds under this (m/s) are what is left of solved rows, not impacts. */
+    /** Closing speed in m/s below which it is the residual of a solved row and not an impact. */
     private static final double ROUND_OFF = 1e-9;
 
     private double slowest(int row) {
@@ -221,7 +222,7 @@ final class PairwiseImpacts {
         contacts.work.impacts++;
     }
 
-    /** Takes a new velocity, and the way gone with the old one before the impact. */
+    /** Sets a new velocity, and shifts the body for its old velocity before the impact. */
     private void take(int at, double time, double atImpactX, double atImpactY, double spin) {
         double[] m = motions.data;
         double x = atImpactX - gainX(at);
@@ -233,7 +234,7 @@ final class PairwiseImpacts {
         m[at + SPIN] = spin;
     }
 
-    /** The energy of motion of the two bodies of the loaded impact, J. */
+    /** Kinetic energy of the two bodies of the loaded impact, J. */
     private double energy() {
         double x = impact.velocityAX;
         double y = impact.velocityAY;
@@ -249,7 +250,7 @@ final class PairwiseImpacts {
         return inverse > 0 ? square / inverse / 2 : 0;
     }
 
-    /** What an entry gains between the middle of the substep and the present impact, m/s. */
+    /** Speed that an entry gains between the middle of the substep and the present impact, m/s. */
     private double gainX(int at) {
         int entry = at / Motions.STRIDE;
         return isHeld[entry] ? 0 : late * bodies.accelerationX[motions.slots[entry]];
@@ -260,7 +261,7 @@ final class PairwiseImpacts {
         return isHeld[entry] ? 0 : late * bodies.accelerationY[motions.slots[entry]];
     }
 
-    /** When the first of the points that strike within the substep of h seconds does, s. */
+    /** Time of the first impact of a row's points within the substep of h seconds, s. */
     private double timeOf(int row, double h) {
         double time = h;
         for (int point = 0; point < contacts.points[row]; point++) {

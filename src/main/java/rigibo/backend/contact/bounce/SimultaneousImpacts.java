@@ -13,23 +13,23 @@ import rigibo.backend.storage.Pairs;
 import java.util.Arrays;
 
 /**
- * Impacts inside a small pile, in the order of time, each answered by all contacts that touch then:
- * a ball that falls on a box that stands on the floor rebounds as from the floor.
+ * Impacts inside a small pile, in time order, each resolved together with all contacts that touch
+ * then: a ball that falls on a box standing on the floor rebounds as from the floor.
  *
- * <p>A substep is split at the impact: up to then bodies move with their old velocities, from there
- * with the new ones. Between two kicks a velocity is that of the middle of the substep; at a time τ
- * of it, it is v + a·(τ − h/2), and that is what the law of impact is asked with. So a ball that
- * loses nothing keeps its height at any length of the substep.
+ * <p>A substep is split at the impact: up to then bodies move at their old velocities, and from
+ * there on at the new ones. Between two kicks a velocity v is that at the middle of the substep. At
+ * the time τ of the substep it is v + a·(τ − h/2), which the impact law uses, so that a ball of
+ * elasticity 1 keeps its height at any length of the substep.
  */
 final class SimultaneousImpacts {
 
-    /** Impacts in one substep; a longer chain goes on in the next one. */
+    /** Most impacts in one substep; a longer chain continues in the next one. */
     private static final int MOST_IMPACTS = 32;
 
-    /** Gap up to which a contact takes part, as a multiple of the overlap that is left alone. */
+    /** Gap up to which a contact takes part, as a multiple of the kept overlap. */
     private static final double TOUCHING = 10;
 
-    /** Closing speeds under this (m/s) are what is left of solved rows, not impacts. */
+    /** Closing speed in m/s below which it is the residual of a solved row and not an impact. */
     private static final double ROUND_OFF = 1e-9;
 
     private final Bodies bodies;
@@ -42,16 +42,19 @@ final class SimultaneousImpacts {
     private final Impact impact = new Impact();
     private final TiedImpacts together;
 
-    /** The substep looked at, its length in s, and how far velocities are from its start, s. */
+    /** Number of the present substep. */
     private int substep;
 
+    /** Its length, s. */
     private double h;
+
+    /** Time after its start at which the velocities hold, s. */
     private double middle;
 
-    /** Multiplications that are left for the impacts of the step. */
+    /** Multiplications left in the budget for the impacts of the step. */
     private double left;
 
-    /** The rows that strike at the present instant. */
+    /** The rows that strike at the present time. */
     private int[] striking = new int[16];
 
     private int strikingCount;
@@ -73,20 +76,23 @@ final class SimultaneousImpacts {
         together = new TiedImpacts(bodies, pairs);
     }
 
-    /** Begins the packed island, whose impacts are worth so many multiplications in this step. */
+    /** Starts the packed island with a budget for its impacts in this step, in multiplications. */
     void begin(double worth) {
         left = worth;
     }
 
     /**
-     * Resolves all impacts that fall into a substep of h seconds. Returns whether what was left of
-     * the step's work was enough; impacts that it was not enough for are not struck.
+     * Resolves all impacts within a substep of h seconds. Returns whether the rest of the step's
+     * budget was enough; impacts beyond it are not resolved.
      */
     boolean resolve(double length, int number) {
         return resolve(length, length / 2, number);
     }
 
-    /** Resolves the impacts of velocities as they are, within next to no time. */
+    /**
+     * Resolves the impacts at the present velocities, within a length (s) that counts as no time.
+     * Returns whether the rest of the step's budget was enough.
+     */
     boolean resolveAtOnce(double length, int number) {
         return resolve(length, 0, number);
     }
@@ -106,7 +112,7 @@ final class SimultaneousImpacts {
         return left > 0;
     }
 
-    /** When the first row strikes, s into the substep; infinite where none does. */
+    /** Time of the first impact of any row, s into the substep; infinite if there is none. */
     private double firstImpact() {
         double first = Double.POSITIVE_INFINITY;
         for (int i = 0; i < bounces.count; i++) {
@@ -120,7 +126,9 @@ final class SimultaneousImpacts {
         return first;
     }
 
-    /** When a point strikes, s into the substep; infinite where it does not, or too softly. */
+    /**
+     * Time of a point's impact, s into the substep; infinite if there is none or it is too slow.
+     */
     private double strikesAt(int row, int point) {
         double speed = motions.parting(contacts, row, point);
         double gap = motions.gap(contacts, row, point);
@@ -133,9 +141,9 @@ final class SimultaneousImpacts {
     }
 
     /**
-     * Whether a point closes too fast for a load at a time. What touched before the kick that
-     * presses it now, or before the face turned that it lies on, carries a load, however fast it
-     * would close without an answer; it does not strike.
+     * Whether a point closes fast enough at a time to be an impact. A point that touched before the
+     * kick that presses it, or before the face under it turned, carries a load and does not strike,
+     * however fast it would close without an impulse.
      */
     private boolean strikes(int row, int point, double time) {
         double speed = motions.parting(contacts, row, point);
@@ -147,7 +155,7 @@ final class SimultaneousImpacts {
         return parting < -Math.max(ROUND_OFF, limit);
     }
 
-    /** How fast a point parts at a time, m/s. */
+    /** Parting speed of a point at a time, m/s. */
     private double met(int row, int point, double time) {
         return motions.parting(contacts, row, point) + (time - middle) * gained(row, point);
     }
@@ -163,24 +171,24 @@ final class SimultaneousImpacts {
                 : a < 0 ? (v + Math.sqrt(Math.max(0, discriminant))) / -a : 0;
     }
 
-    /** How fast the parting of a point grows, m/s². */
+    /** Parting acceleration of a point, m/s². */
     private double gained(int row, int point) {
         return gained(row, point, contacts.bodyB[row]) - gained(row, point, contacts.bodyA[row]);
     }
 
-    /** What the parting of a point grew by in the kick, m/s. */
+    /** Change of a point's parting speed in the kick, m/s. */
     private double gainedInAll(int row, int point) {
         int a = contacts.bodyA[row];
         int b = contacts.bodyB[row];
         return kick.length(b) * gained(row, point, b) - kick.length(a) * gained(row, point, a);
     }
 
-    /** How much faster the surfaces come together than a substep ago, by turning alone, m/s. */
+    /** Growth of the closing speed since the last substep that is due to turning alone, m/s. */
     private double turnedBy(int row) {
         return 2 * contacts.data[row * PackedContacts.STRIDE + PackedContacts.NEARING];
     }
 
-    /** How fast a body's point of a contact gains speed along the normal, m/s². */
+    /** Acceleration of a body's point of a contact along the normal, m/s². */
     private double gained(int row, int point, int body) {
         int at = row * PackedContacts.STRIDE;
         double[] d = contacts.data;
@@ -191,8 +199,8 @@ final class SimultaneousImpacts {
     }
 
     /**
-     * Whether the impacts of one instant had an answer; without one, rows have to hold them. They
-     * are left out where they take more work than is left.
+     * Resolves simultaneous impacts; returns whether they have a solution. Without one, the rows
+     * have to hold them; they are left out if they take more than the rest of the budget.
      */
     private boolean strike(double time) {
         moveVelocities(time - middle);
@@ -221,7 +229,7 @@ final class SimultaneousImpacts {
         return isAnswered;
     }
 
-    /** Notes what strikes, at the velocities that the motions still hold from before. */
+    /** Records the hits, at the velocities before the impacts, which the motions still hold. */
     private void noteStrikes(double time) {
         for (int i = 0; i < strikingCount; i++) {
             int row = striking[i];
@@ -245,7 +253,7 @@ final class SimultaneousImpacts {
         contacts.work.impacts += strikingCount;
     }
 
-    /** Hands all velocities to the columns, as they are some seconds later. */
+    /** Writes all velocities, advanced by a time in s, to the columns. */
     private void moveVelocities(double later) {
         for (int entry = 1; entry < motions.count; entry++) {
             int slot = motions.slots[entry];
@@ -299,7 +307,7 @@ final class SimultaneousImpacts {
         impact.normalY = contacts.data[at + PackedContacts.NY];
     }
 
-    /** Takes what the impact changed, and the way gone with the old velocities before it. */
+    /** Takes over the new velocities, and shifts bodies for their old ones before the impact. */
     private void takeVelocities(double time) {
         for (int entry = 1; entry < motions.count; entry++) {
             int slot = motions.slots[entry];

@@ -1,2 +1,2 @@
-/** Impacts within an island: all of an instant at once where that has an answer, else in turn. */
+/** Impacts within an island: simultaneous ones together if that has a solution, else in turn. */
 package rigibo.backend.contact.bounce;

@@ -12,37 +12,37 @@ import rigibo.backend.storage.PairTolerances;
 import rigibo.backend.storage.Pairs;
 
 /**
- * Tells whether an island rests by what it carries already: whether the forces that held when the
- * last step ended hold every body against what pulls at it now, Σ F + m·a = 0 and Σ r × F + I·α =
- * 0, each of them within its bounds. Then nothing moves, and solving would find the same forces
- * again. Nothing is remembered for it: whatever changed since shows in the sums.
+ * Tests whether an island rests on the forces that its contacts carried when the last step ended:
+ * whether they balance all present accelerations of every body, Σ F + m·a = 0 and Σ r × F + I·α =
+ * 0, each force within its bounds. Then nothing moves, and solving would find the same forces
+ * again. The test needs no memory of changes, since every change shows in the sums.
  */
 public final class Equilibrium {
 
-    /** Share of its own loads by which a body may be held too little or too much. */
+    /** Largest imbalance of a body, as a share of its own loads. */
     public static final double UNHELD = 1e-9;
 
     /**
-     * How many times more a body of a crowd may be held too little, and move: what rows give way by
-     * adds up from storey to storey, and passes leave a share of it.
+     * Factor on the allowed imbalance and motion of a body in a crowd: the compliance of rows adds
+     * up from storey to storey, and passes leave an error.
      */
     private static final double IN_A_CROWD = 10;
 
     /**
-     * Share of its own loads by which a joined body may be held too little or too much. Joints are
-     * solved to round-off, and what a chain carries at its ends is off by as much as this.
+     * Largest imbalance of a joined body, as a share of its own loads. Joints are solved to
+     * round-off, which adds up to this share at the ends of a chain.
      */
     private static final double UNHELD_BY_JOINTS = 1e-10;
 
     /**
-     * Share by which friction and rolling may exceed their bounds: rounds bound them by the load of
-     * the round before, and end where a load changes by less.
+     * Share by which friction and rolling may exceed their bounds. Rounds bound them by the load of
+     * the round before, and end once the load changes by less than this.
      */
     public static final double BEYOND_CONE = 1e-7;
 
     /**
-     * Share of its width by which a joined body may move in a step before more is looked at: what
-     * rows of a long chain give way by adds up.
+     * Distance that a joined body may move in a step, in widths, since the compliance of rows adds
+     * up in a long chain; faster bodies need a closer test.
      */
     private static final double SLOW = 1e-6;
 
@@ -50,33 +50,33 @@ public final class Equilibrium {
     private final Pairs pairs;
     private final Islands islands;
 
-    /** Distances of neighbouring doubles by which what is left of an overlap may exceed that. */
+    /** Allowed excess of the overlap that is left, in units in the last place of positions. */
     private static final double LOST = 4;
 
-    /** Whether overlap is taken back, which moves bodies. */
+    /** Whether overlap is corrected, which moves bodies. */
     private final boolean isCorrecting;
 
     private final Accuracy accuracy;
 
     /**
-     * Overlap that stays in the island that is asked for, in widths, with what is so little beyond
-     * it that {@link Stillness} takes the island for one at rest.
+     * Kept overlap in the tested island, in widths, and on top of it an overlap so small that
+     * {@link Stillness} counts bodies which part by its removal as still.
      */
     private double kept;
 
-    /** Whether anything in that island overlaps by more. */
+    /** Whether bodies of the tested island overlap by more. */
     private boolean isOverlapping;
 
-    /** By slot: what is left of its acceleration, m/s² and rad/s². */
+    /** By slot: acceleration that contacts leave unbalanced, m/s² and rad/s². */
     private double[] leftX = new double[16];
 
     private double[] leftY = new double[16];
     private double[] leftTurn = new double[16];
 
-    /** By slot: what pulls at it and what its contacts carry, all by amount, m/s². */
+    /** By slot: sum of the magnitudes of its pull and of its contacts' forces per mass, m/s². */
     private double[] own = new double[16];
 
-    /** Of what is stored, at an accuracy. */
+    /** A test of the islands of a storage, at an accuracy. */
     public Equilibrium(DataStorage data, Accuracy accuracy) {
         bodies = data.bodies;
         pairs = data.pairs;
@@ -86,8 +86,8 @@ public final class Equilibrium {
     }
 
     /**
-     * Whether forces hold an island as it is for a step of {@code dt} seconds; overlap may be taken
-     * back, though.
+     * Whether the carried forces hold an island in place for a step of {@code dt} seconds, apart
+     * from removal of overlap.
      */
     boolean lasts(int island, double dt) {
         double times = PackedContacts.areCrowd(islands, island) ? IN_A_CROWD : 1;
@@ -96,14 +96,14 @@ public final class Equilibrium {
     }
 
     /**
-     * Whether an island with joints may rest, as far as its bodies and contacts tell. Then what
-     * pulls at the bodies is summed up with what contacts carry, for joints to be added.
+     * Whether the bodies and contacts of an island with joints allow it to rest. If so, pulls and
+     * contact forces have been summed, and the forces of joints are to be added.
      */
     public boolean mayLast(int island, double dt) {
         return mayLast(island, dt, SLOW) && !isOverlapping;
     }
 
-    /** Whether there is overlap to take back in the island that was asked for last. */
+    /** Whether the last tested island has overlap to be removed. */
     boolean isOverlapping() {
         return isOverlapping;
     }
@@ -120,9 +120,9 @@ public final class Equilibrium {
     }
 
     /**
-     * Whether all that was summed up leaves every body of an island with joints where it is for a
-     * step of {@code dt} seconds, whose kicks are {@code kicked} seconds long. What rows give way
-     * by adds up along a chain, so that its end goes as fast as the strongest load allows.
+     * Whether the sums leave every body of an island with joints in place for a step of {@code dt}
+     * seconds with kicks of {@code kicked} seconds. The compliance of rows adds up along a chain,
+     * so its end may move as fast as the strongest load allows.
      */
     public boolean isHeld(int island, double dt, double kicked) {
         double strongest = 0;
@@ -141,7 +141,7 @@ public final class Equilibrium {
         return isEveryBodyHeld(island, areTouching ? UNHELD : UNHELD_BY_JOINTS);
     }
 
-    /** The fastest that any point of a body goes, m/s. */
+    /** Highest speed of any point of a body, m/s. */
     private double speed(int slot) {
         double speed = Math.abs(bodies.velocityX[slot]) + Math.abs(bodies.velocityY[slot]);
         return speed + bodies.boundingRadius[slot] * Math.abs(bodies.spinOf(slot));
@@ -173,7 +173,7 @@ public final class Equilibrium {
         return true;
     }
 
-    /** Adds what else holds a body: a force in N, and a torque about its centre of mass in N·m. */
+    /** Adds another force (N) and torque about the centre of mass (N·m) to a body's sums. */
     public void add(int slot, double x, double y, double torque) {
         leftX[slot] += bodies.inverseMass[slot] * x;
         leftY[slot] += bodies.inverseMass[slot] * y;
@@ -185,7 +185,7 @@ public final class Equilibrium {
         }
     }
 
-    /** Whether each body is held but for a share of its own loads. */
+    /** Whether each body is balanced to within a share of its own loads. */
     private boolean isEveryBodyHeld(int island, double unheld) {
         for (int i = islands.bodyStart[island]; i < islands.bodyStart[island + 1]; i++) {
             int slot = islands.bodies[i];
@@ -207,7 +207,7 @@ public final class Equilibrium {
         }
     }
 
-    /** Whether a contact goes on carrying what it carries: closed, and within its bounds. */
+    /** Whether a contact can keep its forces: it is closed, and they are within their bounds. */
     private boolean isSteady(int pair) {
         int a = pairs.bodyA[pair];
         int b = pairs.bodyB[pair];
@@ -227,20 +227,22 @@ public final class Equilibrium {
                 && (load1 == 0 || pairs.separation[2 * pair + 1] <= touching);
     }
 
-    /** What is taken back of an overlap in a step is lost where places lie farther apart, m. */
+    /**
+     * Distance that round-off of positions hides, m: a smaller removal of overlap has no effect.
+     */
     private double resolution(int slot) {
         return LOST * Math.ulp(Math.max(Math.abs(bodies.x[slot]), Math.abs(bodies.y[slot])));
     }
 
     /**
-     * The friction that held, N, as far as its bounds go by a load. What was beyond them is missing
-     * in the sums, so that it counts by what it held.
+     * The carried friction, N, limited to its bound at a load. The part beyond the bound is then
+     * missing in the sums and shows as an imbalance.
      */
     private double rubs(int pair, double load) {
         return within(pairs.heldFriction(pair), pairs.frictionOf(pair) * load);
     }
 
-    /** The rolling torque that held, N·m, likewise. */
+    /** The carried rolling torque, N·m, limited to its bound at a load. */
     private double rolls(int pair, double load) {
         double torque = pairs.heldTorque(pair);
         return torque == 0 ? 0 : within(torque, pairs.rollingLever(bodies, pair) * load);
@@ -275,7 +277,9 @@ public final class Equilibrium {
         }
     }
 
-    /** Σ r × F about a body's centre, N·m, as B feels it, with the friction and its height. */
+    /**
+     * Torque of a contact about a body's centre of mass, N·m, as on B, with friction at its height.
+     */
     private double torque(int pair, int slot, double along, double rubsAt) {
         double nx = pairs.normalX[pair];
         double ny = pairs.normalY[pair];

@@ -7,36 +7,35 @@ import rigibo.backend.storage.Bodies;
 import java.util.Arrays;
 
 /**
- * Hands the loads of a pile down from body to body, the highest first. When a body's turn comes all
- * that rests on it has been told what it carries, so that what its own supports have to carry is
- * the statics of one body, whatever stands below. In a stack of a hundred storeys one such pass
- * finds what passes over the contacts come near to after thousands: they carry a load on by one
- * storey at a time. (The opposite of shock propagation, which goes from the ground up: E.
- * Guendelman, R. Bridson and R. Fedkiw, Nonconvex Rigid Bodies with Stacking, 2003.)
+ * Hands the loads of a pile down from body to body, starting at the highest. When a body's turn
+ * comes, the loads on it from above are known, so the forces of its supports follow from the
+ * statics of this one body, whatever stands below. In a stack of a hundred storeys one such pass
+ * finds the loads that passes over the contacts only approach after thousands, since those carry a
+ * load one storey further at a time. (It is the opposite of shock propagation, which goes from the
+ * ground up: E. Guendelman, R. Bridson and R. Fedkiw, Nonconvex Rigid Bodies with Stacking, 2003.)
  *
- * <p>Where bodies lean on their equals, as the stones of an arch do, somebody is left unsupported,
- * and the result is not used.
+ * <p>Where bodies lean on each other sideways, as the stones of an arch do, a body is left
+ * unsupported, and the result is not used.
  */
 final class LoadsFromAbove {
 
     /**
-     * Speed that a body may be left with, as a share of what its own pull and its supports give it.
+     * Largest remaining speed of a body, as a share of the speed that its pull and its supports
+     * give it.
      */
     private static final double UNHELD = 1e-10;
 
-    /**
-     * A round goes on to hold a body better as long as it leaves at most this share of its speed.
-     */
+    /** Rounds continue as long as each leaves at most this share of the body's remaining speed. */
     private static final double IMPROVES = 0.5;
 
-    /** Rounds over the contacts of one body: by their normals alone, and with friction. */
+    /** Most rounds over the contacts of one body, with normals alone and with friction each. */
     private static final int ROUNDS = 100;
 
     private final Bodies bodies;
     private final Motions motions;
     private final PackedContacts contacts;
 
-    /** The packed bodies from the highest down: how deep and which, in one number each. */
+    /** The packed bodies from the highest down: depth and entry, packed into one number each. */
     private long[] order = new long[16];
 
     /** By entry: its place in the order. */
@@ -54,10 +53,10 @@ final class LoadsFromAbove {
     }
 
     /**
-     * Lets the contacts of the packed island carry what pulls at it.
+     * Finds impulses of the packed island's contacts that hold all bodies.
      *
-     * @param kicked how long the kick was that contacts answer, s
-     * @return whether every body is held; if not, impulses and speeds are of no use
+     * @param kicked length of the kick to be balanced, s
+     * @return whether every body is held; if not, impulses and velocities are meaningless
      */
     boolean handDown(double kicked) {
         reserve();
@@ -84,7 +83,7 @@ final class LoadsFromAbove {
         }
     }
 
-    /** Sorts bodies by how far they lie along their common pull, equals by their entries. */
+    /** Sorts bodies by their depth along their common pull, ties by entry. */
     private void sort() {
         double pullX = 0;
         double pullY = 0;
@@ -108,7 +107,7 @@ final class LoadsFromAbove {
         }
     }
 
-    /** A number that is the greater the greater the other. */
+    /** Maps a double to bits of the same order. */
     private static int ascending(float number) {
         int bits = Float.floatToIntBits(number);
         return bits < 0 ? bits ^ Integer.MAX_VALUE : bits;
@@ -130,7 +129,7 @@ final class LoadsFromAbove {
         }
     }
 
-    /** The higher of two bodies; what cannot be moved is below everything. */
+    /** The higher of two bodies; an immovable body is below all others. */
     private int upper(int row) {
         int a = contacts.bodyA[row];
         int b = contacts.bodyB[row];
@@ -145,15 +144,16 @@ final class LoadsFromAbove {
     }
 
     /**
-     * Finds impulses that hold one body on its supports, as if those stood still. Normal impulses
-     * come first: friction that is not needed would push apart what stands below.
+     * Finds impulses that hold one body on its supports as if these were fixed; returns whether
+     * they do. Normal impulses come first, since unneeded friction would push the bodies below
+     * apart.
      */
     private boolean hold(int entry, double kicked) {
         double most = 0;
         double left = speed(entry);
         double before;
         int round = 0;
-        // What was carried before may be beyond bounds that have changed: everyone is asked once.
+        // Carried impulses may exceed bounds that have changed, so every contact is solved once.
         do {
             for (int i = start[entry]; i < start[entry + 1]; i++) {
                 carry(supports[i], entry * Motions.STRIDE, round >= ROUNDS);
@@ -165,7 +165,7 @@ final class LoadsFromAbove {
         return left <= most;
     }
 
-    /** What a body's pull gives it in a kick, and what its supports do, m/s. */
+    /** Speed that a body's pull and its supports give it in a kick, m/s. */
     private double own(int entry, double kicked) {
         double carried = 0;
         for (int i = start[entry]; i < start[entry + 1]; i++) {
@@ -179,7 +179,7 @@ final class LoadsFromAbove {
                 + carried * motions.data[entry * Motions.STRIDE + Motions.INVERSE_MASS];
     }
 
-    /** The fastest that any point of a body goes, m/s. */
+    /** Highest speed of any point of a body, m/s. */
     private double speed(int entry) {
         double[] m = motions.data;
         int at = entry * Motions.STRIDE;
@@ -225,7 +225,7 @@ final class LoadsFromAbove {
         return motions.gap(contacts, row, point) <= Stillness.STILL * width;
     }
 
-    /** The impulse along a row that stops a body on what does not move, N·s. */
+    /** Impulse along a row that stops a body on an immovable one, N·s. */
     private double wanted(int body, double nx, double ny, double lever) {
         double[] m = motions.data;
         double speed = nx * m[body + Motions.VX] + ny * m[body + Motions.VY];

@@ -11,15 +11,17 @@ import rigibo.backend.setup.Accuracy;
 import rigibo.backend.storage.DataStorage;
 
 /**
- * Finds islands at rest by the cheapest test that tells: by the forces that they carry already, by
- * loads handed down from above, or, after they were solved, by the solution.
+ * Finds islands at rest by the cheapest test that succeeds: by the forces that they already carry,
+ * by loads handed down from above, or by the solution after they were solved.
  */
 public final class Repose {
 
-    /** Fastest speed of a still body, as a multiple of what counts as solved. */
+    /** Highest speed of a still body, as a multiple of the allowed residual. */
     private static final double QUIET = 16;
 
-    /** Fastest speed of a calm body, as a share of what its own pull gives it in a step. */
+    /**
+     * Highest speed of a calm body, as a share of the speed that its own pull gives it in a step.
+     */
     private static final double CALM = 0.25;
 
     private final Kick kick;
@@ -30,7 +32,7 @@ public final class Repose {
     private final Stillness stillness;
     private final Halfway before;
 
-    /** Of piles that {@code builder} packs; {@code overlap} is null where none is taken back. */
+    /** Tests piles that {@code builder} packs; {@code overlap} is null if it is not corrected. */
     public Repose(
             DataStorage data,
             Motions motions,
@@ -50,14 +52,14 @@ public final class Repose {
     }
 
     /**
-     * Whether an island that is not packed yet rests for a step of {@code dt} seconds on what it
-     * carried at the end of the last, but for overlap that is taken back.
+     * Whether an island that is not packed yet rests for a step of {@code dt} seconds on the forces
+     * it carried at the end of the last step, apart from removal of overlap.
      */
     public boolean lasts(int island, double dt) {
         return equilibrium.lasts(island, dt) && isPulledSteadily(island, dt);
     }
 
-    /** Whether there is overlap to take back in the island that was asked for last. */
+    /** Whether the last tested island has overlap to be removed. */
     public boolean isOverlapping() {
         return equilibrium.isOverlapping();
     }
@@ -71,32 +73,32 @@ public final class Repose {
         return isPulledSteadily(h, h, substeps);
     }
 
-    /** Whether forces that change along the way stay the same up to the end of the step. */
+    /** Whether forces that vary along the path stay the same up to the end of the step. */
     private boolean isPulledSteadily(double first, double h, int kicks) {
         return kick.isSteady(first, h, kicks, Equilibrium.UNHELD * kick.strongest());
     }
 
-    /** Begins the step of the packed island, which has not been kicked yet. */
+    /** Starts the step of the packed island, before its first kick. */
     public void begin() {
         stillness.begin();
     }
 
     /**
-     * Whether no body of the packed island goes faster than a multiple of a share of what its own
-     * pull would give it in a step of {@code dt} seconds.
+     * Whether no body of the packed island is faster than {@link #QUIET} times a share of the speed
+     * that its own pull would give it in a step of {@code dt} seconds.
      */
     public boolean isStill(double dt, double share) {
         return stillness.isEveryBodyStill(dt, QUIET * share);
     }
 
-    /** Whether every body is calm: slower than a share of what its own pull gives it in a step. */
+    /** Whether every body is calm, that is, slower than {@link #CALM} allows. */
     public boolean isCalm(double dt) {
         return stillness.isEveryBodyStill(dt, CALM);
     }
 
     /**
-     * Whether the packed island, which was still, rests on loads handed down from above, in the
-     * first of its substeps, whose kick lasted {@code kicked} seconds; if not it is as it was.
+     * Whether the packed island, which was still, rests on loads handed down from above in its
+     * first substep, whose kick lasted {@code kicked} seconds. If not, it is restored.
      */
     public boolean isCarried(double start, double h, int substeps, double kicked) {
         before.begin();
@@ -110,12 +112,12 @@ public final class Repose {
         return isCarried;
     }
 
-    /** Stops whoever is held where others are not, after a kick of {@code kicked} seconds. */
+    /** Stops the held bodies of an island that does not rest, after a kick of {@code kicked} s. */
     public void haltHeld(double kicked) {
         stillness.haltHeld(kicked);
     }
 
-    /** Whether the packed island was solved to rest, in the first of its substeps. */
+    /** Whether the solution of the first substep shows that the packed island rests. */
     public boolean isFound(double start, double h, int substeps, double kicked) {
         return stillness.isAtRest(start, h, substeps, kicked);
     }

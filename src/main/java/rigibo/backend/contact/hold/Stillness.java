@@ -8,19 +8,19 @@ import rigibo.backend.contact.solve.OverlapSolver;
 import rigibo.backend.storage.Bodies;
 
 /**
- * Tells whether an island rests: contacts cancelled the first half of a kick, and nothing changes
- * in the rest of the step, so that other substeps would find the same. What is left of a body's
- * kick is judged by what the body itself carries, so that a weak push moves whatever nothing holds,
+ * Tests whether an island rests: contacts cancelled the first half kick, and nothing changes in the
+ * rest of the step, so that further substeps would give the same result. The rest of a body's kick
+ * is compared with the loads of that body alone, so that a weak push moves an unsupported body
  * however heavy its neighbours are.
  */
 final class Stillness {
 
-    /** Share of its width that a body at rest may move by in a step. */
+    /** Largest distance that a body at rest may move in a step, in widths. */
     static final double STILL = 1e-9;
 
     /**
-     * Share of its own loads by which a body may be held too little or too much: what rows give way
-     * by, 10⁻¹⁰ of their load, adds up from storey to storey.
+     * Largest imbalance of a body as a share of its own loads: the compliance of rows, 10⁻¹⁰ of
+     * their load, adds up from storey to storey.
      */
     static final double UNHELD = 1e-8;
 
@@ -29,7 +29,7 @@ final class Stillness {
     private final PackedContacts contacts;
     private final OwnLoads own;
 
-    /** Null where overlap is not taken back. */
+    /** Removes overlap; null if it is not corrected. */
     private final OverlapSolver overlap;
 
     private final Kick kick;
@@ -54,7 +54,7 @@ final class Stillness {
         this.kick = kick;
     }
 
-    /** Notes the velocities that the packed island begins its step with. */
+    /** Stores the velocities at the start of the packed island's step. */
     void begin() {
         int length = motions.count * Motions.STRIDE;
         if (before.length < length) {
@@ -64,8 +64,8 @@ final class Stillness {
     }
 
     /**
-     * Whether no body of the packed island goes faster than a share of what its own pull would give
-     * it in a step of {@code dt} seconds.
+     * Whether no body of the packed island is faster than a share of the speed that its own pull
+     * would give it in a step of {@code dt} seconds.
      */
     boolean isEveryBodyStill(double dt, double share) {
         for (int entry = 1; entry < motions.count; entry++) {
@@ -78,8 +78,8 @@ final class Stillness {
     }
 
     /**
-     * Whether the packed island rests, after the first of some substeps of h seconds that began at
-     * a time in s after the step's start, and whose kick lasted {@code kicked} seconds.
+     * Whether the packed island rests after its first substep of h seconds, which began at a time,
+     * s after the step's start, and whose kick lasted {@code kicked} seconds.
      */
     boolean isAtRest(double start, double h, int substeps, double kicked) {
         double length = substeps * h;
@@ -91,7 +91,7 @@ final class Stillness {
                 && kick.isSteady(start + h, h, substeps - 1, Equilibrium.UNHELD * kick.strongest());
     }
 
-    /** Whether no body would move, and none is accelerated, by what is left of its kick. */
+    /** Whether the rest of its kick would neither move nor accelerate any body. */
     private boolean isEveryBodyHeld(double length, double kicked) {
         own.measure(kicked);
         for (int entry = 1; entry < motions.count; entry++) {
@@ -107,9 +107,9 @@ final class Stillness {
     }
 
     /**
-     * Stops every body of the packed island whose kick of {@code kicked} seconds was cancelled:
-     * rows give way by a share of what they carry, and a body would sink by it for as long as
-     * another one keeps the island from resting.
+     * Stops every body of the packed island whose kick of {@code kicked} seconds was cancelled.
+     * Otherwise the compliance of rows would let it sink for as long as another body keeps the
+     * island from resting.
      */
     void haltHeld(double kicked) {
         own.measure(kicked);
@@ -121,7 +121,7 @@ final class Stillness {
         }
     }
 
-    /** The fastest that any point of a body goes, less a multiple of how it began the step, m/s. */
+    /** Highest speed of any point of a body, less a multiple of its velocity at the start, m/s. */
     private double speed(int entry, double times) {
         double[] m = motions.data;
         int at = entry * Motions.STRIDE;
@@ -132,7 +132,7 @@ final class Stillness {
         return Math.max(Math.abs(x), Math.abs(y)) + radius * Math.abs(spin);
     }
 
-    /** The speed (m/s) at which a body at rest may creep for so many seconds. */
+    /** Highest speed at which a body at rest may creep for a time in s, m/s. */
     private double creep(int entry, double length) {
         return STILL * bodies.smallestWidth[motions.slots[entry]] / length;
     }

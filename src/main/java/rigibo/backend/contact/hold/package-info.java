@@ -1,2 +1,2 @@
-/** Whether an island rests: whether what it carries holds every body where it is. */
+/** Tests of whether an island rests: whether the forces it carries hold every body in place. */
 package rigibo.backend.contact.hold;

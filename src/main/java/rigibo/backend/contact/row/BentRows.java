@@ -1,28 +1,32 @@
 package rigibo.backend.contact.row;
 
-/** Contacts that do not stay as they were measured when the step began. */
+/** Contacts whose outlines or normals turn within the step, and which are measured again. */
 public final class BentRows {
 
     private final PackedContacts contacts;
     private final FreshRows fresh;
 
-    /** How bodies turn, or null where none does. */
+    /** Contacts of turning bodies; null without rotation. */
     private final TurningRows turning;
 
-    /** How normals turn along the way, or null where that is not followed. */
+    /** Contacts with turning normals; null if these are not followed. */
     private final CurvedRows curved;
 
-    /** Whether anything is bent in this part of a substep, or was in the one before. */
+    /** Whether any contact is bent in this part of a substep. */
     private boolean isAnyNow;
 
+    /** Whether any contact was bent in the last part. */
     private boolean wasAny;
 
-    /** Whether there was anything since the packed island began, where it is followed. */
+    /**
+     * Whether any contact was bent since the start of the packed island, if curves are followed.
+     */
     private boolean isAnyBent;
 
-    /** By row whether its outlines turn, and whether its normal does. */
+    /** By row: whether its outlines turn. */
     private boolean[] turns = new boolean[16];
 
+    /** By row: whether its normal turns. */
     private boolean[] curves = new boolean[16];
 
     public BentRows(
@@ -33,7 +37,7 @@ public final class BentRows {
         this.curved = curved;
     }
 
-    /** Begins a packed island. */
+    /** Starts a packed island. */
     public void begin() {
         isAnyNow = false;
         isAnyBent = false;
@@ -45,11 +49,11 @@ public final class BentRows {
     }
 
     /**
-     * Measures anew what has turned, or gone round, too far or is about to, with {@code left}
-     * seconds of the step to go, and edges of a chain that something may have come over; what was
-     * measured as the first part of a substep begins is new.
+     * Measures again the contacts whose outlines or normals turn too far in the rest ({@code left}
+     * s) of the step, and edges of chains that a body may have come over. Contacts that were
+     * measured at the start of this substep are left out.
      *
-     * @return whether there was anything
+     * @return whether any contact is bent or was measured
      */
     public boolean refresh(int substep, boolean isFirst, double left) {
         if (turning != null) {
@@ -67,8 +71,8 @@ public final class BentRows {
             boolean isAwaited = fresh.isAwaited(row);
             if (isBent || isAwaited) {
                 boolean isNew = isFirst && (substep == 0 || contacts.firstSubstep[row] == substep);
-                // In a crowd half of the contacts are only foreseen, and stay so; so do most edges
-                // of a chain that something is near.
+                // In a crowd half of the contacts are predicted but never close; so are most edges
+                // of a chain near a body.
                 if (!isNew && (!isCrowd && !isAwaited || fresh.mayClose(row, left))) {
                     fresh.measure(row, left);
                     isAnyNew = true;
@@ -81,7 +85,7 @@ public final class BentRows {
         return isAny || isAnyNew;
     }
 
-    /** How long the points of what slides from one face to the next are all that there are, s. */
+    /** Time in s for which bodies that slide from one face to the next have no further points. */
     public double untilNewPoints() {
         double until = Double.POSITIVE_INFINITY;
         for (int row = 0; isAnyNow && row < contacts.count; row++) {
@@ -100,8 +104,8 @@ public final class BentRows {
     }
 
     /**
-     * Predicts how far gaps open by turning within h seconds; those of curves within the time in
-     * which gaps may close.
+     * Predicts how far gaps open by turning outlines within h seconds, and by turning normals
+     * within {@code closing} seconds, in which gaps may close.
      */
     public void bend(double h, double closing) {
         if (!isAnyNow && !wasAny) {

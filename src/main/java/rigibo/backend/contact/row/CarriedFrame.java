@@ -8,10 +8,10 @@ import rigibo.backend.storage.JointStore;
 import rigibo.backend.storage.Pairs;
 
 /**
- * The frame of the bodies that carry an island, by contacts or joints. The laws are the same in
- * every frame that moves straight on, so an island whose carriers all move alike is solved in the
- * frame in which they stand still: it rests and costs as much as on a floor at rest. In any other
- * frame thresholds would be shares of the common velocity, and nothing would be found to rest.
+ * The frame of the bodies that carry an island, by contacts or joints. The laws are the same in all
+ * inertial frames, so an island whose carriers all have the same constant velocity is solved in the
+ * frame in which they stand still. It then comes to rest, and costs as much, as on a floor at rest.
+ * In any other frame thresholds would be shares of the common velocity, and no island would rest.
  */
 public final class CarriedFrame {
 
@@ -21,7 +21,7 @@ public final class CarriedFrame {
     private final Motions motions;
     private final JointStore joints;
 
-    /** Those that carry the island, and some of them more than once. */
+    /** The carriers of the island; some are listed more than once. */
     private final Found carriers = new Found();
 
     public CarriedFrame(DataStorage data, Motions motions) {
@@ -33,9 +33,9 @@ public final class CarriedFrame {
     }
 
     /**
-     * Puts an island's columns into the frame of its carriers, which coincides with the world's
-     * frame when the step begins. Where carriers stand still, turn, or move differently, or a joint
-     * holds on to a place in the world, the world's frame is used.
+     * Transforms an island's columns into the frame of its carriers, which coincides with the world
+     * frame when the step begins. If carriers stand still, turn or move differently, or a joint
+     * holds a body at a world point, the world frame is kept.
      */
     public void enter(int island) {
         find(island);
@@ -51,7 +51,7 @@ public final class CarriedFrame {
         }
     }
 
-    /** Puts them back, {@code dt} seconds after the step began. */
+    /** Transforms the columns back, {@code dt} seconds after the step began. */
     public void leave(int island, double dt) {
         if (motions.isInWorld()) {
             return;
@@ -89,7 +89,7 @@ public final class CarriedFrame {
         }
     }
 
-    /** Whether no body of the island is kept from moving along with a carrier. */
+    /** Whether no locked axis keeps a body of the island from moving along with a carrier. */
     private boolean mayFollow(int island, int carrier) {
         boolean mayFollow = true;
         int end = bodies.lockedX == null ? 0 : islands.bodyStart[island + 1];
@@ -103,8 +103,7 @@ public final class CarriedFrame {
     }
 
     /**
-     * Adds the bodies that joints hold on to; returns whether none of these is a place in the
-     * world.
+     * Adds the carriers at the other end of joints; returns false if a joint holds a world point.
      */
     private boolean addJoined(int island) {
         boolean mayMove = true;
@@ -124,7 +123,7 @@ public final class CarriedFrame {
         return add(joints.bodyA[joint]) && add(joints.bodyB[joint]);
     }
 
-    /** Adds a fixed or driven body; returns whether it goes straight on, as all before it. */
+    /** Adds a carrier; returns whether it translates with the same velocity as those before it. */
     private boolean add(int slot) {
         if (bodies.isDynamic(slot)) {
             return true;

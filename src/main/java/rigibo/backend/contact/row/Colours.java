@@ -8,41 +8,42 @@ import rigibo.backend.storage.Pairs;
 import java.util.Arrays;
 
 /**
- * The order in which passes take the contacts of an island: colour by colour, where no two contacts
- * of one colour share a body that impulses move. None of them waits for another, so that a
- * processor works on several at once, and cores may share them with the same bits.
+ * The order in which passes take the contacts of an island: colour by colour. No two contacts of
+ * one colour share a body that impulses move, so that a processor can work on several at once, and
+ * cores could share them with the same bits as result.
  *
- * <p>A contact gets the first colour that both of its bodies have to spare, in the order of the
- * island's pairs: the island alone decides, whatever else there is. Contacts against what cannot
- * give way come after all others, in colours of their own: what a pass leaves unsolved is then
- * between bodies, and none sinks into the floor.
+ * <p>In the order of the island's pairs, each contact gets the first colour that neither of its
+ * bodies has yet, so that the colours depend on the island alone. Contacts with immovable bodies
+ * come after all others, in colours of their own: the error that a pass leaves is then between
+ * movable bodies, and none sinks into the floor.
  */
 final class Colours {
 
-    /** Colours that are handed out by which are free; from here on they are handed out in turn. */
+    /** Number of colours that are chosen by which are free; further ones are given out in turn. */
     private static final int FEW = 64;
 
     private final Bodies bodies;
     private final Pairs pairs;
     private final Islands islands;
 
-    /** The island's pairs in their order. */
+    /** The island's pairs in the order of their colours. */
     int[] order = new int[16];
 
-    /** Where colours end in it. */
+    /** By colour: its end in the order. */
     int[] end = new int[16];
 
     int count;
 
-    /** Where contacts against what cannot give way begin in it. */
+    /** Start of contacts with immovable bodies in the order. */
     int groundStart;
 
     /** By pair of the island: its colour. */
     private int[] colour = new int[16];
 
-    /** By slot: a bit for each of its few colours, and how many it has beyond them. */
+    /** By slot: a bit for each of the first colours that the body has. */
     private long[] taken = new long[16];
 
+    /** By slot: number of colours beyond the first ones. */
     private int[] beyond = new int[16];
 
     Colours(DataStorage data) {
@@ -63,9 +64,7 @@ final class Colours {
         groundStart = ofGround > 0 ? end[ofGround - 1] : 0;
     }
 
-    /**
-     * Gives colours that are not taken yet to contacts between bodies, or to those of the ground.
-     */
+    /** Gives colours to the contacts between movable bodies, or to those with immovable ones. */
     private void colour(int island, boolean ofGround) {
         for (int i = islands.bodyStart[island]; i < islands.bodyStart[island + 1]; i++) {
             taken[islands.bodies[i]] = 0;
@@ -85,7 +84,7 @@ final class Colours {
         }
     }
 
-    /** Takes the first colour that two bodies have to spare. */
+    /** Takes the first colour that neither of two bodies has. */
     private int take(int a, int b) {
         int spare = Long.numberOfTrailingZeros(~(taken[a] | taken[b]));
         if (spare < FEW) {
@@ -99,13 +98,13 @@ final class Colours {
         return FEW + next;
     }
 
-    /** By colour, and within one as they came. */
+    /** Sorts by colour, in the given order within each colour. */
     private void sort(int from, int pairCount) {
         Arrays.fill(end, 0, count, 0);
         for (int i = 0; i < pairCount; i++) {
             end[colour[i]]++;
         }
-        // Each is a colour's size, then its start, and its end once it is filled.
+        // Holds each colour's size, then its start and, once it is filled, its end.
         int start = 0;
         for (int i = 0; i < count; i++) {
             start += end[i];

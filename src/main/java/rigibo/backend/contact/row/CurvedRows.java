@@ -7,11 +7,11 @@ import rigibo.backend.storage.PairTolerances;
 import rigibo.backend.storage.Pairs;
 
 /**
- * Contacts whose normal turns along the way of their bodies: of a disc round another disc or a
- * corner, and, where bodies are few, of whatever slides from one face to the next. They are
- * measured anew before every substep. Round an outline of radius ρ a way of s opens the gap by √(ρ²
- * + s²) − ρ meanwhile, which the gap foresees: so a disc follows a curve as a constrained motion
- * does whose error is of second order (SHAKE: Ryckaert, Ciccotti and Berendsen, 1977).
+ * Contacts whose normal turns as their bodies move: a disc moving around another disc or a corner,
+ * and, in islands of few bodies, any body that slides from one face to the next. They are measured
+ * again before every substep. In a substep, motion by s around a radius ρ opens the gap by √(ρ² +
+ * s²) − ρ, which is added to the gap beforehand. A disc thus follows a curve with an error of
+ * second order, as in constrained dynamics (SHAKE: Ryckaert, Ciccotti and Berendsen, 1977).
  */
 public final class CurvedRows {
 
@@ -20,12 +20,13 @@ public final class CurvedRows {
     private final Motions motions;
     private final PackedContacts contacts;
 
-    /** Deviation from a straight line that may be neglected in a step, as a share of the width. */
+    /** Deviation from a straight line that is neglected in a step, in widths. */
     private final Straightness straight;
 
-    /** Where the two ends of a face lie along the tangent of a contact, from its body, m. */
+    /** Ends of A's face along the tangent of a contact, from A's centre of mass, m. */
     private final double[] endsA = new double[2];
 
+    /** Ends of B's face along the tangent of a contact, from B's centre of mass, m. */
     private final double[] endsB = new double[2];
 
     public CurvedRows(
@@ -37,7 +38,7 @@ public final class CurvedRows {
         this.straight = straight;
     }
 
-    /** Whether a contact's normal turns in the step, of which {@code left} seconds are to go. */
+    /** Whether a contact's normal turns in the step, of which {@code left} seconds remain. */
     boolean isCurved(int row, double left) {
         int pair = contacts.pair[row];
         double way = Math.abs(slid(row)) + Math.abs(slide(row)) * left;
@@ -55,8 +56,9 @@ public final class CurvedRows {
     }
 
     /**
-     * Widens the gap by what the motion of the next h seconds opens. Two corners would be given all
-     * of that motion, and would overlap where friction stops them, so they are left out.
+     * Widens the gap by what the motion of the next h seconds opens. Contacts of two corners are
+     * left out: their gap would be widened by all of that motion, and they would overlap where
+     * friction stops it.
      */
     void bend(int row, double h) {
         int pair = contacts.pair[row];
@@ -69,9 +71,9 @@ public final class CurvedRows {
     }
 
     /**
-     * How long a touching face can have no second point, s. A corner that has just come over the
-     * end of a face is all that lies on it; the next one may land before anything else does, when
-     * the shorter of the two faces is over the other one.
+     * Time for which a touching face has no second point, s. A corner that has just come over the
+     * end of a face is the only point on it; the next one may land once the shorter of the two
+     * faces lies over the other one.
      */
     double untilNewPoint(int row) {
         int pair = contacts.pair[row];
@@ -83,7 +85,7 @@ public final class CurvedRows {
         return mayGainPoint ? untilOver(row, pair) : Double.POSITIVE_INFINITY;
     }
 
-    /** How long until half of a face is over another that it has just come to; ∞ if it leaves. */
+    /** Time until half of a face is over another that it has just reached, s; ∞ if it leaves. */
     private double untilOver(int row, int pair) {
         double apart = findFaces(pair) + slid(row);
         double slide = slide(row);
@@ -100,13 +102,13 @@ public final class CurvedRows {
         return Math.sqrt(radius * radius + way * way) - radius;
     }
 
-    /** The radius in m at which two outlines go round each other; a corner has none. */
+    /** Radius at which two outlines move around each other, m; 0 for corners. */
     private double radius(int pair) {
         return bodies.outline[pairs.shapeA(pair)].radius()
                 + bodies.outline[pairs.shapeB(pair)].radius();
     }
 
-    /** Whether a corner, or the foot of a disc, comes to the end of the face it is on. */
+    /** Whether a corner, or the lowest point of a disc, reaches the end of the face it is on. */
     private boolean leavesFace(int row, int pair, double way) {
         double apart = findFaces(pair);
         for (int i = 0; i < 2; i++) {
@@ -120,8 +122,8 @@ public final class CurvedRows {
     }
 
     /**
-     * Finds the ends of the two faces that look at each other; returns how far B lay along the
-     * tangent from A when the step began, m.
+     * Finds the ends of two opposite faces; returns the position of B relative to A along the
+     * tangent when the step began, m.
      */
     private double findFaces(int pair) {
         double nx = pairs.normalX[pair];
@@ -131,14 +133,14 @@ public final class CurvedRows {
         return along(pair, nx, ny);
     }
 
-    /** How far B lies along the tangent from A, m. */
+    /** Position of B relative to A along the tangent, m. */
     private double along(int pair, double nx, double ny) {
         int a = pairs.bodyA[pair];
         int b = pairs.bodyB[pair];
         return nx * (bodies.y[b] - bodies.y[a]) - ny * (bodies.x[b] - bodies.x[a]);
     }
 
-    /** Finds the ends of the face that looks along (nx, ny); a disc has but its centre. */
+    /** Finds the ends of the face with the normal (nx, ny); for a disc both are its centre. */
     private void findEnds(int pair, int slot, double nx, double ny, int side, double[] ends) {
         ends[0] = 0;
         ends[1] = 0;
@@ -166,26 +168,26 @@ public final class CurvedRows {
         ends[0] = tx * polygon.cornerX(face) + ty * polygon.cornerY(face);
         ends[1] = tx * polygon.cornerX(next) + ty * polygon.cornerY(next);
         if (polygon.isEdge() && face == 0) {
-            // Where a chain goes on in a line, so does the face.
+            // If the next edge of a chain is collinear, the face extends over it.
             double sign = Math.signum(ends[1] - ends[0]);
             ends[0] -= sign * polygon.before().straight();
             ends[1] += sign * polygon.after().straight();
         }
     }
 
-    /** How far B has slid along A since the step began, m. */
+    /** Distance that B has slid along A since the step began, m. */
     private double slid(int row) {
         return motions.slid(contacts, row, arm(row, true), arm(row, false));
     }
 
-    /** How fast it does, m/s. */
+    /** Speed at which B slides along A, m/s. */
     private double slide(int row) {
         return motions.slide(contacts, row, arm(row, true), arm(row, false));
     }
 
     /**
-     * Lever of the tangent at the corner of an outline's core, m; 0 for a disc. A round corner
-     * turns about that of its core without any change at the contact.
+     * Lever of the tangent at the corner of an outline's core, m; 0 for a disc. A rounded shape
+     * that turns about that corner changes nothing at the contact.
      */
     private double arm(int row, boolean isOfA) {
         int pair = contacts.pair[row];

@@ -1,18 +1,18 @@
 package rigibo.backend.contact.row;
 
-/** How far bodies of the packed island were moved since a moment, of which a share can be left. */
+/** Displacements of the packed island's bodies since a stored state; they can be scaled down. */
 public final class Displacement {
 
     private final Motions motions;
 
-    /** How bodies were at that moment, laid out as the motions. */
+    /** The stored state, laid out as the motions. */
     private double[] before = new double[16 * Motions.STRIDE];
 
     public Displacement(Motions motions) {
         this.motions = motions;
     }
 
-    /** Notes where all bodies are. */
+    /** Stores the places of all bodies. */
     public void begin() {
         int length = motions.count * Motions.STRIDE;
         if (before.length < length) {
@@ -21,19 +21,19 @@ public final class Displacement {
         System.arraycopy(motions.data, 0, before, 0, length);
     }
 
-    /** By how much a column of the motions has grown since, m or rad. */
+    /** Change of a column of the motions since the stored state, m or rad. */
     public double of(int column) {
         return motions.data[column] - before[column];
     }
 
-    /** Leaves a share of what moved the body at an offset. */
+    /** Scales the displacement of the body at an offset. */
     public void scale(int at, double share) {
         for (int column = at + Motions.DX; column <= at + Motions.TURN; column++) {
             motions.data[column] = before[column] + share * of(column);
         }
     }
 
-    /** Leaves a share of what moved all bodies. */
+    /** Scales the displacements of all bodies. */
     public void scaleAll(double share) {
         for (int at = Motions.STRIDE; at < motions.count * Motions.STRIDE; at += Motions.STRIDE) {
             scale(at, share);

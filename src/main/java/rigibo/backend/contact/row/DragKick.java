@@ -3,7 +3,7 @@ package rigibo.backend.contact.row;
 import rigibo.backend.storage.Bodies;
 
 /**
- * A kick where linear drag is declared: the exact solution of v′ = a − k·v, v·e^(−kh) + a·(1 −
+ * A kick with linear drag: the exact solution of v′ = a − k·v, which is v·e^(−kh) + a·(1 −
  * e^(−kh))/k.
  */
 public final class DragKick {
@@ -17,7 +17,8 @@ public final class DragKick {
     }
 
     /**
-     * Moves the velocities from one time to a later one and notes how long that was for each, s.
+     * Advances the velocities from one time to a later one, and stores that length for each body,
+     * s.
      */
     void accelerate(double from, double to, double[] lengths) {
         double[] m = motions.data;

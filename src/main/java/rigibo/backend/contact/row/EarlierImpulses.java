@@ -1,8 +1,8 @@
 package rigibo.backend.contact.row;
 
 /**
- * What contacts have carried so far in a substep, put aside while they answer what happens later in
- * it: an impulse that has been given is not taken back when the two part.
+ * Impulses that contacts have already applied in a substep. They are put aside while the contacts
+ * are solved again within it, since an impulse that has acted is not taken back when bodies part.
  */
 public final class EarlierImpulses {
 
@@ -15,14 +15,14 @@ public final class EarlierImpulses {
 
     private final PackedContacts contacts;
 
-    /** By row and column, N·s and N·m·s. */
+    /** Impulses by row and column, N·s and N·m·s. */
     private double[] impulses = new double[16 * COLUMNS.length];
 
     public EarlierImpulses(PackedContacts contacts) {
         this.contacts = contacts;
     }
 
-    /** Takes all contacts for ones that have carried nothing yet. */
+    /** Puts all impulses aside and sets those of the contacts to 0. */
     public void putAside() {
         if (impulses.length < contacts.count * COLUMNS.length) {
             impulses = new double[contacts.pair.length * COLUMNS.length];
@@ -36,7 +36,7 @@ public final class EarlierImpulses {
         contacts.unload();
     }
 
-    /** Adds what was put aside to what they have carried since. */
+    /** Adds the impulses put aside to those that contacts have carried since. */
     public void addBack() {
         int i = 0;
         for (int row = 0; row < contacts.count; row++) {

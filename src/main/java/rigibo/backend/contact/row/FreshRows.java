@@ -10,18 +10,18 @@ import rigibo.backend.storage.Pairs;
 import java.util.Arrays;
 
 /**
- * Contacts that are measured anew within a step. What joins the pile in a substep is measured where
- * the two are when it joins: the pile has moved on since the step's start.
+ * Contacts that are measured again within a step. The contacts of a body that joins the pile are
+ * measured at the poses of the time of joining, since the pile has moved since the step's start.
  */
 public final class FreshRows {
 
     /** Distance in m beyond which the square of a distance overflows. */
     private static final double FARTHEST = 1e150;
 
-    /** Gap up to which a contact is measured whatever its bodies do, as a share of the width. */
+    /** Gap up to which a contact is measured however its bodies move, in widths. */
     private static final double NEAR = 0.01;
 
-    /** Share of an overlap that contacts measured anew take back per second, 1/s. */
+    /** Share of an overlap that contacts measured again remove per second, 1/s. */
     double recovery = Recovery.RATE;
 
     private final Bodies bodies;
@@ -33,7 +33,7 @@ public final class FreshRows {
     private final Pose poseA = new Pose();
     private final Pose poseB = new Pose();
 
-    /** By entry of the motions an angle in rad, and its cosine and sine: most are asked again. */
+    /** By entry of the motions: the angle in rad whose cosine and sine are cached. */
     private double[] angles;
 
     private double[] cosines;
@@ -55,10 +55,10 @@ public final class FreshRows {
     }
 
     /**
-     * Measures what joins in a substep that begins at {@code time}, with {@code left} seconds to
-     * go.
+     * Measures the contacts of bodies that join in a substep that begins at {@code time}, s; {@code
+     * left} seconds of the step remain.
      *
-     * @return whether there was anything
+     * @return whether any body joins
      */
     public boolean measureJoining(int substep, double time, double left) {
         boolean isAny = false;
@@ -71,7 +71,7 @@ public final class FreshRows {
         return isAny;
     }
 
-    /** When the later of two bodies joins, s after the step's start. */
+    /** Time at which the later of two bodies joins, s after the step's start. */
     private double joinsAt(int row) {
         int a = contacts.bodyA[row];
         int b = contacts.bodyB[row];
@@ -89,9 +89,9 @@ public final class FreshRows {
     }
 
     /**
-     * Measures a contact where its bodies are now, with {@code left} seconds to go. It is left as
-     * it was where a body's place is not finite: that body will be put to rest where it began the
-     * step.
+     * Measures a contact at the present poses; {@code left} seconds of the step remain. If a body's
+     * position is not finite, the contact is left as it was; that body will be put to rest where it
+     * began the step.
      */
     public void measure(int row, double left) {
         int pair = contacts.pair[row];
@@ -101,7 +101,7 @@ public final class FreshRows {
             return;
         }
         int at = row * PackedContacts.STRIDE;
-        // The manifold hands on what its columns hold from the points it had to those it has.
+        // The manifold transfers the values in its columns from its old points to its new ones.
         pairs.normalForce[2 * pair] = contacts.data[at + PackedContacts.IMPULSE0];
         pairs.normalForce[2 * pair + 1] = contacts.data[at + PackedContacts.IMPULSE1];
         narrowphase.measureContact(pair, poseA, poseB, reach(row, pair, left));
@@ -130,7 +130,7 @@ public final class FreshRows {
             forgetAngles();
         }
         double angle = bodies.angle[slot] + motions.data[at + Motions.TURN];
-        // The sine of zero has the sign of that zero.
+        // The sine of a zero has the sign of that zero.
         if (angles[entry] != angle || angle == 0) {
             angles[entry] = angle;
             cosines[entry] = Angle.cos(angle);
@@ -151,8 +151,8 @@ public final class FreshRows {
     }
 
     /**
-     * Whether a contact may close in what is left of the step, s, even if its bodies come to go at
-     * twice their speed.
+     * Whether a contact may close in the rest of the step, s, even if its bodies reach twice their
+     * speed.
      */
     boolean mayClose(int row, double left) {
         double width = contacts.data[row * PackedContacts.STRIDE + PackedContacts.WIDTH];
@@ -160,7 +160,7 @@ public final class FreshRows {
         return gap(row) <= closing;
     }
 
-    /** The gap of a contact now, m; of one that has no point yet no more than that. */
+    /** Present gap of a contact, m; for a contact without points a lower bound of it. */
     private double gap(int row) {
         int pair = contacts.pair[row];
         if (pairs.isAwaited(pair)) {
@@ -171,12 +171,12 @@ public final class FreshRows {
         return motions.gap(contacts, row);
     }
 
-    /** Whether a contact has no point yet, though its bodies may come to touch. */
+    /** Whether a contact has no points yet although its bodies may come to touch. */
     boolean isAwaited(int row) {
         return pairs.isAwaited(contacts.pair[row]);
     }
 
-    /** The gap in m that could close in what is left of the step. */
+    /** Largest gap that could close in the rest of the step, m. */
     private double reach(int row, int pair, double left) {
         double width = bodies.smallestWidth[pairs.bodyA[pair]];
         boolean isOfChain = width == Double.POSITIVE_INFINITY;

@@ -7,9 +7,8 @@ import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.Quarantine;
 
 /**
- * Forces that change along the way, on bodies in piles: asked for anew before every kick, at the
- * places and velocities that the bodies have by then. The leapfrog of kicks and drifts is of second
- * order for forces by place.
+ * Forces that vary along the path, on bodies in piles: evaluated before every kick at the present
+ * places and velocities. For forces that depend on the place, the leapfrog is of second order.
  */
 public final class IslandForces {
 
@@ -19,7 +18,7 @@ public final class IslandForces {
     private final Instant instant = new Instant();
     private double change;
 
-    /** These forces on the bodies of a storage. */
+    /** The given forces on the bodies of a storage. */
     public IslandForces(DataStorage data, ChangingForces forces) {
         this.data = data;
         this.forces = forces;
@@ -27,9 +26,9 @@ public final class IslandForces {
     }
 
     /**
-     * Puts the forces of now in place of those in the packed bodies' accelerations, for a kick
-     * around a time in s after the step's start and {@code length} s long; {@code turns} is null
-     * where nothing turns.
+     * Replaces the forces in the packed bodies' accelerations with the present ones, for a kick of
+     * {@code length} s around a time, s after the step's start; {@code turns} is null without
+     * rotation.
      */
     void refresh(Motions motions, PackedTurns turns, double time, double length) {
         change = 0;
@@ -41,7 +40,8 @@ public final class IslandForces {
     }
 
     /**
-     * The greatest change of a body's pull by the last refresh, m/s², and rad/s² times its radius.
+     * Greatest change of a body's pull in the last refresh, m/s², with angular ones times its
+     * radius.
      */
     double change() {
         return change;
@@ -65,7 +65,7 @@ public final class IslandForces {
         double ay = instant.accelerationY;
         double turn = instant.angularAcceleration;
         double gained = length * (Math.abs(ax) + Math.abs(ay) + Math.abs(turn));
-        // Beyond all bounds they are left as they were: the next step begins by refusing them.
+        // Non-finite forces are not taken over; the next step refuses them at its start.
         if (Quarantine.isBounded(gained)) {
             double share = shareThatBrakes(ax, ay, turn, length);
             replace(slot, share * ax, share * ay);
@@ -78,8 +78,8 @@ public final class IslandForces {
     }
 
     /**
-     * A force that would more than undo the motion that it acts against, were it to act for the
-     * whole kick, is cut to what just does: no drag, however strong, throws a body back.
+     * Share of a force that is applied: 1, or less for a force that would reverse the motion it
+     * acts against within the kick, so that no drag, however strong, throws a body back.
      */
     private double shareThatBrakes(double ax, double ay, double turn, double length) {
         instant.velocityX += length * ax;
@@ -91,7 +91,7 @@ public final class IslandForces {
         return 1 / Math.max(1, Math.max(linear, angular));
     }
 
-    /** How many times over a change of a force undoes the force. */
+    /** Ratio of a force's change to the force that it opposes. */
     private static double overshoot(double x, double y, double changeX, double changeY) {
         double squared = x * x + y * y;
         return squared > 0 ? -(x * changeX + y * changeY) / squared : 0;

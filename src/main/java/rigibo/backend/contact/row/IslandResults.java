@@ -6,10 +6,10 @@ import rigibo.backend.storage.Islands;
 import rigibo.backend.storage.Pairs;
 import rigibo.backend.storage.Quarantine;
 
-/** Carries what a packed island came to back into the storage. */
+/** Writes the result of a packed island back into the storage. */
 public final class IslandResults {
 
-    /** Over how many seconds a contact's load is averaged: longer than a pile rocks. */
+    /** Time over which a contact's load is averaged, s: longer than a pile rocks. */
     private static final double LOAD_MEMORY = 2;
 
     private final Quarantine quarantine;
@@ -19,7 +19,7 @@ public final class IslandResults {
     private final Motions motions;
     private final PackedContacts contacts;
 
-    /** How bodies turn, or null where none does. */
+    /** Turning of the packed bodies; null without rotation. */
     private final PackedTurns turns;
 
     public IslandResults(
@@ -33,7 +33,7 @@ public final class IslandResults {
         this.contacts = contacts;
     }
 
-    /** Stores an island that went {@code length} seconds in substeps of {@code h}. */
+    /** Stores an island that was advanced by {@code length} s in substeps of {@code h} s. */
     public void store(double h, double length) {
         for (int entry = 1; entry < motions.count; entry++) {
             int slot = motions.slots[entry];
@@ -49,14 +49,14 @@ public final class IslandResults {
         }
     }
 
-    /** Puts to rest what the packed island has thrown beyond all bounds. */
+    /** Puts bodies of the packed island to rest whose state is not within bounds. */
     public void quarantine() {
         for (int entry = 1; entry < motions.count; entry++) {
             quarantine.putToRestIfUnbounded(motions.slots[entry]);
         }
     }
 
-    /** Lets an island carry for {@code dt} seconds more what it carries, and stay where it is. */
+    /** Keeps an island in place for a step of {@code dt} seconds, with the forces it carries. */
     public void goOn(int island, double dt) {
         for (int i = islands.pairStart[island]; i < islands.pairStart[island + 1]; i++) {
             int pair = islands.pairs[i];
@@ -77,7 +77,7 @@ public final class IslandResults {
         bodies.velocityY[slot] = m[at + Motions.VY];
     }
 
-    /** Keeps the forces that held, as impulses of the last half kick over its length. */
+    /** Stores a contact's forces: the impulses of the last half kick divided by its length. */
     private void storePair(int row, double h, double share) {
         double[] d = contacts.data;
         int at = row * PackedContacts.STRIDE;
@@ -98,13 +98,13 @@ public final class IslandResults {
         noteTouch(pair, d[at + PackedContacts.IMPULSE0] + d[at + PackedContacts.IMPULSE1]);
     }
 
-    /** Whether the one row of two points was that of the second, which is the deeper. */
+    /** Whether a row that stands for two points is that of the second one, the deeper of them. */
     private boolean isOfSecond(int row, int pair) {
         return contacts.points[row] < pairs.points[pair]
                 && pairs.separation[2 * pair + 1] < pairs.separation[2 * pair];
     }
 
-    /** Whether a contact was crushed in this step, though it was not when that began. */
+    /** Whether a contact is crushed at the end of the step. */
     private boolean isCrushed(int row) {
         int pair = contacts.pair[row];
         return RowBuilder.isCrushed(bodies, pairs, pair, motions.gap(contacts, row));
@@ -119,7 +119,7 @@ public final class IslandResults {
         return Math.abs(sum) < Double.POSITIVE_INFINITY;
     }
 
-    /** Forces beyond all bounds would poison every step to come. */
+    /** Drops non-finite forces, which would spoil every later step. */
     private void forgetForces(int pair) {
         for (int point = 2 * pair; point < 2 * pair + 2; point++) {
             pairs.normalForce[point] = 0;
@@ -134,7 +134,7 @@ public final class IslandResults {
         }
     }
 
-    /** Moves a point's remembered load by a share towards the force it carries. */
+    /** Moves a point's averaged load by a share towards its present force. */
     private void remember(int point, double share) {
         pairs.load[point] += share * (pairs.normalForce[point] - pairs.load[point]);
     }

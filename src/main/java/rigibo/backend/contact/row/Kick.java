@@ -2,25 +2,25 @@ package rigibo.backend.contact.row;
 
 import rigibo.backend.storage.Bodies;
 
-/** Adds accelerations to the velocities of an island's bodies. */
+/** The kicks of an island: adds accelerations to the velocities of its bodies. */
 public final class Kick {
 
-    /** Where the length of the kick in s is kept, beside the velocities before it. */
+    /** Column that holds the length of the kick in s, beside the velocities before it. */
     static final int LENGTH = Motions.DX;
 
     private final Bodies bodies;
     private final Motions motions;
 
-    /** Velocities before the kick, then what they gained; and how long the kick was, s. */
+    /** By entry: velocities before the kick, later their gain in it; and its length, s. */
     private double[] gained = new double[16 * Motions.STRIDE];
 
-    /** Forces that change along the way, or null where there are none. */
+    /** Forces that vary along the path; null if there are none. */
     private final IslandForces forces;
 
-    /** Linear drag, or null where none is declared. */
+    /** Linear drag; null if it is not declared. */
     private final DragKick drag;
 
-    /** How bodies turn, or null where none does. */
+    /** Turning of the packed bodies; null without rotation. */
     private final PackedTurns turns;
 
     public Kick(
@@ -32,7 +32,7 @@ public final class Kick {
         this.forces = forces;
     }
 
-    /** Keeps the velocities that the next kick begins with. */
+    /** Stores the velocities before the next kick. */
     public void remember() {
         int length = motions.count * Motions.STRIDE;
         if (gained.length < length) {
@@ -45,8 +45,8 @@ public final class Kick {
     }
 
     /**
-     * Whether drag, or a force that changes along the way, acts on one of the packed bodies as the
-     * step begins.
+     * Whether drag, or a force that varies along the path, acts on a packed body when the step
+     * begins.
      */
     public boolean isForced() {
         boolean isForced = false;
@@ -66,8 +66,8 @@ public final class Kick {
     }
 
     /**
-     * Puts the forces of now into the accelerations, for a kick from one time to another, both in s
-     * after the step's start, which may go back.
+     * Writes the present forces into the accelerations, for a kick from one time to another (s
+     * after the step's start), which may be the earlier one.
      */
     public void refresh(double from, double to) {
         if (forces != null) {
@@ -75,14 +75,14 @@ public final class Kick {
         }
     }
 
-    /** Whether there are forces that change along the way. */
+    /** Whether there are forces that vary along the path. */
     public boolean mayChange() {
         return forces != null;
     }
 
     /**
-     * Whether kicks of h seconds at times h apart, from {@code first} on, accelerate all bodies as
-     * the last one did, within a tolerance in m/s².
+     * Whether kicks of h seconds, at times h apart from {@code first} on, accelerate all bodies as
+     * the last kick did, within a tolerance in m/s².
      */
     public boolean isSteady(double first, double h, int kicks, double most) {
         boolean isSteady = true;
@@ -93,7 +93,7 @@ public final class Kick {
         return isSteady;
     }
 
-    /** The strongest acceleration by the effects along an axis, m/s². */
+    /** Greatest acceleration by the effects along an axis, m/s². */
     public double strongest() {
         double most = 0;
         for (int entry = 1; entry < motions.count; entry++) {
@@ -104,7 +104,7 @@ public final class Kick {
         return most;
     }
 
-    /** The energy of motion in J that a kick of h seconds gives what rests. */
+    /** Kinetic energy that a kick of h seconds gives to bodies at rest, J. */
     public double energy(double h) {
         double sum = 0;
         for (int entry = 1; entry < motions.count; entry++) {
@@ -117,7 +117,7 @@ public final class Kick {
         return sum * h * h / 2;
     }
 
-    /** Measures what all velocities have gained per second of the kick, by loads too. */
+    /** Measures the gain of all velocities per second of the kick, by contacts too. */
     public void measureGain() {
         for (int at = Motions.STRIDE; at < motions.count * Motions.STRIDE; at += Motions.STRIDE) {
             double length = gained[at + LENGTH];
@@ -128,19 +128,19 @@ public final class Kick {
         }
     }
 
-    /** What a body's velocity gained in the kick, m/s², or rad/s² for its spin. */
+    /** Gain of a body's velocity per second of the kick, m/s², or rad/s² for its spin. */
     public double gained(int body, int column) {
         return gained[body + column];
     }
 
-    /** How long the kick was for a body, s. */
+    /** Length of the kick for a body, s. */
     public double length(int body) {
         return gained[body + LENGTH];
     }
 
     /**
-     * Moves the velocities from one time to a later one, both in s after the step's start. A body
-     * that joined the pile in between is kicked only from when it joined.
+     * Advances the velocities from one time to a later one, both s after the step's start. A body
+     * that joined the pile in between is kicked only from that time on.
      */
     public void accelerate(double from, double to) {
         refresh(from, to);

@@ -4,40 +4,42 @@ import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.ImpactMode;
 
 /**
- * Times within a substep at which something lands: a corner of a rocking block, a disc that reaches
- * the next plate of a bowl. A contact that is solved for a whole substep stops a body before it has
- * arrived, and carries it before it is there; both cost energy in proportion to the length of a
- * substep. So in an island of few bodies a substep ends where one of them lands.
+ * Times within a substep at which a contact point lands: a corner of a rocking block, a disc that
+ * reaches the next plate of a bowl. A contact that is solved for a whole substep stops a body
+ * before it arrives and supports it before it is there; both change energy by an error of first
+ * order in the length of the substep. In an island of few bodies a substep is therefore cut at each
+ * landing.
  */
 public final class Landings {
 
     /**
-     * Parts that a substep is taken in at most. A box may come over six plates in one, each of
-     * which takes four; whatever is left is solved in one go, and lands too late.
+     * Most parts of a substep. A box may come over six plates in one substep, each of which takes
+     * four parts. The rest of the substep is solved in one part, where points land too late.
      */
     private static final int MOST_PARTS = 64;
 
     /**
-     * Speed of a landing that is neglected, as a share of the speed that a substep's kick gives.
+     * Speed below which a landing is neglected, as a share of the speed that a substep's kick
+     * gives.
      */
     private static final double SOFT = 1e-2;
 
     /**
-     * Factor by which a body must be faster than its acceleration explains for it to have been
-     * struck.
+     * A body counts as struck if it gained more than this multiple of the speed that its
+     * acceleration gives it.
      */
     private static final double IMPACT = 2;
 
     /**
-     * Share of the strongest acceleration that what is known of a gap may be wrong by, since bodies
-     * turn and loads change meanwhile: landing a little late costs more than landing early.
+     * Uncertainty of a gap's acceleration, as a share of the strongest one: bodies turn and loads
+     * change meanwhile, and landing a little late costs more than landing early.
      */
     private static final double UNSURE = 0.1;
 
-    /** Share of the tolerance of impacts that a landed body may be above the ground. */
+    /** Gap at which a body has landed, as a share of the impact tolerance. */
     private static final double LANDED = 0.1;
 
-    /** That in widths at the finest accuracy: speeds are not foreseen to the last digit. */
+    /** Least such gap, in widths, since speeds are not predicted to the last digit. */
     private static final double LEAST_LANDED = 1e-6;
 
     private final Motions motions;
@@ -54,25 +56,28 @@ public final class Landings {
     /** Parts of the present substep so far. */
     private int parts;
 
-    /** Velocities as the last part began, and what they gained in it a second, as the motions. */
+    /** Velocities at the start of the last part, laid out as the motions. */
     private double[] before = new double[(Motions.FEW + 1) * Motions.STRIDE];
 
+    /** Their gain per second in the last part, laid out as the motions. */
     private double[] gained = new double[(Motions.FEW + 1) * Motions.STRIDE];
 
-    /** By body: whether it gained more than its acceleration explains. */
+    /** By body: whether it was struck in the last part. */
     private boolean[] isStruck = new boolean[Motions.FEW + 1];
 
-    /** By point: whether it had a gap as the last part began, and whether it has landed since. */
+    /** By point: whether it had a gap when the last part began. */
     private boolean[] isOpen = new boolean[32];
 
+    /** By point: whether it has landed in the last part. */
     private boolean[] hasLanded = new boolean[32];
 
-    /** Whether the last part began with a landing, whose impact is in what bodies gained. */
+    /** Whether the last part began with a landing, whose impact is included in the gains. */
     private boolean beganByLanding;
 
-    /** How long the last part was, s, 0 where a kick begins anew; and the kick in its midst. */
+    /** Length of the last part, s; 0 if velocities are those of the present time. */
     private double lastPart;
 
+    /** Length of the kick in the middle of the last part, s. */
     private double kicked;
 
     public Landings(Motions motions, PackedContacts contacts, Kick kick, Accuracy accuracy) {
@@ -83,25 +88,25 @@ public final class Landings {
         this.kick = kick;
     }
 
-    /** Begins a packed island. */
+    /** Starts a packed island. */
     public void begin() {
         isLookedFor = isLookedForAtAll && motions.areFew() && contacts.lastJoining <= 0;
         lastPart = 0;
     }
 
-    /** Whether any are looked for in the packed island. */
+    /** Whether landings are looked for in the packed island. */
     public boolean areLookedFor() {
         return isLookedFor;
     }
 
-    /** Begins a substep. */
+    /** Starts a substep. */
     public void beginSubstep() {
         parts = 0;
     }
 
     /**
-     * Whether something has landed in the part that has just gone by, of a substep of h seconds.
-     * Until {@link #close} it counts as far away: it carries nothing of the kick that ends here.
+     * Whether a point has landed in the last part, of a substep of h seconds. Until {@link #close}
+     * it counts as far away, since it carries nothing of the kick that ends here.
      */
     public boolean haveLanded(double h) {
         double soft = soft(h);
@@ -117,8 +122,8 @@ public final class Landings {
     }
 
     /**
-     * Closes the gaps of the points that have landed, so that they are solved at once; a kick
-     * begins anew.
+     * Closes the gaps of the points that have landed, so that they are solved as touching from the
+     * next kick on.
      */
     public void close() {
         lastPart = 0;
@@ -130,9 +135,10 @@ public final class Landings {
     }
 
     /**
-     * Closes the gaps at which points have landed for as long as they carry, in a substep of h
-     * seconds. What the kick before left out as an impact carries too: its body must not fall for
-     * half a kick. What turns opens gaps by itself, and what a driven body squeezes does not fall.
+     * Keeps the gaps of landed points closed for as long as they carry, in a substep of h seconds.
+     * A point that the last kick left out as an impact counts as carrying, since its body must not
+     * fall for half a kick. Gaps that open by turning stay open, and so do those of bodies that a
+     * driven body squeezes, which cannot fall.
      */
     public void keepClosed(double h) {
         boolean mayFall = isLookedFor && !motions.isAnyDriven;
@@ -146,7 +152,7 @@ public final class Landings {
         }
     }
 
-    /** How far in m the outlines of a contact leave their lines in h seconds, by turning. */
+    /** Sagitta by which the outlines of a contact deviate from lines in h seconds by turning, m. */
     private double turned(int i, double h) {
         return sagitta(contacts.bodyA[i / 2], h) + sagitta(contacts.bodyB[i / 2], h);
     }
@@ -161,8 +167,8 @@ public final class Landings {
     }
 
     /**
-     * How much of the h seconds that are left of a substep go by until something lands, s; no more
-     * than {@code most}, for as long what may land is known.
+     * Time until the next landing, within the rest (h seconds) of a substep, s. It is at most
+     * {@code most}, since later other points may land.
      */
     public double untilNext(double h, double most) {
         if (!isLookedFor) {
@@ -178,7 +184,7 @@ public final class Landings {
         return until;
     }
 
-    /** What bodies gained in the last part they go on to gain, if no impact gave it to them. */
+    /** Predicts gains of velocity from the last part, except gains by an impact. */
     private void measureGain() {
         double most = IMPACT * kick.strongest() * kicked;
         for (int body = 1; body < motions.count; body++) {
@@ -204,9 +210,9 @@ public final class Landings {
     }
 
     /**
-     * The time of the first landing: when the gap is as small as counts as landed, but not so small
-     * that the contact would stop the body already. Places go on by the velocity in the middle of a
-     * part, as they do in the substep.
+     * The time of the first landing: when the gap is small enough to count as landed, but not so
+     * small that the contact would already have stopped the body. Places are predicted with the
+     * velocity at the middle of a part, as the substep advances them.
      */
     private double firstLanding(double h) {
         double soft = soft(h);
@@ -227,9 +233,9 @@ public final class Landings {
     }
 
     /**
-     * How fast a point's gap gains closing speed, m/s². Where the loads of contacts are not known
-     * yet it is more than it can be: a part that ends too early is better than one that ends too
-     * late, for the next part knows them.
+     * Closing acceleration of a point, m/s². Where the loads of contacts are not known yet it is an
+     * upper bound: a part that ends too early is better than one that ends too late, since the next
+     * part knows the loads.
      */
     private double gains(int i) {
         int a = contacts.bodyA[i / 2];
@@ -239,7 +245,7 @@ public final class Landings {
                 : UNSURE * kick.strongest() - motions.parting(gained, contacts, i / 2, i % 2);
     }
 
-    /** Speed of a landing in a substep of h seconds that counts as none, m/s. */
+    /** Speed below which a landing in a substep of h seconds is neglected, m/s. */
     private double soft(double h) {
         return SOFT * h * kick.strongest();
     }

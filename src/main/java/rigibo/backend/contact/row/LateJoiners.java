@@ -7,9 +7,9 @@ import java.util.Arrays;
 
 /**
  * Bodies that join an island within a step. A body that joins at time t takes part from the substep
- * that holds t on. It is set back along its straight path to where it would have been when the
- * island's substeps began, so that its impact comes at its time. Its contacts have carried nothing
- * yet.
+ * that contains t. It is moved back along its straight path to where it would have been when the
+ * island's substeps began, so that its impact comes at the right time. Its contacts start without
+ * impulses.
  */
 public final class LateJoiners {
 
@@ -17,7 +17,7 @@ public final class LateJoiners {
     private final Motions motions;
     private final PackedContacts contacts;
 
-    /** By entry of the motions the substep in which it joins. */
+    /** By entry of the motions: the substep in which it joins. */
     private int[] joinsIn = new int[16];
 
     public LateJoiners(Bodies bodies, Motions motions, PackedContacts contacts) {
@@ -26,7 +26,7 @@ public final class LateJoiners {
         this.contacts = contacts;
     }
 
-    /** When the first of an island's bodies joined, s after the step's start. */
+    /** Time at which the first of an island's bodies joined, s after the step's start. */
     public double startOf(Islands islands, int island) {
         double first = Double.POSITIVE_INFINITY;
         for (int i = islands.bodyStart[island]; i < islands.bodyStart[island + 1]; i++) {
@@ -35,7 +35,7 @@ public final class LateJoiners {
         return first;
     }
 
-    /** Delays those of the packed island, whose substeps of h seconds begin at a time in s. */
+    /** Delays the late joiners of the packed island, whose substeps of h s begin at a time, s. */
     public void delay(double start, double h) {
         boolean isAny = false;
         if (joinsIn.length < motions.count) {
@@ -46,11 +46,11 @@ public final class LateJoiners {
             int at = entry * Motions.STRIDE;
             int slot = motions.slots[entry];
             if (bodies.isDriven(slot)) {
-                // Its place is that of the step's start; the island begins later.
+                // Its place is that at the step's start, but the island starts later.
                 motions.drift(at, start);
             } else if (bodies.pileTime[slot] > 0) {
                 double late = bodies.pileTime[slot] - start;
-                // Drift moves it from the island's start on, so it is set back by all of that way.
+                // Drift moves it from the island's start on, so it is moved back by that distance.
                 motions.drift(at, -late);
                 joinsIn[entry] = (int) (late / h);
                 isAny = true;
@@ -62,9 +62,9 @@ public final class LateJoiners {
     }
 
     /**
-     * Delays those of the packed island to the start of the substep of h seconds in which they
-     * join, back on their parabola: from there on they are moved as all others are, so that what
-     * they meet in that substep they meet at their own speed.
+     * Delays the late joiners of the packed island to the start of the substep of h seconds in
+     * which they join, by moving them back along their parabola. From there on they move as all
+     * other bodies do, so that they meet others in that substep at their true speed.
      */
     public void delayToSubsteps(double h) {
         double[] m = motions.data;

@@ -3,32 +3,31 @@ package rigibo.backend.contact.row;
 import rigibo.backend.storage.Bodies;
 
 /**
- * Axes along which bodies of the packed island are kept from moving. Along such an axis a body is
- * as heavy as the ground: an impulse does nothing there, so that of an inverse mass M⁻¹ what is
- * left is P·M⁻¹·P, with P leaving the axis out.
+ * Locked axes of bodies in the packed island. Along a locked axis a body has infinite mass, so that
+ * its inverse mass M⁻¹ becomes P·M⁻¹·P, where P projects the axis out.
  */
 public final class LockedAxes {
 
     private final Bodies bodies;
     private final Motions motions;
 
-    /** Of bodies of which one may be locked. */
+    /** The storage may hold bodies with locked axes. */
     public LockedAxes(Bodies bodies, Motions motions) {
         this.bodies = bodies;
         this.motions = motions;
     }
 
-    /** 0 where the body at an offset is kept from moving along x, else 1. */
+    /** 0 if the body at an offset is locked in x, otherwise 1. */
     public double freedomX(int offset) {
         return bodies.lockedX[motions.slots[offset / Motions.STRIDE]] ? 0 : 1;
     }
 
-    /** 0 where the body at an offset is kept from moving along y, else 1. */
+    /** 0 if the body at an offset is locked in y, otherwise 1. */
     public double freedomY(int offset) {
         return bodies.lockedY[motions.slots[offset / Motions.STRIDE]] ? 0 : 1;
     }
 
-    /** Whether a body of the packed island is locked. */
+    /** Whether a body of the packed island has a locked axis. */
     public boolean areAny() {
         boolean areAny = false;
         for (int entry = 1; !areAny && entry < motions.count; entry++) {
@@ -37,7 +36,7 @@ public final class LockedAxes {
         return areAny;
     }
 
-    /** Takes all velocity along locked axes, which no force and no impulse gives. */
+    /** Sets all velocities along locked axes to 0. */
     public void hold() {
         double[] m = motions.data;
         for (int entry = 1; entry < motions.count; entry++) {

@@ -5,19 +5,19 @@ import rigibo.backend.storage.Bodies;
 import java.util.Arrays;
 
 /**
- * The bodies of one island, packed: eight doubles, one cache line, per body. Entry 0 is the ground,
- * which stands for every body that does not move.
+ * The bodies of one island, packed: eight doubles per body, one cache line. Entry 0 is the ground,
+ * which stands for all bodies that do not move.
  */
 public final class Motions {
 
-    /** Doubles per body, and where each quantity sits. */
+    /** Doubles per body; the constants below are the places of the quantities. */
     public static final int STRIDE = 8;
 
     public static final int VX = 0;
     public static final int VY = 1;
     public static final int SPIN = 2;
 
-    /** Moved and turned since the body entered the pile, m and rad. */
+    /** Displacement since the body entered the pile, m and, for {@link #TURN}, rad. */
     public static final int DX = 3;
 
     public static final int DY = 4;
@@ -25,7 +25,7 @@ public final class Motions {
     public static final int INVERSE_MASS = 6;
     public static final int INVERSE_INERTIA = 7;
 
-    /** Bodies up to which what each of them does is followed. */
+    /** Most bodies of an island in which the motion of each body is followed closely. */
     static final int FEW = 4;
 
     private static final int NOBODY = -1;
@@ -35,47 +35,47 @@ public final class Motions {
     /** The slot of each entry. */
     public int[] slots = new int[16];
 
-    /** How far the outline of each entry reaches from its centre, m; 0 where nothing turns. */
+    /** By entry: radius of its outline about the centre of mass, m; 0 without rotation. */
     public double[] reach = new double[16];
 
     public int count;
 
-    /** Velocity in m/s of the frame that all velocities and displacements refer to. */
+    /** Velocity of the frame of all velocities and displacements, m/s. */
     double frameX;
 
     double frameY;
 
     /**
-     * Whether what each of them does is followed however many they are: joints hold them together,
-     * and their contacts are few.
+     * Whether the motion of each body is followed closely however many there are: for islands with
+     * joints and few contacts.
      */
     public boolean areFollowed;
 
-    /** Whether any of them moves as it is told. */
+    /** Whether any packed body is driven. */
     public boolean isAnyDriven;
 
-    /** Whether bodies turn: where none does, every spin and turn is 0 and is not looked at. */
+    /** Whether bodies turn; if not, all spins and turns are 0 and are not read. */
     public final boolean turns;
 
-    /** For each slot its entry, valid only where that entry names the slot. */
+    /** By slot: its entry, valid only if that entry names the slot. */
     private int[] entries = new int[16];
 
     public Motions(boolean turns) {
         this.turns = turns;
     }
 
-    /** Lets what is packed from now on be relative to what moves at a velocity, m/s. */
+    /** Sets the frame of bodies packed from now on to one that moves at a velocity, m/s. */
     void takeFrame(double velocityX, double velocityY) {
         frameX = velocityX;
         frameY = velocityY;
     }
 
-    /** Whether velocities are what they are for the world. */
+    /** Whether the frame is that of the world. */
     boolean isInWorld() {
         return frameX == 0 && frameY == 0;
     }
 
-    /** Empties the pack but for the ground. */
+    /** Removes all entries but the ground. */
     void clear(Bodies bodies) {
         if (entries.length < bodies.type.length) {
             entries = new int[bodies.type.length];
@@ -86,7 +86,7 @@ public final class Motions {
         Arrays.fill(data, 0, STRIDE, 0);
     }
 
-    /** The offset of a body's entry; packs the body first if it moves and is not there yet. */
+    /** Offset of a body's entry; packs the body first if it moves and is not packed yet. */
     int offset(Bodies bodies, int slot) {
         int entry = entries[slot];
         if (entry < count && slots[entry] == slot) {
@@ -95,7 +95,7 @@ public final class Motions {
         return bodies.isMoved(slot) ? pack(bodies, slot) : 0;
     }
 
-    /** As one that does not turn: where bodies do, {@link PackedTurns} writes how. */
+    /** Packs a body without its turning, which {@link PackedTurns} adds. */
     private int pack(Bodies bodies, int slot) {
         if (count == slots.length) {
             slots = Arrays.copyOf(slots, 2 * count);
@@ -118,21 +118,23 @@ public final class Motions {
         return at;
     }
 
-    /** Whether bodies are so few that the motion of each one is seen, or are followed anyway. */
+    /** Whether the motion of each body is followed closely. */
     public boolean areFew() {
         return areFollowed || count <= FEW + 1;
     }
 
     /**
-     * World x in m of the centre of mass of a packed body, at an offset, some seconds ahead: at a
-     * time in s after the step's start.
+     * Predicted world x of the centre of mass of the body at an offset, m: {@code ahead} seconds
+     * from now, at a time in s after the step's start.
      */
     public double x(Bodies bodies, int at, double ahead, double time) {
         double inFrame = bodies.x[slots[at / STRIDE]] + data[at + DX] + ahead * data[at + VX];
         return inFrame + time * frameX;
     }
 
-    /** The same upwards. */
+    /**
+     * Predicted world y of the centre of mass of the body at an offset, m, as {@link #x} gives x.
+     */
     public double y(Bodies bodies, int at, double ahead, double time) {
         double inFrame = bodies.y[slots[at / STRIDE]] + data[at + DY] + ahead * data[at + VY];
         return inFrame + time * frameY;
@@ -154,31 +156,31 @@ public final class Motions {
         }
     }
 
-    /** Takes all speed from every entry. */
+    /** Sets the velocities of all entries to 0. */
     public void halt() {
         for (int at = STRIDE; at < count * STRIDE; at += STRIDE) {
             halt(at);
         }
     }
 
-    /** Takes all speed from one entry, at its offset. */
+    /** Sets the velocities of the entry at an offset to 0. */
     public void halt(int at) {
         Arrays.fill(data, at, at + DX, 0);
     }
 
-    /** How far in m the outline of a body may have come from where it was packed. */
+    /** Upper bound on the displacement of a body's outline since it was packed, m. */
     double moved(int at) {
         double turned = turns ? reach[at / STRIDE] * Math.abs(data[at + TURN]) : 0;
         return Math.abs(data[at + DX]) + Math.abs(data[at + DY]) + turned;
     }
 
-    /** The gap of a contact now, m: that of the nearer of its points, negative in overlap. */
+    /** Present gap of a contact, m: that of its nearer point, negative in overlap. */
     double gap(PackedContacts contacts, int row) {
         double gap = gap(contacts, row, 0);
         return contacts.points[row] == 2 ? Math.min(gap, gap(contacts, row, 1)) : gap;
     }
 
-    /** The gap of a contact's point now, m, negative in overlap. */
+    /** Present gap of a contact's point, m, negative in overlap. */
     public double gap(PackedContacts contacts, int row, int point) {
         double[] d = contacts.data;
         int at = row * PackedContacts.STRIDE;
@@ -205,12 +207,12 @@ public final class Motions {
         return true;
     }
 
-    /** Speed in m/s at which a contact's point parts; negative when it closes. */
+    /** Parting speed of a contact's point, m/s; negative when it closes. */
     public double parting(PackedContacts contacts, int row, int point) {
         return parting(data, contacts, row, point);
     }
 
-    /** How fast a point parts by velocities that are laid out as the motions, m/s. */
+    /** Parting speed of a point at velocities laid out as the motions, m/s. */
     double parting(double[] m, PackedContacts contacts, int row, int point) {
         double[] d = contacts.data;
         int at = row * PackedContacts.STRIDE;
@@ -227,14 +229,14 @@ public final class Motions {
     }
 
     /**
-     * How fast a point of B slides along one of A, each so far along the normal from its body's
-     * centre, m/s.
+     * Sliding speed of a point of B along a point of A, m/s; the arms are their positions along the
+     * normal from their bodies' centres of mass, m.
      */
     double slide(PackedContacts contacts, int row, double armA, double armB) {
         return along(contacts, row, armA, armB, VX, VY, SPIN);
     }
 
-    /** How far it has slid since the step began, m. */
+    /** Distance that such a point has slid since the step began, m. */
     double slid(PackedContacts contacts, int row, double armA, double armB) {
         return along(contacts, row, armA, armB, DX, DY, TURN);
     }
@@ -251,7 +253,7 @@ public final class Motions {
                 - armA * data[a + turn];
     }
 
-    /** The highest speed along an axis, m/s, of what can be moved and what is driven. */
+    /** Highest speed along an axis of all packed bodies, m/s. */
     public double fastest() {
         double most = 0;
         for (int at = STRIDE; at < count * STRIDE; at += STRIDE) {
@@ -260,7 +262,7 @@ public final class Motions {
         return most;
     }
 
-    /** Moves all that can be moved by as much, m. */
+    /** Moves all movable bodies by the same displacement, m. */
     public void moveAll(double x, double y) {
         for (int at = STRIDE; at < count * STRIDE; at += STRIDE) {
             if (data[at + INVERSE_MASS] > 0) {
@@ -270,7 +272,7 @@ public final class Motions {
         }
     }
 
-    /** The energy of motion at velocities laid out as the motions, of what can be moved, J. */
+    /** Kinetic energy of all movable bodies at velocities laid out as the motions, J. */
     public double energy(double[] m) {
         double sum = 0;
         for (int at = STRIDE; at < count * STRIDE; at += STRIDE) {
@@ -289,7 +291,7 @@ public final class Motions {
                 / 2;
     }
 
-    /** kg of all that can be moved. */
+    /** Mass of all movable bodies, kg. */
     public double mass() {
         double sum = 0;
         for (int at = STRIDE; at < count * STRIDE; at += STRIDE) {
@@ -298,9 +300,7 @@ public final class Motions {
         return sum;
     }
 
-    /**
-     * How many times the lightest of what can be moved the heaviest weighs, 1 where nothing can.
-     */
+    /** Ratio of the largest mass of a movable body to the smallest; 1 if there is none. */
     public double massRatio() {
         double least = Double.POSITIVE_INFINITY;
         double most = 0;
@@ -313,8 +313,8 @@ public final class Motions {
     }
 
     /**
-     * What a unit impulse along one row between A and B, with its levers, gives another with the
-     * same direction, 1/kg.
+     * Speed that a unit impulse along one row between A and B gives another row with the same
+     * direction, 1/kg; rows differ in their levers.
      */
     public double response(
             int a, int b, double leverA, double leverB, double otherA, double otherB) {

@@ -5,9 +5,9 @@ import rigibo.backend.storage.Bodies;
 import java.util.Arrays;
 
 /**
- * What each body of an island would gain in a kick by its own pull and by every one of its contacts
- * alone, all by amount: the scale by which a body's own rest is judged. A heavy neighbour that a
- * body does not touch has no part in it.
+ * The scale by which the rest of each body is judged: the sum of the magnitudes of the speeds that
+ * its pull, and each of its contacts alone, would give it in a kick. Heavy bodies that it does not
+ * touch do not enter.
  */
 public final class OwnLoads {
 
@@ -18,7 +18,7 @@ public final class OwnLoads {
     /** By entry of the motions: Σ |j| of its contacts, N·s. */
     private double[] carried = new double[16];
 
-    /** How long the kick was, s. */
+    /** Length of the kick, s. */
     private double kicked;
 
     public OwnLoads(Bodies bodies, Motions motions, PackedContacts contacts) {
@@ -27,7 +27,7 @@ public final class OwnLoads {
         this.contacts = contacts;
     }
 
-    /** Adds up what contacts carry now, after a kick of so many seconds. */
+    /** Sums the present impulses of contacts, after a kick of a length in s. */
     public void measure(double length) {
         kicked = length;
         if (carried.length < motions.count) {
@@ -45,13 +45,13 @@ public final class OwnLoads {
         }
     }
 
-    /** What an entry would gain, as it was measured last, m/s. */
+    /** The scale of an entry as last measured, m/s. */
     public double of(int entry) {
         double inverseMass = motions.data[entry * Motions.STRIDE + Motions.INVERSE_MASS];
         return kicked * pull(entry) + inverseMass * carried[entry];
     }
 
-    /** The acceleration along an axis that the effects give an entry, m/s². */
+    /** Greater component of the acceleration that the effects give an entry, m/s². */
     public double pull(int entry) {
         int slot = motions.slots[entry];
         return Math.max(Math.abs(bodies.accelerationX[slot]), Math.abs(bodies.accelerationY[slot]));

@@ -8,16 +8,16 @@ import java.util.Arrays;
 
 /**
  * The contacts of one island, packed: {@link #STRIDE} doubles each. A contact is one or two normal
- * rows that are solved together, one friction row and one rolling row; two points of a flat contact
- * share their tangent line, so one friction row at their middle does for both.
+ * rows that are solved together, one friction row and one rolling row. Two points of a flat contact
+ * share their tangent line, so that one friction row at their midpoint serves both.
  *
- * <p>With n the normal from A to B and r the arms to the points, the speed at which point i parts
- * is n·(vB − vA) + leverB·ωB − leverA·ωA, lever = r × n.
+ * <p>With n the normal from A to B and r the arms to the points, the parting speed of point i is
+ * n·(vB − vA) + leverB·ωB − leverA·ωA, with lever = r × n.
  */
 public final class PackedContacts {
 
     /*
-     * What every pass reads stands first, and what only some do behind it: a cache line holds eight.
+     * Columns that every pass reads come first, since a cache line holds eight.
      */
 
     public static final int NX = 0;
@@ -30,7 +30,7 @@ public final class PackedContacts {
     public static final int LEVER_A1 = 4;
     public static final int LEVER_B1 = 5;
 
-    /** Impulses so far in this kick, N·s. */
+    /** Normal impulses of the two points so far in this kick, N·s. */
     public static final int IMPULSE0 = 6;
 
     public static final int IMPULSE1 = 7;
@@ -40,19 +40,19 @@ public final class PackedContacts {
 
     public static final int GAP1 = 9;
 
-    /** The inverse of {@link #K00}, {@link #K01}, {@link #K11}, kg. */
+    /** Inverse of the matrix {@link #K00}, {@link #K01}, {@link #K11}, kg. */
     public static final int M00 = 10;
 
     public static final int M01 = 11;
     public static final int M11 = 12;
 
-    /** Speed at which the contact gives way to a unit impulse, 1/kg. */
+    /** Compliance: speed at which the contact yields to a unit impulse, 1/kg. */
     public static final int GIVE = 13;
 
-    /** Speed at which the surfaces come together by turning, whatever the points do, m/s. */
+    /** Closing speed of the surfaces that is due to turning and not in the points' speeds, m/s. */
     public static final int NEARING = 14;
 
-    /** Width of the narrower body that moves, m: what tolerances are a share of. */
+    /** Width of the narrower movable body, m; tolerances are shares of it. */
     public static final int WIDTH = 15;
 
     /** Friction: levers r × t, effective mass in kg, μ, impulse in N·s. */
@@ -66,12 +66,12 @@ public final class PackedContacts {
     /** Normal impulse of the whole step, N·s. */
     public static final int TOTAL = 21;
 
-    /** Force that the points carried of late, N. */
+    /** Averaged force of the points, N. */
     static final int LOAD0 = 22;
 
     static final int LOAD1 = 23;
 
-    /** What a unit impulse at point i gives point j, 1/kg. */
+    /** Speed that a unit impulse at point i gives point j, 1/kg. */
     public static final int K00 = 24;
 
     public static final int K01 = 25;
@@ -83,12 +83,12 @@ public final class PackedContacts {
     public static final int ROLLING = 28;
     public static final int IMPULSE_R = 29;
 
-    /** Elasticity, and the approach in m/s from which a contact bounces. */
+    /** Elasticity, and the closing speed from which on the contact bounces, m/s. */
     public static final int ELASTICITY = 30;
 
     public static final int BOUNCE_SPEED = 31;
 
-    /** Share of an overlap taken back per second, 1/s. */
+    /** Share of an overlap that is removed per second, 1/s. */
     public static final int RECOVERY = 32;
 
     /** Normal impulses of the kick before, N·s. */
@@ -99,64 +99,73 @@ public final class PackedContacts {
     public static final int STRIDE = 35;
 
     /**
-     * Compliance of every row, as a share of its effective inverse mass. It is too small to be
-     * seen, but it makes the distribution of a load over redundant contacts unique; without it
-     * their impulses drift.
+     * Compliance of every row, as a share of its effective inverse mass. It is too small to be seen
+     * but makes the distribution of a load over redundant contacts unique; without it their
+     * impulses drift.
      */
     public static final double COMPLIANCE = 1e-10;
 
-    /** Contacts of one body that may carry something, at most. */
+    /** Most contacts of one body that count as possibly loaded. */
     static final int LOADED_PER_BODY = 4;
 
-    /** The first substep of a contact that there was when the step began. */
+    /** First substep of a contact that existed when the step began. */
     public static final int ALWAYS = -1;
 
     public double[] data = new double[16 * STRIDE];
 
-    /** Offsets of A and B in {@link Motions}, the pair, its points, and the first substep. */
+    /** By contact: offset of A in {@link Motions}. */
     public int[] bodyA = new int[16];
 
+    /** By contact: offset of B in {@link Motions}. */
     public int[] bodyB = new int[16];
+
+    /** By contact: its pair. */
     public int[] pair = new int[16];
+
+    /** By contact: its number of points, 1 or 2. */
     public int[] points = new int[16];
+
+    /** By contact: the first substep in which it takes part. */
     public int[] firstSubstep = new int[16];
+
+    /** Number of contacts. */
     public int count;
 
-    /** Bodies of the island, which move as its contacts tell them to. */
+    /** Number of movable bodies of the island. */
     private int bodies;
 
-    /** Speed along the tangent at which friction lets B run on A: driven, or turning, m/s. */
+    /** Tangential speed of B on A that friction aims at, by running surfaces or turning, m/s. */
     public double[] surface = new double[16];
 
-    /** The part of it by which driven surfaces carry, m/s. */
+    /** The part of that speed that is due to running surfaces, m/s. */
     double[] running = new double[16];
 
     /** Whether a contact was measured again within the substep. */
     public boolean[] isNew = new boolean[16];
 
-    /** Whether the surfaces of any of them run. */
+    /** Whether any contact has a running surface. */
     public boolean isAnyRunning;
 
-    /** Whether any of them is crushed: deeper in each other than what overlap recovery leaves. */
+    /** Whether any contact is crushed. */
     public boolean isAnyCrushed;
 
-    /** The last substep in which a contact joins, {@link #ALWAYS} where none does. */
+    /** Last substep in which a contact joins; {@link #ALWAYS} if none does. */
     public int lastJoining;
 
     /**
-     * Contacts from here on are against what cannot give way. Every pass takes them last: what it
-     * leaves unsolved is then between bodies, and none sinks into the floor.
+     * Contacts from here on are with immovable bodies. Every pass takes them last, so that the
+     * error it leaves is between movable bodies, and none sinks into the floor.
      */
     public int groundStart;
 
-    /** Impacts that were resolved between them. */
+    /** Number of impacts that were resolved at these contacts. */
     public int impacts;
 
-    /** What solving them took, and those of other islands before them. */
+    /** Work counters of this island and those solved before it. */
     public final IslandWork work = new IslandWork();
 
     /**
-     * Adds a point to an impact: its arms follow from the levers along the normal and the tangent.
+     * Adds a point of a contact to an impact; the levers along normal and tangent give its arms.
      */
     public void addPoint(int row, int point, Impact impact) {
         int at = row * STRIDE;
@@ -174,15 +183,15 @@ public final class PackedContacts {
     }
 
     /**
-     * Whether so many contacts of so many bodies that move are too many for elimination. Most of
-     * the contacts that one body may reach carry nothing: it has no more than three unknowns.
+     * Whether a number of contacts is too large for elimination. Only {@link #LOADED_PER_BODY} of
+     * them are counted per movable body: it has three unknowns, and most contacts carry nothing.
      */
     private static boolean areCrowd(int contacts, int bodies) {
         int loaded = Math.min(contacts, LOADED_PER_BODY * bodies);
         return loaded * SingleRows.ROWS_PER_CONTACT > SingleRows.MOST_ELIMINATED;
     }
 
-    /** Whether an island has too many contacts for elimination, before they are packed. */
+    /** Whether an island that is not packed yet has too many contacts for elimination. */
     public static boolean areCrowd(Islands islands, int island) {
         int contacts = islands.pairStart[island + 1] - islands.pairStart[island];
         int bodies = islands.bodyStart[island + 1] - islands.bodyStart[island];
@@ -194,19 +203,17 @@ public final class PackedContacts {
         return areCrowd(count, bodies);
     }
 
-    /** Whether none is against what cannot give way: the bodies float. */
+    /** Whether the island floats: it has no contact with an immovable body. */
     public boolean areFloating() {
         return groundStart == count;
     }
 
-    /**
-     * The largest share of the contacts that carries something in a pile, where each stands on two.
-     */
+    /** Largest share of contacts that carry load in a pile where each body stands on two others. */
     public double shareLoaded() {
         return Math.min(1, 2.0 * bodies / count);
     }
 
-    /** The largest change of speed by which a contact answers, m/s. */
+    /** Largest change of speed that any contact's impulse causes, m/s. */
     public double strongestAnswer() {
         double most = 0;
         for (int at = 0; at < count * STRIDE; at += STRIDE) {
@@ -215,7 +222,7 @@ public final class PackedContacts {
         return most;
     }
 
-    /** The width of the widest of the narrower bodies, m. */
+    /** Largest of the contacts' widths, m. */
     public double widest() {
         double most = 0;
         for (int at = 0; at < count * STRIDE; at += STRIDE) {
@@ -233,13 +240,13 @@ public final class PackedContacts {
         return most;
     }
 
-    /** Whether a point carries something, or did in the kick before: what it does is left out. */
+    /** Whether a point carries an impulse in this kick or did in the last one. */
     public boolean carries(int row, int point) {
         int at = row * STRIDE + point;
         return data[at + IMPULSE0] > 0 || data[at + BEFORE0] > 0;
     }
 
-    /** Takes a contact for one that has carried nothing yet. */
+    /** Sets all impulses of a contact to 0. */
     public void unload(int row) {
         int at = row * STRIDE;
         data[at + IMPULSE0] = 0;
@@ -248,7 +255,7 @@ public final class PackedContacts {
         data[at + IMPULSE_R] = 0;
     }
 
-    /** Scales what a contact carries. */
+    /** Scales the impulses of a contact. */
     public void scaleImpulses(int row, double share) {
         int at = row * STRIDE;
         data[at + IMPULSE0] *= share;
@@ -257,14 +264,14 @@ public final class PackedContacts {
         data[at + IMPULSE_R] *= share;
     }
 
-    /** Takes a contact for one that joins in a substep. */
+    /** Lets a contact take part only from a substep on. */
     public void joinsIn(int row, int substep) {
         unload(row);
         firstSubstep[row] = substep;
         lastJoining = Math.max(lastJoining, substep);
     }
 
-    /** Empties the pack for an island of so many bodies. */
+    /** Removes all contacts, for an island of a number of bodies. */
     void clear(int bodies) {
         this.bodies = bodies;
         count = 0;
@@ -274,27 +281,27 @@ public final class PackedContacts {
         lastJoining = ALWAYS;
     }
 
-    /** Takes all contacts for ones that have carried nothing yet. */
+    /** Sets all impulses of all contacts to 0. */
     public void unload() {
         for (int row = 0; row < count; row++) {
             unload(row);
         }
     }
 
-    /** Adds the impulses of so many kicks like this one to those of the step. */
+    /** Adds a multiple of this kick's impulses to the totals of the step. */
     public void addUpImpulses(int kicks) {
         for (int row = 0; row < count; row++) {
             addUpImpulses(row, kicks);
         }
     }
 
-    /** The same of one contact. */
+    /** Adds a multiple of one contact's impulses to its total. */
     public void addUpImpulses(int row, int kicks) {
         int at = row * STRIDE;
         data[at + TOTAL] += kicks * (data[at + IMPULSE0] + data[at + IMPULSE1]);
     }
 
-    /** Makes room for one more contact and returns its index; its numbers are all 0. */
+    /** Adds a contact whose numbers are all 0 and returns its index. */
     int add() {
         if (count == pair.length) {
             int capacity = 2 * count;

@@ -2,7 +2,7 @@ package rigibo.backend.contact.row;
 
 import rigibo.backend.storage.Bodies;
 
-/** How the bodies of a packed island turn, from the columns and back: rotation is declared. */
+/** Copies the turning of a packed island's bodies from the columns and back, with rotation only. */
 public final class PackedTurns {
 
     private final Bodies bodies;
@@ -13,7 +13,7 @@ public final class PackedTurns {
         this.motions = motions;
     }
 
-    /** Completes the entries from one on, which were packed as if they did not turn. */
+    /** Adds the turning to the entries from one on, which were packed without it. */
     void pack(int first) {
         double[] m = motions.data;
         for (int entry = first; entry < motions.count; entry++) {
@@ -24,7 +24,7 @@ public final class PackedTurns {
         }
     }
 
-    /** Adds the angular accelerations to the spins, from one time in s to a later one: a kick. */
+    /** Makes a kick of the spins from one time (s) to a later one. */
     void accelerate(double from, double to) {
         double[] m = motions.data;
         for (int entry = 1; entry < motions.count; entry++) {
@@ -37,13 +37,13 @@ public final class PackedTurns {
         }
     }
 
-    /** Puts what forces that change along the way do now in place of what they did, rad/s². */
+    /** Replaces the angular acceleration by forces that vary along the path, rad/s². */
     void replacePull(int slot, double turn) {
         bodies.angularAcceleration[slot] += turn - bodies.pullTurn[slot];
         bodies.pullTurn[slot] = turn;
     }
 
-    /** Carries what the island came to back into the columns. */
+    /** Writes the result of the island back into the columns. */
     void store() {
         double[] m = motions.data;
         for (int entry = 1; entry < motions.count; entry++) {

@@ -2,41 +2,41 @@ package rigibo.backend.contact.row;
 
 import rigibo.backend.setup.Accuracy;
 
-/** How fast overlap is taken back, and how much of it stays. */
+/** The speed at which overlap is removed, and how much of it is kept. */
 public final class Recovery {
 
-    /** Share of an overlap taken back per second; an overlap has halved after two steps. */
+    /** Share of an overlap that is removed per second, 1/s; two steps halve an overlap. */
     public static final double RATE = 25;
 
-    /** Fastest speed at which two overlapping bodies are moved apart, m/s for a body of a metre. */
+    /** Highest speed at which two overlapping bodies are moved apart, widths per second. */
     public static final double MOST_PUSH = 3;
 
     /**
-     * Overlap that stays, m for a body of one metre: a resting contact that parted by round-off
-     * would lose its load for a substep and tremble.
+     * Kept overlap, in widths: a resting contact that parted by round-off would lose its load for a
+     * substep and tremble.
      */
     public static final double KEPT_OVERLAP = 1e-5;
 
     /**
-     * The most that stays in a crowd, m for a body of one metre. What pushes one of its bodies
-     * opens gaps around others, which close again for as long as anything is taken back.
+     * Largest kept overlap in a crowd, in widths. Pushing one body of a crowd opens gaps around
+     * others, which keep closing for as long as any overlap is removed.
      */
     private static final double MOST_KEPT = 1e-3;
 
-    /** How many times the tolerance of impacts that is. */
+    /** Kept overlap in a crowd, as a multiple of the impact tolerance. */
     private static final double KEPT_BY_TOLERANCE = 10;
 
     /**
-     * How many times that may stay in a crowd that is calm. What is taken back of the last of an
-     * overlap is ever less, and as long as anything is, nothing rests.
+     * Factor on it in a calm crowd. The last of an overlap is removed ever more slowly, and as long
+     * as any is removed, the crowd does not rest.
      */
     private static final double KEPT_IF_CALM = 2;
 
     private Recovery() {}
 
     /**
-     * How far in m a gap of a contact is to open in h seconds, at so many widths a second at most;
-     * 0 where no more overlaps than is kept, in widths.
+     * Distance by which a contact's gap is to open in h seconds, m, with a highest speed in widths
+     * per second; 0 if the overlap is within the kept one, in widths.
      */
     public static double opens(
             PackedContacts contacts, int contact, double gap, double kept, double h, double most) {
@@ -47,15 +47,12 @@ public final class Recovery {
         return over > 0 ? Math.min(over * rate / (1 + rate), most * width * h) : 0;
     }
 
-    /** How deep an overlap is, m, of which so many m are taken back in a step of dt seconds. */
-    public static double overlapOf(double taken, double dt) {
-        return taken * (1 + 1 / (RATE * dt));
+    /** Overlap, m, of which so many m are removed in a step of dt seconds. */
+    public static double overlapOf(double removed, double dt) {
+        return removed * (1 + 1 / (RATE * dt));
     }
 
-    /**
-     * Overlap that stays, m for a body of one metre. In a crowd that is ten times the tolerance of
-     * impacts, within bounds.
-     */
+    /** Kept overlap, in widths; in a crowd ten times the impact tolerance, within bounds. */
     public static double kept(boolean isCrowd, Accuracy accuracy) {
         if (!isCrowd) {
             return KEPT_OVERLAP;
@@ -64,10 +61,7 @@ public final class Recovery {
         return Math.max(KEPT_OVERLAP, Math.min(MOST_KEPT, wanted));
     }
 
-    /**
-     * Overlap that stays in an island in which nothing goes faster than a quarter of what its own
-     * pull gives it in a step, m for a body of one metre.
-     */
+    /** Kept overlap of a calm island, in widths. */
     public static double keptIfCalm(boolean isCrowd, Accuracy accuracy) {
         double kept = kept(isCrowd, accuracy);
         return isCrowd ? KEPT_IF_CALM * kept : kept;

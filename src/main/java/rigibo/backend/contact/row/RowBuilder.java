@@ -7,38 +7,38 @@ import rigibo.backend.storage.PairTolerances;
 import rigibo.backend.storage.Pairs;
 import rigibo.backend.storage.PointSpeeds;
 
-/** Turns the pairs of an island into packed contacts. */
+/** Builds the packed contacts of an island from its pairs. */
 public final class RowBuilder {
 
     /**
-     * Relative determinant below which two points count as one: their mass matrix would lose its
-     * digits.
+     * Relative determinant below which two points count as one, since their mass matrix would be
+     * too ill-conditioned.
      */
     private static final double DEPENDENT = 1e-4;
 
-    /** Overlap from which on a body is crushed, as a share of its width. */
+    /** Overlap above which a contact is crushed, in widths of the smaller body. */
     private static final double CRUSHED = 0.05;
 
     /**
-     * The share from which on what is driven presses no further in a crowd, where a hard impact
-     * presses bodies deeper than that for a moment.
+     * Overlap above which a driven body presses no further in a crowd, in widths; a hard impact
+     * there presses bodies deeper than {@link #CRUSHED} for a moment.
      */
     private static final double HALTS_IN_A_CROWD = 0.25;
 
-    /** Share of the pressing speed that a body must fail to follow for what is driven to halt. */
+    /** Closing speed, as a share of the pressing speed, above which a driven body is halted. */
     private static final double STAYS_BEHIND = 0.5;
 
-    /** Where the motions keep what stands still. */
+    /** Offset of the ground in the motions. */
     private static final int GROUND = 0;
 
-    /** Gap in m of a contact that has parted beyond all reach. */
+    /** Gap of a contact without points, which is out of reach, m. */
     private static final double OUT_OF_REACH = 1e9;
 
     /**
-     * Compliance of contacts with driven bodies: a driven body presses with any force that it
-     * takes, and against a wall no force would be enough, so that the equations would squeeze a
-     * body out at any speed. A contact gives way at this share of the speed that its impulse would
-     * give the whole island: 1 % of g·h under the island's weight.
+     * Compliance of contacts with driven bodies, as a share of the speed that an impulse gives the
+     * whole island: such a contact yields at 1 % of g·h under the island's weight. A driven body
+     * presses with any force, and against a wall no force would be enough, so that without
+     * compliance the equations would squeeze a body out at any speed.
      */
     private static final double GIVE_OF_DRIVEN = 0.01;
 
@@ -49,13 +49,13 @@ public final class RowBuilder {
     private final Motions motions;
     private final PackedContacts contacts;
 
-    /** How bodies turn, or null where none does. */
+    /** Turning of the packed bodies; null without rotation. */
     private final PackedTurns turns;
 
-    /** Of all that can be moved in the packed island, kg. */
+    /** Mass of all movable bodies of the packed island, kg. */
     private double mass;
 
-    /** The share of a body's width from which on what is driven presses it no further. */
+    /** Overlap above which a driven body presses no further in this island, in widths. */
     private double halts;
 
     public RowBuilder(
@@ -69,9 +69,7 @@ public final class RowBuilder {
         colours = new Colours(data);
     }
 
-    /**
-     * Packs an island for substeps of h seconds whose kicks begin with {@code firstKick} seconds.
-     */
+    /** Packs an island whose first kick has a length of {@code firstKick} seconds. */
     public void build(int island, double firstKick) {
         packBodies(island);
         int driven = motions.count;
@@ -90,7 +88,7 @@ public final class RowBuilder {
         }
     }
 
-    /** Packs the bodies of an island alone. */
+    /** Packs only the bodies of an island. */
     public void packBodies(int island) {
         motions.clear(bodies);
         for (int i = islands.bodyStart[island]; i < islands.bodyStart[island + 1]; i++) {
@@ -101,7 +99,7 @@ public final class RowBuilder {
         }
     }
 
-    /** The offset of a body in the motions, which is packed if it moves and is not there yet. */
+    /** Offset of a body in the motions; packs it first if it moves and is not packed yet. */
     public int offset(int slot) {
         int before = motions.count;
         int offset = motions.offset(bodies, slot);
@@ -133,7 +131,7 @@ public final class RowBuilder {
         writeImpulses(row, at, pair, firstKick);
     }
 
-    /** Starts from the forces that held last; a contact of one row carries both points' load. */
+    /** Warm starts from the stored forces; a contact of one row gets the load of both points. */
     private void writeImpulses(int row, int at, int pair, double firstKick) {
         double[] d = contacts.data;
         double impulse0 = pairs.normalForce[2 * pair] * firstKick;
@@ -148,8 +146,9 @@ public final class RowBuilder {
     }
 
     /**
-     * Writes a contact anew whose manifold was measured where its bodies are now. Its gaps stay
-     * those that it had when they entered the pile, for that is what they are compared with.
+     * Writes a contact again whose manifold was measured at the present poses. Its gaps are
+     * converted to those at which the bodies entered the pile, since displacements count from
+     * there.
      */
     void rewrite(int row) {
         int pair = contacts.pair[row];
@@ -169,7 +168,7 @@ public final class RowBuilder {
         }
     }
 
-    /** Lets the first point carry what both have: of the second no row would take anything back. */
+    /** Gives the first point both impulses, since no row could take back that of the second. */
     private void carryAtOne(int at) {
         double[] d = contacts.data;
         d[at + PackedContacts.LOAD0] += d[at + PackedContacts.LOAD1];
@@ -189,7 +188,7 @@ public final class RowBuilder {
         }
     }
 
-    /** Where nothing turns levers are zero, and the nearer of two points is enough. */
+    /** Without rotation levers are zero, and the nearer of two points is enough. */
     private void writeStraight(int row, int at, int pair) {
         double[] d = contacts.data;
         d[at + PackedContacts.NX] = pairs.normalX[pair];
@@ -224,8 +223,8 @@ public final class RowBuilder {
     }
 
     /**
-     * Where along the normal friction acts, m: at the nearest point. A body that stands on one
-     * corner turns about that corner.
+     * Position of friction along the normal, m: that of the nearest point, so that a body that
+     * stands on one corner turns about it.
      */
     public static double rubsAt(Pairs pairs, int pair, double nx, double ny) {
         int point = 2 * pair;
@@ -305,9 +304,9 @@ public final class RowBuilder {
     }
 
     /**
-     * Whether a driven body presses another one deep into itself that does not follow. The driven
-     * body then counts as standing still. A body that follows has been hit hard and has room to go;
-     * so may one that was not pushed before.
+     * Whether a driven body presses deep into another body that does not move along with it. The
+     * driven body then counts as standing still. A body that moves along was hit hard and has room
+     * to go; one that was not pushed before may have.
      */
     private boolean isPressedInVain(int pair) {
         int a = pairs.bodyA[pair];
@@ -320,7 +319,7 @@ public final class RowBuilder {
                         || staysBehind(pair, 2 * pair + pairs.points[pair] - 1));
     }
 
-    /** Whether a gap is a deep overlap, by the width of the smaller of the two, movable or not. */
+    /** Whether an overlap crushes, by the width of the smaller body, movable or not. */
     static boolean isCrushed(Bodies bodies, Pairs pairs, int pair, double gap) {
         int a = pairs.bodyA[pair];
         int b = pairs.bodyB[pair];
@@ -328,7 +327,7 @@ public final class RowBuilder {
         return -gap > CRUSHED * width;
     }
 
-    /** Whether a point closes at more than half of the speed at which what is driven presses. */
+    /** Whether a point closes at more than half of the driven body's pressing speed. */
     private boolean staysBehind(int pair, int point) {
         int a = pairs.bodyA[pair];
         double pressing =
@@ -339,7 +338,7 @@ public final class RowBuilder {
         return pressing > 0 && -parting > STAYS_BEHIND * pressing;
     }
 
-    /** Two points that are as good as one: the deeper is kept as the first. */
+    /** Replaces two dependent points with the deeper one. */
     private void keepDeeper(int row, int at) {
         double[] d = contacts.data;
         contacts.points[row] = 1;

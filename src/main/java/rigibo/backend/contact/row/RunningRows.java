@@ -5,8 +5,8 @@ import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.Pairs;
 
 /**
- * Surfaces that run, such as a conveyor's: friction aims at their speed. Both outlines run
- * counter-clockwise, so that at the contact their speeds add.
+ * Contacts with running surfaces, such as conveyors: friction aims at their speed. Both outlines
+ * run counter-clockwise, so that their speeds add at a contact.
  */
 public final class RunningRows {
 
@@ -20,7 +20,7 @@ public final class RunningRows {
         this.contacts = contacts;
     }
 
-    /** Writes the speeds of the packed island. */
+    /** Writes the surface speeds of the packed contacts. */
     public void begin() {
         for (int row = 0; row < contacts.count; row++) {
             int pair = contacts.pair[row];

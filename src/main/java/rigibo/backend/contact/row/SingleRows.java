@@ -1,15 +1,15 @@
 package rigibo.backend.contact.row;
 
 /**
- * The rows of packed contacts one by one: row {@code 3·contact + kind}, where kind is the point of
- * a normal row or {@link #TANGENT}.
+ * The single rows of packed contacts: row {@code 3·contact + kind}, where kind is the point of a
+ * normal row, 0 or 1, or {@link #TANGENT}.
  */
 public final class SingleRows {
 
     public static final int ROWS_PER_CONTACT = 3;
     public static final int TANGENT = 2;
 
-    /** Rows of the largest island that is eliminated; beyond it that costs more than it gains. */
+    /** Most rows of an island that is eliminated; for larger ones it costs more than it gains. */
     public static final int MOST_ELIMINATED = 192;
 
     private final Motions motions;
@@ -20,7 +20,7 @@ public final class SingleRows {
         this.contacts = contacts;
     }
 
-    /** How fast (or far) B moves against A along a row, by columns laid out as the motions. */
+    /** Speed (or displacement) of B relative to A along a row, from columns as in the motions. */
     public double relative(double[] m, int id, int ix, int iy, int turn) {
         int row = id / ROWS_PER_CONTACT;
         int a = contacts.bodyA[row];
@@ -46,13 +46,13 @@ public final class SingleRows {
         m[b + turn] += m[b + Motions.INVERSE_INERTIA] * leverB(id) * impulse;
     }
 
-    /** Where a row keeps its impulse, from its contact's start on. */
+    /** Column of a row's impulse, relative to its contact's first one. */
     public static int impulseColumn(int id) {
         int kind = id % ROWS_PER_CONTACT;
         return kind == TANGENT ? PackedContacts.IMPULSE_T : PackedContacts.IMPULSE0 + kind;
     }
 
-    /** Speed in m/s at which the surfaces of a row are driven past each other. */
+    /** Speed of the running surfaces along a row, m/s. */
     public double running(int id) {
         return id % ROWS_PER_CONTACT == TANGENT ? contacts.running[id / ROWS_PER_CONTACT] : 0;
     }

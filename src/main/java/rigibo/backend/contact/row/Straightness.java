@@ -3,24 +3,21 @@ package rigibo.backend.contact.row;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.ImpactMode;
 
-/** How far a contact may deviate from a straight line in a step and still count as straight. */
+/** The deviation from a straight line up to which a contact counts as straight in a step. */
 public final class Straightness {
 
     /**
-     * Share of the tolerance that is allowed where bodies are few, so that what turns on keeps its
-     * energy.
+     * Share of the tolerance that is used in islands of few bodies, so that turning bodies keep
+     * their energy.
      */
     private static final double FINER = 1e-2;
 
     private final Motions motions;
 
-    /** As a share of a body's width. */
+    /** The deviation, in widths. */
     private final double tolerance;
 
-    /**
-     * Whether bodies are followed where they are few: they are if impacts are resolved in the order
-     * of time.
-     */
+    /** Whether few bodies are followed closely: if impacts are resolved in time order. */
     public final boolean follows;
 
     public Straightness(Motions motions, Accuracy accuracy) {
@@ -29,7 +26,7 @@ public final class Straightness {
         follows = accuracy.impacts() == ImpactMode.EVENTS;
     }
 
-    /** In the packed island, as a share of a body's width. */
+    /** Deviation that is neglected in the packed island, in widths. */
     double unseen() {
         return follows && motions.areFew() ? FINER * tolerance : tolerance;
     }

@@ -6,13 +6,14 @@ import rigibo.backend.storage.Pairs;
 
 /**
  * Bodies that move farther in a step than was predicted when it began, because they or their
- * supports were struck. Their contacts were measured for less: a second corner may land that was
- * too far away to be a point. In islands of few bodies {@link Landings} follow every landing; and a
- * body crushed between two walls would be measured against one and then the other.
+ * supports were struck. Their contacts were measured for a shorter distance, and a second corner
+ * may land that was too far away to be a point. Islands of few bodies are left out: {@link
+ * Landings} follow every landing there, and a body crushed between two walls would be measured
+ * against one and then the other.
  */
 public final class Strays {
 
-    /** Excess over the predicted distance that is neglected, as a share of the width. */
+    /** Excess over the predicted distance that is neglected, in widths. */
     private static final double UNSEEN = 1e-3;
 
     private final Bodies bodies;
@@ -20,7 +21,7 @@ public final class Strays {
     private final Motions motions;
     private final PackedContacts contacts;
 
-    /** By entry of the motions the way in m that its outline was to go at most. */
+    /** By entry of the motions: largest predicted displacement of its outline, m. */
     private double[] foreseen = new double[16];
 
     private boolean[] strays = new boolean[16];
@@ -32,7 +33,9 @@ public final class Strays {
         this.contacts = contacts;
     }
 
-    /** Foresees of the packed island what its bodies do now, with {@code left} seconds to go. */
+    /**
+     * Predicts the displacements of the packed bodies for the rest ({@code left} s) of the step.
+     */
     public void begin(double left) {
         if (motions.areFew()) {
             return;
@@ -51,7 +54,7 @@ public final class Strays {
         }
     }
 
-    /** Finds who strays, with {@code left} seconds of the step to go; returns whether any does. */
+    /** Finds strays for the rest ({@code left} s) of the step; returns whether there are any. */
     public boolean areAny(double left) {
         if (motions.areFew()) {
             return false;
@@ -64,7 +67,7 @@ public final class Strays {
         return isAny;
     }
 
-    /** How far in m the outline of an entry gets from where it was when the step began. */
+    /** Largest displacement of an entry's outline up to the end of the step, m. */
     private double way(int entry, double left) {
         double[] m = motions.data;
         int at = entry * Motions.STRIDE;
@@ -74,7 +77,7 @@ public final class Strays {
         return moved + left * speed + motions.reach[entry] * turned;
     }
 
-    /** Whether a contact may lack a corner that lands. */
+    /** Whether a corner may land that a contact of a stray does not have as a point yet. */
     public boolean mayLackPoint(int row) {
         int a = contacts.bodyA[row] / Motions.STRIDE;
         int b = contacts.bodyB[row] / Motions.STRIDE;

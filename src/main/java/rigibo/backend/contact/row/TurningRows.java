@@ -7,38 +7,45 @@ import rigibo.backend.storage.Islands;
 import rigibo.backend.storage.Pairs;
 
 /**
- * The contacts of bodies that turn fast. A row takes outlines and paths for straight lines. An
- * outline of reach R that turns by φ leaves its line by the sagitta Rφ²/2, and by sφ more where it
- * slides on for s. Where the sagitta of a step counts, the contact is measured anew before every
- * substep; where that of a substep counts, the island is given more substeps and takes overlap back
- * at once.
+ * The contacts of bodies that turn fast. A row treats outlines and paths as straight lines. An
+ * outline of radius R that turns by φ deviates from its line by the sagitta Rφ²/2, and by sφ more
+ * if it slides by s meanwhile. If the sagitta of a step matters, the contact is measured again
+ * before every substep; if that of a substep matters, the island gets more substeps and removes
+ * overlap at once.
  */
 public final class TurningRows {
 
     /**
-     * The same for the sum over all substeps; with n substeps it is an n-th of that of the step.
+     * Largest sum over all substeps of such deviations in an island with the usual number of
+     * substeps, in widths; with n substeps the sum is 1/n of the deviation over the whole step.
      */
     private static final double CALM = 0.02;
 
-    /** Share of a face that a body may turn by in a substep, at the end of which a corner lands. */
+    /** Largest turn in a substep, as a share of the turn from one face to the next. */
     private static final double MOST_OF_FACE = 0.05;
 
-    /** An island is given at most this many times the substeps of a calm one; */
+    /** Largest number of substeps, as a multiple of the usual one. */
     private static final double MOST_MORE = 16;
 
-    /** no more than this over the square of its bodies, for one wild body in a heap costs all. */
+    /**
+     * Largest such multiple times the square of the number of bodies, since one wild body in a heap
+     * makes all of it cost more.
+     */
     private static final double MOST_IN_ALL = 4096;
 
-    /** Turn within a substep up to which the arc is that of a parabola, rad. */
+    /** Turn within a substep up to which a point's arc is treated as a parabola, rad. */
     private static final double MOST_BEND = 0.1;
 
-    /** Parts in which bodies go through a substep at most. */
+    /** Most parts in which bodies drift through a substep. */
     private static final int MOST_PARTS = 8;
 
-    /** Turn within such a part beyond which a contact is measured again, rad. */
+    /** Turn within such a part above which a contact is measured again, rad. */
     private static final double FAR = 0.5 * MOST_BEND;
 
-    /** Share of an overlap taken back per second for each such time: all of it, 1/s. */
+    /**
+     * Additional share of an overlap removed per second, 1/s, for each unit by which the multiple
+     * of substeps exceeds 1: practically all of it in one substep.
+     */
     private static final double AT_ONCE = 1e4;
 
     private final Bodies bodies;
@@ -51,7 +58,7 @@ public final class TurningRows {
     /** Whether any body of the packed island turns too far. */
     private boolean isAnyTurning;
 
-    /** Sagitta of a whole step that may be passed over, as a share of the body's width. */
+    /** Sagitta of a whole step that is neglected, in widths. */
     private final Straightness straight;
 
     public TurningRows(
@@ -70,8 +77,8 @@ public final class TurningRows {
     }
 
     /**
-     * How many substeps an island needs for the rest of a step: as many as usual, unless its bodies
-     * turn fast.
+     * Number of substeps that an island needs for the rest of a step: the usual one, unless its
+     * bodies turn fast.
      */
     public int substepsFor(int island, double left, int usual) {
         double wanted = 1;
@@ -91,34 +98,38 @@ public final class TurningRows {
         return (int) Math.ceil(usual * more);
     }
 
-    /** By how many of its faces a body turns in h seconds: each puts it on another corner. */
+    /**
+     * Number of faces that a body turns by in h seconds; after each it stands on another corner.
+     */
     private double facesTurned(int slot, double h) {
         int corners = bodies.outline[slot].corners();
         return corners > 1 ? Math.abs(bodies.spin[slot]) * h * corners / (2 * Math.PI) : 0;
     }
 
-    /** How far in m the outline leaves its line in h seconds, by turning and by sliding off it. */
+    /** Deviation of a body's outline from its line in h seconds, by turning and by sliding, m. */
     private double leaves(int slot, double h) {
         double turn = bodies.sweepRadius[slot] > 0 ? Math.abs(bodies.spin[slot]) * h : 0;
         double way = h * (Math.abs(bodies.velocityX[slot]) + Math.abs(bodies.velocityY[slot]));
         return sagitta(slot, turn) + way * turn;
     }
 
-    /** Whether the outline of a contact turns in the step, of which some seconds are to go. */
+    /** Whether an outline of a contact turns in the step, of which {@code left} seconds remain. */
     boolean isTurning(int row, double left) {
         return isAnyTurning
                 && (isTurningBody(contacts.bodyA[row], left)
                         || isTurningBody(contacts.bodyB[row], left));
     }
 
-    /** Takes a contact for straight again, if it was bent in the substep before. */
+    /** Makes a contact straight again that was bent in the last substep. */
     void straighten(int row) {
         if (isBent(row)) {
             bend(row, 0);
         }
     }
 
-    /** In how many parts of h seconds bodies turn no farther than a parabola's arc goes. */
+    /**
+     * Number of parts of a substep of h seconds in which no body turns by more than an arc allows.
+     */
     public int partsFor(double h) {
         double fastest = 0;
         for (int entry = 1; entry < motions.count; entry++) {
@@ -127,17 +138,17 @@ public final class TurningRows {
         return (int) Math.max(1, Math.min(MOST_PARTS, Math.ceil(fastest / MOST_BEND)));
     }
 
-    /** The angle by which a packed body turns in h seconds, rad; 0 where that does not show. */
+    /** Angle by which a packed body turns in h seconds, rad; 0 for discs about their centre. */
     private double turned(int entry, double h) {
         boolean shows = entry > 0 && bodies.sweepRadius[motions.slots[entry / Motions.STRIDE]] > 0;
         return shows ? Math.abs(motions.data[entry + Motions.SPIN]) * h : 0;
     }
 
     /**
-     * Measures anew the contacts of bodies that turn far in the next h seconds, as far as they may
-     * close in what is left of the step, s, and foresees how their gaps do.
+     * Measures again the contacts of bodies that turn far in the next h seconds and may close in
+     * the rest ({@code left} s) of the step, and predicts how their gaps change.
      *
-     * @return whether there was anything
+     * @return whether any contact was measured
      */
     public boolean measureTurned(double h, double left) {
         boolean isAny = false;
@@ -154,7 +165,7 @@ public final class TurningRows {
         return isAny;
     }
 
-    /** Begins a substep with {@code left} seconds to go. */
+    /** Starts a substep; {@code left} seconds of the step remain. */
     void begin(double left) {
         isAnyTurning = false;
         for (int entry = 1; !isAnyTurning && entry < motions.count; entry++) {
@@ -163,11 +174,11 @@ public final class TurningRows {
     }
 
     /**
-     * Widens the gap of a point by ½ω²h² of its arm, for within a substep a point that turns with
-     * its body leaves its tangent by that much, towards the centre of mass; and lets it run ahead
-     * along the surface by as much as keeps it in place. A body that pivots on a corner then keeps
-     * its energy up to terms in h². Where the gap closes by turning, the contact has to part as
-     * fast.
+     * Widens the gap of a point by ½ω²h² of its arm, since within a substep a point that turns with
+     * its body deviates by that much from its tangent, towards the centre of mass. Along the
+     * surface the point may run ahead by as much as keeps it in place. A body that pivots on a
+     * corner then keeps its energy up to terms in h². If the gap closes by turning, the contact
+     * must part as fast as it closes.
      */
     void bend(int row, double h) {
         int at = row * PackedContacts.STRIDE;
@@ -195,22 +206,22 @@ public final class TurningRows {
                 || contacts.data[row * PackedContacts.STRIDE + PackedContacts.NEARING] != 0;
     }
 
-    /** Half the square of the angle by which an outline turns in h seconds. */
+    /** Half the square of an outline's angle of turn in h seconds. */
     private double bend(int slot, int entry, double h) {
         double turn = turn(slot, entry, h);
         return turn * turn / 2;
     }
 
-    /** The angle by which an outline turns in h seconds, as far as its arc is a parabola's. */
+    /** Angle by which an outline turns in h seconds, rad, limited to {@link #MOST_BEND}. */
     private double turn(int slot, int entry, double h) {
         double turn = motions.data[entry + Motions.SPIN] * h;
         return bodies.sweepRadius[slot] > 0 ? Math.max(-MOST_BEND, Math.min(MOST_BEND, turn)) : 0;
     }
 
     /**
-     * How much wider than that the gap gets, m, where it is measured from a face that turns while
-     * the other body slides along it by s: by φs. Of what is round the point that counts is the
-     * core's, which does not go along with the face.
+     * Further widening of a gap, m: the face of a contact that turns by φ while the other body
+     * slides along it by s draws away by φs. For a rounded shape the sliding point is that of its
+     * core, which does not follow the face.
      */
     private double faceTurnsAway(int row, double h) {
         int pair = contacts.pair[row];
@@ -239,14 +250,14 @@ public final class TurningRows {
         return turn * (h * slide + turn * toCore / 2);
     }
 
-    /** How far A's core lies behind a contact, along the normal, seen from A's centre, m. */
+    /** Position of A's core at a contact along the normal, from A's centre of mass, m. */
     private double coreArmA(int row) {
         int a = pairs.shapeA(contacts.pair[row]);
         double arm = contacts.data[row * PackedContacts.STRIDE + PackedContacts.LEVER_TA];
         return bodies.outline[a].isCentredDisc() ? 0 : arm + bodies.outline[a].radius();
     }
 
-    /** The same of B. */
+    /** Position of B's core at a contact along the normal, from B's centre of mass, m. */
     private double coreArmB(int row) {
         int b = pairs.shapeB(contacts.pair[row]);
         double arm = contacts.data[row * PackedContacts.STRIDE + PackedContacts.LEVER_TB];
@@ -262,7 +273,7 @@ public final class TurningRows {
                 Math.abs(motions.data[entry + Motions.TURN])
                         + Math.abs(motions.data[entry + Motions.SPIN]) * left;
         double width = bodies.smallestWidth[slot];
-        // A chain has no width that its turning could be compared with.
+        // A chain has an infinite width, with which its turning cannot be compared.
         double unseen = width < Double.POSITIVE_INFINITY ? straight.unseen() * width : 0;
         return sagitta(slot, turn) > unseen;
     }

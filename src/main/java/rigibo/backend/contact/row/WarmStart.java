@@ -7,9 +7,9 @@ import static rigibo.backend.contact.row.Motions.VX;
 import static rigibo.backend.contact.row.Motions.VY;
 
 /**
- * Starts a kick from the impulses of the one before, scaled by the lengths of the two. A load lasts
- * for at least two kicks, an impact for one; starting from an impact would throw its body back. So
- * a kick starts with no more than a multiple of what a contact carried in the kick before the last.
+ * Warm starts a kick from the impulses of the last one, scaled by the lengths of the two. A load
+ * lasts for at least two kicks, an impact for one only, and a start from an impact would throw its
+ * body back. So the start is limited to a multiple of the impulse in the kick before the last.
  */
 public final class WarmStart {
 
@@ -21,14 +21,14 @@ public final class WarmStart {
         this.contacts = contacts;
     }
 
-    /** Takes the packed island's impulses for those of the last two kicks. */
+    /** Sets the impulses of the last two kicks to the packed island's stored ones. */
     public void prepare() {
         for (int at = 0; at < contacts.count * PackedContacts.STRIDE; at += PackedContacts.STRIDE) {
             keep(at);
         }
     }
 
-    /** Leaves out of every impulse what it has more than a multiple of the one before. */
+    /** Limits every impulse to a multiple of that in the kick before. */
     public void leaveOutImpacts(double growth) {
         double[] d = contacts.data;
         for (int at = 0; at < contacts.count * PackedContacts.STRIDE; at += PackedContacts.STRIDE) {
@@ -55,7 +55,7 @@ public final class WarmStart {
         contacts.data[at + PackedContacts.BEFORE1] = contacts.data[at + PackedContacts.IMPULSE1];
     }
 
-    /** Scales those of the kick before as {@link #apply} does the present ones. */
+    /** Scales the impulses of the kick before, as {@link #apply} scales the present ones. */
     public void scaleBefore(double scale, int substep) {
         for (int row = 0; row < contacts.count; row++) {
             if (contacts.firstSubstep[row] <= substep) {
@@ -65,7 +65,7 @@ public final class WarmStart {
         }
     }
 
-    /** Scales every impulse and applies it. */
+    /** Scales every impulse and applies it to the bodies. */
     public void apply(double scale, int substep) {
         for (int row = 0; row < contacts.count; row++) {
             if (contacts.firstSubstep[row] <= substep) {
@@ -75,7 +75,7 @@ public final class WarmStart {
         add(1, substep);
     }
 
-    /** Gives bodies a multiple of all impulses; −1 takes back what they were given. */
+    /** Applies a multiple of all impulses to the bodies; −1 takes them back. */
     public void add(double multiple, int substep) {
         for (int row = 0; row < contacts.count; row++) {
             if (contacts.firstSubstep[row] <= substep) {

@@ -7,8 +7,8 @@ import java.util.Arrays;
 
 /**
  * The order in which the contacts of an island are eliminated: breadth first from one end of the
- * pile to the other, so that contacts which share a body stand near each other and the factor's
- * envelope stays narrow (E. Cuthill and J. McKee, Reducing the bandwidth of sparse symmetric
+ * pile to the other. Contacts that share a body are then near each other, and the envelope of the
+ * factor stays narrow (E. Cuthill and J. McKee, Reducing the bandwidth of sparse symmetric
  * matrices, 1969).
  */
 final class ContactOrder {
@@ -18,12 +18,12 @@ final class ContactOrder {
     private final PackedContacts contacts;
     private final Motions motions;
 
-    /** The contacts in their order, and for each contact its place in it. */
+    /** The contacts in order; and by contact its place in the order. */
     int[] order = new int[64];
 
     int[] place = new int[64];
 
-    /** For each place the first place whose contact shares a body with the one here. */
+    /** By place: the first place whose contact shares a body with the contact here. */
     int[] firstNeighbour = new int[64];
 
     /**
@@ -44,7 +44,7 @@ final class ContactOrder {
         listContacts();
         int from = 0;
         while (from < contacts.count) {
-            // What is reached last from anywhere is an end; from there the levels are narrow.
+            // The contact reached last is at an end of the pile; from there the levels are narrow.
             int any = firstWithoutPlace();
             int reached = walk(any, from);
             int end = order[reached - 1];
@@ -97,7 +97,7 @@ final class ContactOrder {
         return row;
     }
 
-    /** Gives places from {@code from} on to all that hangs together with a contact. */
+    /** Gives places from {@code from} on to all contacts connected with a contact. */
     private int walk(int first, int from) {
         int end = from;
         place[first] = end;
@@ -109,7 +109,10 @@ final class ContactOrder {
         return end;
     }
 
-    /** The ground, offset 0, holds nothing together: it passes no impulse on. */
+    /**
+     * Gives places from {@code from} on to the contacts of a body that have none; returns the end.
+     * The ground, offset 0, connects no contacts, since it passes no impulse on.
+     */
     private int takeNeighbours(int offset, int from) {
         int end = from;
         if (offset != 0) {

@@ -12,36 +12,34 @@ import rigibo.backend.contact.row.PackedContacts;
 import java.util.Arrays;
 
 /**
- * Passes over the contacts of an island: the projected Gauss-Seidel method. Points do not close
- * faster than their gap allows within a substep, and only push (j ≥ 0 ⊥ v + gap/h ≥ 0). The two
- * points of a contact are one small complementarity problem, solved by trying its four cases, so
- * that a flat box answers at both corners at once and does not rock.
+ * Passes over the contacts of an island: the projected Gauss–Seidel method. Within a substep points
+ * close no faster than their gap allows, and they only push (j ≥ 0 ⊥ v + gap/h ≥ 0). The two points
+ * of a contact form one small complementarity problem, solved by trying its four cases, so that a
+ * flat box responds at both corners at once and does not rock.
  *
- * <p>Passes alternate their direction, so that loads which reach the ground in one come back up in
- * the next. A pass solves only contacts whose bodies have changed their speed, since the contact
- * was solved last, by more than a threshold: most of a heap is quiet at any time, and passes that
- * follow an impact through it cost little. In a crowd that threshold falls with the overlap of a
- * contact; otherwise the same places would sink in, by a little in each substep, for seconds. And
- * what carries nothing there and parts is left alone until its bodies may have lost that speed.
+ * <p>Passes alternate their direction, so that loads that reach the ground in one pass come back up
+ * in the next. A pass solves only contacts that are due: those whose bodies have changed their
+ * speed by more than a threshold since the contact was last solved. Most of a heap is quiet at any
+ * time, so passes that follow an impact through it cost little. In a crowd the threshold falls with
+ * the overlap of a contact; otherwise the same places would sink in a little in every substep, for
+ * seconds. A contact in a crowd that carries nothing and parts is skipped until its bodies may have
+ * lost their parting speed.
  */
 public final class ContactSweep {
 
-    /**
-     * Change of speed that does not count, as a share of the speed at which the two bodies move
-     * against each other.
-     */
+    /** Neglected change of speed, as a share of the relative speed of the two bodies. */
     private static final double OF_THEIR_OWN = 0.3;
 
-    /** Overlap in widths from which on a contact is solved as strictly as any. */
+    /** Overlap in widths from which on a contact is solved most strictly. */
     private static final double DEEP = 0.005;
 
-    /** What may be missed there, as a share of what may be missed elsewhere. */
+    /** Allowed error there, as a share of that elsewhere. */
     private static final double STRICTLY = 0.003;
 
     /**
-     * Change of speed that is round-off, as a share of the one that does not count. What stands
-     * side by side touches with nothing between it, and round-off alone would decide whether that
-     * closes or parts, carries or not, and with that which contacts are solved again.
+     * Change of speed that counts as round-off, as a share of the neglected one. Between bodies
+     * that stand side by side without pressing each other, round-off alone would decide whether
+     * they close or part, and with that which contacts are solved again.
      */
     private static final double NOISE = 1e-6;
 
@@ -50,25 +48,25 @@ public final class ContactSweep {
     private final Rubbing rubbing;
     private final boolean isBlock;
 
-    /** By entry of the motions: how much its speed has changed so far in this sweep, m/s. */
+    /** By entry of the motions: sum of its changes of speed so far in this sweep, m/s. */
     private double[] changed = new double[16];
 
-    /** By row: what that was of its two bodies when it was solved last, m/s. */
+    /** By contact: that sum for its two bodies when it was last solved, m/s. */
     private double[] seen = new double[16];
 
-    /** By row: the change of speed that does not count, m/s. */
+    /** By contact: the neglected change of speed, m/s. */
     private double[] uncounted = new double[16];
 
-    /** By row: the change of speed since it was solved last beyond which it is due, m/s. */
+    /** By contact: change of speed since it was last solved above which it is due, m/s. */
     private double[] due = new double[16];
 
-    /** By point: the speed at which it may close, for it has a gap left, m/s. */
+    /** By point: speed at which it may close because of its gap, m/s. */
     private double[] spare = new double[32];
 
     /** Whether the packed island has more contacts than elimination takes. */
     private boolean isCrowd;
 
-    /** The most that a driven body presses with, N·s. */
+    /** Greatest impulse with which a driven body presses, N·s. */
     private double strongestPress = Double.POSITIVE_INFINITY;
 
     /** Length of the substep over that of its kick: 2 for half a kick, else 1. */
@@ -83,14 +81,15 @@ public final class ContactSweep {
     }
 
     /**
-     * Makes passes until no contact is due any more, for a substep of h seconds whose kick lasts
-     * {@code kick} seconds. What a contact gives way by goes with its force, so that what carries
-     * the same force in half a kick and in a whole one moves alike in both, and can rest.
+     * Makes passes until no contact is due, for a substep of h seconds whose kick lasts {@code
+     * kick} seconds. The compliance of a contact is proportional to its force rather than its
+     * impulse, so that a body with the same force in a half kick and in a whole one moves alike in
+     * both, and can rest.
      *
-     * @param share of its width per substep up to which a change of speed does not count
-     * @param quiet speed in m/s from which on it counts for everybody
-     * @param least the same where two bodies hardly move against each other, m/s
-     * @param most passes
+     * @param share neglected change of speed, in widths of the contact per substep
+     * @param quiet upper bound on the neglected change of speed of any contact, m/s
+     * @param least that bound where the two bodies hardly move relative to each other, m/s
+     * @param most most passes
      */
     public void run(
             double h,
@@ -106,9 +105,8 @@ public final class ContactSweep {
     }
 
     /**
-     * Makes passes in the same way after bodies have moved on within a substep. The contacts that
-     * were measured again are solved first; any other is due as soon as its bodies have changed
-     * their speed.
+     * Makes passes as {@link #run} does, after bodies have moved on within a substep. Contacts that
+     * were measured again are solved first; any other is due once its bodies change their speed.
      */
     public void runNew(double h, int substep, double share, double quiet, double least, int most) {
         softness = 1;
@@ -119,7 +117,7 @@ public final class ContactSweep {
         goOn(most);
     }
 
-    /** Makes so many passes more, until no contact is due. */
+    /** Makes at most a number of further passes, until no contact is due. */
     public void goOn(int most) {
         int solved = 1;
         for (int pass = 0; pass < most && solved > 0; pass++) {
@@ -127,7 +125,9 @@ public final class ContactSweep {
         }
     }
 
-    /** Whether a contact would sink in by more than so many widths in the substep of h seconds. */
+    /**
+     * Whether a contact would sink in by more than a number of widths in a substep of h seconds.
+     */
     public boolean isSinking(double h, int substep, double most) {
         boolean isSinking = false;
         for (int row = 0; !isSinking && row < contacts.count; row++) {
@@ -140,7 +140,7 @@ public final class ContactSweep {
         return isSinking;
     }
 
-    /** Lets no driven body press with more than so much, N·s. */
+    /** Limits the impulse with which driven bodies press, N·s. */
     public void limitPresses(double impulse) {
         strongestPress = impulse;
     }
@@ -161,12 +161,12 @@ public final class ContactSweep {
         return most;
     }
 
-    /** By how much the last sweep changed the speed of an entry of the motions, m/s. */
+    /** Change of an entry's speed in the last sweep, m/s. */
     public double change(int entry) {
         return changed[entry];
     }
 
-    /** Returns how many contacts were due. */
+    /** Makes a pass; returns the number of contacts that were due. */
     private int pass(boolean isBack) {
         int ground = contacts.groundStart;
         int solved = 0;
@@ -184,7 +184,9 @@ public final class ContactSweep {
         return solved;
     }
 
-    /** Nothing moves within a sweep, so neither does a gap. */
+    /**
+     * Stores the speeds that gaps allow; bodies do not move within a sweep, so gaps are constant.
+     */
     private void begin(double h, int substep, double sharePerSecond, double quiet, double least) {
         if (changed.length < motions.count) {
             changed = new double[motions.slots.length];
@@ -221,9 +223,10 @@ public final class ContactSweep {
     }
 
     /**
-     * What does not count for a contact, m/s: one body that falls through a heap must not make all
-     * of it coarse, which would then sink everywhere by a little, be pushed apart, let others fall
-     * and never come to rest.
+     * Neglected change of speed of a contact, m/s. It depends on the contact's own bodies:
+     * otherwise one body that falls through a heap would make all of the heap inaccurate, which
+     * would sink a little everywhere, be pushed apart, let other bodies fall and never come to
+     * rest.
      */
     private double quietBetween(int row, double quiet, double least) {
         double[] m = motions.data;
@@ -238,8 +241,9 @@ public final class ContactSweep {
     }
 
     /**
-     * Finds whether a contact carries nothing and parts. What its bodies have changed their speed
-     * by bounds what any of its points has, so that until then a solution would change nothing.
+     * Finds whether a contact carries nothing and parts. The change of its bodies' speed bounds
+     * that of its points, so that until it reaches the parting speed a solution would change
+     * nothing.
      */
     private void leaveAloneWhatParts(int row) {
         double[] d = contacts.data;
@@ -266,7 +270,7 @@ public final class ContactSweep {
         }
     }
 
-    /** Friction first, by the load so far, then the load. */
+    /** Solves friction first, by the present load, then the load. */
     private void solve(int row, int a, int b) {
         double[] d = contacts.data;
         double[] m = motions.data;
@@ -361,12 +365,12 @@ public final class ContactSweep {
         int entryB = b / Motions.STRIDE;
         changed[entryA] += massA * j + motions.reach[entryA] * inertiaA * Math.abs(turnA);
         changed[entryB] += massB * j + motions.reach[entryB] * inertiaB * Math.abs(turnB);
-        // What slips is braked by a load that has just changed.
+        // The friction of a sliding contact changes with the load that was just solved.
         double unseen = slips ? friction * Math.abs(jn) * (massA + massB) : 0;
         seen[row] = changed[entryA] + changed[entryB] - unseen;
     }
 
-    /** Scales the load of a driven body's contact back to the strongest press. */
+    /** Scales the load of a driven body's contact down to the greatest press. */
     private void limitPress(double[] d, int at) {
         double load = d[at + PackedContacts.IMPULSE0] + d[at + PackedContacts.IMPULSE1];
         if (load > strongestPress) {
@@ -375,7 +379,7 @@ public final class ContactSweep {
         }
     }
 
-    /** Rolling and friction, where both may hold. */
+    /** Solves rolling and friction together. */
     private void roll(int row, int a, int b) {
         double spinA = motions.data[a + SPIN];
         double spinB = motions.data[b + SPIN];
@@ -403,12 +407,12 @@ public final class ContactSweep {
             double k00 = d[at + PackedContacts.K00];
             double k01 = d[at + PackedContacts.K01];
             double k11 = d[at + PackedContacts.K11];
-            // What w would be without any impulse of these two points.
+            // The speeds w without any impulse of these two points.
             double free0 = w0 - k00 * old0 - k01 * old1;
             double free1 = w1 - k01 * old0 - k11 * old1;
             double only0 = push(-free0 / k00);
             double only1 = push(-free1 / k11);
-            // Of the cases that are left round-off may deny all: then the nearer one is true.
+            // Round-off can rule out all remaining cases: the nearer one is then the solution.
             boolean isFirst = free1 + k01 * only0 >= free0 + k01 * only1;
             both0 = isFirst ? only0 : 0;
             both1 = isFirst ? 0 : only1;
@@ -418,8 +422,8 @@ public final class ContactSweep {
     }
 
     /**
-     * The impulse, if it pushes. Math.max takes three times as long, for it distinguishes signed
-     * zeros.
+     * The impulse if it pushes, otherwise 0. Math.max takes three times as long, since it
+     * distinguishes signed zeros.
      */
     private static double push(double wanted) {
         return wanted > 0 ? wanted : 0;

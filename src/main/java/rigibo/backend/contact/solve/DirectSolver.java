@@ -11,25 +11,26 @@ import rigibo.backend.contact.row.Recovery;
 import java.util.Arrays;
 
 /**
- * Solves all loaded rows of a small island at once. Passing over the contacts one by one carries a
- * load through a stack of N only after some N² passes, and its bending after N⁴, so that a tower
- * sways and a light box under a heavy one sinks; one elimination does both exactly.
+ * Solves all loaded rows of a small island at once. Passes carry a load through a stack of N bodies
+ * only after some N² passes, and its bending after N⁴, so that a tower sways and a light box under
+ * a heavy one sinks; one elimination solves both exactly.
  *
- * <p>The rows that carry load are taken as equations: K·Δj = −w with K = J·M⁻¹·Jᵀ (Baraff 1994).
- * The step towards the solution ends where the first impulse would pull or the first friction would
- * pass its cone; that row is left out, and the rest is solved again: an active-set method, whose
- * kinetic energy never rises from one step to the next. K is factored by Cholesky within its
- * envelope, which in a stack is a band of six rows.
+ * <p>The rows that carry load are solved as equations: K·Δj = −w with K = J·M⁻¹·Jᵀ (Baraff, "Fast
+ * contact force computation for nonpenetrating rigid bodies", 1994). The step towards the solution
+ * ends where the first impulse would pull or the first friction would leave its cone; that row is
+ * dropped, and the rest is solved again. This is an active-set method whose kinetic energy never
+ * rises from one step to the next. K is factored within its envelope, which in a stack is a band of
+ * six rows.
  */
 public final class DirectSolver {
 
     /**
-     * Share of the tolerance that elimination itself uses: the pass that checks the result solves
-     * two points at once and sees the sum of their errors.
+     * Share of the tolerance that elimination may use, since the pass that checks the result solves
+     * two points together and finds the sum of their errors.
      */
     private static final double TO_SPARE = 0.5;
 
-    /** Sets tried within one solve, for each substep; passes over the rows see to what is left. */
+    /** Most sets of rows tried in one solve, per substep of the accuracy; passes solve the rest. */
     private static final int TRIES_PER_SUBSTEP = 8;
 
     private final Motions motions;
@@ -41,7 +42,7 @@ public final class DirectSolver {
     private final NewtonSolver newton;
     private final int mostTries;
 
-    /** Multiplications that a substep is worth. */
+    /** Budget of a substep, in multiplications. */
     private double worth;
 
     /** The present set of {@link FlatRows}, in their order. */
@@ -51,22 +52,22 @@ public final class DirectSolver {
 
     private double[] unknown = new double[64];
 
-    /** By how much the rows of the set moved last, N·s. */
+    /** By row of the set: its last change of impulse, N·s. */
     private double[] moved = new double[64];
 
-    /** By place in the order: the bound of the contact's friction, N·s. */
+    /** By place in the order: bound of the contact's friction, N·s. */
     private double[] cone = new double[64];
 
-    /** Whether the rows are laid out as they are. */
+    /** Whether the flat rows are up to date. */
     private boolean isLaidOut;
 
-    /** A load that gives a row less speed than this in m/s is none. */
+    /** Speed in m/s below which the load that causes it counts as none. */
     private double least;
 
-    /** What taking overlap back has moved. */
+    /** Displacements by the removal of overlap. */
     private final Displacement way;
 
-    /** A solver that tries the harder the more substeps an accuracy asks for. */
+    /** A solver whose number of tries grows with the number of substeps. */
     public DirectSolver(
             Motions motions, PackedContacts contacts, OverlapSolver overlap, int substeps) {
         this.motions = motions;
@@ -81,8 +82,8 @@ public final class DirectSolver {
     }
 
     /**
-     * Begins the packed island, unless it is too large, or factoring all of its rows takes more
-     * multiplications than a substep is worth.
+     * Prepares the packed island. Returns false if it is too large, or if factoring all of its rows
+     * takes more multiplications than the budget of a substep.
      */
     public boolean prepare(double worthOfSubstep) {
         if (contacts.areCrowd()) {
@@ -94,40 +95,41 @@ public final class DirectSolver {
         return factor.workOfAll() <= worth;
     }
 
-    /** The rows are not what they were: a factor of them is worth nothing. */
+    /** Discards the factor, since the rows have changed. */
     public void forget() {
         factor.forget();
         isLaidOut = false;
     }
 
-    /** Begins a substep: what was spent counts anew. */
+    /** Starts a substep with a full budget. */
     public void begin() {
         factor.clearWork();
     }
 
-    /** Multiplications of this substep. */
+    /** Multiplications done in this substep. */
     public double work() {
         return factor.work();
     }
 
-    /** Whether what is left of the rows is not worth more in this substep. */
+    /** Whether the budget of this substep is spent. */
     public boolean isSpent() {
         return factor.work() > worth;
     }
 
-    /** A lone disc's normal and friction do not feel each other: nothing is to be eliminated. */
+    /**
+     * Whether there is nothing to eliminate: a single disc's normal and friction are independent.
+     */
     private boolean isUncoupled() {
         return contacts.count == 1 && contacts.points[0] == 1;
     }
 
     /**
-     * Brings the rows to rest against each other, for a substep of h seconds, but for a speed of
-     * {@code settled} m/s.
+     * Solves the rows for a substep of h seconds, to a residual of {@code settled} m/s.
      *
-     * @param isNearby finds the impulses nearest to those that there are, and not the least ones,
-     *     which may be far, beyond a cone or a pull: a heap at rest would be taken apart on the way
-     *     to them. What is squeezed in vain must not be solved so, for its impulses would grow for
-     *     as long as it lasts.
+     * @param isNearby whether to find the impulses nearest to the present ones rather than the
+     *     smallest ones. The smallest may be far away, beyond a cone or a pull, so that a heap at
+     *     rest would be taken apart on the way to them. It must be false for a squeezed body, whose
+     *     impulses would grow for as long as the squeezing lasts.
      */
     public void solve(double h, int substep, double settled, boolean isNearby) {
         if (!isUncoupled()) {
@@ -139,9 +141,9 @@ public final class DirectSolver {
     }
 
     /**
-     * The same near the solution, by Coulomb's law itself: what slides rubs by the load that is
-     * found, and not by that of before. Returns whether that was possible; if not, all is as it
-     * was.
+     * Solves the rows near the solution by Newton's method, where sliding friction follows from the
+     * load being solved for rather than from the last one. Returns whether it succeeded; if not,
+     * the state is restored.
      */
     public boolean solveByNewton(double h, int substep, double settled, boolean isNearby) {
         if (isUncoupled()) {
@@ -165,7 +167,7 @@ public final class DirectSolver {
         }
     }
 
-    /** Lays the rows out, if they are not what they were. */
+    /** Lays out the flat rows, if they have changed. */
     private void layOut() {
         if (!isLaidOut) {
             rows.layOut();
@@ -189,7 +191,7 @@ public final class DirectSolver {
         }
     }
 
-    /** Takes the overlap of loaded rows back, or of all that overlap where nothing is loaded. */
+    /** Removes the overlap of loaded rows, or of all overlapping rows if none is loaded. */
     public void correct(double h, int substep) {
         reserve();
         if (factor.size() == 0 || !factor.isSymmetric()) {
@@ -235,7 +237,10 @@ public final class DirectSolver {
         }
     }
 
-    /** What lies on the ground or leans on it does not give way: its neighbour goes all the way. */
+    /**
+     * Whether a point touches the ground. Bodies on it do not yield, so that their neighbours move
+     * all the way.
+     */
     private boolean isOnGround(int row, int point) {
         double width = contacts.data[row * PackedContacts.STRIDE + PackedContacts.WIDTH];
         return row >= contacts.groundStart
@@ -243,8 +248,8 @@ public final class DirectSolver {
     }
 
     /**
-     * Limits how far any body is moved, m. Contradicting overlaps, of a body between two that do
-     * not give way, would otherwise be resolved by moving it around them.
+     * Limits the displacement of any body, m. Otherwise contradicting overlaps, of a body between
+     * two immovable ones, would be resolved by moving it around them.
      */
     private void limitWay(double most) {
         double farthest = 0;
@@ -278,8 +283,8 @@ public final class DirectSolver {
     }
 
     /**
-     * Adds a contact's rows that carry load after their own next change. A row that is about to let
-     * go would only shorten the step of all others.
+     * Adds the rows of a contact that would still carry load after their own next change. A row
+     * that is about to lose its load would only shorten the step of all others.
      */
     private void chooseLoadedOf(int place) {
         int before = size;
@@ -301,8 +306,8 @@ public final class DirectSolver {
     }
 
     /**
-     * Goes to the solution, each row no farther than to its bound, if that lowers what is
-     * minimized: ½jᵀKj + wᵀj, whose gradient is w.
+     * Goes to the solution with each row clamped at its bound, if that lowers the objective ½jᵀKj +
+     * wᵀj, whose gradient is w; returns whether it does.
      */
     private boolean stepToAllBounds() {
         if (moveBy() <= 0) {
@@ -314,13 +319,13 @@ public final class DirectSolver {
         return false;
     }
 
-    /** Goes towards the solution until the first bound is met, and drops the row that met it. */
+    /** Goes towards the solution up to the first bound, and drops the row that reached it. */
     private void stepToFirstBound() {
         double step = 1;
         int met = -1;
         for (int i = 0; i < size; i++) {
             double change = withinBounds(set[i], unknown[i]);
-            // A friction that its cone no longer holds has no room at all.
+            // Friction that is already outside its cone cannot change at all.
             double room = change == unknown[i] ? 1 : Math.max(0, change / unknown[i]);
             if (room < step) {
                 step = room;
@@ -336,7 +341,7 @@ public final class DirectSolver {
         }
     }
 
-    /** Moves along the step as far as bounds allow; returns by how much the minimized rises, J. */
+    /** Moves along the step as far as bounds allow; returns the rise of the objective, J. */
     private double moveBy() {
         double rise = 0;
         for (int i = 0; i < size; i++) {

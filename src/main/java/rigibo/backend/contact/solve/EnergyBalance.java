@@ -5,16 +5,16 @@ import rigibo.backend.contact.row.PackedContacts;
 import rigibo.backend.storage.Bodies;
 
 /**
- * The energy of an island of few bodies on bodies that stand still. Those do no work, so that in a
- * step the energy of motion may grow by no more than the work of weight. The error of a substep
- * adds or removes a little, of second order, and taking overlap back lifts bodies without work.
- * Both are taken from the motion.
+ * Corrects the energy of an island of few bodies on immovable ones. These do no work, so that in a
+ * step the kinetic energy may grow by no more than the work of weight. The error of a substep, of
+ * second order, adds some energy, and removal of overlap lifts bodies without work; both are taken
+ * from the motion.
  */
 public final class EnergyBalance {
 
     /**
-     * Largest share of the energy of motion that is taken in a step: a body that rests in an
-     * overlap has none to give.
+     * Largest share of the kinetic energy that is taken in a step: a body at rest in an overlap has
+     * none.
      */
     private static final double MOST = 1e-3;
 
@@ -31,13 +31,13 @@ public final class EnergyBalance {
         this.contacts = contacts;
     }
 
-    /** Begins a step of the packed island. */
+    /** Starts a step of the packed island. */
     public void begin() {
         isKept = motions.areFew() && !motions.isAnyDriven && !contacts.isAnyRunning && isAllKnown();
         motionBefore = isKept ? motions.energy(motions.data) : 0;
     }
 
-    /** Whether what pulls is the same all along, and nothing drags. */
+    /** Whether the pulls are constant along the path and there is no drag. */
     private boolean isAllKnown() {
         boolean isKnown = true;
         for (int entry = 1; isKnown && entry < motions.count; entry++) {
@@ -50,7 +50,7 @@ public final class EnergyBalance {
         return isKnown;
     }
 
-    /** Takes from the motion what it has gained out of nothing. */
+    /** Takes the energy gained without work from the motion. */
     public void settle() {
         if (!isKept || contacts.groundStart == contacts.count) {
             return;
@@ -62,7 +62,7 @@ public final class EnergyBalance {
         }
     }
 
-    /** What weights and torques gave on the way, J. */
+    /** Work of weights and torques in the step, J. */
     private double work() {
         double sum = 0;
         for (int entry = 1; entry < motions.count; entry++) {

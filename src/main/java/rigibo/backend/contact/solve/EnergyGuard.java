@@ -8,33 +8,32 @@ import rigibo.backend.contact.row.SingleRows;
 
 /**
  * Keeps contacts from adding energy. The work of impulses j, without that of driven bodies, is Σ
- * j·(w₀ + w₁)/2, where w₀ and w₁ are the relative speeds along the rows before and after. Solved
- * contacts never do positive work. Where rows could not be solved to the end, all impulses are
- * scaled back until their work is within bounds, which keeps momentum and angular momentum.
+ * j·(w₀ + w₁)/2, where w₀ and w₁ are the relative speeds along the rows before and after. Converged
+ * contacts never do positive work. If rows did not converge, all impulses are scaled down until
+ * their work is within bounds, which keeps momentum and angular momentum.
  */
 public final class EnergyGuard {
 
     /** Share of the work that is round-off. */
     private static final double ROUND_OFF = 1e-9;
 
-    /** How often impulses of bodies that are too fast are scaled before all of them are. */
+    /** Rounds that scale only the impulses of bodies that are too fast, before all are scaled. */
     private static final int ROUNDS = 16;
 
     private final Motions motions;
     private final PackedContacts contacts;
     private final SingleRows single;
 
-    /**
-     * The energy of motion before the contacts, J, and the impacts that had been struck by then.
-     */
+    /** Kinetic energy before contacts are solved, J. */
     private double energyBefore;
 
+    /** Number of impacts resolved by then. */
     private int impactsBefore;
 
-    /** Velocities before the contacts, laid out as the motions. */
+    /** Velocities before contacts are solved, laid out as the motions. */
     private double[] before = new double[16 * Motions.STRIDE];
 
-    /** By entry of the motions: the share of its impulses that a body keeps. */
+    /** By entry of the motions: share of its impulses that the body keeps. */
     private double[] shares = new double[16];
 
     public EnergyGuard(Motions motions, PackedContacts contacts) {
@@ -43,15 +42,15 @@ public final class EnergyGuard {
         single = new SingleRows(motions, contacts);
     }
 
-    /** Notes the energy that there is before the contacts answer. */
+    /** Stores the kinetic energy before contacts are solved. */
     public void begin() {
         energyBefore = motions.energy(motions.data);
         impactsBefore = contacts.impacts;
     }
 
     /**
-     * Whether the energy of motion alone shows that impulses added no more than some J; it does
-     * where nothing is driven and no impact was resolved meanwhile.
+     * Whether the kinetic energy alone proves that impulses added no more than an energy in J; that
+     * is possible if nothing is driven and no impact was resolved meanwhile.
      */
     private boolean isWithin(double most) {
         boolean isDriven = motions.isAnyDriven || contacts.isAnyRunning;
@@ -59,20 +58,20 @@ public final class EnergyGuard {
         return isOfContacts && motions.energy(motions.data) <= energyBefore + most;
     }
 
-    /** Scales all impulses back to what adds no energy, if they do. */
+    /** Scales all impulses down so that they add no energy. */
     public void limitEnergy() {
         limitWork(0);
     }
 
     /**
-     * Scales all impulses back to what adds no more than a multiple of the energy of motion before
-     * them.
+     * Scales all impulses down so that they add no more than a multiple of the kinetic energy
+     * before them.
      */
     public void limitGrowth(double multiple) {
         limitWork(multiple * energyBefore);
     }
 
-    /** Scales all impulses back to what adds no more than some J. */
+    /** Scales all impulses down so that they add no more than an energy in J. */
     public void limitWork(double most) {
         if (isWithin(most)) {
             return;
@@ -87,7 +86,7 @@ public final class EnergyGuard {
         }
     }
 
-    /** Finds the velocities that there were without the impulses. */
+    /** Computes the velocities without the impulses. */
     private void takeBack() {
         int length = motions.count * Motions.STRIDE;
         if (before.length < length) {
@@ -115,9 +114,9 @@ public final class EnergyGuard {
     }
 
     /**
-     * Scales impulses back to what leaves no speed above a limit in m/s, if one is. In a crowd
-     * those of the bodies that are too fast are enough: were all of them scaled, a whole heap would
-     * fall because of one stone, until passes had found what it carries again.
+     * Scales impulses down so that they leave no speed above a limit, m/s. In a crowd only the
+     * impulses of bodies that are too fast are scaled: if all were, a whole heap would fall because
+     * of one stone, until passes found its loads again.
      */
     public void limitSpeed(double limit) {
         if (motions.fastest() <= limit) {
@@ -140,9 +139,9 @@ public final class EnergyGuard {
     }
 
     /**
-     * Scales back the impulses of bodies that are too fast, each with the one at its other end, so
-     * that momentum is kept; returns whether there were any. What another body leant on may be gone
-     * then, so that it may be too fast in the next round.
+     * Scales down the impulses of bodies that are too fast, at both bodies of each contact, which
+     * keeps momentum; returns whether there were any. A neighbour that loses its support may be too
+     * fast in the next round.
      */
     private boolean holdBack(double limit) {
         if (shares.length < motions.count) {
@@ -164,7 +163,7 @@ public final class EnergyGuard {
         return isAny;
     }
 
-    /** Scales the impulses of one contact back, and takes the rest of them from its bodies. */
+    /** Scales the impulses of one contact down and takes the difference from its bodies. */
     private void scale(int row, double share) {
         for (int id = ROWS_PER_CONTACT * row; id < ROWS_PER_CONTACT * (row + 1); id++) {
             double less = (share - 1) * impulse(id);
@@ -174,7 +173,7 @@ public final class EnergyGuard {
         contacts.scaleImpulses(row, share);
     }
 
-    /** Turns the two bodies of a contact against each other by an impulse of so many N·m·s. */
+    /** Applies an angular impulse in N·m·s between the two bodies of a contact. */
     private void turn(double[] m, int row, double impulse) {
         int a = contacts.bodyA[row];
         int b = contacts.bodyB[row];
@@ -182,7 +181,7 @@ public final class EnergyGuard {
         m[b + Motions.SPIN] += motions.data[b + Motions.INVERSE_INERTIA] * impulse;
     }
 
-    /** Share of the impulses of a body that leaves it no faster than a limit in m/s. */
+    /** Share of a body's impulses at which it is no faster than a limit in m/s. */
     private double shareWithin(double limit, int entry) {
         int at = entry * Motions.STRIDE;
         double ofX = columnWithin(limit, at + Motions.VX);

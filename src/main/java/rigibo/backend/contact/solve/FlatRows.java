@@ -5,9 +5,9 @@ import rigibo.backend.contact.row.PackedContacts;
 import rigibo.backend.contact.row.SingleRows;
 
 /**
- * The single rows of the packed contacts laid out flat, in the order of elimination: row {@code
+ * The single rows of the packed contacts, laid out flat in the order of elimination: row {@code
  * 3·place + kind}, where kind is the point of a normal row or {@link SingleRows#TANGENT}.
- * Elimination reads each row many times; {@link PackedContacts} is laid out for passes.
+ * Elimination reads each row many times, while {@link PackedContacts} is laid out for passes.
  */
 final class FlatRows {
 
@@ -30,21 +30,21 @@ final class FlatRows {
     private double[] leverA = new double[0];
     private double[] leverB = new double[0];
 
-    /** By row: the speed at which it gives way to a unit impulse, 1/kg. */
+    /** By row: its compliance, the speed at which it yields to a unit impulse, 1/kg. */
     double[] give = new double[0];
 
-    /** By row: what a unit impulse gives it, without what it gives way by, 1/kg. */
+    /** By row: speed that its own unit impulse gives it, without its compliance, 1/kg. */
     double[] answer = new double[0];
 
-    /** By row: the speed at which it is solved, m/s. */
+    /** By row: the speed that it aims at, m/s. */
     private double[] target = new double[0];
 
-    /** By row: its impulse, and the one up to which it does not give way, N·s. */
+    /** By row: its impulse, and the impulse from which its compliance counts, N·s. */
     double[] impulse = new double[0];
 
     double[] kept = new double[0];
 
-    /** By place in the order: s·μ of a contact that slides along s, 0 of one that does not. */
+    /** By place in the order: s·μ of a contact that slides in the direction s = ±1, otherwise 0. */
     double[] sliding = new double[0];
 
     FlatRows(Motions motions, PackedContacts contacts, ContactOrder order) {
@@ -53,7 +53,7 @@ final class FlatRows {
         this.order = order;
     }
 
-    /** Lays out what a substep does not change: derivatives, and what rows give way by. */
+    /** Lays out the parts that a substep does not change: derivatives and compliances. */
     void layOut() {
         reserve();
         for (int place = 0; place < contacts.count; place++) {
@@ -104,7 +104,7 @@ final class FlatRows {
         }
     }
 
-    /** Reads impulses, and what rows aim at in a substep of h seconds. */
+    /** Reads the impulses, and the speeds that rows aim at in a substep of h seconds. */
     void read(double h) {
         for (int place = 0; place < contacts.count; place++) {
             int row = order.order[place];
@@ -136,7 +136,7 @@ final class FlatRows {
         }
     }
 
-    /** Speed in m/s at which a row violates what it asks for. */
+    /** Residual of a row: its speed minus the one it aims at, m/s. */
     double approach(int k) {
         double[] m = motions.data;
         int a = bodyA[k];
@@ -149,7 +149,7 @@ final class FlatRows {
         return speed + give[k] * (impulse[k] - kept[k]) - target[k];
     }
 
-    /** The largest speed in m/s at which any row of a set violates what it asks for. */
+    /** Largest residual of the rows of a set, m/s. */
     double worst(int[] set, int size) {
         double worst = 0;
         for (int i = 0; i < size; i++) {
@@ -163,18 +163,18 @@ final class FlatRows {
         return impulse[k] - approach(k) / (answer[k] + give[k]);
     }
 
-    /** The speed that the impulse which solves a row alone would give it, m/s. */
+    /** Speed that the impulse which solves a row alone would give it, m/s. */
     double answerAfterOwnChange(int k) {
         return answer[k] * wanted(k);
     }
 
-    /** Changes a row's impulse, N·s, and the velocities of its bodies by it. */
+    /** Changes a row's impulse by an amount in N·s, and the velocities of its bodies with it. */
     void push(int k, double change) {
         impulse[k] += change;
         apply(k, change, Motions.VX);
     }
 
-    /** Brings a row's impulse to a value, N·s. */
+    /** Sets a row's impulse, N·s, and changes the velocities of its bodies. */
     void set(int k, double value) {
         if (impulse[k] != value) {
             push(k, value - impulse[k]);
@@ -182,12 +182,12 @@ final class FlatRows {
         }
     }
 
-    /** Moves the bodies of a row as an impulse would in one second, kg·m. */
+    /** Displaces the bodies of a row, as an impulse would move them in one second, kg·m. */
     void move(int k, double push) {
         apply(k, push, Motions.DX);
     }
 
-    /** Changes three columns in a row, along x, along y and turning, by an impulse. */
+    /** Changes three adjacent columns, x, y and turn, by an impulse. */
     private void apply(int k, double change, int column) {
         double[] m = motions.data;
         int a = bodyA[k];
@@ -202,19 +202,19 @@ final class FlatRows {
         m[b + column + 2] += m[b + Motions.INVERSE_INERTIA] * leverB[k] * change;
     }
 
-    /** The friction that comes with a unit impulse of a row, s·μ; 0 where nothing slides. */
+    /** Friction that comes with a unit impulse of a row, s·μ; 0 without sliding. */
     double slides(int k) {
         return k % KINDS == TANGENT ? 0 : sliding[k / KINDS];
     }
 
-    /** What a row is given by a unit impulse of another and the friction with it, 1/kg. */
+    /** Speed that a unit impulse of one row, with its friction, gives another, 1/kg. */
     double answerTo(int i, int j) {
         double slides = slides(j);
         double direct = response(i, j);
         return slides == 0 ? direct : direct + slides * response(i, j - j % KINDS + TANGENT);
     }
 
-    /** What a unit impulse of one row gives another, 1/kg. */
+    /** Speed that a unit impulse of one row gives another, 1/kg. */
     double response(int i, int j) {
         double direct = directionX[i] * directionX[j] + directionY[i] * directionY[j];
         int a = bodyA[i];
@@ -235,7 +235,7 @@ final class FlatRows {
         return sum;
     }
 
-    /** The ground, offset 0, has neither mass nor inertia to pass anything on by. */
+    /** Response through a shared body; the ground, offset 0, passes nothing on. */
     private double through(int body, double direct, double levers) {
         double[] m = motions.data;
         return m[body + Motions.INVERSE_MASS] * direct + m[body + Motions.INVERSE_INERTIA] * levers;

@@ -10,7 +10,7 @@ import rigibo.backend.contact.row.Motions;
 import rigibo.backend.contact.row.PackedContacts;
 import rigibo.backend.storage.Pairs;
 
-/** The friction rows |jₜ| ≤ μ·Σjₙ. A contact without friction is not on the list. */
+/** Solves the friction rows, |jₜ| ≤ μ·Σjₙ, of all contacts with friction. */
 public final class FrictionSolver implements Rubbing {
 
     private final Motions motions;
@@ -70,7 +70,7 @@ public final class FrictionSolver implements Rubbing {
         }
     }
 
-    /** Lets a contact slide no more than its load allows. */
+    /** Solves the friction of a contact within the bound of its load. */
     void slide(int row) {
         keepTangent(row, impulseWithinLoad(row));
     }
@@ -87,7 +87,7 @@ public final class FrictionSolver implements Rubbing {
         return clamp(wanted / (1 + PackedContacts.COMPLIANCE), most);
     }
 
-    /** Speed in m/s at which B slides along the tangent on A, against surfaces that run. */
+    /** Sliding speed of B on A along the tangent, relative to running surfaces, m/s. */
     double slidingSpeed(int row) {
         double[] d = contacts.data;
         double[] m = motions.data;
@@ -101,7 +101,7 @@ public final class FrictionSolver implements Rubbing {
                 - contacts.surface[row];
     }
 
-    /** Takes an impulse along the tangent in place of the one there was, N·s. */
+    /** Replaces the impulse along the tangent, N·s. */
     void keepTangent(int row, double impulse) {
         double[] d = contacts.data;
         int at = row * PackedContacts.STRIDE;
@@ -127,9 +127,9 @@ public final class FrictionSolver implements Rubbing {
         m[b + SPIN] += m[b + INVERSE_INERTIA] * d[at + PackedContacts.LEVER_TB] * impulse;
     }
 
-    /** The impulse nearest to one that is wanted, of those up to a bound either way. */
+    /** Clamps a wanted impulse to ± a bound. */
     static double clamp(double value, double most) {
-        // Math.max and Math.min take care of signed zeros, which takes them thrice as long.
+        // Math.max and Math.min distinguish signed zeros and so take three times as long.
         return value > most ? most : value < -most ? -most : value;
     }
 }

@@ -10,19 +10,20 @@ import rigibo.backend.contact.row.Motions;
 import rigibo.backend.contact.row.PackedContacts;
 
 /**
- * Keeps what is pushed out of other bodies from being pushed into what does not move: whatever is
- * deeper in the ground once overlap was taken back than it was to be goes back by as much. Its
- * neighbours keep that much more of their overlap: where something must give, bodies that move do.
+ * Keeps removal of overlap from pushing bodies into immovable ones. A body that is afterwards
+ * deeper in the ground than intended is moved back by the difference. Its neighbours then keep that
+ * much more of their overlap with it, since between movable bodies and the ground the former must
+ * yield.
  */
 final class GroundHold {
 
-    /** Passes over the contacts with the ground: a body in a corner has two. */
+    /** Passes over the contacts with the ground; a body in a corner has two. */
     private static final int PASSES = 4;
 
     private final Motions motions;
     private final PackedContacts contacts;
 
-    /** By point of a contact: the gap that it is to have in the end, at most 0, m. */
+    /** By point: least gap that it is to have in the end, at most 0, m. */
     private double[] wanted = new double[32];
 
     GroundHold(Motions motions, PackedContacts contacts) {
@@ -30,7 +31,7 @@ final class GroundHold {
         this.contacts = contacts;
     }
 
-    /** Notes how deep everything is in the ground before overlap is taken back. */
+    /** Stores the overlaps with the ground before overlap is removed. */
     void begin() {
         if (wanted.length < 2 * contacts.count) {
             wanted = new double[2 * contacts.pair.length];
@@ -42,12 +43,12 @@ final class GroundHold {
         }
     }
 
-    /** Has a point that is in the ground come out by so much, m. */
+    /** Lets a point in the ground come out by a distance, m. */
     void open(int row, int point, double by) {
         wanted[2 * row + point] += by;
     }
 
-    /** Takes back what went deeper, in contacts that are there in a substep. */
+    /** Moves back bodies that went deeper, at the contacts that take part in a substep. */
     void hold(int substep) {
         for (int pass = 0; pass < PASSES; pass++) {
             for (int row = contacts.groundStart; row < contacts.count; row++) {

@@ -4,18 +4,19 @@ import rigibo.backend.contact.row.Motions;
 import rigibo.backend.contact.row.PackedContacts;
 
 /**
- * Takes back half of a round of the solver. Friction and normal loads depend on each other, so that
- * rounds may cycle; the middle of a cycle is nearer to the solution than any of its points. Bounds
- * stay kept, for they are convex.
+ * Undoes half of a solver's round. Friction and normal loads depend on each other, so that rounds
+ * may cycle; the middle of a cycle is nearer to the solution than any of its points. Bounds still
+ * hold, since they are convex.
  */
 public final class Halfway {
 
     private final Motions motions;
     private final PackedContacts contacts;
 
-    /** The velocities and impulses that a round began with, laid out as motions and rows. */
+    /** Velocities at the start of the round, laid out as the motions. */
     private double[] velocities = new double[64];
 
+    /** Impulses at the start of the round, by row. */
     private double[] impulses = new double[64];
 
     public Halfway(Motions motions, PackedContacts contacts) {
@@ -23,7 +24,7 @@ public final class Halfway {
         this.contacts = contacts;
     }
 
-    /** Remembers where a round begins. */
+    /** Stores the state at the start of a round. */
     public void begin() {
         int moving = motions.count * Motions.STRIDE;
         int touching = contacts.count * PackedContacts.STRIDE;
@@ -37,7 +38,7 @@ public final class Halfway {
         System.arraycopy(contacts.data, 0, impulses, 0, touching);
     }
 
-    /** Takes half of the round back. */
+    /** Undoes half of the round. */
     public void end() {
         for (int at = Motions.STRIDE; at < motions.count * Motions.STRIDE; at += Motions.STRIDE) {
             for (int column = at; column < at + Motions.DX; column++) {
@@ -52,7 +53,7 @@ public final class Halfway {
         }
     }
 
-    /** Takes all of the round back. */
+    /** Undoes the whole round. */
     public void takeBack() {
         System.arraycopy(velocities, 0, motions.data, 0, motions.count * Motions.STRIDE);
         System.arraycopy(impulses, 0, contacts.data, 0, contacts.count * PackedContacts.STRIDE);

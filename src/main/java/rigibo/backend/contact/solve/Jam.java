@@ -15,21 +15,21 @@ import rigibo.backend.storage.Bodies;
 import java.util.Arrays;
 
 /**
- * Takes overlap back in an island that hardly moves and in which bodies are crushed: there may be
- * no room for them, and then recovery has to come to an end. All contacts push at once, each by a
- * share of its overlap, however deep that is. That goes down the slope of the sum of all overlaps
- * squared, which ends where pushes balance, in whatever order contacts are listed. The share is so
- * small that all those of one body together do not overshoot.
+ * Removes overlap in a calm island with crushed bodies. There may be no room for them, and removal
+ * then has to come to an end. All contacts push at once, each by a share of its overlap, however
+ * deep. That is gradient descent on the sum of all squared overlaps; it ends where the pushes
+ * balance and does not depend on the order of contacts. The share is small enough for all contacts
+ * of one body together not to overshoot.
  */
 final class Jam {
 
     /**
-     * Share of the fastest pace at which recovery ends, 0.12 widths a second: the last of it would
-     * take minutes, and goes to and fro where a contact turns to another face.
+     * Share of the fastest rate of removal at which it ends, 0.12 widths per second. The rest would
+     * take minutes, and oscillates where a contact changes to another face.
      */
     private static final double STILL = 0.04;
 
-    /** Passes in a substep. */
+    /** Passes per substep. */
     private static final int PASSES = 12;
 
     private final Bodies bodies;
@@ -37,21 +37,22 @@ final class Jam {
     private final PackedContacts contacts;
     private final GroundHold ground;
 
-    /** Where bodies were before overlap was taken back. */
+    /** Displacements since the start of the removal. */
     private final Displacement moved;
 
-    /** By entry of the motions: how many contacts push it. */
+    /** By entry of the motions: number of contacts that push it. */
     private int[] pushing = new int[16];
 
-    /** By place in the list of contacts: what pushes its points apart, kg·m. */
+    /** By place in the list of contacts: push at its first point, kg·m. */
     private double[] push0 = new double[16];
 
+    /** By place in the list of contacts: push at its second point, kg·m. */
     private double[] push1 = new double[16];
 
-    /** Share of an overlap that is taken back in a pass. */
+    /** Share of an overlap that is removed in a pass. */
     private double share;
 
-    /** Overlap that stays, in widths. */
+    /** Kept overlap, in widths. */
     private double kept;
 
     Jam(Bodies bodies, Motions motions, PackedContacts contacts, GroundHold ground) {
@@ -63,9 +64,9 @@ final class Jam {
     }
 
     /**
-     * Parts the contacts listed, in a substep of h seconds, but for what is kept, in widths; the
-     * fastest body sets the pace of all. Nobody is moved where even that one would hardly go: such
-     * an island is as far apart as it gets.
+     * Removes the overlap of the listed contacts beyond the kept one (widths), in a substep of h
+     * seconds; the fastest body sets the pace of all. If even that one would hardly move, no body
+     * is moved, since the island cannot be separated further.
      */
     void part(int[] deep, int count, double kept, double h, int substep) {
         moved.begin();
@@ -95,7 +96,7 @@ final class Jam {
         }
     }
 
-    /** Makes room for the packed island. */
+    /** Grows the arrays to the packed island. */
     void reserve() {
         if (pushing.length < motions.count) {
             pushing = new int[motions.slots.length];
@@ -106,7 +107,7 @@ final class Jam {
         }
     }
 
-    /** The most contacts that push one body. */
+    /** Largest number of contacts that push one body. */
     private int mostPushing(int[] deep, int count) {
         Arrays.fill(pushing, 0, motions.count, 0);
         int most = 1;
@@ -121,7 +122,7 @@ final class Jam {
         return motions.data[body + INVERSE_MASS] > 0 ? ++pushing[body / Motions.STRIDE] : 0;
     }
 
-    /** The farthest way of any point of a body, in its widths. */
+    /** Largest displacement of any point of a body, in its widths. */
     private double farthest() {
         double most = 0;
         for (int entry = 1; entry < motions.count; entry++) {
@@ -152,7 +153,7 @@ final class Jam {
         push1[i] = both1;
     }
 
-    /** How far in m a point is to part in a pass. */
+    /** Distance by which a point is to part in a pass, m. */
     private double wanted(int row, int point) {
         double width = contacts.data[row * PackedContacts.STRIDE + PackedContacts.WIDTH];
         double overlap = -motions.gap(contacts, row, point) - kept * width;

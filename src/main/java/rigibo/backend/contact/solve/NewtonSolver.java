@@ -8,18 +8,19 @@ import rigibo.backend.contact.row.PackedContacts;
 
 /**
  * Solves a small island by Newton's method on Coulomb's law (P. Alart and A. Curnier, A mixed
- * formulation for frictional contact problems prone to Newton like solution methods, 1991). Each
- * row is an equation that its present impulse and speed choose: a point carries or is open, a
- * contact holds or slides; what slides rubs by s·μ times the load that is found. All equations are
- * solved at once, and chosen anew, until they remain what they are. Near the solution that takes
- * one or two systems; from afar it may lead anywhere, and the passes between rounds judge it.
+ * formulation for frictional contact problems prone to Newton like solution methods, 1991). The
+ * present impulse and speed of each row choose its equation: a point carries or is open, a contact
+ * sticks or slides, and the friction of a sliding one is s·μ times the load being solved for. All
+ * equations are solved at once and chosen again until the choice no longer changes. Near the
+ * solution that takes one or two systems; far from it the method may diverge, which the passes
+ * between rounds detect.
  */
 final class NewtonSolver {
 
-    /** Systems solved at a time: near the solution each of them doubles the digits. */
+    /** Most systems solved in one call; near the solution each doubles the number of digits. */
     private static final int MOST_STEPS = 8;
 
-    /** Largest change of rows in a step, as a multiple of what they carry or miss. */
+    /** Largest change of rows in a step, as a multiple of their impulses or residuals. */
     private static final double FARTHEST = 1e4;
 
     private final PackedContacts contacts;
@@ -28,13 +29,15 @@ final class NewtonSolver {
     private final RowFactor factor;
     private final Halfway before;
 
-    /** The rows that are equations, and what their impulses lack, N·s. */
+    /** The rows that are equations. */
     private int[] set = new int[64];
 
+    /** By row of the set: the change of its impulse to be solved for, N·s. */
     private double[] unknown = new double[64];
+
     private int size;
 
-    /** A load that gives a row less speed than this in m/s is none. */
+    /** Speed in m/s below which the load that causes it counts as none. */
     private double least;
 
     NewtonSolver(
@@ -51,10 +54,9 @@ final class NewtonSolver {
     }
 
     /**
-     * Brings rows that were read to rest against each other but for a speed of {@code settled} m/s,
-     * as long as that takes no more than some multiplications.
+     * Solves the rows to a residual of {@code settled} m/s within a budget of multiplications.
      *
-     * @return whether there was a way; if not, bodies are as they were
+     * @return whether it succeeded; if not, bodies are as they were
      */
     boolean solve(int substep, double settled, double worth) {
         reserve();
@@ -77,7 +79,7 @@ final class NewtonSolver {
         return true;
     }
 
-    /** Whether the rows contradict each other, and only what they give way by bounds the step. */
+    /** Whether the rows contradict each other, so that only their compliance bounds the step. */
     private boolean isTooFar() {
         double strongest = 0;
         double farthest = 0;
@@ -107,7 +109,7 @@ final class NewtonSolver {
         }
     }
 
-    /** Chooses the equations of a contact; what is none of them keeps its bound exactly. */
+    /** Chooses the equations of a contact; its other rows stay exactly at their bounds. */
     private void choose(int place, int row) {
         int normal = KINDS * place;
         int before = size;
@@ -132,7 +134,7 @@ final class NewtonSolver {
         }
     }
 
-    /** Takes a change, no farther than to where a point would pull, and the friction with it. */
+    /** Applies a change up to where a point would pull, with the friction that belongs to it. */
     private void take(int k, double change) {
         if (k % KINDS == TANGENT) {
             rows.push(k, change);

@@ -1,6 +1,6 @@
 package rigibo.backend.contact.solve;
 
-/** Where neither friction nor rolling resistance is declared. */
+/** Used where neither friction nor rolling resistance is declared: does nothing. */
 public final class NoRubbing implements Rubbing {
 
     @Override

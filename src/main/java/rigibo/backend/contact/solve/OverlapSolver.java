@@ -13,25 +13,26 @@ import rigibo.backend.setup.Accuracy;
 import rigibo.backend.storage.Bodies;
 
 /**
- * Removes overlap by moving bodies instead of accelerating them: a velocity that parts bodies would
- * remain in the impulses from which the next substep starts, and a resting stack would never quite
- * rest.
+ * Removes overlap by moving bodies instead of accelerating them. A velocity that parts bodies would
+ * stay in the impulses from which the next substep is warm started, and a stack would never come to
+ * rest completely.
  */
 public final class OverlapSolver {
 
     /**
-     * Share by which what is moved stays slower than {@link Recovery#MOST_PUSH}: what is moved is
-     * rounded.
+     * Share by which displacements stay below {@link Recovery#MOST_PUSH}, to allow for their
+     * round-off.
      */
     static final double ROUND_OFF = 1e-9;
 
     /**
-     * Ratio of masses up to which what is crushed is parted as a jam. Between a wall and what is a
-     * thousand times as heavy a body would have to move that by pushes that hardly do.
+     * Ratio of masses up to which crushed bodies are separated as a jam. With larger ratios the
+     * pushes would hardly move the heavy body: one of a thousand times the mass that presses
+     * another against a wall, for instance.
      */
     private static final double ALIKE = 30;
 
-    /** Overlap with the ground in widths that shows. */
+    /** Overlap with the ground that can be seen, in widths. */
     private static final double SHOWS = 0.01;
 
     private final Bodies bodies;
@@ -42,16 +43,16 @@ public final class OverlapSolver {
     private final Accuracy accuracy;
     private final Jam jam;
 
-    /** Overlap that stays in the packed island, m for a body of one metre. */
+    /** Kept overlap in the packed island, in widths. */
     private double kept;
 
-    /** Whether the packed island hardly moves, and bodies in it are crushed. */
+    /** Whether the packed island is jammed: calm, and with crushed bodies. */
     private boolean isJammed;
 
-    /** Whether of two bodies of the packed island only the upper one is moved. */
+    /** Whether only the upper of two bodies is moved in the packed island. */
     private boolean raises;
 
-    /** The contacts that are deeper in each other than they may stay. */
+    /** The contacts with more than the kept overlap. */
     private int[] deep = new int[16];
 
     private int deepCount;
@@ -67,7 +68,7 @@ public final class OverlapSolver {
         jam = new Jam(bodies, motions, contacts, ground);
     }
 
-    /** Begins the packed island, which hardly moves if it is calm. */
+    /** Prepares the packed island. */
     public void prepare(boolean isCalm) {
         boolean isCrowd = contacts.areCrowd();
         isJammed = isCalm && contacts.isAnyCrushed && motions.massRatio() <= ALIKE;
@@ -76,15 +77,15 @@ public final class OverlapSolver {
         kept = isCalm ? Recovery.keptIfCalm(isCrowd, accuracy) : Recovery.kept(isCrowd, accuracy);
     }
 
-    /** Begins to take overlap back where nothing is joined. */
+    /** Starts the removal of overlap in an island without joints. */
     public void begin() {
         limit.begin();
         ground.begin();
     }
 
     /**
-     * Ends what was taken back in h seconds, of the contacts that are there in a substep. What
-     * nobody moves is held last, for several bodies together push one into it.
+     * Ends the removal of overlap in a substep of h seconds. Contacts with immovable bodies are
+     * restored last, since several bodies together can push one into them.
      */
     public void end(double h, int substep) {
         ground.hold(substep);
@@ -96,8 +97,8 @@ public final class OverlapSolver {
     }
 
     /**
-     * Passes over all contacts that overlap, for a substep of h seconds, from the ground up and
-     * back; all of them together part two bodies no faster than one pass may.
+     * Makes passes over all overlapping contacts, for a substep of h seconds, from the ground up
+     * and back. Together they part two bodies no faster than a single pass may.
      */
     public void correctInPasses(double h, int substep, int passes) {
         findDeep(substep);
@@ -108,7 +109,7 @@ public final class OverlapSolver {
         }
     }
 
-    /** Passes over them where nothing is joined, so that the ground can be held last. */
+    /** Makes these passes in an island without joints, then restores contacts with the ground. */
     public void correctAndHoldGround(double h, int substep, int passes) {
         if (isJammed) {
             partJammed(h, substep);
@@ -123,12 +124,12 @@ public final class OverlapSolver {
         }
     }
 
-    /** Whether the packed island hardly moves, and bodies in it are crushed. */
+    /** Whether the packed island is jammed: calm, and with crushed bodies. */
     public boolean isJammed() {
         return isJammed;
     }
 
-    /** Takes overlap back in a jammed island, in a substep of h seconds. */
+    /** Removes overlap in a jammed island, in a substep of h seconds. */
     public void partJammed(double h, int substep) {
         findDeep(substep);
         if (deepCount > 0) {
@@ -138,7 +139,9 @@ public final class OverlapSolver {
         }
     }
 
-    /** Whether nobody is to be parted in a jammed island, which has not moved yet, in h seconds. */
+    /**
+     * Whether removal would move no body of a jammed island that has not moved yet, in h seconds.
+     */
     public boolean isBlocked(double h) {
         if (isJammed) {
             partJammed(h, 0);
@@ -184,8 +187,8 @@ public final class OverlapSolver {
     }
 
     /**
-     * Notes how deep bodies may still be in the ground once overlap was taken back in h seconds:
-     * those that it shows of come out at the rate of one contact, however many push them in.
+     * Stores how deep bodies may be in the ground after h seconds of removal. Bodies that are
+     * visibly deep come out at the rate of one contact, however many others push them in.
      */
     private void noteGround(double h) {
         for (int row = contacts.groundStart; row < contacts.count; row++) {
@@ -223,12 +226,12 @@ public final class OverlapSolver {
         return false;
     }
 
-    /** How far in m a point's gap is to open within h seconds; 0 where it does not overlap. */
+    /** Distance by which a point's gap is to open within h seconds, m; 0 without overlap. */
     double wanted(int row, int point, double h) {
         return wanted(row, point, h, Recovery.MOST_PUSH);
     }
 
-    /** The same at so many widths a second at most. */
+    /** That distance with a highest speed in widths per second, m. */
     private double wanted(int row, int point, double h, double speed) {
         int at = row * PackedContacts.STRIDE;
         double width = contacts.data[at + PackedContacts.WIDTH];
@@ -257,7 +260,7 @@ public final class OverlapSolver {
         }
     }
 
-    /** Moves both bodies as impulses at the points would in one second, kg·m. */
+    /** Displaces both bodies, as impulses at the points would move them in one second, kg·m. */
     private void move(int row, double push0, double push1) {
         double[] d = contacts.data;
         double[] m = motions.data;
@@ -282,9 +285,9 @@ public final class OverlapSolver {
     }
 
     /**
-     * Moves two bodies that were pushed apart along with each other, so that only the upper one has
-     * moved where it lies straight above. The lower one would have to be pushed back by what it
-     * lies on, storey by storey, while a heap goes on creeping.
+     * Moves two bodies that were pushed apart by the same displacement, so that only the upper one
+     * has moved if it lies straight above. Otherwise the bodies below would have to push the lower
+     * one back, storey by storey, and a heap would keep creeping.
      */
     private void raise(int a, int b, double px, double py) {
         double[] m = motions.data;

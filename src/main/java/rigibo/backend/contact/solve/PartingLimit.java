@@ -6,8 +6,8 @@ import rigibo.backend.contact.row.PackedContacts;
 import rigibo.backend.storage.Bodies;
 
 /**
- * Limits how far recovery moves a body. Each contact parts its two bodies within a speed limit, but
- * the outermost of many overlapping bodies would move at the sum of all of them.
+ * Limits how far removal of overlap moves a body. Each contact parts its two bodies within a limit
+ * of speed, but the outermost of many overlapping bodies would move at the sum of these speeds.
  */
 final class PartingLimit {
 
@@ -23,7 +23,7 @@ final class PartingLimit {
         moved = new Displacement(motions);
     }
 
-    /** Notes where all bodies are. */
+    /** Stores the places of all bodies. */
     void begin() {
         if (contacts.areFloating()) {
             moved.begin();
@@ -31,8 +31,8 @@ final class PartingLimit {
     }
 
     /**
-     * Takes back what has moved a body by more than so many of its widths since; the centre of mass
-     * stays.
+     * Scales displacements down that exceed a number of widths of their body; the common centre of
+     * mass stays in place.
      */
     void end(double widths) {
         if (!contacts.areFloating() || !holdBack(widths)) {
@@ -58,7 +58,7 @@ final class PartingLimit {
         return isAny;
     }
 
-    /** Moves all by what the centre of mass has moved since, the other way. */
+    /** Moves all bodies back by the displacement of their common centre of mass. */
     private void keepCentre() {
         double x = 0;
         double y = 0;

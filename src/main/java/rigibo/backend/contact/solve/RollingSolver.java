@@ -10,8 +10,8 @@ import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.Pairs;
 
 /**
- * The rolling rows |jᵣ| ≤ c·Σjₙ, each solved together with the friction of its contact. A contact
- * without rolling resistance is not on the list.
+ * Solves the rolling rows, |jᵣ| ≤ c·Σjₙ, of all contacts with rolling resistance, each together
+ * with the friction of its contact.
  */
 public final class RollingSolver implements Rubbing {
 
@@ -20,7 +20,7 @@ public final class RollingSolver implements Rubbing {
     private final Motions motions;
     private final PackedContacts contacts;
 
-    /** Null where friction is not declared: then what rolls may slide as well. */
+    /** Null if friction is not declared; then rolling bodies slide freely. */
     private final FrictionSolver friction;
 
     private int[] rolling = new int[16];
@@ -88,8 +88,9 @@ public final class RollingSolver implements Rubbing {
     }
 
     /**
-     * Rolling brakes the turning, and friction then the moving: where both hold they hold together,
-     * or one would keep undoing a part of the other and the wheel would creep back.
+     * Solves rolling and friction together where both hold. Solved in turn, rolling would brake the
+     * turning and friction the motion, each would undo a part of the other, and the wheel would
+     * creep back.
      */
     @Override
     public void roll(int row) {
@@ -133,7 +134,7 @@ public final class RollingSolver implements Rubbing {
         keepRoll(row, FrictionSolver.clamp(wanted, most));
     }
 
-    /** Angular speed of B against A, rad/s. */
+    /** Angular velocity of B relative to A, rad/s. */
     private double turning(int row) {
         return motions.data[contacts.bodyB[row] + SPIN] - motions.data[contacts.bodyA[row] + SPIN];
     }

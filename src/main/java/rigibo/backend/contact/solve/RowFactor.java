@@ -8,40 +8,42 @@ import rigibo.backend.contact.row.SingleRows;
 import java.util.Arrays;
 
 /**
- * The matrix K = J·M⁻¹·Jᵀ of a set of single rows, with what they give way on its diagonal,
- * factored as L·U within its envelope: in a stack a band of six rows. Where contacts slide, what
- * presses them also rubs, and K + s·μ·J·M⁻¹·Tᵀ is not symmetric; where none does, U = D·Lᵀ takes
+ * The matrix K = J·M⁻¹·Jᵀ of a set of single rows, with their compliances on its diagonal, factored
+ * as L·U within its envelope, which in a stack is a band of six rows. If contacts slide, their
+ * loads cause friction too, and K + s·μ·J·M⁻¹·Tᵀ is not symmetric. If none slides, U = D·Lᵀ takes
  * half the work.
  */
 final class RowFactor {
 
-    /** Room for any small island in motion: none grows once the first is solved. */
+    /** Initial capacity for any small moving island, so that nothing grows after the first one. */
     private static final int FULL =
             SingleRows.MOST_ELIMINATED * (SingleRows.MOST_ELIMINATED + 1) / 2;
 
-    /** Multiplications that a row takes when its set is solved, beside those of factoring. */
+    /** Work of solving a row of a set besides factoring, in multiplications. */
     private static final int WORK_OF_ROW = 60;
 
-    /** Multiplications that writing one entry of the matrix takes that is not 0. */
+    /** Work of writing a non-zero entry of the matrix, in multiplications. */
     private static final int WORK_OF_ENTRY = 10;
 
     private final PackedContacts contacts;
     private final FlatRows rows;
     private final ContactOrder order;
 
-    /** The set that is factored, in the order of contacts, and s·μ of each of its normals. */
+    /** The factored set, in the order of contacts. */
     private int[] factored = new int[64];
 
+    /** By row of the factored set: s·μ of a sliding contact's normal, otherwise 0. */
     private double[] sliding = new double[64];
+
     private boolean isSymmetric = true;
     private int size;
 
     private final EnvelopeFactor factor = new EnvelopeFactor();
 
-    /** For each place in the order the first row of the set from there on. */
+    /** By place in the order: the first row of the set from there on. */
     private int[] firstInSet = new int[65];
 
-    /** Multiplications made beside those of factoring. */
+    /** Multiplications made besides those of factoring. */
     private double work;
 
     RowFactor(PackedContacts contacts, FlatRows rows, ContactOrder order) {
@@ -50,7 +52,7 @@ final class RowFactor {
         this.order = order;
     }
 
-    /** Multiplications made since they were counted last. */
+    /** Multiplications made since the last call. */
     double work() {
         return work + factor.work();
     }
@@ -61,8 +63,8 @@ final class RowFactor {
     }
 
     /**
-     * Multiplications that factoring takes, by the envelope of all rows and the share of them that
-     * may be loaded.
+     * Estimated multiplications of factoring, from the envelope of all rows and the share of them
+     * that may be loaded.
      */
     double workOfAll() {
         double all = 0;
@@ -79,12 +81,12 @@ final class RowFactor {
         factor.lay(0, 0);
     }
 
-    /** How many rows are factored, 0 where nothing is. */
+    /** Number of factored rows; 0 without a factor. */
     int size() {
         return size;
     }
 
-    /** Whether no contact was taken to slide. */
+    /** Whether no contact of the factored set slides. */
     boolean isSymmetric() {
         return isSymmetric;
     }
@@ -106,7 +108,7 @@ final class RowFactor {
         }
     }
 
-    /** Factors the matrix of a set, from the first row on that the last factor did not have. */
+    /** Factors the matrix of a set, from the first row on that differs from the last set. */
     void factorize(int[] set, int count) {
         reserve();
         int same = 0;
@@ -128,7 +130,7 @@ final class RowFactor {
         for (int i = same; i < size; i++) {
             factor.clear(i);
             writeEntries(i);
-            // Of a redundant row only what it gives way by is left.
+            // Of a redundant row only its compliance is left on the diagonal.
             factor.eliminate(i, isSymmetric, rows.give[factored[i]]);
         }
     }
@@ -137,7 +139,7 @@ final class RowFactor {
         return factored[i] == k && sliding[i] == rows.slides(k);
     }
 
-    /** For each place in the order where its rows begin in the set. */
+    /** Finds by place in the order where its rows begin in the set. */
     private void findPlaces() {
         int i = 0;
         for (int place = 0; place < contacts.count; place++) {
@@ -149,7 +151,7 @@ final class RowFactor {
         firstInSet[contacts.count] = size;
     }
 
-    /** A row's envelope begins with the first loaded row of the first contact it shares with. */
+    /** Lays out the envelope: a row's begins at the first row that may share a body with it. */
     private void layEnvelope() {
         for (int i = 0; i < size; i++) {
             factor.first[i] = firstInSet[order.firstNeighbour[factored[i] / FlatRows.KINDS]];
@@ -157,7 +159,7 @@ final class RowFactor {
         factor.lay(size, FULL);
     }
 
-    /** Writes what a row and those before it give each other: those that share a body with it. */
+    /** Writes the responses between a row and those before it that share a body with it. */
     private void writeEntries(int i) {
         int row = order.order[factored[i] / FlatRows.KINDS];
         writeEntries(i, contacts.bodyA[row]);
@@ -186,7 +188,7 @@ final class RowFactor {
     }
 
     /**
-     * Finds by what the impulses of a set are to change to give its rows what they ask for, N·s.
+     * Solves for the changes of impulse that give the rows of a set the speeds they aim at, N·s.
      */
     void solveSet(int[] set, int count, double[] change) {
         factorize(set, count);
@@ -197,7 +199,7 @@ final class RowFactor {
         solve(change);
     }
 
-    /** Solves the factored set for the right side that is given, in place. */
+    /** Solves the factored set for a right-hand side, in place. */
     void solve(double[] unknown) {
         factor.solve(unknown);
     }

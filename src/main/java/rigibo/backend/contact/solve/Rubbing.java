@@ -1,23 +1,20 @@
 package rigibo.backend.contact.solve;
 
-/**
- * What surfaces do to each other along the tangent: nothing, friction, or friction and rolling
- * resistance, as declared.
- */
+/** The tangential rows of contacts, as declared: none, friction, rolling resistance, or both. */
 public interface Rubbing {
 
-    /** Writes the rows of the packed island whose kicks begin with {@code firstKick} seconds. */
+    /** Writes the rows of the packed island, whose first kick has {@code firstKick} seconds. */
     void begin(double firstKick);
 
-    /** Writes what follows from contacts that were measured anew. */
+    /** Writes the rows again that depend on contacts which were measured again. */
     void refresh();
 
-    /** How many rows a pass solves. */
+    /** Number of rows that a pass solves. */
     int rowCount();
 
-    /** Solves rolling and friction of a contact that rolls: only where it is declared does any. */
+    /** Solves rolling and friction of a contact; does nothing without rolling resistance. */
     default void roll(int row) {}
 
-    /** Keeps what held in the last substep of h seconds. */
+    /** Stores the forces of the last substep of h seconds. */
     void store(double h);
 }

@@ -1,5 +1,5 @@
 /**
- * Finds the impulses that keep the rows of an island: by passes, or by elimination of all that
- * carry load. It sees the packed island alone.
+ * Solves for the impulses of an island's rows: by passes, or by elimination of all rows that carry
+ * load. This package sees only the packed island.
  */
 package rigibo.backend.contact.solve;
