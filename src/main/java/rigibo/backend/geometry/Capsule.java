@@ -58,9 +58,9 @@ public record Capsule(double halfLength, double radius) implements Convex {
     }
 
     /**
-     * A rectangle with inertia 1/12·m·(a² + b²) between two half discs. The centroid of a half
-     * disc lies 4r/3π beyond the rectangle's end, so its inertia about the middle is ½·m·r² + m·h²
-     * + 2·m·h·4r/3π.
+     * A rectangle with inertia 1/12·m·(a² + b²) between two half discs. The centroid of a half disc
+     * lies 4r/3π beyond the rectangle's end, so its inertia about the middle is ½·m·r² + m·h² +
+     * 2·m·h·4r/3π.
      */
     @Override
     public MassProperties massProperties(double density) {

@@ -4,15 +4,15 @@ import java.util.Arrays;
 
 /**
  * A line of straight edges with matter on one side: a landscape, a cave, a drum. Its body must be
- * static or kinematic. Seen in the direction from corner to corner, matter lies to the left and
- * air to the right, as it does for a polygon: a floor runs from right to left, the loop of a rock
+ * static or kinematic. Seen in the direction from corner to corner, matter lies to the left and air
+ * to the right, as it does for a polygon: a floor runs from right to left, the loop of a rock
  * counter-clockwise, the loop of a cave clockwise. A chain stops bodies that come from the air. It
  * lets bodies pass that come from the matter, and stops them only once they have left it. A body
  * that slides from edge to edge does not catch on the corner between them.
  *
  * <p>The corners are stated in the body's frame; the body turns about the origin of that frame.
- * Edge i, from corner i to the next, is part i of the shape and may have a material and a filter
- * of its own.
+ * Edge i, from corner i to the next, is part i of the shape and may have a material and a filter of
+ * its own.
  *
  * <pre>{@code
  * Chain hills = Chain.open(20, 0, 10, 1, 5, 0, 0, 2, -10, 2);

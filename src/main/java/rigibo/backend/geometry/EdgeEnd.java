@@ -12,8 +12,8 @@ package rigibo.backend.geometry;
  * @param normalX x of the outward unit normal of the neighbour; at an open end, of the direction
  *     out along the edge
  * @param normalY y of that normal
- * @param run length of the chain from the corner up to where it turns away from the air, m; 0 at
- *     an open end
+ * @param run length of the chain from the corner up to where it turns away from the air, m; 0 at an
+ *     open end
  * @param straight length for which the chain goes on in a straight line, m
  */
 public record EdgeEnd(double normalX, double normalY, double run, double straight) {

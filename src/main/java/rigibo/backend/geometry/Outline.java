@@ -5,9 +5,9 @@ import java.util.Objects;
 
 /**
  * The outline of a convex shape for collision detection: all points at a distance {@link #radius}
- * from a core of corners. The core of a disc is one point, that of a capsule two, that of a
- * polygon its corners; the radius of a sharp polygon is 0. Coordinates are relative to the body's
- * centre of mass. Immutable.
+ * from a core of corners. The core of a disc is one point, that of a capsule two, that of a polygon
+ * its corners; the radius of a sharp polygon is 0. Coordinates are relative to the body's centre of
+ * mass. Immutable.
  *
  * <pre>{@code
  * Outline pill = new Capsule(0.5, 0.2).outline();

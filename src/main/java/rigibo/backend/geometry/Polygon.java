@@ -18,8 +18,8 @@ public final class Polygon implements Convex {
 
     /**
      * Largest offset of the centroid, relative to the size of the coordinates, that counts as
-     * round-off. Within it, corners stay as they were stated, so that a box is its own mirror
-     * image to the bit.
+     * round-off. Within it, corners stay as they were stated, so that a box is its own mirror image
+     * to the bit.
      */
     private static final double CENTROID_ROUNDING = 1e-15;
 
@@ -110,8 +110,8 @@ public final class Polygon implements Convex {
      *
      * @param xy corner coordinates x₀, y₀, x₁, y₁, … in m, counter-clockwise, 3 to 256 corners,
      *     convex and without repeated or collinear corners
-     * @throws IllegalArgumentException naming the corner that is not finite, repeated, collinear
-     *     or reflex, or the count that is out of range
+     * @throws IllegalArgumentException naming the corner that is not finite, repeated, collinear or
+     *     reflex, or the count that is out of range
      */
     public static Polygon of(double... xy) {
         double[] stated = xy.clone();
@@ -120,8 +120,8 @@ public final class Polygon implements Convex {
     }
 
     /**
-     * The convex hull of some points: the smallest convex polygon that holds them. Points inside
-     * it or on an edge are ignored.
+     * The convex hull of some points: the smallest convex polygon that holds them. Points inside it
+     * or on an edge are ignored.
      *
      * @param xy coordinates x₀, y₀, x₁, y₁, … of the points in m, in any order
      * @throws IllegalArgumentException when one is not finite, all lie on one line, or more than

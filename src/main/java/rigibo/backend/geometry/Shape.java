@@ -2,8 +2,8 @@ package rigibo.backend.geometry;
 
 /**
  * The shape of a body in the body's own frame. The origin of that frame is the centre of mass; for
- * a {@link Chain}, which has no mass, it is the origin in which the corners were stated.
- * Immutable, so one shape may serve any number of bodies.
+ * a {@link Chain}, which has no mass, it is the origin in which the corners were stated. Immutable,
+ * so one shape may serve any number of bodies.
  *
  * <pre>{@code
  * Shape shape = Polygon.box(2, 1);
@@ -36,8 +36,8 @@ public sealed interface Shape permits Convex, Compound, Chain {
     }
 
     /**
-     * The x, relative to the centre of mass and in m, of the origin of the frame in which the
-     * shape was stated: 0 for shapes stated about their centre, such as discs and boxes.
+     * The x, relative to the centre of mass and in m, of the origin of the frame in which the shape
+     * was stated: 0 for shapes stated about their centre, such as discs and boxes.
      */
     default double originX() {
         return 0;

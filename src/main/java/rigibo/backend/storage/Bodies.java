@@ -34,8 +34,8 @@ public final class Bodies {
 
     /**
      * Mass in kg and inertia in kg·m² stated in place of the material's density; 0 where none was.
-     * They are kept whatever effects are declared, so that rotation declared later finds the
-     * stated inertia.
+     * They are kept whatever effects are declared, so that rotation declared later finds the stated
+     * inertia.
      */
     public double[] statedMass = new double[FIRST_CAPACITY];
 
@@ -71,8 +71,7 @@ public final class Bodies {
     public boolean[] awake = new boolean[FIRST_CAPACITY];
 
     /**
-     * Position at the start of the step, m; a body returns to it when its state stops being
-     * finite.
+     * Position at the start of the step, m; a body returns to it when its state stops being finite.
      */
     public double[] startX = new double[FIRST_CAPACITY];
 
@@ -354,8 +353,7 @@ public final class Bodies {
     }
 
     /**
-     * Whether a body is a single disc centred on its centre of mass, which turning does not
-     * change.
+     * Whether a body is a single disc centred on its centre of mass, which turning does not change.
      */
     public boolean isCentredDisc(int body) {
         return outline[body].isCentredDisc() && nextShapeOf(body) == Pairs.NONE;
@@ -397,8 +395,8 @@ public final class Bodies {
     }
 
     /**
-     * Inverse inertia, 1/(kg·m²); 0 for a body that cannot be turned. Loops over bodies test
-     * {@link #turns} once instead.
+     * Inverse inertia, 1/(kg·m²); 0 for a body that cannot be turned. Loops over bodies test {@link
+     * #turns} once instead.
      */
     public double inverseInertiaOf(int slot) {
         return inverseInertia == null ? 0 : inverseInertia[slot];
@@ -616,8 +614,8 @@ public final class Bodies {
     }
 
     /**
-     * Angular momentum about the centre of mass, kg·m²/s; 0 unless the body is dynamic and
-     * rotation is declared.
+     * Angular momentum about the centre of mass, kg·m²/s; 0 unless the body is dynamic and rotation
+     * is declared.
      */
     public double angularMomentum(int slot) {
         return turns() && isDynamic(slot) ? inertia[slot] * spin[slot] : 0;

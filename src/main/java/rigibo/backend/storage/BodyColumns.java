@@ -36,8 +36,7 @@ final class BodyColumns {
     private BodyColumns() {}
 
     /**
-     * Passes every column to a visitor, and stores the array that the visitor returns in the
-     * field.
+     * Passes every column to a visitor, and stores the array that the visitor returns in the field.
      */
     static void visit(Bodies b, ColumnVisitor v) {
         visitStated(b, v);

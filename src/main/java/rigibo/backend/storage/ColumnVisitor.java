@@ -1,10 +1,10 @@
 package rigibo.backend.storage;
 
 /**
- * An operation on all columns of a table. It receives the columns one by one and returns, for
- * each, the array that the field holds from then on: the same one, a longer one, or null. A column
- * that no declared effect needs is null. Since the table names every column, no operation can
- * forget one.
+ * An operation on all columns of a table. It receives the columns one by one and returns, for each,
+ * the array that the field holds from then on: the same one, a longer one, or null. A column that
+ * no declared effect needs is null. Since the table names every column, no operation can forget
+ * one.
  */
 public interface ColumnVisitor {
 
@@ -15,8 +15,8 @@ public interface ColumnVisitor {
     double[] column(String name, Role role, Need need, double[] column);
 
     /**
-     * A column that has the values of another one ({@code idle}) while the effects that need it
-     * are not declared; other columns are 0 then.
+     * A column that has the values of another one ({@code idle}) while the effects that need it are
+     * not declared; other columns are 0 then.
      */
     default double[] column(String name, Role role, Need need, double[] column, double[] idle) {
         return column(name, role, need, column);

@@ -3,8 +3,8 @@ package rigibo.backend.storage;
 import java.util.Arrays;
 
 /**
- * The islands of this step: groups of piled bodies that touch each other, and their pairs. Island
- * i holds {@code bodies[bodyStart[i] .. bodyStart[i + 1]]} and {@code pairs[pairStart[i] .. ]}.
+ * The islands of this step: groups of piled bodies that touch each other, and their pairs. Island i
+ * holds {@code bodies[bodyStart[i] .. bodyStart[i + 1]]} and {@code pairs[pairStart[i] .. ]}.
  */
 public final class Islands {
 

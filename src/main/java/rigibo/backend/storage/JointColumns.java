@@ -9,8 +9,7 @@ final class JointColumns {
     private JointColumns() {}
 
     /**
-     * Passes every column to a visitor, and stores the array that the visitor returns in the
-     * field.
+     * Passes every column to a visitor, and stores the array that the visitor returns in the field.
      */
     static void visit(JointStore j, ColumnVisitor v) {
         j.kind = v.column("joint kind", SAVED, ALWAYS, j.kind);

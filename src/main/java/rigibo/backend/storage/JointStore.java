@@ -38,8 +38,8 @@ public final class JointStore {
     public static final int TARGET_Y = 1;
 
     /**
-     * Parameters of a gear joint: its ratio, and the sum of coordinates that it keeps constant,
-     * rad or m.
+     * Parameters of a gear joint: its ratio, and the sum of coordinates that it keeps constant, rad
+     * or m.
      */
     public static final int RATIO = 0;
 

@@ -19,8 +19,7 @@ final class PairColumns {
     private PairColumns() {}
 
     /**
-     * Passes every column to a visitor, and stores the array that the visitor returns in the
-     * field.
+     * Passes every column to a visitor, and stores the array that the visitor returns in the field.
      */
     static void visit(Pairs p, ColumnVisitor v) {
         p.bodyA = v.column("bodyA", SAVED, ALWAYS, p.bodyA);
@@ -63,8 +62,8 @@ final class PairColumns {
     }
 
     /**
-     * Whether a pair touched in this step also decides, in the next one, which bodies rest and
-     * what is reported.
+     * Whether a pair touched in this step also decides, in the next one, which bodies rest and what
+     * is reported.
      */
     private static void visitWhatIsTold(Pairs p, ColumnVisitor v) {
         p.impulse = v.column("impulse", SAVED, ALWAYS, p.impulse);

@@ -3,8 +3,8 @@ package rigibo.backend.storage;
 /**
  * Keeps the pairs in memory in the order in which a step visits them. As pairs come and go, their
  * slots are reused, until every column is read at random and the processor waits for memory once
- * per column and pair. The time to sort follows from the order of the pairs alone, and no result
- * of the simulation depends on their numbers.
+ * per column and pair. The time to sort follows from the order of the pairs alone, and no result of
+ * the simulation depends on their numbers.
  */
 public final class PairOrder implements ColumnVisitor {
 

@@ -3,8 +3,8 @@ package rigibo.backend.storage;
 import rigibo.backend.setup.BodyType;
 
 /**
- * Tolerances in lengths. They are stated for bodies of one metre and scale with the smaller
- * movable body of a pair, so that a scene 64 times smaller behaves the same.
+ * Tolerances in lengths. They are stated for bodies of one metre and scale with the smaller movable
+ * body of a pair, so that a scene 64 times smaller behaves the same.
  */
 public final class PairTolerances {
 
@@ -51,8 +51,8 @@ public final class PairTolerances {
     }
 
     /**
-     * Whether a force in N between A and B is more than round-off: it accelerates them by more
-     * than the round-off of their own accelerations.
+     * Whether a force in N between A and B is more than round-off: it accelerates them by more than
+     * the round-off of their own accelerations.
      */
     public static boolean isPressing(Bodies bodies, int a, int b, double force) {
         double weights =
@@ -62,8 +62,8 @@ public final class PairTolerances {
     }
 
     /**
-     * Component of an acceleration (ax, ay) in m/s² along a unit normal; 0 where it is no more
-     * than round-off of the normal.
+     * Component of an acceleration (ax, ay) in m/s² along a unit normal; 0 where it is no more than
+     * round-off of the normal.
      */
     public static double along(double ax, double ay, double normalX, double normalY) {
         double component = ax * normalX + ay * normalY;

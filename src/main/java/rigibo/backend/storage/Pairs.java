@@ -59,8 +59,7 @@ public final class Pairs {
     public double[] normalY = new double[FIRST_CAPACITY];
 
     /**
-     * Slot of the body with the reference face, or {@link #NONE} where the normal joins two
-     * points.
+     * Slot of the body with the reference face, or {@link #NONE} where the normal joins two points.
      */
     public int[] faceOf = new int[FIRST_CAPACITY];
 
@@ -80,8 +79,8 @@ public final class Pairs {
     public int[] feature = new int[2 * FIRST_CAPACITY];
 
     /**
-     * Reference position of the bodies when the points were measured, m: the centre of the one
-     * that is not dynamic, or else the middle between both centres.
+     * Reference position of the bodies when the points were measured, m: the centre of the one that
+     * is not dynamic, or else the middle between both centres.
      */
     public double[] middleX = new double[FIRST_CAPACITY];
 
@@ -374,8 +373,7 @@ public final class Pairs {
     }
 
     /**
-     * The longer one of the rolling levers of the two bodies, m; needs declared rolling
-     * resistance.
+     * The longer one of the rolling levers of the two bodies, m; needs declared rolling resistance.
      */
     public double rollingLever(Bodies bodies, int pair) {
         return Math.max(

@@ -3,9 +3,9 @@ package rigibo.backend.storage;
 import java.util.Arrays;
 
 /**
- * The bodies that a step visits, in slot order: awake dynamic ones and moving kinematic ones. It
- * is rebuilt only when a body was added, removed, put to sleep or woken, so that a sleeping body
- * costs nothing.
+ * The bodies that a step visits, in slot order: awake dynamic ones and moving kinematic ones. It is
+ * rebuilt only when a body was added, removed, put to sleep or woken, so that a sleeping body costs
+ * nothing.
  */
 public final class Roster {
 

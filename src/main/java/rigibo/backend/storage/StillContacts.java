@@ -1,9 +1,9 @@
 package rigibo.backend.storage;
 
 /**
- * Keeps the contact reports right for pairs whose bodies have both stopped. No step looks at such
- * a pair again, so its columns stay as its last step left them; without a correction every later
- * step would report that the contact just began, or just ended.
+ * Keeps the contact reports right for pairs whose bodies have both stopped. No step looks at such a
+ * pair again, so its columns stay as its last step left them; without a correction every later step
+ * would report that the contact just began, or just ended.
  */
 public final class StillContacts {
 
@@ -19,8 +19,8 @@ public final class StillContacts {
     }
 
     /**
-     * Corrects the pairs that were active in the last step and have stopped since. It runs before
-     * a step lists its active pairs.
+     * Corrects the pairs that were active in the last step and have stopped since. It runs before a
+     * step lists its active pairs.
      */
     public void settle() {
         settleParted();
