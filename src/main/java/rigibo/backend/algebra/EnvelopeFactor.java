@@ -3,8 +3,8 @@ package rigibo.backend.algebra;
 import java.util.Arrays;
 
 /**
- * A square matrix, factored as L·U row by row (Doolittle) without pivoting. Row i of L and column
- * i of U begin at the first nonzero entry of either, which is their envelope; nothing before it is
+ * A square matrix, factored as L·U row by row (Doolittle) without pivoting. Row i of L and column i
+ * of U begin at the first nonzero entry of either, which is their envelope; nothing before it is
  * stored or computed. For a stack, whose rows couple only with their neighbours, the envelope is a
  * band. Where row and column are equal, U = D·Lᵀ takes half the work.
  */
@@ -74,8 +74,8 @@ public final class EnvelopeFactor {
     }
 
     /**
-     * Writes the entry in row j and column i, j &lt; i, if it differs from that in row i and
-     * column j.
+     * Writes the entry in row j and column i, j &lt; i, if it differs from that in row i and column
+     * j.
      */
     public void writeUpper(int i, int j, double entry) {
         upper[start[i] - first[i] + j] = entry;

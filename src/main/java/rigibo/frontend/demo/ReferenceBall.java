@@ -13,8 +13,8 @@ import java.util.Locale;
 import java.util.function.DoubleSupplier;
 
 /**
- * A ball that bounces alone beside everything else: after n bounces it must rise to e²ⁿh. What it
- * misses is what the accuracy costs it.
+ * A ball that bounces by itself beside the scene. After n bounces it must rise to e²ⁿh; the
+ * difference is the error of the present accuracy.
  */
 final class ReferenceBall {
 

@@ -7,8 +7,8 @@ import rigibo.frontend.scene.accuracy.EnergyPlate;
 import rigibo.frontend.scene.ghost.GhostPlate;
 
 /**
- * The plate at the right: where the time of a frame goes, the energy, or the ghost, which there is
- * while its side is up.
+ * The plate on the right, with the frame's time, the energy or the ghost. The ghost exists while
+ * its side is shown.
  */
 final class SidePlate {
 

@@ -26,7 +26,7 @@ import java.util.IdentityHashMap;
 import java.util.Map;
 import java.util.function.Consumer;
 
-/** A pool that is looked at: bodies with skins, a camera, a hand that drags and flings. */
+/** A pool on the screen: bodies with skins, a camera, and a hand that drags and throws. */
 final class Workbench implements Bench {
 
     private static final double NORMAL_LENGTH_PX = 22;

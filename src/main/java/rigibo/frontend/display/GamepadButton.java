@@ -2,7 +2,7 @@ package rigibo.frontend.display;
 
 import static org.lwjgl.glfw.GLFW.*;
 
-/** The buttons of a gamepad, as GLFW's mapping names them, and the keys they stand for. */
+/** The buttons of a gamepad, by the names of GLFW's mapping, and the keys for which they stand. */
 enum GamepadButton {
     UP(GLFW_GAMEPAD_BUTTON_DPAD_UP, GLFW_KEY_UP),
     DOWN(GLFW_GAMEPAD_BUTTON_DPAD_DOWN, GLFW_KEY_DOWN),

@@ -7,7 +7,7 @@ import rigibo.backend.RigidBody;
 
 import java.util.function.Consumer;
 
-/** What a hand reaches: a pool, and whoever has to be told what is done to it. */
+/** The bodies that a hand can reach: a pool, and the listener that must be informed of changes. */
 public interface Bench {
 
     /** What the bodies are in. */

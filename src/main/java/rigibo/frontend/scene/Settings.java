@@ -3,13 +3,13 @@ package rigibo.frontend.scene;
 import java.util.Set;
 
 /**
- * What a player has chosen, in every scene alike.
+ * A player's settings, for all scenes.
  *
  * @param language of the words, one of {@link #LANGUAGES}
  * @param volume of the sounds, 0 to 1
  * @param isMuted whether there is no sound, whatever the volume
  * @param motion how much shakes, flashes and fades
- * @param detail how much is drawn
+ * @param detail how much detail is drawn
  * @param isFullScreen whether windows fill the screen
  */
 public record Settings(

@@ -15,7 +15,7 @@ import java.util.Optional;
 import java.util.stream.DoubleStream;
 
 /**
- * A polygon of given corners, either way round, convex or not.
+ * A polygon of given corners, in either direction, convex or not.
  *
  * @param corners m
  */

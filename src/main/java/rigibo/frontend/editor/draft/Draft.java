@@ -11,7 +11,7 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * A level while it is made; immutable. Edits share what they do not change with what they came
+ * A level in the making; immutable. A new version shares everything unchanged with the one it came
  * from, so that a long history costs little.
  */
 public final class Draft {

@@ -10,11 +10,11 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * Something placed in a draft: a ball, the platform, a body. Edits give another item; its node is
- * never changed once it is part of one.
+ * An item of a draft: a ball, the platform, a body. Edits return a new item; its node never changes
+ * once it is part of one.
  *
- * @param pointer JSON pointer of where the draft has it
- * @param node what the level file states of it
+ * @param pointer JSON pointer to the item in the draft
+ * @param node the item as the level file states it
  */
 public record Item(String pointer, ObjectNode node) {
 

@@ -13,10 +13,10 @@ import java.util.Locale;
 import java.util.Optional;
 
 /**
- * A joint of a draft. Edits give another one; its node is never changed once it is part of one.
+ * A joint of a draft. Edits return a new one; its node never changes once it is part of one.
  *
- * @param pointer JSON pointer of where the draft has it
- * @param node what the level file states of it
+ * @param pointer JSON pointer to the joint in the draft
+ * @param node the joint as the level file states it
  */
 public record JointEntry(String pointer, ObjectNode node) {
 

@@ -8,10 +8,10 @@ import java.nio.file.Path;
 import java.util.Optional;
 
 /**
- * A draft and the file it belongs to.
+ * A draft and its file.
  *
  * @param draft as it stands in the file
- * @param file where; nothing for a draft that was never saved
+ * @param file path of the file; nothing for a draft that was never saved
  */
 public record DraftFile(Draft draft, Optional<Path> file) {
 

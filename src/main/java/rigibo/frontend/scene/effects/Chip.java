@@ -5,7 +5,7 @@ import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 
 /**
- * An effect's place in the bar.
+ * The chip of an effect in the bar.
  *
  * @param reason the effect and what it does
  * @param title the player's name of it

@@ -12,8 +12,9 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 
 /**
- * Which chips there are and where: first what the scene calls for, then what it offers, in two rows
- * at most. Offers that find no room are left out; what the scene calls for moves together instead.
+ * Selects and places the chips, in two rows at most: first the effects that the scene needs, then
+ * those that it offers. Offers without room are left out; chips of needed effects are moved closer
+ * together instead.
  */
 final class ChipLayout {
 

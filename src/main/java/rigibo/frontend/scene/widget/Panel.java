@@ -6,7 +6,9 @@ import rigibo.frontend.scene.Key;
 
 import java.util.List;
 
-/** A column of widgets on a dark plate. The owner hands it the input it does not want itself. */
+/**
+ * A column of widgets on a dark plate. The owner passes on the input that it does not use itself.
+ */
 public final class Panel {
 
     private static final double PADDING = 12;
