@@ -15,8 +15,8 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * A draft played in the editor's window. Every exit of the game leads back to the editor. Nothing
- * done here counts afterwards, since the level is not finished.
+ * A draft played in the editor's window. Every exit of the game leads back to the editor. Progress
+ * made here is forgotten then, since the level is not finished.
  */
 final class TestRun implements Director {
 

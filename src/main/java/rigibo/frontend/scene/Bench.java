@@ -7,7 +7,10 @@ import rigibo.backend.RigidBody;
 
 import java.util.function.Consumer;
 
-/** The bodies that a hand can reach: a pool, and the listener that must be informed of changes. */
+/**
+ * The bodies that a hand can reach: a pool, and verbs for every change of its bodies and joints,
+ * so that a ghost can follow.
+ */
 public interface Bench {
 
     /** What the bodies are in. */

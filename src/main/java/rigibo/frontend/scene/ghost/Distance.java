@@ -6,7 +6,7 @@ import rigibo.backend.setup.BodyType;
 
 import java.util.Iterator;
 
-/** Root mean square distances over the dynamic bodies of two pools, m. */
+/** Root mean square distances of dynamic bodies, between two pools and within one, m. */
 final class Distance {
 
     private Distance() {}
