@@ -16,7 +16,7 @@ final class StepBodies {
     private final Found steered;
     private final Steering steering;
 
-    /** The same work on rotation; null without rotation. */
+    /** Does the corresponding work on rotation; null without rotation. */
     private final StepTurns turning;
 
     StepBodies(DataStorage data) {

@@ -75,12 +75,12 @@ final class ReferenceBall {
         return Math.pow(dropped, 2 * bounces) * HEIGHT;
     }
 
-    /** The height of the present rise as the formula has it. */
+    /** The height of the present rise by the formula. */
     String predictedWords() {
         return String.format(Locale.ROOT, "%.4f m", predicted());
     }
 
-    /** The same as the pool has it. */
+    /** The height of the present rise in the pool. */
     String seenWords() {
         return String.format(Locale.ROOT, "%.4f m", risen);
     }

@@ -55,7 +55,7 @@ final class SidePlate {
         ghost = new GhostPlate(words);
     }
 
-    /** The same for another bench: a scene that restarts shows the side that it has shown. */
+    /** Returns a plate for another bench, so that a restarted scene shows the same side. */
     SidePlate of(Workbench other) {
         SidePlate next = new SidePlate(other, words, x, y);
         next.show(shown);

@@ -42,7 +42,7 @@ final class Workbench implements Bench {
     private final Impacts impacts = new Impacts();
     private final Grip grip = new Grip();
 
-    /** The same scene at another accuracy, or null, and the accuracy of the scene when it began. */
+    /** A copy of the scene at another accuracy, or null; the scene's accuracy when it was made. */
     private Ghost ghost;
 
     private Accuracy hauntedAt;

@@ -16,9 +16,9 @@ enum GamepadButton {
     Y(GLFW_GAMEPAD_BUTTON_Y, GLFW_KEY_BACKSPACE),
     /** Pauses. */
     START(GLFW_GAMEPAD_BUTTON_START, GLFW_KEY_P),
-    /** From box to box. */
+    /** To the next box. */
     RIGHT_BUMPER(GLFW_GAMEPAD_BUTTON_RIGHT_BUMPER, GLFW_KEY_TAB),
-    /** The same backwards. */
+    /** To the previous box. */
     LEFT_BUMPER(GLFW_GAMEPAD_BUTTON_LEFT_BUMPER, GLFW_KEY_TAB);
 
     private final int number;

@@ -86,7 +86,10 @@ final class Input {
         scene.held(modifiers);
     }
 
-    /** The same while a key goes down or up: GLFW counts a modifier's own key only afterwards. */
+    /**
+     * Reports the modifiers when a key goes down or up; GLFW counts a modifier's own key only
+     * later.
+     */
     void modifiers(int held, int key, int action) {
         int own =
                 switch (key) {

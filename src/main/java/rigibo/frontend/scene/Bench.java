@@ -8,8 +8,8 @@ import rigibo.backend.RigidBody;
 import java.util.function.Consumer;
 
 /**
- * The bodies that a hand can reach: a pool, and verbs for every change of its bodies and joints,
- * so that a ghost can follow.
+ * The bodies that a hand can reach: a pool, and verbs for every change of its bodies and joints, so
+ * that a ghost can follow.
  */
 public interface Bench {
 

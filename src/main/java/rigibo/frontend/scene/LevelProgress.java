@@ -35,7 +35,7 @@ public record LevelProgress(
         return new LevelProgress(levelHash, false, OptionalInt.empty(), 0);
     }
 
-    /** The same as it stands for a level of a hash. */
+    /** Returns this progress as it counts for a version of the level with a hash. */
     LevelProgress in(long hash) {
         return hash == levelHash ? this : new LevelProgress(hash, isSolved, OptionalInt.empty(), 0);
     }

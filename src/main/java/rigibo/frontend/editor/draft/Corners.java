@@ -111,7 +111,7 @@ public record Corners(List<Point> corners) implements Form {
         return round;
     }
 
-    /** The same with a corner elsewhere. */
+    /** Returns this polygon with a corner at another place. */
     public Corners with(int corner, Point place) {
         List<Point> changed = new ArrayList<>(corners);
         changed.set(corner, place);

@@ -83,7 +83,7 @@ public record JointEntry(String pointer, ObjectNode node) {
         return last.minus(point(anchors().get(0))).length();
     }
 
-    /** The same, holding elsewhere, m. */
+    /** Returns this joint with one of its anchors at another place, m. */
     public JointEntry at(String anchor, Point place) {
         return with(anchor, node(place));
     }
@@ -96,7 +96,7 @@ public record JointEntry(String pointer, ObjectNode node) {
                 .add(Decimal.of(place.y()));
     }
 
-    /** The same with one member changed. */
+    /** Returns this joint with one member changed. */
     public JointEntry with(String name, JsonNode value) {
         ObjectNode changed = JsonNodeFactory.instance.objectNode();
         changed.setAll(node);
@@ -104,7 +104,7 @@ public record JointEntry(String pointer, ObjectNode node) {
         return new JointEntry(pointer, changed);
     }
 
-    /** The same the other way round: what was first comes second. */
+    /** Returns this joint with its two ends exchanged. */
     public JointEntry swapped() {
         JointEntry swapped = with("a", node.path("b")).with("b", node.path("a"));
         if (!type().hasTwoPoints()) {

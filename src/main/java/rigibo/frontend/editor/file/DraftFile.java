@@ -15,7 +15,7 @@ import java.util.Optional;
  */
 public record DraftFile(Draft draft, Optional<Path> file) {
 
-    /** The same with the level's id. */
+    /** Returns this file with the level's id changed. */
     DraftFile called(String id) {
         return new DraftFile(draft.with("/id", JsonNodeFactory.instance.stringNode(id)), file);
     }

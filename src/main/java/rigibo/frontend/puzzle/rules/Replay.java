@@ -38,7 +38,7 @@ public record Replay(long levelHash, List<Deletion> deletions, Accuracy accuracy
                         .toList());
     }
 
-    /** The same without its last deletion. */
+    /** Returns this replay without its last deletion. */
     public Replay withoutLast() {
         return new Replay(
                 levelHash, deletions.subList(0, Math.max(0, deletions.size() - 1)), accuracy);

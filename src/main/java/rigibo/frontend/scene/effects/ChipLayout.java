@@ -26,7 +26,7 @@ final class ChipLayout {
     /** Beside a chip's word, px. */
     private static final double MARGIN = 10;
 
-    /** The same where there is a crowd. */
+    /** Margin, then gap, where chips are moved closer together, px. */
     private static final double CROWDED_MARGIN = 1;
 
     private static final double CROWDED_GAP = 2;

@@ -12,12 +12,12 @@ import java.util.Locale;
  */
 public record Parting(double seconds, boolean isChaotic) {
 
-    /** What it means, in a line. */
+    /** Describes it in a line. */
     public String in(Words words) {
         return words.of(isChaotic ? "parting.chaotic" : "parting.apart", time());
     }
 
-    /** The same where there is little room. */
+    /** Describes it in few words. */
     String briefIn(Words words) {
         return words.of(isChaotic ? "parting.chaotic.brief" : "parting.apart.brief", time());
     }

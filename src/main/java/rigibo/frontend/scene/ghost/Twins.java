@@ -57,7 +57,7 @@ final class Twins {
         return joints.remove(joint);
     }
 
-    /** The same joint between the twins. */
+    /** Returns a joint's definition between the twins of its bodies. */
     JointDefinition of(JointDefinition of) {
         RigidBody a = of(of.a());
         RigidBody b = of(of.b());

@@ -29,7 +29,7 @@ public final class Panel {
         this.widgets = List.copyOf(widgets);
     }
 
-    /** The same with other widgets, and the one in the same row chosen or held. */
+    /** Returns this panel with other widgets; the selected or held row stays so. */
     public Panel with(List<Widget> others) {
         Panel panel = new Panel(x, y, width, others);
         panel.hot = hot;
