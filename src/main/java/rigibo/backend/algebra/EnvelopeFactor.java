@@ -3,35 +3,35 @@ package rigibo.backend.algebra;
 import java.util.Arrays;
 
 /**
- * A square matrix, factored as L·U row by row (Doolittle) without exchanging any. Row i of L and
- * column i of U begin at the first number that either has there, their envelope, and nothing before
- * it is kept or computed: in a stack, whose rows meet their neighbours only, that is a band. Where
- * row and column are alike, U = D·Lᵀ takes half the work.
+ * A square matrix, factored as L·U row by row (Doolittle) without pivoting. Row i of L and column i
+ * of U begin at the first nonzero entry of either, which is their envelope; nothing before it is
+ * stored or computed. For a stack, whose rows couple only with their neighbours, the envelope is a
+ * band. Where row and column are equal, U = D·Lᵀ takes half the work.
  */
 public final class EnvelopeFactor {
 
-    /** Length of the first room for rows. */
+    /** Rows for which there is room at first. */
     private static final int ROWS = 64;
 
-    /** By row: the first column that it begins with. It is to be written before {@link #lay}. */
+    /** By row: the first column of its envelope. The caller writes it before {@link #lay}. */
     public int[] first = new int[ROWS];
 
     private int size;
 
-    /** Where each row starts. */
+    /** Index at which each row starts. */
     private int[] start = new int[ROWS + 1];
 
-    /** L by rows and U by columns, each from its first entry to its diagonal. */
+    /** L by rows and U by columns, each from its first entry to the diagonal. */
     private double[] lower = new double[0];
 
     private double[] upper = new double[0];
 
-    /** The inverse of each entry of U's diagonal. */
+    /** Reciprocals of the diagonal of U. */
     private double[] inverse = new double[ROWS];
 
     private double work;
 
-    /** Makes room for so many rows, keeping those that are there. */
+    /** Makes room for a number of rows and keeps the present ones. */
     public void reserve(int rows) {
         if (first.length < rows) {
             first = Arrays.copyOf(first, rows);
@@ -41,10 +41,11 @@ public final class EnvelopeFactor {
     }
 
     /**
-     * Lays out so many rows from their first entries on. Those before the first that differs stay
+     * Lays out the envelope of a number of rows. Rows before the first one that differs stay
      * factored.
      *
-     * @param entries room that is made at least where there is too little of it
+     * @param rows number of rows
+     * @param entries capacity to which the arrays grow at least, if they are too short
      */
     public void lay(int rows, int entries) {
         size = rows;
@@ -61,7 +62,7 @@ public final class EnvelopeFactor {
         }
     }
 
-    /** Empties row and column i. */
+    /** Clears row i and column i. */
     public void clear(int i) {
         Arrays.fill(lower, start[i], start[i + 1], 0);
         Arrays.fill(upper, start[i], start[i + 1], 0);
@@ -72,16 +73,20 @@ public final class EnvelopeFactor {
         lower[start[i] - first[i] + j] = entry;
     }
 
-    /** Writes the entry in row j and column i, j &lt; i, where it is not that of row i. */
+    /**
+     * Writes the entry in row j and column i, j &lt; i, if it differs from that in row i and column
+     * j.
+     */
     public void writeUpper(int i, int j, double entry) {
         upper[start[i] - first[i] + j] = entry;
     }
 
     /**
-     * Finds row i of L and column i of U by those before them.
+     * Computes row i of L and column i of U from those before them.
      *
-     * @param isSymmetric whether all columns so far are as their rows
-     * @param least what a diagonal counts as that elimination leaves less of
+     * @param i number of the row and column
+     * @param isSymmetric whether all columns up to this one equal their rows
+     * @param least replaces a diagonal entry that elimination leaves smaller than this
      */
     public void eliminate(int i, boolean isSymmetric, double least) {
         int own = start[i] - first[i];
@@ -104,7 +109,7 @@ public final class EnvelopeFactor {
         work += i - first[i];
     }
 
-    /** A product of parts of two arrays, in four sums that do not wait for each other. */
+    /** Dot product of parts of two arrays, in four sums that do not wait for each other. */
     private static double dot(double[] a, int atA, double[] b, int atB, int length) {
         double sum0 = 0;
         double sum1 = 0;
@@ -123,7 +128,7 @@ public final class EnvelopeFactor {
         return sum0 + sum1 + (sum2 + sum3);
     }
 
-    /** Solves for the right side that is given, in place: forward, then backward substitution. */
+    /** Solves for a right-hand side in place, by forward and backward substitution. */
     public void solve(double[] unknown) {
         for (int i = 0; i < size; i++) {
             unknown[i] -= dot(lower, start[i], unknown, first[i], i - first[i]);
@@ -138,7 +143,7 @@ public final class EnvelopeFactor {
         }
     }
 
-    /** Multiplications that factoring took since they were cleared. */
+    /** Multiplications for factoring since the count was cleared. */
     public double work() {
         return work;
     }

@@ -1,2 +1,2 @@
-/** Systems of linear equations, whatever they stand for. */
+/** Systems of linear equations, without knowledge of what they stand for. */
 package rigibo.backend.algebra;

@@ -9,8 +9,8 @@ import rigibo.backend.storage.Pairs;
 import rigibo.backend.storage.Roster;
 
 /**
- * Lays size fixtures and finds the pairs whose fixtures overlap. A fixture is laid anew only when
- * the body is about to leave it.
+ * The broad phase: maintains the fixtures and finds pairs whose fixtures overlap. A fixture is
+ * replaced only when its shape is about to leave it.
  */
 public final class Broadphase {
 
@@ -19,7 +19,7 @@ public final class Broadphase {
     private final Roster roster;
     private final DataStorage data;
 
-    /** Whether it looks for the visitors of sensors, too. */
+    /** Whether it also finds the visitors of sensors. */
     public boolean senses;
 
     private final FixtureTree tree = new FixtureTree();
@@ -27,10 +27,10 @@ public final class Broadphase {
     private final Found found = new Found();
     private final SizeFixtures fixtures;
 
-    /** The slots that {@link Bodies#refitted} marks. */
+    /** The slots marked in {@link Bodies#refitted}. */
     private final Found moved = new Found();
 
-    /** A broadphase over the bodies of a storage. */
+    /** The broad phase of a storage. */
     public Broadphase(DataStorage data) {
         this.data = data;
         bodies = data.bodies;
@@ -39,7 +39,7 @@ public final class Broadphase {
         fixtures = new SizeFixtures(bodies);
     }
 
-    /** Lays the first fixtures of a new body, one for each of its shapes. */
+    /** Writes the first fixtures of a new body, one per shape. */
     public void add(int body) {
         for (int slot = body; slot != Pairs.NONE; slot = bodies.nextShapeOf(slot)) {
             fixtures.sweep(body, slot, 0, 0);
@@ -50,8 +50,8 @@ public final class Broadphase {
     }
 
     /**
-     * Makes the tree of an empty broadphase for bodies whose fixtures are laid. Its shape may
-     * differ from the one that grew with the bodies; what a query finds does not.
+     * Builds the tree for bodies whose fixtures are known, as after reading a snapshot. It may
+     * differ from the tree that grew with the bodies, but queries find the same.
      */
     public void rebuild() {
         for (int slot = 0; slot < bodies.slots.high; slot++) {
@@ -59,7 +59,7 @@ public final class Broadphase {
                 if (!bodies.isDisabled(bodies.bodyOf(slot))) {
                     hang(slot);
                 }
-                // What was disabled since is passed over when its turn comes, and unmarked.
+                // A body that was disabled meanwhile is skipped and unmarked when its turn comes.
                 if (bodies.refitted[slot]) {
                     moved.add(slot);
                 }
@@ -77,7 +77,7 @@ public final class Broadphase {
                         bodies.fixtureMaxY[slot]);
     }
 
-    /** Takes a body out, with its pairs. */
+    /** Removes a body and its pairs. */
     public void remove(int body) {
         forgetPairs(body);
         for (int slot = body; slot != Pairs.NONE; slot = bodies.nextShapeOf(slot)) {
@@ -85,7 +85,7 @@ public final class Broadphase {
         }
     }
 
-    /** Lays the fixtures of a body that was placed anew. */
+    /** Writes new fixtures for a body that was placed elsewhere. */
     public void refit(int body) {
         for (int slot = body; slot != Pairs.NONE; slot = bodies.nextShapeOf(slot)) {
             fixtures.sweep(body, slot, 0, 0);
@@ -93,26 +93,26 @@ public final class Broadphase {
         }
     }
 
-    /** Forgets what is known of a body's contacts: it is somewhere else now. */
+    /** Resets the contacts of a body that was placed elsewhere. */
     public void forgetContacts(int slot) {
         for (int p = bodies.firstPair[slot]; p != Pairs.NONE; p = pairs.nextOf(p, slot)) {
             pairs.clear(p);
         }
     }
 
-    /** Drops all pairs of a body. */
+    /** Removes all pairs of a body. */
     public void forgetPairs(int slot) {
         while (bodies.firstPair[slot] != Pairs.NONE) {
             pairs.remove(bodies, bodies.firstPair[slot]);
         }
     }
 
-    /** Drops a pair. */
+    /** Removes a pair. */
     public void forgetPair(int pair) {
         pairs.remove(bodies, pair);
     }
 
-    /** Stage 3: fixtures for a step of {@code dt} seconds, and the pairs they make. */
+    /** Stage 3: writes fixtures for a step of {@code dt} seconds and finds their pairs. */
     public void update(double dt) {
         coverAwake(dt);
         moved.sort();
@@ -145,8 +145,8 @@ public final class Broadphase {
     }
 
     /**
-     * Within a step: a body's path changed, so its fixture has to cover what is left of the step in
-     * s. Pairs it comes upon become active.
+     * Within a step, after a body's path has changed: extends its fixture over the rest of the step
+     * (s). Pairs found become active.
      */
     public void follow(int body, double left) {
         int before = moved.count;
@@ -157,10 +157,10 @@ public final class Broadphase {
     }
 
     /**
-     * Within a step: nobody can tell which way a body at (x, y) in m goes on, turned by an angle of
-     * which cosine and sine are given, so its fixture has to cover all within a reach of it in m,
-     * beside what it covers. No point of it goes farther than that, so that a part of a body covers
-     * what is near itself, not all that is near the body.
+     * Within a step, for a body whose further path is unknown: extends its fixture over everything
+     * within a reach (m) of it at (x, y), m, with the cosine and sine of its angle. No point of the
+     * body goes farther than the reach, so each part covers its own surroundings, not those of the
+     * whole body.
      */
     public void lookRound(int body, double x, double y, double cos, double sin, double reach) {
         for (int slot = body; slot != Pairs.NONE; slot = bodies.nextShapeOf(slot)) {
@@ -179,8 +179,8 @@ public final class Broadphase {
     }
 
     /**
-     * Ends a step: what impacts within a pile sent another way than the step foresaw is given a
-     * fixture where it is now, so that queries find it there. What lies still has not left its own.
+     * At the end of a step: gives new fixtures to bodies that impacts within a pile sent off the
+     * predicted path, so that queries find them. Bodies that have not moved are skipped.
      */
     public void coverPoses() {
         for (int i = 0; i < roster.awakeCount; i++) {
@@ -192,7 +192,7 @@ public final class Broadphase {
     }
 
     /**
-     * After {@link #coverPoses} finds the sensors that a body has come to which left its fixture.
+     * After {@link #coverPoses}: finds the sensors that were reached by bodies with new fixtures.
      */
     public void meetVisitors() {
         for (int i = 0; i < moved.count; i++) {
@@ -216,7 +216,10 @@ public final class Broadphase {
         }
     }
 
-    /** Whether a body is elsewhere than as the step began: what was stopped may have moved. */
+    /**
+     * Whether a body has left its pose at the start of the step; a stopped body may also have
+     * moved.
+     */
     private boolean hasMoved(int slot) {
         return bodies.x[slot] != bodies.startX[slot]
                 || bodies.y[slot] != bodies.startY[slot]
@@ -231,7 +234,7 @@ public final class Broadphase {
         }
     }
 
-    /** The slots of all shapes whose fixture reaches into a box in m, ascending. */
+    /** The slots, ascending, of all shapes whose fixture overlaps a box, m. */
     public Found query(Aabb box) {
         found.clear();
         tree.query(box.minX, box.minY, box.maxX, box.maxY, found);
@@ -240,15 +243,15 @@ public final class Broadphase {
     }
 
     /**
-     * Sets out along a ray (m) past the fixtures it crosses, which carry the slots of their shapes;
-     * one walk at a time.
+     * Begins a walk along a ray (m) over the fixtures that it crosses, which carry the slots of
+     * their shapes. There is one walk at a time.
      */
     public RayWalk walk(double fromX, double fromY, double toX, double toY) {
         walk.begin(fromX, fromY, toX, toY);
         return walk;
     }
 
-    /** The same past the fixtures that a box in m crosses, seen from the point of the ray. */
+    /** Begins such a walk for a box, in m relative to the moving point of the ray. */
     public RayWalk walk(Aabb box, double fromX, double fromY, double toX, double toY) {
         walk.begin(box, fromX, fromY, toX, toY);
         return walk;
@@ -291,7 +294,10 @@ public final class Broadphase {
         }
     }
 
-    /** A contact that just ended is kept for one more step, in which its end is told. */
+    /**
+     * Drops pairs whose fixtures have parted. A contact that just ended stays for one more step,
+     * which reports its end.
+     */
     private void dropPairsApart(int body) {
         int p = bodies.firstPair[body];
         while (p != Pairs.NONE) {
@@ -310,7 +316,7 @@ public final class Broadphase {
         }
     }
 
-    /** Finds all that reaches into the fixture of a shape. */
+    /** Finds all shapes that overlap the fixture of a shape. */
     private void query(int slot) {
         found.clear();
         tree.query(
@@ -342,7 +348,7 @@ public final class Broadphase {
         }
     }
 
-    /** Sensors see no sensors, and no part of their own body. */
+    /** Notes a sensor and its visitor. Sensors do not detect sensors or parts of their own body. */
     private void visit(int slot, int other) {
         boolean isOne = bodies.sensor[slot] != bodies.sensor[other];
         boolean areApart = bodies.bodyOf(slot) != bodies.bodyOf(other);

@@ -6,14 +6,15 @@ import rigibo.backend.storage.Slots;
 import java.util.Arrays;
 
 /**
- * A binary tree of boxes in flat columns. Leaves carry a number; a branch's box holds both its
- * children's. What a query finds depends on the boxes alone, never on the shape of the tree.
+ * A binary tree of boxes in flat columns. Leaves carry a number; the box of a branch holds those of
+ * both its children. The result of a query depends on the boxes alone, never on the shape of the
+ * tree.
  *
- * <p>A leaf goes where it adds least perimeter to the branches (the surface area heuristic of J.
- * Goldsmith and J. Salmon, Automatic Creation of Object Hierarchies for Ray Tracing, 1987), and on
- * the way back up a child changes places with a grandchild wherever that makes a branch smaller.
- * Depth is left alone: balancing it was measured to make queries 100 times slower after 200 steps
- * of 20,000 moving bodies, because it puts far bodies under one branch.
+ * <p>A leaf is inserted where it adds least perimeter to the branches (the surface area heuristic
+ * of J. Goldsmith and J. Salmon, Automatic Creation of Object Hierarchies for Ray Tracing, 1987);
+ * on the way back up, a child changes places with a grandchild wherever that shrinks a branch.
+ * Depth is not balanced: balancing was measured to make queries 100 times slower after 200 steps of
+ * 20,000 moving bodies, because it puts distant bodies under one branch.
  */
 final class FixtureTree {
 
@@ -25,7 +26,10 @@ final class FixtureTree {
     private int root = NONE;
     private int[] parent = new int[FIRST_CAPACITY];
 
-    /** Two per node: a branch's children, or {@link #NONE} and the number that a leaf carries. */
+    /**
+     * Two per node: the children of a branch; for a leaf {@link #NONE} and the number that it
+     * carries.
+     */
     private int[] child = new int[2 * FIRST_CAPACITY];
 
     /** Boxes, four doubles per node: min x, min y, max x, max y. */
@@ -33,7 +37,7 @@ final class FixtureTree {
 
     private int[] stack = new int[64];
 
-    /** Adds a box with the number it carries; returns its leaf. */
+    /** Adds a box with a number; returns its leaf. */
     int insert(int carried, double minX, double minY, double maxX, double maxY) {
         int leaf = take();
         child[2 * leaf] = NONE;
@@ -50,8 +54,8 @@ final class FixtureTree {
     }
 
     /**
-     * Gives a leaf another box. Within the branch two levels up it keeps its place, and rotations
-     * repair what that costs; a leaf that went farther is put in anew.
+     * Gives a leaf another box. Within the branch two levels up the leaf keeps its place, and
+     * rotations repair the cost; a leaf that went farther is inserted again.
      */
     void move(int leaf, double minX, double minY, double maxX, double maxY) {
         int above = parent[leaf];
@@ -72,7 +76,7 @@ final class FixtureTree {
         }
     }
 
-    /** Gives a leaf a box that holds the one it has; it keeps its place. */
+    /** Enlarges the box of a leaf, which keeps its place. */
     void grow(int leaf, double minX, double minY, double maxX, double maxY) {
         setBox(leaf, minX, minY, maxX, maxY);
         for (int node = parent[leaf]; node != NONE; node = parent[node]) {
@@ -112,7 +116,7 @@ final class FixtureTree {
         }
     }
 
-    /** The node that holds all others, or {@link #NONE}. */
+    /** The root node, or {@link #NONE}. */
     int root() {
         return root;
     }
@@ -121,12 +125,12 @@ final class FixtureTree {
         return child[2 * node] == NONE;
     }
 
-    /** The number that a leaf carries. */
+    /** The number of a leaf. */
     int carried(int leaf) {
         return child[2 * leaf + 1];
     }
 
-    /** A branch's children. */
+    /** The two children of a branch. */
     int first(int branch) {
         return child[2 * branch];
     }
@@ -135,12 +139,14 @@ final class FixtureTree {
         return child[2 * branch + 1];
     }
 
-    /** Min x, min y, max x, max y in m of all nodes, not to be written. */
+    /** Min x, min y, max x and max y of all nodes, m; read only. */
     double[] boxes() {
         return box;
     }
 
-    /** Half the perimeter of all branches together, m: what the cost of a query goes with. */
+    /**
+     * Sum of half the perimeters of all branches, m, to which the cost of a query is proportional.
+     */
     double branchPerimeter() {
         double sum = 0;
         int depth = push(0, root);
@@ -207,7 +213,7 @@ final class FixtureTree {
         replaceChild(above, branch, sibling);
         slots.giveBack(branch);
         for (int node = above; node != NONE && merge(node); node = parent[node]) {
-            // Boxes above one that stayed the same stay the same.
+            // Above a box that did not change, no box changes.
         }
     }
 
@@ -222,8 +228,8 @@ final class FixtureTree {
     }
 
     /**
-     * Walks down to the side that may cost less and remembers the cheapest place on the way. A
-     * place costs the perimeter of the new branch there and what it adds to all branches above.
+     * Walks down to the side that adds less, and remembers the cheapest place on the way. The cost
+     * of a place is the perimeter of the new branch there, plus what it adds to all branches above.
      */
     private int bestSibling(int leaf) {
         double own = perimeter(leaf);
@@ -284,7 +290,7 @@ final class FixtureTree {
         return true;
     }
 
-    /** By how much a branch shrinks at most when one of its children gives way to another node. */
+    /** The most by which a branch shrinks when another node replaces one of its children. */
     private double gain(int branch, int lowered) {
         int first = child[2 * branch];
         return first == NONE
@@ -307,7 +313,7 @@ final class FixtureTree {
         merge(branch);
     }
 
-    /** Makes a branch's box hold its children's; returns whether it changed. */
+    /** Recomputes a branch's box from its children's; returns whether it changed. */
     private boolean merge(int node) {
         int at = 4 * node;
         int one = 4 * child[2 * node];

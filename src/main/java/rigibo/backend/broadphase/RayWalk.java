@@ -5,27 +5,33 @@ import rigibo.backend.geometry.Aabb;
 import java.util.Arrays;
 
 /**
- * Goes along a ray, or along the way of a box, from leaf to leaf of a tree: of two branches the one
- * that is entered earlier comes first, and one that is entered too late is passed over. So the cost
- * goes with the way up to the first body met, and not with the box that the ray spans.
+ * Walks along a ray, or along the path of a moving box, from leaf to leaf of a tree. Of two
+ * branches it visits the one entered earlier first, and it skips a branch that is entered too late.
+ * So the cost grows with the distance to the first body hit, not with the box that the ray spans.
  */
 public final class RayWalk {
 
-    /** Answered when no more leaves follow. */
+    /** Returned when no more leaves follow. */
     public static final int END = -1;
 
-    /** Answered for a box that the ray does not cross. */
+    /** Returned for a box that the ray does not cross. */
     private static final double MISS = Double.POSITIVE_INFINITY;
 
-    /** A branch must not lose by round-off what a leaf in it would win by round-off. */
+    /**
+     * Margin for a branch, so that round-off cannot exclude a branch while it admits a leaf in it.
+     */
     private static final double ROUNDING_MARGIN = 1 + 1e-9;
 
-    /** A few roundings of the products whose difference is how far the ray passes a box. */
+    /**
+     * Relative round-off of the products whose difference is the distance at which the ray passes a
+     * box.
+     */
     private static final double ROUNDING = 1e-15;
 
     /**
-     * Share of the ray, 1 mm in 1,000 km: far more than rounding moves the point where a shape is
-     * met, and so near to a hit hardly anything else is.
+     * Share of the ray, 1 mm in 1,000 km, by which a box may be entered after the latest hit: far
+     * more than the round-off of a hit point, and yet so little that it admits hardly any other
+     * body.
      */
     private static final double SLACK = 1e-9;
 
@@ -39,18 +45,14 @@ public final class RayWalk {
     private double maxX;
     private double maxY;
 
-    /**
-     * The box that goes along the ray, seen from the ray's own point, m; nothing for a plain ray.
-     */
+    /** The box that moves along the ray, relative to the ray's point, m; all 0 for a plain ray. */
     private double left;
 
     private double bottom;
     private double right;
     private double top;
 
-    /**
-     * Nodes yet to be looked at, the next one last, and the fractions at which they are entered.
-     */
+    /** Nodes still to visit, the next one last, and the fractions at which the ray enters them. */
     private int[] stack = new int[64];
 
     private double[] entries = new double[64];
@@ -61,13 +63,16 @@ public final class RayWalk {
         this.tree = tree;
     }
 
-    /** Sets out from one point in m to another. */
+    /** Begins a walk from one point (m) to another. */
     void begin(double fromX, double fromY, double toX, double toY) {
         carry(0, 0, 0, 0);
         setOut(fromX, fromY, toX, toY);
     }
 
-    /** The same with a box, m, that is seen from the point which goes from here to there. */
+    /**
+     * Begins a walk of a box, in m relative to the point that moves from the first place to the
+     * second.
+     */
     void begin(Aabb box, double fromX, double fromY, double toX, double toY) {
         carry(box.minX, box.minY, box.maxX, box.maxY);
         setOut(fromX, fromY, toX, toY);
@@ -97,8 +102,8 @@ public final class RayWalk {
     }
 
     /**
-     * The number that the next leaf carries whose box the ray enters no later than at a fraction of
-     * its way, or {@link #END}.
+     * The number carried by the next leaf whose box the ray enters at or before a fraction of its
+     * length, or {@link #END}.
      */
     public int next(double latest) {
         while (depth > 0) {
@@ -114,7 +119,7 @@ public final class RayWalk {
         return END;
     }
 
-    /** Nodes whose box was compared with the ray since it set out. */
+    /** Number of nodes whose box was compared with the ray since the walk began. */
     public int nodes() {
         return nodes;
     }
@@ -139,7 +144,10 @@ public final class RayWalk {
         entries[depth++] = entry;
     }
 
-    /** The fraction at which the ray enters a node's box, 0 where it begins inside, or a miss. */
+    /**
+     * The fraction at which the ray enters a node's box, 0 where it starts inside, or {@link
+     * #MISS}.
+     */
     private double entry(int node) {
         nodes++;
         double[] box = tree.boxes();

@@ -7,44 +7,45 @@ import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.Pairs;
 
 /**
- * How large size fixtures are. A fixture holds what a shape sweeps in the step to come and a margin
- * round it, so that it need not be laid in every step. One shape is swept at a time; what is asked
- * and written next is about that one.
+ * Computes fixtures. A fixture holds the box that a shape sweeps in the next step, and a margin, so
+ * that it need not be replaced in every step. One shape is swept at a time; the other methods refer
+ * to the shape that was swept last.
  */
 final class SizeFixtures {
 
     /**
-     * Margin round a fixture as a share of the body's bounding radius: fewer refits, more pairs.
+     * Margin round a fixture as a share of the body's bounding radius; a larger one means fewer new
+     * fixtures, but more pairs.
      */
     private static final double MARGIN = 0.1;
 
     /**
-     * Steps to come that a fixture is laid ahead for, up to one radius: a body in motion then keeps
-     * its fixture for some steps instead of leaving its margin in each.
+     * Steps of motion that a fixture is extended by, up to one radius. A moving body then keeps its
+     * fixture for some steps, instead of leaving the margin in each.
      */
     private static final double STEPS_AHEAD = 3;
 
     /**
-     * Steps ahead for a body that has no neighbours, at least: it seldom meets any, and if it does
-     * its fixture is laid anew. Some look farther ahead than others: bodies that were thrown alike
-     * would else all leave their fixtures in one step.
+     * Least number of those steps for a body without neighbours: it seldom meets any, and then it
+     * gets a new fixture. The number differs from body to body, since bodies thrown alike would
+     * otherwise all leave their fixtures in the same step.
      */
     private static final int LEAST_AHEAD_ALONE = 8;
 
     private static final int BITS_AHEAD_ALONE = 4;
 
-    /** The golden ratio's multiples spread what lies close together, as in a hash table. */
+    /** Multiples of the golden ratio spread close numbers, as in a hash table. */
     private static final long SPREAD = 0x9E3779B97F4A7C15L;
 
-    /** The bits of a double that are neither its sign nor its power of two. */
+    /** Mantissa bits of a double, without sign and exponent. */
     private static final long DIGITS = (1L << 52) - 1;
 
-    /** A fixture that is larger than it would be laid now by this factor is laid anew. */
+    /** Factor by which a fixture may be larger than a new one before it is replaced. */
     private static final double LOOSE = 1.25;
 
     private final Bodies bodies;
 
-    /** What the shape in hand sweeps. */
+    /** The box that the present shape sweeps. */
     private final Aabb swept = new Aabb();
 
     private final Aabb part = new Aabb();
@@ -53,13 +54,14 @@ final class SizeFixtures {
         this.bodies = bodies;
     }
 
-    /** How far in m turning may move the outline in dt seconds. */
+    /** Distance in m by which turning may move the outline in dt seconds. */
     double turned(int body, double dt) {
         return Math.abs(bodies.spin[body]) * dt * bodies.sweepRadius[body];
     }
 
     /**
-     * Bounds over the way of the next dt seconds; a body that turns may reach as far as its radius.
+     * Sweeps a shape for dt seconds; turning extends it by at most {@code turned} m, and never
+     * beyond the body's bounding radius.
      */
     void sweep(int body, int slot, double dt, double turned) {
         double x = bodies.x[body];
@@ -73,7 +75,7 @@ final class SizeFixtures {
         stretch(body, dt);
     }
 
-    /** Bounds over that way of a body's bounding circle: it may turn as it likes. */
+    /** Sweeps a body's bounding circle for dt seconds, so that turning makes no difference. */
     void sweepAround(int body, double dt) {
         double radius = bodies.boundingRadius[body];
         swept.minX = bodies.x[body] - radius;
@@ -84,8 +86,9 @@ final class SizeFixtures {
     }
 
     /**
-     * Bounds of the fixture there is and of all within a reach (m) of a shape whose body is at a
-     * pose (m, cosine and sine): of a part what is near itself, not all that is near the body.
+     * Sweeps the present fixture and all that lies within a reach (m) of a shape whose body is at a
+     * pose (m, cosine and sine). For one part of a body that is its own surroundings, not those of
+     * the whole body.
      */
     void sweepBeside(int body, int slot, double x, double y, double cos, double sin, double reach) {
         double radius = bodies.boundingRadius[body] + reach;
@@ -110,7 +113,10 @@ final class SizeFixtures {
         swept.maxY = Math.min(swept.maxY, part.maxY + reach);
     }
 
-    /** Adds a bound on the way in dt seconds: with the acceleration, and without. */
+    /**
+     * Adds an upper bound on the displacement in dt seconds: the one with the acceleration and the
+     * one without.
+     */
     private void stretch(int body, double dt) {
         double plainX = dt * bodies.velocityX[body];
         double plainY = dt * bodies.velocityY[body];
@@ -122,7 +128,7 @@ final class SizeFixtures {
         swept.maxY += greater(greater(plainY, pulledY), 0);
     }
 
-    /** Math.min would take care of signed zeros, which takes it thrice as long. */
+    /** Faster than Math.min, which handles signed zeros and takes three times as long. */
     private static double lesser(double a, double b) {
         return a < b ? a : b;
     }
@@ -131,7 +137,7 @@ final class SizeFixtures {
         return a > b ? a : b;
     }
 
-    /** Whether the fixture of a shape holds what the shape sweeps. */
+    /** Whether the fixture of a shape holds the swept box. */
     boolean isCovered(int slot) {
         return swept.minX >= bodies.fixtureMinX[slot]
                 && swept.minY >= bodies.fixtureMinY[slot]
@@ -140,8 +146,8 @@ final class SizeFixtures {
     }
 
     /**
-     * Whether a fixture is much larger than it needs to be: a body that was fast keeps no
-     * neighbours that it cannot meet any more.
+     * Whether a fixture is much larger than necessary, so that a body that was fast does not keep
+     * neighbours that it can no longer meet.
      */
     boolean isLoose(int body, int slot, double dt) {
         double radius = size(body, slot);
@@ -158,8 +164,8 @@ final class SizeFixtures {
     }
 
     /**
-     * Writes the fixture of a shape. Of a static body it is what the shape sweeps; others have a
-     * margin, and more of it ahead.
+     * Writes the fixture of a shape: for a static body the swept box itself, for others with a
+     * margin, which is larger ahead.
      */
     void write(int body, int slot, double dt) {
         double radius = size(body, slot);
@@ -174,15 +180,15 @@ final class SizeFixtures {
         bodies.fixtureMaxY[slot] = swept.maxY + margin + Math.max(0, aheadY);
     }
 
-    /** What the margin is a share of, m: an edge of a chain has one of its own. */
+    /** Length in m to which the margin is proportional; an edge of a chain has its own. */
     private double size(int body, int slot) {
         Outline outline = bodies.outline[slot];
         return outline.isEdge() ? outline.halfLength() : bodies.boundingRadius[body];
     }
 
     /**
-     * At random, as it were, by the digits of where the body is: no other body has a part in it,
-     * and neither has the scale or the side of a mirror, which are not in the digits.
+     * Number of steps, pseudo-random by the mantissa bits of the body's position. So it depends on
+     * no other body, and neither scaling by a power of two nor mirroring changes it.
      */
     private int stepsAheadAlone(int slot) {
         long bits = SPREAD * digits(bodies.x[slot]);
@@ -194,7 +200,7 @@ final class SizeFixtures {
         return Double.doubleToRawLongBits(number) & DIGITS;
     }
 
-    /** The way in some seconds, up to a most either way, m. */
+    /** Displacement in some seconds, limited to {@code most} in either direction, m. */
     private static double ahead(double velocity, double seconds, double most) {
         return Math.max(-most, Math.min(most, seconds * velocity));
     }

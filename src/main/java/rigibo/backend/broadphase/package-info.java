@@ -1,5 +1,5 @@
 /**
- * Size fixtures: an axis-aligned box round every body, kept in a tree. Only bodies within each
- * other's fixtures are looked at further, for speed and memory.
+ * The broad phase: an axis-aligned box round every shape, its fixture, kept in a tree. Only shapes
+ * whose fixtures overlap are examined further, which saves time and memory.
  */
 package rigibo.backend.broadphase;

@@ -1,23 +1,23 @@
 package rigibo.backend.collision;
 
-/** How two moving bodies near each other: what rules a meeting out, and what makes it a hit. */
+/** How two moving bodies approach: what excludes an impact, and what confirms one. */
 final class Approach {
 
-    /** Closing slower than this share of the bodies' speed is round-off of the axis. */
+    /** Closing speed, as a share of the bodies' speeds, below which it is round-off of the axis. */
     private static final double SPEED_ROUNDING = 1e-13;
 
     private Motion a;
     private Motion b;
 
-    /** Takes the two motions. */
+    /** Sets the two motions. */
     void between(Motion first, Motion second) {
         a = first;
         b = second;
     }
 
     /**
-     * Whether the bounding circles can come within a gap in m between two times, seen along the
-     * line between their centres.
+     * Whether the bounding circles can come within a gap in m between two times; uses the line
+     * between their centres.
      */
     boolean mayMeet(Pose poseA, Pose poseB, double from, double to, double within) {
         double dx = poseB.x - poseA.x;
@@ -34,7 +34,7 @@ final class Approach {
         return gap + left * (centreSpeed(nx, ny, from) + gained) <= within;
     }
 
-    /** Whether the gap shrinks, or is about to: bodies at rest are pressed together by forces. */
+    /** Whether the gap shrinks or is about to, because forces press resting bodies together. */
     boolean isClosing(Distance distance, Pose poseA, Pose poseB, double time, double tolerance) {
         double speed = partingSpeed(distance, poseA, poseB, time, tolerance);
         double noise = SPEED_ROUNDING * (speedOf(a) + speedOf(b));
@@ -44,8 +44,9 @@ final class Approach {
     }
 
     /**
-     * Speed in m/s at which the closest points part. Where an edge is closest, the slower of its
-     * ends counts, unless it is farther by more than a tolerance in m.
+     * Relative speed of the closest points along the normal, m/s, positive when parting. Of two
+     * points the one with the smaller speed counts, unless its gap is larger by more than a
+     * tolerance in m.
      */
     double partingSpeed(Distance distance, Pose poseA, Pose poseB, double time, double tolerance) {
         Manifold points = distance.manifold;
@@ -71,7 +72,7 @@ final class Approach {
                 + ny * (b.velocityYAt(time) - a.velocityYAt(time));
     }
 
-    /** The least acceleration in m/s² of B away from A along an axis. */
+    /** Smallest acceleration of B away from A along an axis, m/s². */
     private double pull(double nx, double ny, double time) {
         return b.leastAcceleration(nx, ny, time) + a.leastAcceleration(-nx, -ny, time);
     }

@@ -3,7 +3,10 @@ package rigibo.backend.collision;
 import rigibo.backend.geometry.Angle;
 import rigibo.backend.geometry.Outline;
 
-/** How far one moving body reaches along a fixed axis: its centre's way plus its outline. */
+/**
+ * The farthest point of one moving body along a fixed axis: displacement of its centre plus reach
+ * of its outline.
+ */
 final class AxisReach {
 
     private final FarthestCorner farthest = new FarthestCorner();
@@ -11,22 +14,25 @@ final class AxisReach {
     private double axisX;
     private double axisY;
 
-    /** The centre along the axis at the motion's own start, its velocity and acceleration. */
+    /**
+     * The centre's position, velocity and acceleration along the axis at the start of the motion.
+     */
     private double place;
 
     private double velocity;
     private double acceleration;
 
     /**
-     * The outline where it turns, and turning moves it, else null: the outline then stays as it is.
+     * The outline if turning changes its reach, else null; then {@link #outline} is the constant
+     * reach, m.
      */
     private Outline turning;
 
     private double outline;
 
     /**
-     * Fixes a unit axis. The pose is the body's at any time in question; places are measured from
-     * an origin in m that both bodies share.
+     * Fixes a unit axis. The pose gives the orientation of a body that does not turn; positions are
+     * relative to an origin in m that both bodies share.
      */
     void fix(Motion of, Pose pose, double x, double y, double originX, double originY) {
         motion = of;
@@ -49,7 +55,7 @@ final class AxisReach {
         }
     }
 
-    /** The farthest point along the axis at a time in s, m. */
+    /** Position of the farthest point along the axis at a time in s, m. */
     double at(double time) {
         double elapsed = time - motion.startTime;
         double e1 = motion.velocityShare(elapsed);
@@ -67,8 +73,8 @@ final class AxisReach {
     }
 
     /**
-     * A bound from above on −(d²/dt²) of any point's place along the axis between two times, m/s²:
-     * how strongly the way can bend back. Turning adds at most ω²r + |α|r.
+     * Upper bound on −(d²/dt²) of the position of any point along the axis between two times, m/s².
+     * Turning adds at most ω²r + |α|r.
      */
     double bend(double from, double to) {
         double straight = -motion.leastAcceleration(axisX, axisY, from);

@@ -3,13 +3,16 @@ package rigibo.backend.collision;
 import rigibo.backend.geometry.Outline;
 
 /**
- * The separating faces of two boxes, which by symmetry need one comparison per axis instead of one
- * per face and corner: |p| less both half extents, p being the centre of one in the frame of the
- * other. Twice as fast as the search over all faces.
+ * The faces of greatest separation of two boxes. Symmetry leaves one comparison per axis instead of
+ * one per face and corner: |p| minus both half extents, where p is the centre of one box in the
+ * frame of the other. Twice as fast as the search over all faces.
  */
 final class BoxFaces {
 
-    /** Corners of a box, as {@link Polygon#box} numbers them, by the signs of x and y. */
+    /**
+     * Corners of a box by the signs of x and y, in the order of {@link
+     * rigibo.backend.geometry.Polygon#box}.
+     */
     private static final int LOWER_LEFT = 0;
 
     private static final int LOWER_RIGHT = 1;
@@ -26,8 +29,9 @@ final class BoxFaces {
     private BoxFaces() {}
 
     /**
-     * Finds the face of a box that separates it farthest from another, which sits at a place in the
-     * box's frame; true, without a result, if one is farther than {@code reach} m.
+     * Finds the face of a box with the greatest separation from another box, whose pose is in the
+     * first one's frame. Returns true, without a face, if a separation is more than {@code reach}
+     * m.
      */
     static boolean isApart(Outline box, Outline other, Pose place, double reach, FaceSearch out) {
         double width = other.cornerX(UPPER_RIGHT);
@@ -57,7 +61,7 @@ final class BoxFaces {
         return false;
     }
 
-    /** The corner that reaches farthest along a direction in the box's own frame. */
+    /** The corner that is farthest along a direction in the box's own frame. */
     private static int cornerTowards(double x, double y) {
         if (y > 0) {
             return x > 0 ? UPPER_RIGHT : UPPER_LEFT;

@@ -3,8 +3,8 @@ package rigibo.backend.collision;
 import rigibo.backend.geometry.Outline;
 
 /**
- * Finds where two outlines touch or nearly touch. Holds scratch, so each thread needs its own.
- * Allocates nothing.
+ * Computes the contact manifold of two outlines at their poses. Uses scratch fields, so each thread
+ * needs its own instance. Allocates nothing after its first edge of a chain.
  */
 public final class Collider {
 
@@ -15,12 +15,14 @@ public final class Collider {
     private EdgeContact edges;
 
     /**
-     * Of a distance: how near in m something comes to the end of a chain's edge, in a direction in
-     * which that does not push, before the edge's own normal counts.
+     * For distances: gap in m to the end of a chain's edge, from a direction in which that end does
+     * not push, below which the edge's own normal counts.
      */
     double near;
 
-    /** Manifolds for contacts, which keep their reference face while bodies rest on each other. */
+    /**
+     * A collider for contacts: manifolds keep their reference face while bodies rest on each other.
+     */
     public Collider() {
         this(PolygonPolygon.REFERENCE_BIAS);
     }
@@ -30,23 +32,26 @@ public final class Collider {
         isForDistance = bias == 0;
     }
 
-    /** Manifolds whose least separation is the distance also where two faces are near parallel. */
+    /**
+     * A collider for distances: the least separation is the distance even where two faces are
+     * nearly parallel.
+     */
     static Collider withoutBias() {
         return new Collider(0);
     }
 
     /**
-     * Writes the manifold of two outlines. Where they are apart, the separation of one point is the
-     * true distance; two points are given where faces are near parallel. Overlap is measured along
-     * the axis of least overlap. Everything is computed relative to A, and every tolerance scales
-     * with the shapes: far from the origin or in another scale, the manifold is the same.
+     * Writes the manifold of two outlines. If they are apart, the separation of one point is the
+     * true distance; a second point is given where faces are nearly parallel. Overlap is measured
+     * along the axis of least overlap. All arithmetic is relative to A, and every tolerance scales
+     * with the shapes, so that the manifold is the same far from the origin or at another scale.
      *
      * @param a first outline
-     * @param poseA where it is
+     * @param poseA its pose
      * @param b second outline
-     * @param poseB where it is
+     * @param poseB its pose
      * @param reach largest gap in m, zero or more, at which a point is still reported
-     * @param out receives the manifold; its count is 0 when the shapes are farther apart than reach
+     * @param out receives the manifold; its count is 0 when the gap is larger than reach
      */
     public void collide(Outline a, Pose poseA, Outline b, Pose poseB, double reach, Manifold out) {
         out.clear();

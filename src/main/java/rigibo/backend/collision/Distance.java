@@ -3,19 +3,22 @@ package rigibo.backend.collision;
 import rigibo.backend.geometry.Outline;
 
 /**
- * The distance of two shapes, the axis along it, and the two points it is measured between. Found
- * from the faces and corners directly rather than by iteration, so that it is exact to round-off.
- * Holds scratch, so each thread needs its own. Allocates nothing.
+ * The distance of two shapes, its axis and the two closest points. It is computed from faces and
+ * corners directly, not by iteration, so that it is exact to round-off. Uses scratch fields, so
+ * each thread needs its own instance. Allocates nothing.
  */
 public final class Distance {
 
     private final Collider collider = Collider.withoutBias();
     final Manifold manifold = new Manifold();
 
-    /** Gap found by the last call, m; in overlap minus the least way that would part the shapes. */
+    /**
+     * Gap found by the last call, m; in overlap, minus the shortest displacement that would part
+     * the shapes.
+     */
     public double gap;
 
-    /** Unit vector from A to B along which no other gives a larger gap. */
+    /** Unit vector from A to B along which the gap is largest. */
     public double axisX;
 
     public double axisY;
@@ -31,8 +34,8 @@ public final class Distance {
     public double pointBY;
 
     /**
-     * How near in m something may come to the end of a chain's edge, in a direction in which that
-     * does not push, before only the edge's own normal counts.
+     * Sets the gap in m to the end of a chain's edge, from a direction in which that end does not
+     * push, below which only the edge's own normal counts.
      */
     void near(double metres) {
         collider.near = metres;

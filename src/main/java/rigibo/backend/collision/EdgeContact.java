@@ -3,18 +3,21 @@ package rigibo.backend.collision;
 import rigibo.backend.geometry.Outline;
 
 /**
- * Manifold of an edge of a chain, as A, and any outline. An edge pushes along its normal what has a
- * corner over it or lies flat on it. A corner of matter between two edges pushes along the normals
- * between theirs, and the edge that ends there tells of it. Nothing else is a contact: what is
- * nearest to the end of an edge in any other direction is the next edge's matter. So nothing bumps
- * into a corner that it slides over.
+ * Manifold of an edge of a chain, as A, and any outline, as B. An edge pushes along its normal, if
+ * a corner of B lies over it or B lies flat on it. A convex corner between two edges pushes along
+ * the normals between theirs; its contact is reported by the edge that ends there. Nothing else is
+ * a contact: in every other direction, whatever is nearest to the end of an edge faces the matter
+ * of the next edge. So a body does not catch on a corner that it slides over.
  */
 final class EdgeContact {
 
-    /** Round-off of a place over the edge, per metre of what touches it. */
+    /** Round-off of a position over the edge, per metre of the outline. */
     private static final double ROUND_OFF = 1e-9;
 
-    /** Overlap, likewise, of what rests beside an edge and is about to come over it. */
+    /**
+     * Largest overlap, per metre of the outline, of a body that rests beside an edge and is about
+     * to come over it.
+     */
     private static final double SLACK = 1e-2;
 
     private static final int CUT = 1 << 16;
@@ -22,25 +25,25 @@ final class EdgeContact {
 
     private final EdgeView view = new EdgeView();
 
-    /** The ends of the core's lowest side, the left one first, by the numbers of their corners. */
+    /** Corner numbers of the lowest side of the core, left end first. */
     private int left;
 
     private int right;
     private boolean isFlat;
 
-    /** The gap in m of the edge's own contact, and of that of a corner; infinite without. */
+    /** Gap of the edge's own contact and of that of a corner, m; infinite if there is none. */
     private double gapOfFace;
 
     private double gapOfCorner;
     private boolean isCornerAtStart;
 
-    /** Overlap in m beside the edge with which its plane may be met. */
+    /** Overlap in m up to which a body beside the edge may meet the edge's plane. */
     private double slack;
 
-    /** The corner nearest to the edge of those that lie over or under it. */
+    /** Of the corners over or under the edge, the one nearest to it. */
     private int nearestOver;
 
-    /** Writes the points of contact that are no farther than a reach; returns how many. */
+    /** Writes the contact points within a reach, in m; returns their number. */
     int collide(Outline edge, Pose poseE, Outline other, Pose poseO, double reach, Manifold out) {
         double width = other.isEdge() ? 0 : other.smallestWidth();
         slack = SLACK * width;
@@ -71,7 +74,10 @@ final class EdgeContact {
         return out.count;
     }
 
-    /** What is over no edge yet, or over another one, may come over this one within the step. */
+    /**
+     * Notes the gap to a body that may come over this edge within the step: it is over no edge yet,
+     * or over another one.
+     */
     private void await(Pose pose, double radius, double reach, Manifold out) {
         if (view.leastDistance() - radius > reach) {
             return;
@@ -89,13 +95,19 @@ final class EdgeContact {
         }
     }
 
-    /** Of two that overlap the one that overlaps less is it, else the nearer one. */
+    /**
+     * Whether the corner is the contact. If both overlap, it is the one that overlaps less,
+     * otherwise the nearer one.
+     */
     private boolean isCorner() {
         boolean areBothIn = gapOfCorner <= 0 && gapOfFace <= 0;
         return areBothIn ? gapOfCorner > gapOfFace : gapOfCorner < gapOfFace;
     }
 
-    /** Finds the side of the core that faces the edge most: one of the two at its lowest corner. */
+    /**
+     * Finds the side of the core that faces the edge most: one of the two sides at its lowest
+     * corner.
+     */
     private void findSide() {
         int at = view.lowest;
         int before = at == 0 ? view.corners - 1 : at - 1;
@@ -127,12 +139,14 @@ final class EdgeContact {
         return least - radius;
     }
 
-    /** Whether a stretch of the lowest side, not only a point, lies over the edge. */
+    /** Whether part of the lowest side, not only a point of it, lies over the edge. */
     private boolean isAcross() {
         return view.along[left] < view.half && view.along[right] > -view.half;
     }
 
-    /** How high the lowest side is over an end of the edge, or at its own end before that, m. */
+    /**
+     * Height of the lowest side over an end of the edge, or at its own end if that comes first, m.
+     */
     private double aboveEnd(double end) {
         double length = view.along[right] - view.along[left];
         double share = Math.max(0, Math.min(1, (end - view.along[left]) / length));
@@ -154,14 +168,18 @@ final class EdgeContact {
         }
     }
 
-    /** The edge that ends in a corner tells of it, and one that begins where nothing ends. */
+    /**
+     * Whether this edge reports the corner: the edge that ends there does, or the first edge of an
+     * open chain.
+     */
     private boolean isOwn(boolean isStart) {
         return !isStart || view.beyond(true).isOpen();
     }
 
     /**
-     * What turns about the corner before the edge comes to lie on the edge itself. Where the core
-     * lies deeper beyond the corner than over the edge, the edge's normal does not lead out.
+     * Writes the edge's own contact beside a corner that the previous edge reports, since a body
+     * that turns about this corner comes to lie on the edge. It writes none if the core lies deeper
+     * beyond the corner than over the edge, because the edge's normal then does not lead out.
      */
     private void writeBesideCorner(Pose pose, double radius, double reach, Manifold out) {
         boolean leadsOut = gapOfFace > 0 || view.leastBeyond(true) >= view.leastOver;
@@ -179,7 +197,9 @@ final class EdgeContact {
         }
     }
 
-    /** The other end of what a side of the core and the edge have in common, if there is one. */
+    /**
+     * Adds the other end of the overlap between a side of the core and the edge, if there is one.
+     */
     private void addFarEnd(Pose pose, double radius, double reach, Manifold out) {
         int corner = isCornerAtStart ? view.sideLeft() : view.sideRight();
         double end = view.end(!isCornerAtStart);
@@ -217,7 +237,7 @@ final class EdgeContact {
         }
     }
 
-    /** An end of the lowest side, or where the edge's own end cuts it off. */
+    /** Adds an end of the lowest side, or the end of the edge that cuts it off. */
     private void addEnd(
             Pose pose,
             int corner,
@@ -240,8 +260,9 @@ final class EdgeContact {
     }
 
     /**
-     * What comes to an edge that rises, or goes straight on, meets it within the step, though it is
-     * over the edge before it yet: there the plane goes on, on the matter or inside it.
+     * Writes the contact with an edge that rises or goes straight on, for a body that is still over
+     * the edge before it but meets this one within the step. Between the two, this edge's plane
+     * lies on the matter or inside it.
      */
     private void writeAhead(Pose pose, double radius, double reach, Manifold out) {
         view.normal(pose, 0, 1, NormalSource.FACE_A, out);
@@ -264,9 +285,9 @@ final class EdgeContact {
     }
 
     /**
-     * Writes the nearest points, for the distance: as of a line with two sides, until it is as near
-     * as {@code near} m to an end along a direction in which that does not push; then the edge's
-     * normal counts.
+     * Writes the nearest points, for the distance. An edge counts as a line with two sides, until a
+     * body comes within {@code near} m of an end from a direction in which that end does not push;
+     * then the edge's normal counts.
      */
     void distance(Outline edge, Pose poseE, Outline other, Pose poseO, double near, Manifold out) {
         view.look(edge, poseE, other, poseO, 0);
@@ -309,7 +330,10 @@ final class EdgeContact {
         return least;
     }
 
-    /** Apart, with a corner over or under the edge nearest. */
+    /**
+     * Writes the nearest points where the two are apart and a corner over or under the edge is
+     * nearest.
+     */
     private void writeSide(Pose pose, double radius, Manifold out) {
         boolean isOfSide = nearestOver == left || nearestOver == right;
         if (isOfSide && view.above[nearestOver] > 0) {
@@ -343,14 +367,14 @@ final class EdgeContact {
         }
     }
 
-    /** As seen along the edge's normal, wherever the lowest corner is. */
+    /** Writes the lowest corner's distance along the edge's normal, wherever that corner is. */
     private void writePlane(Pose pose, double radius, Manifold out) {
         double gap = view.least - radius;
         view.normal(pose, 0, 1, NormalSource.FACE_A, out);
         view.add(pose, view.along[view.lowest], gap / 2, gap, view.lowest, out);
     }
 
-    /** Which side of the chain a core is on that does not reach into the edge. */
+    /** The side of the chain on which a core lies, or ACROSS if it reaches into the edge. */
     Side side(Outline edge, Pose poseE, Outline other, Pose poseO) {
         view.look(edge, poseE, other, poseO, 0);
         view.lookFrom(true);
@@ -373,7 +397,7 @@ final class EdgeContact {
         return view.isInAir(isStart, x, y) || isCentreInAir() ? Side.AIR : Side.MATTER;
     }
 
-    /** Whether the middle of the core last looked at is on the side of the air. */
+    /** Whether the mean of the corners of the core measured last lies in the air. */
     boolean isCentreInAir() {
         double s = view.centreAlong();
         double h = view.centreAbove();
@@ -384,11 +408,11 @@ final class EdgeContact {
         return view.isInAir(isStart, s - view.end(isStart), h);
     }
 
-    /** Where something is, seen from a chain. */
+    /** Position of an outline relative to a chain. */
     enum Side {
         AIR,
         MATTER,
-        /** On both, or touching. */
+        /** On both sides, or touching. */
         ACROSS
     }
 }

@@ -4,38 +4,41 @@ import rigibo.backend.geometry.EdgeEnd;
 import rigibo.backend.geometry.Outline;
 
 /**
- * A core as it is seen from an edge of a chain: the edge lies along the first axis about the
- * origin, the air is up the second, and the edge begins to the right and ends to the left. So the
- * picture of a mirrored scene is the mirrored picture, to the bit.
+ * The corners of a core in the frame of an edge of a chain. The edge lies on the first axis, with
+ * its middle at the origin, its start on the right and its end on the left; the second axis points
+ * into the air. In this frame a mirrored scene is mirrored to the bit.
  */
 final class EdgeView {
 
-    /** Sine of the angle by which a direction may lie beside those that a corner pushes along. */
+    /**
+     * Sine of the angle by which a direction may lie outside the range in which a corner pushes.
+     */
     static final double FLAT = 1e-4;
 
     /** Half the length of the edge, m. */
     double half;
 
-    /** The corners of the core along the edge and above it, m. */
+    /** The core's corners: position along the edge, and height above it, m. */
     double[] along = new double[4];
 
     double[] above = new double[4];
     int corners;
 
-    /** The corner that lies lowest, and how low and how high the core reaches, m. */
+    /** Number of the lowest corner, and the lowest and the greatest height, m. */
     int lowest;
 
     double least;
     double most;
 
-    /** The least height of a corner that lies over the edge, m; infinite where none does. */
+    /** The lowest height of a corner over or under the edge, m; infinite if there is none. */
     double leastOver;
 
-    /** What {@link #lookFrom} found: whether the core holds the corner, */
+    /** Results of {@link #lookFrom}: whether the end of the edge is inside the core. */
     boolean isInside;
 
     /**
-     * how far away it is, m, negative inside, in which direction, and whether in a face's midst.
+     * Its distance from the core, m, negative inside; the direction to the core; and whether the
+     * nearest point is inside a face.
      */
     double distance;
 
@@ -43,7 +46,7 @@ final class EdgeView {
     double directionY;
     boolean isOfFace;
 
-    /** The corner with which the nearest side begins. */
+    /** The corner at which the nearest side begins. */
     private int sideFrom;
 
     private Outline edge;
@@ -52,10 +55,10 @@ final class EdgeView {
     private double ux;
     private double uy;
 
-    /** Half the length beside the edge within which a corner counts as over it, m. */
+    /** Half the length, m, within which a corner counts as over the edge. */
     private double within;
 
-    /** Looks at the core of an outline from an edge. */
+    /** Transforms the core of an outline into the frame of an edge. */
     void look(Outline from, Pose edgePose, Outline core, Pose corePose, double beside) {
         edge = from;
         double nx = edge.normalX(0);
@@ -99,7 +102,7 @@ final class EdgeView {
         }
     }
 
-    /** A bound of how near the core is to the edge, m: what lies around the core is no farther. */
+    /** Lower bound on the distance between core and edge, m. */
     double leastDistance() {
         double left = Double.POSITIVE_INFINITY;
         double right = Double.NEGATIVE_INFINITY;
@@ -117,7 +120,7 @@ final class EdgeView {
         return Math.abs(along[i]) <= within;
     }
 
-    /** The middle of the core's corners along the edge and above it, m. */
+    /** Mean position of the core's corners along the edge, then their mean height, m. */
     double centreAlong() {
         return mean(along);
     }
@@ -134,14 +137,14 @@ final class EdgeView {
         return sum / corners;
     }
 
-    /** Where an end of the edge lies along it, m: the start is at the right. */
+    /** Position of an end of the edge along it, m; the start is on the right. */
     double end(boolean isStart) {
         return isStart ? half : -half;
     }
 
     /**
-     * Looks from an end of the edge for the nearest point of the core. From inside the core it
-     * takes the way out through the nearest face along whose normal the corner may be pushed.
+     * Finds the point of the core nearest to an end of the edge. If that end is inside the core, it
+     * takes the way out through the nearest face along whose normal the end can push.
      */
     void lookFrom(boolean isStart) {
         double x = end(isStart);
@@ -200,19 +203,19 @@ final class EdgeView {
         }
     }
 
-    /** The left end of the side that is nearest to where {@link #lookFrom} looked from last. */
+    /** Left end of the side that {@link #lookFrom} found last. */
     int sideLeft() {
         int to = sideFrom + 1 < corners ? sideFrom + 1 : 0;
         return along[sideFrom] < along[to] ? sideFrom : to;
     }
 
-    /** Its right end. */
+    /** Right end of the side that {@link #lookFrom} found last. */
     int sideRight() {
         int to = sideFrom + 1 < corners ? sideFrom + 1 : 0;
         return along[sideFrom] < along[to] ? to : sideFrom;
     }
 
-    /** Whether matter ends in a corner at an end of the edge. */
+    /** Whether the chain is convex at an end of the edge. */
     boolean isConvex(boolean isStart) {
         return isStart ? edge.isConvexBefore() : edge.isConvexAfter();
     }
@@ -221,7 +224,9 @@ final class EdgeView {
         return isStart ? edge.before() : edge.after();
     }
 
-    /** Whether a corner of matter pushes along a direction: one between the normals beside it. */
+    /**
+     * Whether a convex corner pushes along a direction: one between the normals of its two edges.
+     */
     boolean mayPush(boolean isStart, double x, double y) {
         EdgeEnd beyond = beyond(isStart);
         double bx = ux * beyond.normalX() + uy * beyond.normalY();
@@ -231,7 +236,7 @@ final class EdgeView {
         return isConvex(isStart) && own >= -FLAT && turn >= -FLAT && x * bx + y * (1 + by) > 0;
     }
 
-    /** How low the core reaches beyond an end of the edge, m; infinite where it does not. */
+    /** Lowest height of the core beyond an end of the edge, m; infinite if no corner is there. */
     double leastBeyond(boolean isStart) {
         double lowest = Double.POSITIVE_INFINITY;
         for (int i = 0; i < corners; i++) {
@@ -256,7 +261,7 @@ final class EdgeView {
         return isConvex(isStart) ? isAbove || isBefore : isAbove && isBefore;
     }
 
-    /** Whether the edge goes through the core. */
+    /** Whether the edge passes through the core. */
     boolean isPierced() {
         if (corners == 1) {
             return false;
@@ -276,14 +281,14 @@ final class EdgeView {
         return left <= half && right >= -half;
     }
 
-    /** Adds a point of contact, seen from the edge, with a gap in m. */
+    /** Adds a contact point with a gap in m, given in the frame of the edge. */
     void add(Pose edgePose, double s, double h, double gap, int name, Manifold out) {
         double x = midX + s * ux + h * edge.normalX(0);
         double y = midY + s * uy + h * edge.normalY(0);
         out.add(edgePose.worldX(x, y), edgePose.worldY(x, y), gap, name);
     }
 
-    /** States a normal that is seen from the edge. */
+    /** Sets the normal, given in the frame of the edge. */
     void normal(Pose edgePose, double s, double h, NormalSource source, Manifold out) {
         out.normal(s * ux + h * edge.normalX(0), s * uy + h * edge.normalY(0), source);
         out.turn(edgePose);

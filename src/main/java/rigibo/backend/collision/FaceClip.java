@@ -3,43 +3,47 @@ package rigibo.backend.collision;
 import rigibo.backend.geometry.Outline;
 
 /**
- * Clips the edge of one polygon to the extent of the other's reference face. All lengths are in the
- * reference polygon's frame; what concerns one end of the face is measured from that end by itself,
- * so that a mirrored scene gives the mirrored bits.
+ * Clips the incident edge of one polygon to the extent of the other one's reference face. All
+ * lengths are in the frame of the reference polygon. Values at one end of the face are measured
+ * from that end, so that a mirrored scene gives mirrored bits.
  */
 final class FaceClip {
 
     /**
-     * Two corners closer along the face than this, per metre of the narrower polygon, count as one
-     * and the point is named after A's: in a stack of equal boxes round-off decides which of the
-     * two lies inside. Not a round number, so that no scene built on a grid sits on the limit.
+     * Distance along the face, per metre of the narrower polygon, up to which two corners count as
+     * one, whose point is named after A's corner: in a stack of equal boxes round-off decides which
+     * of the two lies inside. Not a round number, so that no scene built on a grid sits on the
+     * limit.
      */
     private static final double SAME_PLACE = 0.0137;
 
     /**
-     * How far beside a face, likewise, the corner of an edge may lie that faces it flat: a box that
-     * stands a little in the floor is still before the whole of a wall. The gap is then wrong by
-     * less than half of this times the tilt.
+     * Distance beside the face, per metre of the narrower polygon, up to which a corner of a flat
+     * incident edge counts as in front of it: a box that has sunk a little into the floor is still
+     * in front of the whole wall. The error of the gap is less than half of this times the tilt.
      */
     private static final double BESIDE = 1e-5;
 
-    /** Of places that the width of a face does not resolve, per such a width. */
+    /**
+     * Positions that differ by less than this, as a share of the tolerance for one place, are equal
+     * up to round-off.
+     */
     private static final double ROUND_OFF = 1e-9;
 
-    /** Tilt up to which an edge faces a face flat, rad. */
+    /** Tilt up to which an edge counts as flat on a face, rad. */
     private static final double FLAT = 1e-4;
 
     /**
-     * Cosine of the angle between a face's normal and the line between two corners from which on
-     * the other end of the face is a point along that line, too. Beyond, 26°, that line tells
-     * little of how it lands.
+     * Cosine of the angle between a face's normal and the line between two corners. From this value
+     * on, the other end of the overlap gets a point along that line too; at more than 26°, the line
+     * says little about how that end lands.
      */
     private static final double NEARLY_ALONG = 0.9;
 
     private static final int OF_B = 1 << 16;
     private static final int OF_BOTH = 1 << 17;
 
-    /** The reference face: its number, outward normal, start and end. */
+    /** The reference face: its number and end corner, outward normal, start and end. */
     private int face;
 
     private int faceEnd;
@@ -50,7 +54,7 @@ final class FaceClip {
     private double endX;
     private double endY;
 
-    /** The incident edge: it runs against the face, so its end lies at the face's start. */
+    /** The incident edge. It runs opposite to the face, so its end lies near the face's start. */
     private int edge;
 
     private int edgeEnd;
@@ -59,7 +63,10 @@ final class FaceClip {
     private double highX;
     private double highY;
 
-    /** How far inside the face's start the edge's ends lie along the face, and inside its end. */
+    /**
+     * Distance along the face of each end of the incident edge from the face's start, and from its
+     * end; negative outside.
+     */
     private double lowFromStart;
 
     private double highFromStart;
@@ -70,20 +77,23 @@ final class FaceClip {
     private boolean isLowNearest;
     private double samePlace;
 
-    /** The greater of the two cores' numbers of edges. */
+    /** The larger number of corners of the two cores. */
     private int edgesInAll;
 
     private double beside;
 
-    /** Where the closest features are two corners: which of the face, and which of the edge. */
+    /**
+     * Set if the closest features are two corners: which end of the face, and which end of the
+     * edge.
+     */
     private boolean isBetweenCorners;
 
     private boolean isAtStart;
     private boolean isLowClosest;
 
     /**
-     * Takes the face that a search found and the edge of the other polygon, which sits at a place
-     * in the reference's frame, that faces it most.
+     * Takes the face that a search found, and the edge that faces it most, of the other polygon at
+     * a pose in the reference frame.
      */
     void reference(Outline polygon, FaceSearch found, Outline other, Pose place, double width) {
         face = found.face;
@@ -116,8 +126,8 @@ final class FaceClip {
         double facingAfter = x * other.normalX(corner) + y * other.normalY(corner);
         isLowNearest = facingBefore < facingAfter;
         if (facingBefore == facingAfter) {
-            // On its corner at 45° either edge faces as much: the shorter rises less, and choosing
-            // by that gives a mirrored scene the mirrored edge.
+            // At exactly 45° both edges face equally. Choosing the one whose far corner rises less
+            // gives a mirrored scene the mirrored edge.
             isLowNearest =
                     x * other.cornerX(before) + y * other.cornerY(before)
                             < x * other.cornerX(after) + y * other.cornerY(after);
@@ -154,8 +164,8 @@ final class FaceClip {
      * lies beside the face, and the face's own corner does not lie over the inside of the edge.
      */
     private boolean findCorners() {
-        // A core of two corners has no face across its own line: two in one line are apart though
-        // no face parts them.
+        // A core of two corners has no face across its own line: two in one line are apart, though
+        // no face separates them.
         boolean mayBeInLine = edgesInAll == 2 && separation > -ROUND_OFF * samePlace;
         if (!(separation > 0 || mayBeInLine)) {
             return false;
@@ -180,7 +190,7 @@ final class FaceClip {
         return highFromStart > 0 && lowFromEnd > 0;
     }
 
-    /** Writes the manifold with the reference polygon at a pose; returns its number of points. */
+    /** Writes the manifold with the reference polygon at a pose; returns the number of points. */
     int write(Pose pose, NormalSource source, double reach, Manifold out) {
         if (isBetweenCorners) {
             writeCorners(pose, source, reach, out);
@@ -197,9 +207,8 @@ final class FaceClip {
     }
 
     /**
-     * The two corners that are nearest, and the far end of the stretch where edge and face overlap:
-     * cores with a radius stay apart, so that their corners may be nearest until the moment when
-     * that end lands.
+     * Writes the two nearest corners, and the far end of the overlap of edge and face. Cores with a
+     * radius stay apart, so their corners can be nearest until the moment when that far end lands.
      */
     private void writeCorners(Pose pose, NormalSource source, double reach, Manifold out) {
         double fromX = isAtStart ? startX : endX;
@@ -226,7 +235,7 @@ final class FaceClip {
         }
     }
 
-    /** Both ends of the stretch where edge and face overlap, A's start of its face first. */
+    /** Writes both ends of the overlap of edge and face, that at the start of A's face first. */
     private void writeEnds(Pose pose, NormalSource source, double reach, Manifold out) {
         out.normal(normalX, normalY, source);
         out.turn(pose);
@@ -256,9 +265,9 @@ final class FaceClip {
     }
 
     /**
-     * In overlap the nearest corner lies in front of the face; round-off put it beside, or the two
-     * touch in a corner of either. Of an edge that lies flat both corners are as near: the one next
-     * to the face is meant.
+     * Writes the nearest corner in front of the face, which the tests placed beside it by
+     * round-off, or because the two polygons touch corner to corner. Both corners of a flat edge
+     * are equally near; it takes the one next to the face.
      */
     private void writeNearest(Pose pose, NormalSource source, Manifold out) {
         out.normal(normalX, normalY, source);
@@ -293,8 +302,8 @@ final class FaceClip {
     }
 
     /**
-     * Names a point after the corner that bounds it and the other polygon's edge. The name is the
-     * same whichever polygon the reference is, because either sees the same corner inside.
+     * Feature id of a point: the corner that bounds it, and the other polygon's edge. It is the
+     * same whichever polygon is the reference, because both see the same corner inside.
      */
     private int name(NormalSource source, double inside, int ownCorner, int othersCorner) {
         boolean isReferenceA = source == NormalSource.FACE_A;

@@ -3,23 +3,23 @@ package rigibo.backend.collision;
 import rigibo.backend.geometry.Outline;
 
 /**
- * The face of a polygon that separates it farthest from another, or overlaps least (separating axis
- * theorem; S. Gottschalk, Separating Axis Theorem, 1996).
+ * Finds the face of a polygon with the greatest separation from another polygon, or the least
+ * overlap (separating axis theorem; S. Gottschalk, Separating Axis Theorem, 1996).
  */
 final class FaceSearch {
 
-    /** The face found, its separation in m, and the other polygon's corner nearest to it. */
+    /** The face found, its separation in m, and the corner of the other polygon nearest to it. */
     int face;
 
     double separation;
     int corner;
 
     /**
-     * Searches all faces; true, without a result, as soon as one is farther than {@code reach} m
-     * from the other polygon, which sits at a place in this one's frame. A face that cannot be
-     * farther than the best so far, even if the other polygon came no nearer to it than its inner
-     * radius, is passed over. The nearest corner walks around the other polygon as the face walks
-     * around this one (rotating calipers).
+     * Searches all faces. Returns true, without a result, as soon as a separation exceeds {@code
+     * reach} m; the other polygon's pose is in the frame of this one. It skips a face whose
+     * separation, even with the other polygon's inner radius for its extent, would not exceed the
+     * best one. The nearest corner walks around the other polygon as the face walks around this one
+     * (rotating calipers).
      */
     boolean isApart(Outline polygon, Outline other, Pose place, double reach) {
         int nearest = 0;
@@ -51,7 +51,8 @@ final class FaceSearch {
     }
 
     /**
-     * Whether the corner found lies over the face found, and so far in m from either of its ends.
+     * Whether the corner found lies over the face found, at least {@code inside} m from both of its
+     * ends.
      */
     boolean isOverFace(Outline polygon, Outline other, Pose place, double inside) {
         double x = place.x + place.cos * other.cornerX(corner) - place.sin * other.cornerY(corner);
@@ -64,9 +65,9 @@ final class FaceSearch {
     }
 
     /**
-     * The corner nearest to a face with an inward normal, from a guess: strides of a quarter of the
-     * way round and then ever smaller ones, as long as they lead nearer. On a convex outline the
-     * corner that both its neighbours are farther than is the nearest of all.
+     * The corner nearest to a face with an inward normal, from a guess. It walks in strides, a
+     * quarter of the way round at first and then ever smaller ones, as long as they lead nearer. On
+     * a convex outline, a corner that is nearer than both its neighbours is the nearest of all.
      */
     private static int nearestTo(Outline polygon, double x, double y, int guess) {
         int corners = polygon.corners();

@@ -2,10 +2,10 @@ package rigibo.backend.collision;
 
 import rigibo.backend.geometry.Outline;
 
-/** How far a polygon reaches along one direction after another that are close to each other. */
+/** The reach of a polygon along a sequence of directions, each close to the one before. */
 final class FarthestCorner {
 
-    /** The corner that reached farthest last; the next search starts from it. */
+    /** The farthest corner in the last search; the next one starts from it. */
     private int corner;
 
     /** Reach in m from the centre of mass along a direction in the polygon's own frame. */
@@ -16,7 +16,7 @@ final class FarthestCorner {
         int next = at == last ? 0 : at + 1;
         double height = x * polygon.cornerX(next) + y * polygon.cornerY(next);
         if (height > top) {
-            // On a convex outline the way up leads to the top.
+            // On a convex outline, climbing from corner to corner leads to the farthest one.
             while (height > top) {
                 top = height;
                 at = next;

@@ -1,14 +1,14 @@
 package rigibo.backend.collision;
 
-/** The gap along an axis that stays as it is in the world. */
+/** The gap along an axis that is fixed in the world. */
 final class FixedAxisGap implements GapAlong {
 
     private final AxisReach reachA = new AxisReach();
     private final AxisReach reachB = new AxisReach();
 
     /**
-     * Fixes the axis, a unit vector from A to B, at the time of two poses. Places are measured from
-     * where A started, so that far from the origin nothing is lost.
+     * Fixes the axis, a unit vector from A to B, at the time of two poses. Positions are relative
+     * to A's start, so that no digits are lost far from the origin.
      */
     void fix(Motion a, Pose poseA, Motion b, Pose poseB, double x, double y) {
         reachA.fix(a, poseA, x, y, a.x, a.y);

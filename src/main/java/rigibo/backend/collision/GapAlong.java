@@ -1,8 +1,8 @@
 package rigibo.backend.collision;
 
 /**
- * The gap of two moving shapes along an axis that is no longer sought anew: never more than their
- * distance, and the least of smooth functions of time, one per pair of corners.
+ * The gap of two moving shapes along an axis that the search keeps for a while. It is never more
+ * than their distance, and it is the least of smooth functions of time, one per pair of corners.
  */
 interface GapAlong {
 
@@ -10,9 +10,9 @@ interface GapAlong {
     double at(double time);
 
     /**
-     * The most that the gap of any pair of corners curves upwards from the time the axis was found
-     * at to another, m/s², zero or more. Over an interval Δ the gap stays above its chord but for
-     * at most ⅛ of this times Δ².
+     * Upper bound on the upward curvature, between two times, of the gap of any pair of corners,
+     * m/s², zero or more. Over an interval Δ the gap lies below its chord by at most ⅛ of this
+     * times Δ².
      */
     double bend(double from, double to);
 }

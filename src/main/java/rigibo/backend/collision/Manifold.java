@@ -2,7 +2,10 @@ package rigibo.backend.collision;
 
 import rigibo.backend.storage.Pairs;
 
-/** Where two shapes touch or nearly touch. A plain carrier that stages reuse. */
+/**
+ * The contact of two shapes that touch or nearly touch. Mutable, so that stages can reuse one
+ * object.
+ */
 public final class Manifold {
 
     /** Unit normal in the world, from A to B; meaningless while {@link #count} is 0. */
@@ -22,41 +25,41 @@ public final class Manifold {
     public final double[] separation = new double[2];
 
     /**
-     * Names the features each point stems from: equal between two calls when the point is the same
-     * corner against the same face, whichever face the normal was taken from.
+     * Feature id of each point. It is equal in two calls if the point is the same corner against
+     * the same face, whichever polygon has the reference face.
      */
     public final int[] feature = new int[2];
 
     /**
-     * Gap in m to the edge of a chain that has no point yet, but may get one within the reach that
-     * was looked: then {@link #normalX} is the edge's. Below 0 in all other cases.
+     * Gap in m to an edge of a chain that has no point yet but may get one within the searched
+     * reach; {@link #normalX} is then that of the edge. Negative in all other cases.
      */
     public double beside = Pairs.NOT_AWAITED;
 
-    /** What gave the normal. */
+    /** The feature that gave the normal. */
     public NormalSource source = NormalSource.CLOSEST_POINTS;
 
-    /** Forgets all points. */
+    /** Removes all points. */
     void clear() {
         count = 0;
         beside = Pairs.NOT_AWAITED;
     }
 
-    /** States the normal. */
+    /** Sets the normal. */
     void normal(double x, double y, NormalSource from) {
         normalX = x;
         normalY = y;
         source = from;
     }
 
-    /** Turns the normal from a shape's frame into the world's. */
+    /** Rotates the normal from a shape's frame into the world's. */
     void turn(Pose pose) {
         double x = normalX;
         normalX = pose.cos * x - pose.sin * normalY;
         normalY = pose.sin * x + pose.cos * normalY;
     }
 
-    /** Tells the same contact with A and B exchanged. */
+    /** Exchanges A and B. */
     void exchange() {
         normalX = -normalX;
         normalY = -normalY;
@@ -68,7 +71,7 @@ public final class Manifold {
                 };
     }
 
-    /** Makes of the contact of two cores that of the outlines at these radii in m round them. */
+    /** Converts the manifold of two cores into that of outlines with these radii, m. */
     void round(double radiusA, double radiusB) {
         double towardsB = (radiusA - radiusB) / 2;
         for (int i = 0; i < count; i++) {
@@ -78,7 +81,7 @@ public final class Manifold {
         }
     }
 
-    /** Appends a point: world place in m, gap in m and the name of its features. */
+    /** Appends a point: world position in m, gap in m and feature id. */
     void add(double x, double y, double gap, int name) {
         pointX[count] = x;
         pointY[count] = y;

@@ -5,56 +5,59 @@ import rigibo.backend.geometry.Outline;
 import rigibo.backend.storage.Bodies;
 
 /**
- * How a body moves within a step: constant acceleration and linear drag, exactly. A plain carrier
- * that stages reuse; times are in s after the step's start.
+ * Motion of a body within a step: constant acceleration and linear drag, exactly. Mutable, so that
+ * stages can reuse one object; times are in s after the step's start.
  *
  * <p>With drag k: v' = a − k·v, so x = x₀ + v·E₁ + a·E₂ with E₁ = (1 − e^(−kτ))/k and E₂ = (τ −
  * E₁)/k, which become τ and τ²/2 without drag. The angle is θ + ωτ + ½ατ².
  */
 public final class Motion {
 
-    /** Product kτ below which E₂ is summed as a series: the closed form cancels there. */
+    /**
+     * Product kτ below which E₂ is summed as a series, because the closed form loses digits there.
+     */
     private static final double SMALL_DECAY = 1.0 / 16;
 
     /**
-     * The coefficients of that series, without sign: its tenth term, (1/16)⁹/11!, is below
-     * round-off.
+     * Coefficients of that series, without sign; its tenth term, (1/16)⁹/11!, is below round-off.
      */
     private static final double[] SERIES = inverseFactorials(9);
 
     public Outline outline;
 
-    /** When the state below holds, s. */
+    /** Time of the state below, s. */
     public double startTime;
 
-    /** m and rad. */
+    /** Position of the centre of mass, m, and angle, rad. */
     public double x;
 
     public double y;
     public double angle;
 
-    /** m/s and rad/s. */
+    /** Velocity in m/s and angular velocity in rad/s. */
     public double velocityX;
 
     public double velocityY;
     public double spin;
 
-    /** m/s² and rad/s². */
+    /** Acceleration in m/s² and angular acceleration in rad/s². */
     public double accelerationX;
 
     public double accelerationY;
     public double angularAcceleration;
 
-    /** 1/s, zero or more. */
+    /** Linear drag, 1/s, zero or more. */
     public double drag;
 
-    /** The angle whose cosine and sine were last computed: many bodies do not turn. */
+    /** The angle whose cosine and sine were computed last; kept because many bodies do not turn. */
     private double knownAngle;
 
     private double knownCos = 1;
     private double knownSin;
 
-    /** Takes the state of a body in flight at the step's start, without drag; it does not turn. */
+    /**
+     * Takes the state of a body in flight at the step's start, without drag and without turning.
+     */
     public void take(Bodies bodies, int slot) {
         outline = bodies.outline[slot];
         startTime = 0;
@@ -70,18 +73,19 @@ public final class Motion {
         drag = 0;
     }
 
-    /** Takes how it turns, where bodies turn. */
+    /** Takes the angular velocity and acceleration of a body; needs rotation. */
     public void takeTurning(Bodies bodies, int slot) {
         spin = bodies.spin[slot];
         angularAcceleration = bodies.angularAcceleration[slot];
     }
 
-    /** Writes where the body is at a time in s. */
+    /** Writes the pose at a time in s. */
     public void poseAt(double time, Pose out) {
         placeAt(time, out);
         double turned = angleAt(time);
         if (Double.doubleToRawLongBits(turned) != Double.doubleToRawLongBits(knownAngle)) {
-            // By bits: the sine of -0.0 is -0.0, and what was asked before must leave no trace.
+            // Compared by bits: the sine of −0.0 is −0.0, and results must not depend on earlier
+            // calls.
             knownAngle = turned;
             knownCos = Angle.cos(turned);
             knownSin = Angle.sin(turned);
@@ -90,7 +94,7 @@ public final class Motion {
         out.sin = knownSin;
     }
 
-    /** Writes where the centre of mass is at a time in s, and leaves the orientation as it was. */
+    /** Writes the centre of mass at a time in s, and leaves the orientation as it is. */
     public void placeAt(double time, Pose out) {
         double elapsed = time - startTime;
         double e1 = velocityShare(elapsed);
@@ -100,7 +104,8 @@ public final class Motion {
     }
 
     /**
-     * Moves the centre of mass, and what it does, to a time in s: an exponential once, not thrice.
+     * Advances position and velocity of the centre of mass to a time in s, with one exponential
+     * instead of three.
      */
     public void advance(double time) {
         double elapsed = time - startTime;
@@ -115,28 +120,28 @@ public final class Motion {
         startTime = time;
     }
 
-    /** rad, counter-clockwise, at a time in s. */
+    /** Angle at a time in s, rad, counter-clockwise. */
     public double angleAt(double time) {
         double elapsed = time - startTime;
         return angle + elapsed * (spin + elapsed * angularAcceleration / 2);
     }
 
-    /** Velocity to the right at a time in s, m/s. */
+    /** Velocity along x at a time in s, m/s. */
     public double velocityXAt(double time) {
         return velocityX + accelerationXNow() * velocityShare(time - startTime);
     }
 
-    /** Velocity upwards at a time in s, m/s. */
+    /** Velocity along y at a time in s, m/s. */
     public double velocityYAt(double time) {
         return velocityY + accelerationYNow() * velocityShare(time - startTime);
     }
 
-    /** rad/s at a time in s. */
+    /** Angular velocity at a time in s, rad/s. */
     public double spinAt(double time) {
         return spin + (time - startTime) * angularAcceleration;
     }
 
-    /** dv/dt at the start, drag included, m/s². */
+    /** dv/dt at the start of the motion, including drag, m/s². */
     private double accelerationXNow() {
         return accelerationX - drag * velocityX;
     }
@@ -146,8 +151,8 @@ public final class Motion {
     }
 
     /**
-     * The least that dv/dt along a direction is from a time on, drag included, m/s²: constant
-     * without drag, and with it decaying to 0 from either side.
+     * Smallest dv/dt along a direction from a time on, including drag, m/s². Without drag it is
+     * constant; with drag it decays to 0 from either side.
      */
     double leastAcceleration(double directionX, double directionY, double time) {
         double now = directionX * accelerationXNow() + directionY * accelerationYNow();
@@ -159,18 +164,18 @@ public final class Motion {
         return spin != 0 || angularAcceleration != 0;
     }
 
-    /** The fastest spin between two times, rad/s, without sign. */
+    /** Largest angular speed between two times, rad/s. */
     double mostSpin(double from, double to) {
         return Math.max(Math.abs(spinAt(from)), Math.abs(spinAt(to)));
     }
 
-    /** A bound on the acceleration that turning gives any point of the outline, m/s². */
+    /** Upper bound on the acceleration that turning gives any point of the outline, m/s². */
     double turningAcceleration(double from, double to) {
         double fastest = mostSpin(from, to);
         return (fastest * fastest + Math.abs(angularAcceleration)) * outline.boundingRadius();
     }
 
-    /** Speed of this body's centre seen from another's at a time, m/s. */
+    /** Speed of this body's centre relative to another's at a time, m/s. */
     double speedAgainst(Motion other, double time) {
         double vx = velocityXAt(time) - other.velocityXAt(time);
         double vy = velocityYAt(time) - other.velocityYAt(time);
@@ -178,8 +183,8 @@ public final class Motion {
     }
 
     /**
-     * A bound on the acceleration of this body's centre seen from another's, from a time on, m/s².
-     * Without drag both are constant; with it each decays by itself.
+     * Upper bound on the acceleration of this body's centre relative to another's from a time on,
+     * m/s². Without drag both are constant; with drag each decays at its own rate.
      */
     double accelerationAgainst(Motion other, double time) {
         if (drag == 0 && other.drag == 0) {
@@ -196,7 +201,7 @@ public final class Motion {
         return Math.sqrt(ax * ax + ay * ay) * (1 - drag * velocityShare(time - startTime));
     }
 
-    /** How far the centre has moved along a direction since the motion's start, m. */
+    /** Displacement of the centre along a direction since the start of the motion, m. */
     double movedAlong(double directionX, double directionY, double time) {
         double elapsed = time - startTime;
         double e1 = velocityShare(elapsed);
@@ -205,12 +210,12 @@ public final class Motion {
                 + directionY * (velocityY * e1 + accelerationY * e2);
     }
 
-    /** E₁ in s: what a unit of velocity has moved the body by. */
+    /** E₁ in s: displacement per unit of velocity. */
     public double velocityShare(double elapsed) {
         return drag > 0 ? -StrictMath.expm1(-drag * elapsed) / drag : elapsed;
     }
 
-    /** E₂ in s²: what a unit of acceleration has moved the body by. */
+    /** E₂ in s²: displacement per unit of acceleration. */
     public double accelerationShare(double elapsed, double e1) {
         double decay = drag * elapsed;
         if (decay == 0) {

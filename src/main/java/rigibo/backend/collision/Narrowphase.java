@@ -11,16 +11,16 @@ import rigibo.backend.storage.Roster;
 import rigibo.backend.storage.StillContacts;
 
 /**
- * Fills the manifolds of the candidate pairs that an awake body is in. A pair is given points only
- * when the two could touch within the step; the forces of the last step move on to the points with
- * the same features.
+ * The narrow phase: fills the manifolds of all candidate pairs with a moving body. A pair gets
+ * points only if the two could touch within the step. The forces of the last step pass to the new
+ * points with the same features, for warm starting.
  */
 public final class Narrowphase {
 
-    /** Way that shows, per metre of body. */
+    /** Smallest displacement that can be seen, per metre of body. */
     private static final double SHOWS = 0.02;
 
-    /** Distance up to which two points are in one place, per metre of body. */
+    /** Distance between two points up to which they count as the same place, per metre of body. */
     private static final double SAME_PLACE = 1e-2;
 
     private final Bodies bodies;
@@ -32,7 +32,7 @@ public final class Narrowphase {
     private final Collider collider = new Collider();
     private final Seams seams;
 
-    /** Made with the first shape that is solid on one side alone. */
+    /** Made with the first shape that is solid on one side only. */
     private Passages passages;
 
     private final DataStorage data;
@@ -41,7 +41,7 @@ public final class Narrowphase {
     private final Pose poseA = new Pose();
     private final Pose poseB = new Pose();
 
-    /** A narrow phase over the pairs of a storage. */
+    /** The narrow phase of a storage. */
     public Narrowphase(DataStorage data) {
         bodies = data.bodies;
         pairs = data.pairs;
@@ -92,7 +92,8 @@ public final class Narrowphase {
     }
 
     private void measureIfMoved(int pair, double dt, double reach) {
-        // Both are looked for, whatever the first did: the next step asks where they were in this.
+        // Both bodies are compared in any case, because the next step compares with the poses of
+        // this one.
         boolean hasA = whereabouts.hasStayed(bodies, pairs.bodyA[pair]);
         boolean hasB = whereabouts.hasStayed(bodies, pairs.bodyB[pair]);
         if (hasA && hasB && isMeasured(pair, dt, reach)) {
@@ -102,13 +103,15 @@ public final class Narrowphase {
         }
     }
 
-    /** Whether the bodies, where they are, would be found to touch in the points they have. */
+    /**
+     * Whether a new measurement of bodies that have not moved would give the points that they have.
+     */
     private boolean isMeasured(int pair, double dt, double reach) {
         double all = reach + wayIfHeld(pair, dt);
         if (!(all <= pairs.reach[pair])) {
             return false;
         }
-        // Who is awaited follows from the reach itself.
+        // A pair that is awaited is measured again, because that depends on the reach.
         return pairs.points[pair] == 0 ? !pairs.isAwaited(pair) : farthest(pair) <= all;
     }
 
@@ -117,7 +120,7 @@ public final class Narrowphase {
         return pairs.points[pair] == 1 ? first : Math.max(first, pairs.separation[2 * pair + 1]);
     }
 
-    /** Every point continues itself. */
+    /** Keeps the manifold: every point continues itself. */
     private void goOn(int pair) {
         for (int i = 0; i < 2; i++) {
             pairs.former[2 * pair + i] = i < pairs.points[pair] ? i : Pairs.NONE;
@@ -129,7 +132,7 @@ public final class Narrowphase {
         pairs.impacts[pair] = 0;
     }
 
-    /** What lies in a seam is known once the neighbours have been measured, too. */
+    /** Finishes a pair after its neighbours are measured too, which decide what lies in a seam. */
     private void finish(int pair) {
         seams.leaveOutCovered(pair);
         noteTouch(pair);
@@ -146,9 +149,7 @@ public final class Narrowphase {
         pairs.reach[pair] = all;
     }
 
-    /**
-     * Fills one pair's manifold at poses of its bodies, with the points no farther than reach, m.
-     */
+    /** Fills a pair's manifold at poses of its bodies, with all points within a reach, m. */
     public void measure(int pair, Pose atA, Pose atB, double reach) {
         fill(pair, isPassing(pair, atA, atB), atA, atB, reach);
     }
@@ -169,12 +170,15 @@ public final class Narrowphase {
         pairs.reach[pair] = Double.NaN;
     }
 
-    /** Whether the bodies of a pair pass through each other at these poses: one is one-sided. */
+    /**
+     * Whether the bodies of a pair pass through each other at these poses, because one of the
+     * shapes is one-sided.
+     */
     public boolean isPassing(int pair, Pose atA, Pose atB) {
         return isOneSided(pair) && passages.isPassing(pair, atA, atB);
     }
 
-    /** Whether one of a pair's shapes is solid on one side alone. */
+    /** Whether one of a pair's shapes is solid on one side only. */
     public boolean isOneSided(int pair) {
         return hasOneSided() && passages.isOneSided(pair);
     }
@@ -186,7 +190,10 @@ public final class Narrowphase {
         return passages != null;
     }
 
-    /** Whether two bodies at these poses touch, or are nearly as near, where they may. */
+    /**
+     * Whether two bodies touch at these poses, within the gap that counts as touching; passages and
+     * seams are not considered.
+     */
     public boolean touches(int pair, Pose atA, Pose atB) {
         double width = PairTolerances.width(bodies, pairs.bodyA[pair], pairs.bodyB[pair]);
         collider.collide(
@@ -199,16 +206,20 @@ public final class Narrowphase {
         return manifold.count > 0;
     }
 
-    /** The same without the points that lie in a seam: what the solver of piles is to see. */
+    /**
+     * Fills a pair's manifold like {@link #measure(int, Pose, Pose, double)}, and drops points that
+     * lie in a seam, as the solver of piles needs it.
+     */
     public void measureContact(int pair, Pose atA, Pose atB, double reach) {
         measure(pair, atA, atB, reach);
         seams.leaveOutCovered(pair, atA, atB);
     }
 
     /**
-     * A pair of two bodies that a step moves is met twice. The lower slot lists it, but what is
-     * driven leaves it to whom it carries, as a body that stands does: contacts are solved in the
-     * order of this list, and that must not tell a floor that moves from one at rest.
+     * Whether a pair is listed from this body's list. A pair of two moving bodies is found twice.
+     * If both are dynamic, the lower slot lists it; the pair of a driven and a dynamic body is
+     * listed by the dynamic one, like a pair with a fixed body. Contacts are solved in the order of
+     * this list, and that order must not depend on whether the floor moves.
      */
     private boolean isListedBy(int slot, int other) {
         if (!bodies.isMoved(other)) {
@@ -218,7 +229,7 @@ public final class Narrowphase {
         return isDynamic == bodies.isDynamic(other) ? slot < other : isDynamic;
     }
 
-    /** The gap in m that a pair could close within some seconds, by a bound on its speeds. */
+    /** The gap in m that a pair could close in dt seconds, by an upper bound on its speeds. */
     public double reach(int pair, double dt) {
         return bodies.turns() ? turningReach(pair, dt) : reach(pair, dt, 0, 0);
     }
@@ -227,7 +238,10 @@ public final class Narrowphase {
         return reach(pair, dt, turning(pairs.bodyA[pair], dt), turning(pairs.bodyB[pair], dt));
     }
 
-    /** The same with the speeds in m/s that turning gives the outlines of A and B. */
+    /**
+     * The gap in m that a pair could close in dt seconds, when turning moves the outlines of A and
+     * B at these speeds, m/s.
+     */
     private double reach(int pair, double dt, double turningA, double turningB) {
         int a = pairs.bodyA[pair];
         int b = pairs.bodyB[pair];
@@ -241,9 +255,9 @@ public final class Narrowphase {
     }
 
     /**
-     * How much farther in m than by its reach a pair may come together: what pulls at both alike
-     * does it, too, if one of them is held and the other slips, or tips about the corner on which
-     * it lies. 0 where that would not show.
+     * Distance in m by which a pair may approach beyond its reach. Forces that pull equally at both
+     * bodies bring them together if one is held while the other slips, or tips about the corner on
+     * which it lies. 0 if the distance would be too small to see.
      */
     private double wayIfHeld(int pair, double dt) {
         int a = pairs.bodyA[pair];
@@ -259,13 +273,13 @@ public final class Narrowphase {
         return Math.sqrt(x * x + y * y);
     }
 
-    /** Speed in m/s that turning gives the outline; a disc's outline stays where it is. */
+    /** Speed in m/s at which turning moves the outline; 0 for a disc. */
     private double turning(int slot, double dt) {
         double spin = Math.abs(bodies.spin[slot]) + Math.abs(bodies.angularAcceleration[slot]) * dt;
         return spin * bodies.sweepRadius[slot];
     }
 
-    /** A coordinate from which a pair's points are seen, wherever its bodies go together. */
+    /** A coordinate of the pair's reference point, which moves along with both bodies. */
     private double middle(int pair, double ofA, double ofB) {
         if (!bodies.isDynamic(pairs.bodyA[pair])) {
             return ofA;
@@ -273,7 +287,10 @@ public final class Narrowphase {
         return bodies.isDynamic(pairs.bodyB[pair]) ? (ofA + ofB) / 2 : ofB;
     }
 
-    /** Keeps the manifold of bodies that have gone a way together since the one before, m. */
+    /**
+     * Stores the new manifold; the bodies have moved together by a displacement since the previous
+     * one, m.
+     */
     private void keep(int pair, double wayX, double wayY) {
         int first = 2 * pair;
         int from0 = manifold.count > 0 ? predecessor(pair, 0, wayX, wayY) : Pairs.NONE;
@@ -287,8 +304,8 @@ public final class Narrowphase {
             pairs.beside[pair] = manifold.beside;
         }
         if (manifold.count > 0 || pairs.isAwaited(pair)) {
-            // Without points the manifold's normal is some other pair's; a contact that ends keeps
-            // the one it had.
+            // Without points the manifold's normal belongs to another pair; a contact that ends
+            // keeps its last normal.
             pairs.normalX[pair] = manifold.normalX;
             pairs.normalY[pair] = manifold.normalY;
             pairs.faceOf[pair] =
@@ -314,9 +331,9 @@ public final class Narrowphase {
     }
 
     /**
-     * The old point that a new one continues, or none. Two points follow two points in their order
-     * along the surface, whatever features they stem from: two equal boxes on each other would else
-     * lose their load whenever round-off lets the corner of the other one stand out.
+     * The old point that a new one continues, or {@link Pairs#NONE}. Two points continue two points
+     * in their order along the surface, whatever their features. Otherwise two equal boxes on each
+     * other would lose their warm start whenever round-off makes the other box's corner stand out.
      */
     private int predecessor(int pair, int i, double wayX, double wayY) {
         int first = 2 * pair;
@@ -341,8 +358,8 @@ public final class Narrowphase {
     }
 
     /**
-     * The old point in the place of a new one, as seen from where the bodies are. A corner is named
-     * anew where a face comes to lie before it, or where a seam turned its normal.
+     * The old point at the place of a new one, relative to the bodies. A corner gets a new feature
+     * id when a face comes to lie in front of it, or when a seam has turned its normal.
      */
     private int samePlace(int pair, int i, double wayX, double wayY) {
         double width = PairTolerances.width(bodies, pairs.bodyA[pair], pairs.bodyB[pair]);

@@ -1,11 +1,14 @@
 package rigibo.backend.collision;
 
-/** What gave a manifold its normal; a face's normal can be trusted over a seam, a corner's not. */
+/**
+ * The feature from which a manifold takes its normal. The normal of a face is reliable across a
+ * seam, that of a corner is not.
+ */
 public enum NormalSource {
     /** A face of A. */
     FACE_A,
     /** A face of B. */
     FACE_B,
-    /** The line between the two closest points: corners, or a disc's round outline. */
+    /** The line between the two closest points, at corners or on a disc. */
     CLOSEST_POINTS
 }

@@ -7,11 +7,12 @@ import rigibo.backend.storage.PairTolerances;
 import rigibo.backend.storage.Pairs;
 
 /**
- * Which pairs with an edge of a chain or a one-way surface meet, and in which the one passes
- * through the other. As long as the two do not touch it is decided by where they are: what is in
- * the air of an edge, or lies wholly on the side of a one-way surface's normal, meets it. What once
- * reaches into it goes on as it began, however deep, until it has left; and what comes through one
- * edge of a chain passes all of them meanwhile, for it looks out of the matter with its front.
+ * Decides which pairs with an edge of a chain or a one-way surface collide, and in which one body
+ * passes through the other. While the two do not touch, their positions decide: they collide if the
+ * other body is in the air of the edge, or wholly on the side of the one-way surface's normal. From
+ * the moment they touch the decision stays, however deep the overlap, until they have parted. A
+ * body that is coming through one edge of a chain passes all the edges of that chain, because its
+ * front already looks out of the matter.
  */
 final class Passages {
 
@@ -26,7 +27,7 @@ final class Passages {
         pairs = data.pairs;
     }
 
-    /** Whether one of a pair's shapes is solid on one side alone. */
+    /** Whether one of a pair's shapes is solid on one side only. */
     boolean isOneSided(int pair) {
         return pairs.passage != null
                 && (isOneSidedShape(pairs.shapeA(pair)) || isOneSidedShape(pairs.shapeB(pair)));
@@ -40,7 +41,7 @@ final class Passages {
         return bodies.oneWayX[slot] != 0 || bodies.oneWayY[slot] != 0;
     }
 
-    /** Decides for all active pairs where their bodies are as the step begins. */
+    /** Decides for all active pairs, from the poses at the start of the step. */
     void decideActive() {
         boolean isAnyComing = false;
         for (int i = 0; i < pairs.activeCount; i++) {
@@ -64,18 +65,18 @@ final class Passages {
         pose.set(bodies.x[slot], bodies.y[slot], bodies.cos[slot], bodies.sin[slot]);
     }
 
-    /** Whether a pair was last found to pass. */
+    /** Whether the last decision on a pair was to pass. */
     boolean isPassing(int pair) {
         return pairs.passage != null && pairs.passage[pair] >= Pairs.PASSES;
     }
 
-    /** Whether the bodies of a one-sided pair pass through each other at these poses. */
+    /** Decides at two poses whether the bodies of a one-sided pair pass through each other. */
     boolean isPassing(int pair, Pose atA, Pose atB) {
         decide(pair, atA, atB);
         return isPassing(pair) || comesThrough(pair);
     }
 
-    /** Whether two bodies come through each other, by another pair of theirs. */
+    /** Whether two bodies are coming through each other in another of their pairs. */
     private boolean comesThrough(int pair) {
         int a = pairs.bodyA[pair];
         int mover = bodies.isDynamic(a) ? a : pairs.bodyB[pair];
@@ -119,7 +120,7 @@ final class Passages {
         };
     }
 
-    /** All of the visitor's parts have to lie on the normal's side. */
+    /** Decides by the one-way normal: all parts of the other body must lie on the normal's side. */
     private int byNormal(int slot, Pose at, int other, Pose otherAt, int pair, int known) {
         double localX = bodies.oneWayX[slot];
         double localY = bodies.oneWayY[slot];
@@ -138,7 +139,7 @@ final class Passages {
         return known == Pairs.MEETS && areTouching(pair) ? Pairs.MEETS : Pairs.PASSES;
     }
 
-    /** Whether the bodies of a pair touch, or did, with these or other parts of theirs. */
+    /** Whether the bodies of a pair touch, or did in the step before, with any of their parts. */
     private boolean areTouching(int pair) {
         int a = pairs.bodyA[pair];
         int mover = bodies.isDynamic(a) ? a : pairs.bodyB[pair];
@@ -156,7 +157,7 @@ final class Passages {
         return areTouching;
     }
 
-    /** How far an outline reaches along a direction from where another is, m. */
+    /** How far an outline extends along a direction from the position of another one, m. */
     private static double highest(Outline outline, Pose at, double nx, double ny, Pose from) {
         double localX = at.cos * nx + at.sin * ny;
         double localY = at.cos * ny - at.sin * nx;

@@ -2,10 +2,10 @@ package rigibo.backend.collision;
 
 import rigibo.backend.geometry.Outline;
 
-/** Whether a posed shape holds a point, and where a ray enters it. */
+/** Tests whether a shape at a pose contains a point, and where a ray enters it. */
 public final class PointAndRay {
 
-    /** Returned where a ray does not enter a shape. */
+    /** Returned when a ray does not enter a shape. */
     public static final double MISS = Double.POSITIVE_INFINITY;
 
     /** Outward unit normal where the last ray entered. */
@@ -13,17 +13,19 @@ public final class PointAndRay {
 
     public double normalY;
 
-    /** The point of a shape that the last call of {@link #nearest} found, in the world, m. */
+    /** Nearest point of the shape in the last call of {@link #nearest}, in the world, m. */
     public double pointX;
 
     public double pointY;
 
-    /** The point of its core, in its own frame, m. */
+    /** Nearest point of the core, in the shape's frame, m. */
     private double coreX;
 
     private double coreY;
 
-    /** Whether a point in world m lies inside or on the outline; an edge of a chain holds none. */
+    /**
+     * Whether a world point (m) lies inside or on the outline; an edge of a chain contains none.
+     */
     public boolean holds(Outline shape, Pose pose, double x, double y) {
         double localX = pose.cos * (x - pose.x) + pose.sin * (y - pose.y);
         double localY = pose.cos * (y - pose.y) - pose.sin * (x - pose.x);
@@ -40,8 +42,8 @@ public final class PointAndRay {
     }
 
     /**
-     * The fraction of the way from one world point to another at which the ray enters the shape, or
-     * {@link #MISS}; a ray that starts inside does not enter.
+     * The fraction of the segment from one world point to another at which the ray enters the
+     * shape, or {@link #MISS}; a ray that starts inside does not enter.
      */
     public double enters(
             Outline shape, Pose pose, double fromX, double fromY, double toX, double toY) {
@@ -114,7 +116,7 @@ public final class PointAndRay {
                 : entersPolygon(shape, x, y, dx, dy);
     }
 
-    /** A rounded outline is entered where the first of its edges or of its round corners is. */
+    /** A ray enters a rounded outline at the first of its edges or round corners. */
     private double entersRounded(Outline outline, double x, double y, double dx, double dy) {
         if (outline.depth(x, y) > 0) {
             return MISS;
@@ -166,10 +168,10 @@ public final class PointAndRay {
     }
 
     /**
-     * The smaller root of |p + t·d|² = r² along the unit vector d. The discriminant is written with
-     * p × d, how far the ray passes the centre: (p·d)² − (p² − r²) would lose a small disc far from
-     * the ray's start. So would the point p + t·d its direction from the centre: the normal is told
-     * by its parts along and across the ray.
+     * The smaller root of |p + t·d|² = r² along the unit vector d. The discriminant uses p × d, the
+     * distance at which the ray passes the centre, because (p·d)² − (p² − r²) would lose a small
+     * disc far from the ray's start. The normal is computed from its components along and across
+     * the ray, because p + t·d would lose its direction from the centre in the same way.
      */
     private double entersDisc(double radius, double x, double y, double dx, double dy) {
         double length = StrictMath.hypot(dx, dy);
@@ -190,13 +192,14 @@ public final class PointAndRay {
     }
 
     /**
-     * The smaller root of t² − 2·ahead·t + c; of two like numbers their difference is mostly lost.
+     * The smaller root of t² − 2·ahead·t + c, in the form that avoids subtracting two nearly equal
+     * numbers.
      */
     private static double way(double ahead, double root, double c) {
         return ahead > 2 * root ? ahead - root : c / (ahead + root);
     }
 
-    /** Clips the ray by every edge's line: it enters where the last of them lets it in. */
+    /** Clips the ray by every edge's line: it enters at the last line that it crosses inwards. */
     private double entersPolygon(Outline polygon, double x, double y, double dx, double dy) {
         double in = -1;
         double out = 1;

@@ -3,8 +3,8 @@ package rigibo.backend.collision;
 import rigibo.backend.geometry.Outline;
 
 /**
- * Manifold of a polygon and a disc: one point. The disc's centre is brought into the polygon's
- * frame; the face it is farthest in front of, or one of that face's two corners, is closest.
+ * Manifold of a polygon and a disc: one point. The disc's centre is transformed into the polygon's
+ * frame; the closest feature is the face that it is farthest in front of, or a corner of that face.
  */
 final class PolygonCircle {
 
@@ -12,7 +12,7 @@ final class PolygonCircle {
 
     private PolygonCircle() {}
 
-    /** With the polygon as A. */
+    /** The manifold with the polygon as A. */
     static int collide(Outline a, Pose poseA, Outline b, Pose poseB, double reach, Manifold out) {
         double dx = poseB.worldX(b.cornerX(0), b.cornerY(0)) - poseA.x;
         double dy = poseB.worldY(b.cornerX(0), b.cornerY(0)) - poseA.y;
@@ -38,7 +38,7 @@ final class PolygonCircle {
         return out.count;
     }
 
-    /** With the disc as A. */
+    /** The manifold with the disc as A. */
     static int exchanged(Outline a, Pose poseA, Outline b, Pose poseB, double reach, Manifold out) {
         collide(b, poseB, a, poseA, reach, out);
         out.exchange();
@@ -46,7 +46,8 @@ final class PolygonCircle {
     }
 
     /**
-     * The face a point is farthest in front of, or none when one is farther than {@code most} m.
+     * The face that a point is farthest in front of, or {@link #NONE} if that is more than {@code
+     * most} m.
      */
     private static int outermost(Outline polygon, double x, double y, double most) {
         int face = NONE;
@@ -67,9 +68,9 @@ final class PolygonCircle {
     }
 
     /**
-     * Distance in m of a point from the outline, negative inside, writing the normal in the
-     * polygon's frame. Beside the face, the corner is closest. The place along the face is measured
-     * from each end by itself, so that a mirrored scene gives the mirrored bits.
+     * Signed distance in m of a point from the core, negative inside; writes the normal in the
+     * polygon's frame. Beside the face a corner is closest. The position along the face is measured
+     * from each end separately, so that a mirrored scene gives mirrored bits.
      */
     private static double measure(Outline polygon, int face, double x, double y, Manifold out) {
         double nx = polygon.normalX(face);
@@ -81,7 +82,7 @@ final class PolygonCircle {
         double endY = y - polygon.cornerY(next);
         double front = nx * startX + ny * startY;
         out.normal(nx, ny, NormalSource.FACE_A);
-        // What lies on the line of a core of two corners may be beside it all the same.
+        // Even a point on the line of a core of two corners may be beside the core.
         boolean isOutside = front > 0 || polygon.corners() == 2;
         if (isOutside && ny * startX - nx * startY > 0) {
             return fromCorner(startX, startY, out);

@@ -3,48 +3,52 @@ package rigibo.backend.collision;
 import rigibo.backend.geometry.Outline;
 
 /**
- * Manifold of two polygons: the face that separates them farthest is the reference, and the edge of
- * the other that faces it most is clipped to its extent. Where the closest features are two
- * corners, the line between them is the normal.
+ * Manifold of two polygons. The face with the greatest separation is the reference face; the
+ * incident edge, which is the edge of the other polygon that faces it most, is clipped to its
+ * extent. Where the closest features are two corners, the normal is the line between them.
  */
 final class PolygonPolygon {
 
     /**
-     * Of two parallel faces B's is the reference only when it separates farther than A's by this
-     * much, per metre of the narrower polygon. Two stacked boxes of one size tilt by round-off, and
-     * without the bias the reference would change from one to the other all the time.
+     * Of two parallel faces, B's is the reference face only if its separation is greater than that
+     * of A's by this much, per metre of the narrower polygon. Two stacked boxes of equal size tilt
+     * by round-off; without the bias the reference face would keep changing between them.
      */
     static final double REFERENCE_BIAS = 1e-4;
 
     /**
-     * Sine of the angle up to which two faces are parallel enough for the bias. Where corners meet,
-     * the faces differ by more, and the wrong one would turn the normal.
+     * Sine of the angle up to which two faces count as parallel for the bias. At corners the faces
+     * differ by more, and the wrong one would turn the normal.
      */
     private static final double PARALLEL = 1e-2;
 
     /**
-     * Overlap, per metre of the narrower polygon, up to which the other polygon's faces need not be
-     * searched where its nearest corner lies well over a face. Apart, the corner and its foot on
-     * the face are the closest points, and no face is farther. In overlap δ, a face at an angle θ
-     * to this one can only be farther where the foot is within δ·tan(θ/2) of the face's end, since
-     * that end lies deep behind it; θ is at most a right angle for the edges at the corner.
+     * Overlap, per metre of the narrower polygon, up to which the other polygon's faces need no
+     * search if its nearest corner lies well over a face. If the polygons are apart, this corner
+     * and its foot on the face are the closest points, and no other face separates more. In an
+     * overlap δ, a face at an angle θ to this one can separate more only if the foot is within
+     * δ·tan(θ/2) of the face's end, since that end lies deep behind it; θ is at most a right angle
+     * for the edges at the corner.
      */
     private static final double SHALLOW = 1e-2;
 
-    /** How far from the face's ends the foot must be, per overlap: up to θ of 150°. */
+    /**
+     * Distance of the foot from the ends of the face, per overlap, that counts as well over it:
+     * enough for θ up to 150°.
+     */
     private static final double WELL_OVER = 4;
 
     private final double bias;
     private final FaceSearch facesA = new FaceSearch();
     private final FaceSearch facesB = new FaceSearch();
 
-    /** B in the frame of A, and A in the frame of B. */
+    /** Pose of B in the frame of A, and of A in the frame of B. */
     private final Pose placeB = new Pose();
 
     private final Pose placeA = new Pose();
     private final FaceClip clip = new FaceClip();
 
-    /** With a bias of {@link #REFERENCE_BIAS}, or of 0 where the farthest face is wanted. */
+    /** {@code bias} is {@link #REFERENCE_BIAS}, or 0 to take the face of greatest separation. */
     PolygonPolygon(double bias) {
         this.bias = bias;
     }
@@ -58,8 +62,8 @@ final class PolygonPolygon {
         }
         double cos = poseA.cos * poseB.cos + poseA.sin * poseB.sin;
         double sin = poseA.cos * poseB.sin - poseA.sin * poseB.cos;
-        // Each polygon's faces are tried in its own frame: a floor 10^6 m wide then keeps its
-        // height exactly, whatever the angle of the small box on it.
+        // Each polygon's faces are tested in its own frame: a floor 10^6 m wide then keeps its
+        // exact height, whatever the angle of the small box on it.
         placeB.set(poseA.cos * dx + poseA.sin * dy, poseA.cos * dy - poseA.sin * dx, cos, sin);
         placeA.set(-(poseB.cos * dx + poseB.sin * dy), poseB.sin * dx - poseB.cos * dy, cos, -sin);
         double radii = a.radius() + b.radius();
@@ -92,8 +96,8 @@ final class PolygonPolygon {
     }
 
     /**
-     * Searches the faces of one polygon, and those of the other, which has more, only where they
-     * may be farther.
+     * Searches the faces of the first polygon, and those of the other, which has more, only if one
+     * of them may separate more.
      */
     private static boolean isEitherApart(
             Outline one,

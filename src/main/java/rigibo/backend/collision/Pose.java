@@ -1,6 +1,9 @@
 package rigibo.backend.collision;
 
-/** Where a shape is: its centre of mass and its orientation. A plain carrier that stages reuse. */
+/**
+ * Position and orientation of a shape: its centre of mass, and cosine and sine of its angle.
+ * Mutable, so that stages can reuse one object.
+ */
 public final class Pose {
 
     /** Centre of mass in the world, m. */

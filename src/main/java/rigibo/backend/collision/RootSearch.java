@@ -3,30 +3,30 @@ package rigibo.backend.collision;
 import rigibo.backend.setup.ImpactSearch;
 
 /**
- * The time at which the gap along an axis has closed to a wanted one, within a bracket: by halving,
- * or by ITP (I. F. D. Oliveira and R. H. C. Takahashi, An Enhancement of the Bisection Method
- * Average Performance Preserving Minmax Optimality, 2020): interpolate, truncate towards the
- * middle, and project so that the bracket never shrinks slower than by halving.
+ * Finds the time at which the gap along an axis has closed to a wanted value, within a bracket: by
+ * bisection or by ITP (I. F. D. Oliveira and R. H. C. Takahashi, An Enhancement of the Bisection
+ * Method Average Performance Preserving Minmax Optimality, 2020). ITP interpolates, truncates
+ * towards the middle, and projects so that the bracket never shrinks slower than by bisection.
  */
 final class RootSearch {
 
-    /** A bracket halved this often is as short as doubles allow. */
+    /** Most evaluations; a bracket halved so often is as short as doubles allow. */
     private static final int MOST_EVALUATIONS = 80;
 
-    /** ITP's κ₁ times the first bracket, with κ₂ = 2: how far it truncates. */
+    /** ITP's κ₁ times the length of the first bracket, with κ₂ = 2: the amount of truncation. */
     private static final double TRUNCATION = 0.2;
 
-    /** The gap at the time returned, m. */
+    /** Gap at the returned time, m. */
     double gap;
 
-    /** How often the gap was measured in all. */
+    /** Number of gap evaluations in all. */
     int evaluations;
 
     /**
      * Searches in [from, to], where the gap falls from {@code fromGap} to {@code toGap}, m.
      *
-     * @return a time in s at which the gap lies in [least, most]; where rounding leaves none, the
-     *     latest found at which it is not less
+     * @return a time in s at which the gap lies in [least, most]; if round-off leaves none, the
+     *     latest time found at which the gap is not less
      */
     double find(
             GapAlong axis,

@@ -3,40 +3,41 @@ package rigibo.backend.collision;
 import rigibo.backend.setup.ImpactSearch;
 
 /**
- * How far two shapes may move without touching, seen along one axis. What bounds it is the chord of
- * the gap over an interval and how much the gap can bend away from it.
+ * How far in time two shapes can advance without touching, seen along one axis. The bound is the
+ * chord of the gap over an interval, minus the most that the gap can bend away from it.
  */
 final class SafeAdvance {
 
-    /** What a bound gives that never falls to the stopping gap. */
+    /** Returned for a bound that never falls to the stopping gap. */
     private static final double CLEAR = Double.POSITIVE_INFINITY;
 
     private final RootSearch roots = new RootSearch();
     private ImpactSearch search;
 
-    /** The stopping gap: between these two an impact is taken, m. */
+    /** Range of the stopping gap, m: a gap between these two is taken as an impact. */
     double least;
 
     double largest;
 
-    /** How often a gap was measured since {@link #begin}. */
+    /** Number of gap evaluations since {@link #begin}. */
     int evaluations;
 
-    /** Begins a search with a way to find roots. */
+    /** Begins a search with a method to find roots. */
     void begin(ImpactSearch how) {
         search = how;
         evaluations = 0;
     }
 
-    /** Sets the stopping gap, m. */
+    /** Sets the range of the stopping gap, m. */
     void stopBetween(double lower, double upper) {
         least = lower;
         largest = upper;
     }
 
     /**
-     * The end of an interval where it is clear, else a later time than the present up to which it
-     * is: the first root of the gap where the bound leaves no earlier one, or of the bound itself.
+     * Returns the end of an interval if the gap stays clear in it, otherwise a later time than the
+     * present up to which it does: the first root of the gap if the bound has none before it, or
+     * else the first root of the bound.
      */
     double from(GapAlong axis, double time, double gap, double firstInterval) {
         double interval = firstInterval;
@@ -55,7 +56,8 @@ final class SafeAdvance {
             if (safe >= interval / 4) {
                 return time + safe;
             }
-            // Where the bend eats the gap, this interval is about the one that comes farthest.
+            // Where the curvature term uses up the gap, this is about the interval that advances
+            // farthest.
             interval = Math.min(interval / 2, 2 * Math.sqrt(safe * interval));
         }
     }
@@ -68,7 +70,7 @@ final class SafeAdvance {
         return root;
     }
 
-    /** Whether the straight line's root suggests that the root of the gap is also its first. */
+    /** Whether the root of the chord suggests that the root of the gap is also its first one. */
     private boolean isRootFirst(double gap, double endGap, double interval, double bend) {
         double closing = gap - least;
         double straight = interval * closing / (gap - endGap);
@@ -76,8 +78,8 @@ final class SafeAdvance {
     }
 
     /**
-     * How long in s the gap stays above the stopping gap for sure: the first root of gap + mτ −
-     * κτ(Δ − τ)/2 = least, by the form that does not cancel; infinite where there is none ahead.
+     * Time in s for which the gap certainly stays above the stopping gap: the first root of gap +
+     * mτ − κτ(Δ − τ)/2 = least, in the form without cancellation; infinite if there is none ahead.
      */
     private double clearFor(double gap, double endGap, double interval, double bend) {
         double half = bend / 2;

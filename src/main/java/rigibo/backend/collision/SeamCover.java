@@ -7,19 +7,21 @@ import rigibo.backend.storage.PairIndex;
 import rigibo.backend.storage.Pairs;
 
 /**
- * Whether a point of a fixed body is covered by its neighbours, the other fixed bodies that the
- * mover may meet.
+ * Tests whether a point of a fixed body is covered by its neighbours, the other fixed bodies near
+ * the mover.
  *
- * <p>A point on a face is covered where the space before the face is the neighbour's, at the point
- * and on all sides on which the mover reaches farther: where only a strip of it is, a body stands
- * in the corner of a floor and a wall, a little inside both. Where the mover does not come to, the
- * neighbour may leave the face, as below the kink between two plates that rise. A point on a corner
- * is covered where it lies on a neighbour that reaches farther along the normal: then the neighbour
- * is the nearer one, and the contact with it says all.
+ * <p>A point on a face is covered where a neighbour fills the space in front of the face, at the
+ * point and on both sides as far as the mover extends. If it fills only a strip of it, the mover
+ * stands in the corner of a floor and a wall, overlapping both a little. Beyond the mover's extent
+ * the neighbour may leave the face, as below the kink between two plates that rise. A point on a
+ * corner is covered where it lies on a neighbour that extends farther along the normal: then the
+ * neighbour is nearer, and its own contact suffices.
  */
 final class SeamCover {
 
-    /** How far about a point a face is looked at, per metre of what slides over it. */
+    /**
+     * Distance from the point at which the space before the face is tested, per metre of the mover.
+     */
     private static final double ABOUT = 0.1;
 
     private final Bodies bodies;
@@ -45,8 +47,8 @@ final class SeamCover {
     }
 
     /**
-     * Whether a neighbour covers the face as far as the mover may come to it on both sides of the
-     * point, and at least next to the point.
+     * Whether a neighbour covers the face on both sides of the point, as far as the mover may reach
+     * it, and at least next to the point.
      */
     boolean isFaceCovered(int pair) {
         double least = 2 * SeamPoint.CLOSED * at.width;
@@ -70,7 +72,7 @@ final class SeamCover {
         return false;
     }
 
-    /** The first pair of the mover with a neighbour. */
+    /** First pair of the mover with a neighbour. */
     private int first(int pair) {
         return at.isOfParts ? sibling(at.fixed) : neighbour(pair, bodies.firstPair[at.mover]);
     }
@@ -97,8 +99,9 @@ final class SeamCover {
     }
 
     /**
-     * The first pair, of the part's body's shapes from one on, of what touches the part with
-     * another part. Looked up: in a crowd a body is in ten times as many pairs as it has parts.
+     * First pair, among the shapes of the fixed body from {@code from} on, between another of its
+     * parts and the mover's shape. The index is used, since in a crowd a body is in ten times as
+     * many pairs as it has parts.
      */
     private int sibling(int from) {
         for (int s = from; s != Pairs.NONE; s = bodies.nextShapeOf(s)) {
@@ -113,20 +116,20 @@ final class SeamCover {
         return Pairs.NONE;
     }
 
-    /** Edges of one chain know each other. */
+    /** Whether both are edges of one chain, whose edges know their neighbours. */
     private boolean areOneChain(int pair, int other) {
         return bodies.outline[at.fixedShape].isEdge() && pairs.other(other, at.mover) == at.fixed;
     }
 
     /**
-     * Whether the face, which is inside neighbours at the point, comes out of them where the mover
-     * may get at it: boxes that are laid like tiles make a floor too.
+     * Whether the face, which neighbours cover at the point, emerges from them where the mover may
+     * reach it: boxes that overlap like tiles are a floor too.
      */
     boolean emerges(int pair) {
         return emerges(pair, 1, at.ahead) || emerges(pair, -1, at.behind);
     }
 
-    /** Whether it does to one side of the point, where it goes on for so many metres. */
+    /** Whether the face emerges on one side of the point, where it extends for {@code room} m. */
     private boolean emerges(int pair, int side, double room) {
         double gone = 0;
         for (int p = first(pair); p != Pairs.NONE; p = next(pair, p)) {
@@ -138,8 +141,8 @@ final class SeamCover {
     }
 
     /**
-     * How far along the face from the point the neighbour ends that covers it so far along, m: by
-     * bisection, for what a line has in common with a convex shape is one piece.
+     * Distance along the face from the point up to which a neighbour covers it, if it covers it at
+     * {@code gone} m. Found by bisection, since a line meets a convex shape in one piece.
      */
     private double comesOut(int p, int side, double gone, double room) {
         if (!(depthAlong(p, side * gone) > SeamPoint.FLUSH * at.width)) {
@@ -165,7 +168,10 @@ final class SeamCover {
         return depth(p, at.x - along * at.outY, at.y + along * at.outX);
     }
 
-    /** Whether no neighbour lies between the mover and a point so far along the face, m. */
+    /**
+     * Whether no neighbour lies between the mover and a point of the face at a distance along it,
+     * m.
+     */
     private boolean isVisible(int pair, double along) {
         double px = at.x - along * at.outY;
         double py = at.y + along * at.outX;
@@ -180,7 +186,10 @@ final class SeamCover {
         return true;
     }
 
-    /** Whether the space before the face is covered to one side, of so much room in m to both. */
+    /**
+     * Whether a neighbour covers the space before the face on one side; {@code room} m of it lie on
+     * that side, {@code other} m on the other.
+     */
     private boolean coversFace(int p, int side, double room, double other) {
         if (room < SeamPoint.CLOSED * at.width && room < other) {
             return true;
@@ -201,7 +210,10 @@ final class SeamCover {
                 || depth(p, at.x, at.y) >= flush && reach(p) > SeamPoint.ROUND_OFF * at.width;
     }
 
-    /** Neighbours that do not move are where their columns say, other parts where the part is. */
+    /**
+     * Poses a neighbour: a fixed one where its columns say, another part of the same body where
+     * that body is.
+     */
     private void placeNeighbour(int p) {
         if (at.isOfParts) {
             pose.set(at.fixedPose);
@@ -216,7 +228,7 @@ final class SeamCover {
         return bodies.outline[pairs.shapeOf(p, body)];
     }
 
-    /** How deep a world point lies in the neighbour of a pair, m; negative outside. */
+    /** Depth of a world point in the neighbour of a pair, m; negative outside. */
     private double depth(int p, double px, double py) {
         placeNeighbour(p);
         double dx = px - pose.x;
@@ -228,7 +240,7 @@ final class SeamCover {
         return outline.depth(pose.cos * dx + pose.sin * dy, pose.cos * dy - pose.sin * dx);
     }
 
-    /** How much farther than the point the neighbour reaches along the normal, m. */
+    /** Distance along the normal by which the neighbour extends beyond the point, m. */
     private double reach(int p) {
         placeNeighbour(p);
         double centre = at.outX * (pose.x - at.x) + at.outY * (pose.y - at.y);

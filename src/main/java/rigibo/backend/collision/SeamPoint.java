@@ -7,53 +7,62 @@ import rigibo.backend.storage.PairTolerances;
 import rigibo.backend.storage.Pairs;
 
 /**
- * A point on a fixed body at which another may touch it: who the two are, where they are, and the
- * face that the point is on.
+ * A point of a fixed body at which another body may touch it: the two bodies, their poses, and the
+ * face on which the point lies.
  */
 final class SeamPoint {
 
-    /** Step in a floor that counts as none, per metre of what slides over it. */
+    /** Largest step in a floor that counts as none, per metre of the mover. */
     static final double FLUSH = 1e-5;
 
-    /** Width of a seam that counts as closed, per metre of what slides over it. */
+    /** Largest width of a seam that counts as closed, per metre of the mover. */
     static final double CLOSED = 2e-3;
 
-    /** Round-off, per metre of what slides. */
+    /** Round-off, per metre of the mover. */
     static final double ROUND_OFF = 1e-9;
 
-    /** Sine of the angle up to which a normal is that of a face, where a face may lie on it. */
+    /**
+     * Sine of the angle up to which a normal counts as that of a face on which a face of the mover
+     * may lie.
+     */
     private static final double PARALLEL = 1e-2;
 
     private final Bodies bodies;
     private final Pairs pairs;
 
-    /** Whether the seam is between parts of one body, which is then called the fixed one. */
+    /**
+     * Whether the seam is between two parts of one body, which then takes the role of the fixed
+     * one.
+     */
     boolean isOfParts;
 
-    /** The body that moves, the fixed one, and the width in m of the first. */
+    /** The body that moves (the mover), the fixed one, and the width of the mover in m. */
     int mover;
 
     int fixed;
     double width;
 
-    /** The slots of the shapes of both that the pair is of. */
+    /** Slots of the two shapes in the pair. */
     int moverShape;
 
     int fixedShape;
 
-    /** Where the two are: neighbours that do not move are where their columns say. */
+    /** Poses of the two; fixed neighbours are posed as their columns say. */
     final Pose moverPose = new Pose();
 
     final Pose fixedPose = new Pose();
 
-    /** The point, world m, and the normal out of the fixed body. */
+    /** The point, world, m, and the normal out of the fixed body. */
     double x;
 
     double y;
     double outX;
     double outY;
 
-    /** How far the face that holds the point goes on along (−outY, outX), and against it, m. */
+    /**
+     * Distance for which the face extends from the point along (−outY, outX), and in the opposite
+     * direction, m.
+     */
     double ahead;
 
     double behind;
@@ -63,7 +72,7 @@ final class SeamPoint {
         pairs = data.pairs;
     }
 
-    /** Goes to a point of the contact, on the fixed body, and looks along its normal. */
+    /** Sets the point to one of the contact's points, on the fixed body, with its normal. */
     void look(int pair, int point) {
         int side = fixed == pairs.bodyA[pair] ? 1 : -1;
         outX = side * pairs.normalX[pair];
@@ -80,7 +89,7 @@ final class SeamPoint {
         return pose.y + pose.sin * polygon.cornerX(corner) + pose.cos * polygon.cornerY(corner);
     }
 
-    /** Looks for the face that the normal belongs to, by the corners that lie as high. */
+    /** Finds the face to which the normal belongs, from the corners at the height of the point. */
     boolean findFace() {
         Outline polygon = bodies.outline[fixedShape];
         double parallel = isFaceOfMover() ? PARALLEL : ROUND_OFF;
@@ -99,7 +108,9 @@ final class SeamPoint {
         return Math.max(ahead, behind) > FLUSH * width;
     }
 
-    /** Whether the normal is that of one of the mover's faces, which may lie flat on the other. */
+    /**
+     * Whether the normal is that of one of the mover's faces, which may lie flat on the fixed body.
+     */
     private boolean isFaceOfMover() {
         Outline polygon = bodies.outline[moverShape];
         double localX = moverPose.cos * outX + moverPose.sin * outY;
@@ -114,13 +125,16 @@ final class SeamPoint {
         return false;
     }
 
-    /** Whether the mover may meet the face, and not only the corner at its end. */
+    /** Whether the mover may touch the face, not only the corner at its end. */
     boolean comesToFace() {
         double roomAhead = Math.min(ahead, moverReaches(1));
         return Math.max(roomAhead, Math.min(behind, moverReaches(-1))) > FLUSH * width;
     }
 
-    /** How much farther along the face than the point the mover reaches, or against it, m. */
+    /**
+     * Distance by which the mover extends beyond the point along the face (side 1), or in the
+     * opposite direction (−1), m.
+     */
     double moverReaches(int side) {
         Outline outline = bodies.outline[moverShape];
         double most = 0;
@@ -132,7 +146,7 @@ final class SeamPoint {
         return most;
     }
 
-    /** Gap in m up to which the mover touches. */
+    /** Gap in m up to which the mover counts as touching. */
     double touching() {
         return PairTolerances.TOUCHING_GAP * width;
     }

@@ -7,15 +7,15 @@ import rigibo.backend.storage.PairTolerances;
 import rigibo.backend.storage.Pairs;
 
 /**
- * Leaves out what a body cannot touch since it lies inside the seam between two fixed bodies. A
- * floor of boxes is one plane, yet each box by itself has sides and corners: whatever slides over
- * it would bump into the side that the box before it covers.
+ * Removes contact points that cannot touch, because they lie inside the seam between two fixed
+ * bodies. A floor made of boxes is one plane, yet each box has sides and corners of its own; a body
+ * that slides over the floor would catch on a side that the neighbouring box covers.
  */
 final class Seams {
 
     /**
-     * Overlap in widths from which on any way out of a body of several parts is taken: what lies so
-     * deep has not come over a seam.
+     * Overlap, in widths, beyond which any way out of a body with several parts is accepted; so
+     * deep a body did not come over a seam.
      */
     private static final double DEEP = 0.05;
 
@@ -27,7 +27,7 @@ final class Seams {
     private final Pose poseB = new Pose();
     private final SeamCover cover;
 
-    /** Where the mover is nearest to the plane of a face, world m. */
+    /** Point of a face's plane nearest to the mover, world, m. */
     private double footX;
 
     private double footY;
@@ -40,8 +40,8 @@ final class Seams {
     }
 
     /**
-     * Drops the covered points of a contact, between a body that moves and a fixed one, that was
-     * measured where the step began.
+     * Removes the covered points of a contact between a dynamic body and a fixed or driven one,
+     * measured at the start of the step.
      */
     void leaveOutCovered(int pair) {
         if (mayBeCovered(pair)) {
@@ -56,7 +56,7 @@ final class Seams {
         }
     }
 
-    /** Drops the covered points of a contact that was measured at these poses of its bodies. */
+    /** Removes the covered points of a contact that was measured at these poses. */
     void leaveOutCovered(int pair, Pose atA, Pose atB) {
         if (mayBeCovered(pair)) {
             boolean isMoverA = at.mover == pairs.bodyA[pair];
@@ -74,9 +74,9 @@ final class Seams {
     }
 
     /**
-     * Drops the points of a contact that lie inside a body that moves, where two of its parts meet:
-     * what such a face or corner looks at is its other part. What is only near may come to another
-     * place of the face within the step, and what is deep came in by it.
+     * Removes contact points inside a dynamic body, where two of its parts meet: such a face or
+     * corner looks at the other part. Only touching points are removed. One that is merely near may
+     * reach another place of the face within the step, and a deep one came in through this face.
      */
     private void leaveOutInside(int pair, Pose atA, Pose atB) {
         int a = pairs.bodyA[pair];
@@ -134,8 +134,8 @@ final class Seams {
     }
 
     /**
-     * What only flies past a neighbour may still meet what the neighbour covers now: its point is
-     * left out only where there is a face to take its place.
+     * Removes the covered points of a contact. A body that only flies past a neighbour may still
+     * touch what the neighbour covers now, so its point is removed only if a face takes its place.
      */
     private void leaveOut(int pair) {
         at.width = bodies.smallestWidth[at.mover];
@@ -158,16 +158,16 @@ final class Seams {
     }
 
     /**
-     * Whether the mover may land with the point within the step: it is before the plane of a face
-     * that comes out of its neighbours farther on. A box that lies with a corner on each of two
-     * plates comes to the second with the other one, too, and as long as it has not, the plane is
-     * behind the face that it slides on.
+     * Whether the mover may land at the point within the step: the point is before the plane of a
+     * face that emerges from its neighbours farther along. A box with a corner on each of two
+     * plates also reaches the second plate with the other corner; until then that plate's plane
+     * lies behind the face on which the box slides.
      */
     private boolean isAwaited(int pair, int point) {
         return pairs.separation[point] > at.touching() && at.findFace() && cover.emerges(pair);
     }
 
-    /** Whether the other point, if there is one, only looks along a normal that is none. */
+    /** Whether the pair has no other point, or only one whose normal is not that of a face. */
     private boolean isAlone(int pair, int i) {
         return pairs.points[pair] == 1
                 || pairs.separation[2 * pair + 1 - i] > at.touching() && !at.findFace();
@@ -180,11 +180,11 @@ final class Seams {
     }
 
     /**
-     * Puts a face of the fixed body in place of what is covered of it: the uncovered one that the
-     * mover is farthest in front of. What lies at the foot of a wall overlaps the corner that the
-     * wall has there by less than it does the wall; but the corner is inside the floor, and it is
-     * the wall's face that it goes into. And what comes to the next piece of a floor that rises
-     * meets its face within the step, though all that is near is its covered corner yet.
+     * Replaces a covered point by a face of the fixed body: the uncovered face that the mover is
+     * farthest in front of. A body at the foot of a wall overlaps the wall's lower corner by less
+     * than the wall, but that corner is inside the floor, and the wall's face is what the body
+     * enters. A body that reaches the next piece of a rising floor meets its face within the step,
+     * though only the covered corner is near yet.
      */
     private boolean turnsToFace(int pair, int point) {
         Outline polygon = bodies.outline[at.fixedShape];
@@ -223,9 +223,10 @@ final class Seams {
     }
 
     /**
-     * Moves the point to where the mover is nearest to a face of the fixed body, or goes deepest
-     * into it; returns how far it is from there, m. What has not come to the face yet is above its
-     * plane, for a corner that is covered is one that the face rises from; −∞ where it is not.
+     * Moves the point to where the mover is nearest to a face of the fixed body, or deepest in it;
+     * returns the separation there, m. It is −∞ where the mover cannot reach the face: a mover that
+     * has not come over it yet must be above its plane, since the face rises from the covered
+     * corner.
      */
     private double placeOnFace(Outline polygon, int face) {
         int next = face + 1 == polygon.corners() ? 0 : face + 1;
@@ -251,12 +252,15 @@ final class Seams {
                         : isBehind ? endY + at.outY * polygon.radius() : footY;
         boolean isOver = Math.min(fromStart, toEnd) > -SeamPoint.CLOSED * at.width;
         double separation = above - below;
-        // What is deeper inside than it is wide came in by another face.
+        // A body deeper inside than its width came in through another face.
         double least = isOver ? -at.width : -at.touching();
         return separation > least ? separation : Double.NEGATIVE_INFINITY;
     }
 
-    /** Moves the point to the mover's lowest above a face; returns how much lower it is yet, m. */
+    /**
+     * Moves the point to the mover's lowest core corner above a face; returns the radius by which
+     * the outline is lower, m.
+     */
     private double placeLowest() {
         Outline shape = bodies.outline[at.moverShape];
         double least = Double.POSITIVE_INFINITY;

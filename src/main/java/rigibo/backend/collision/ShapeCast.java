@@ -4,19 +4,19 @@ import rigibo.backend.geometry.Outline;
 import rigibo.backend.setup.ImpactSearch;
 
 /**
- * When an outline that goes straight on, without turning, meets another one that stands. An edge of
- * a chain is met as a line is, and only from the air: what comes out of its matter passes. Holds
- * scratch, so each thread needs its own.
+ * The time at which an outline that moves in a straight line, without turning, meets another one at
+ * rest. An edge of a chain counts as a line that is met only from the air; a body passes it from
+ * its matter. Uses scratch fields, so each thread needs its own instance.
  */
 public final class ShapeCast {
 
-    /** Gap left where the two meet, as a share of the narrower one. */
+    /** Gap left where the two meet, as a share of the narrower one's width. */
     private static final double TOLERANCE = 1e-9;
 
-    /** Half of what a line is thick, as a share of its length. */
+    /** Half the thickness of the line, as a share of its length. */
     private static final double THIN = 1e-10;
 
-    /** Sine by which something may come from behind the end of an edge: round-off of its axis. */
+    /** Sine of the angle by which the axis may point behind an edge: its round-off. */
     private static final double ROUND_OFF = 1e-9;
 
     private final TimeOfImpact search = new TimeOfImpact();
@@ -25,7 +25,7 @@ public final class ShapeCast {
     private final Pose otherPose = new Pose();
 
     /**
-     * The time of the first meeting of two motions that do not turn, from 0 on, or {@link
+     * The first time, from 0 on, at which two motions without turning meet, or {@link
      * TimeOfImpact#NEVER}.
      */
     public double find(Motion one, Motion other, double until) {
@@ -52,7 +52,7 @@ public final class ShapeCast {
         return outline.isEdge() ? outline.asLine(THIN) : outline;
     }
 
-    /** Whether an axis from an outline is not from the matter of an edge. */
+    /** Whether an axis away from an outline does not come from the matter of an edge. */
     private static boolean isInFront(Outline outline, Pose at, double axisX, double axisY) {
         if (!outline.isEdge()) {
             return true;

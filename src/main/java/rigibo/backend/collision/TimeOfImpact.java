@@ -3,50 +3,59 @@ package rigibo.backend.collision;
 import rigibo.backend.setup.ImpactSearch;
 
 /**
- * When two moving shapes first touch: binary search, made safe.
+ * The time of impact of two moving shapes: a root search that cannot skip an impact.
  *
- * <p>Looking only at the ends of an interval misses a hit; a spinning rod can touch and be clear
- * again. So the axis between the closest points is kept for a while, fixed in the world or turning
- * with the face it is the normal of. Along it the gap is the least of smooth functions, one per
- * pair of corners, that curve upwards by at most κ. Over an interval Δ it stays above its chord but
- * for κτ(Δ − τ)/2, the error bound of linear interpolation. Where that clears the stopping gap
- * nothing can touch, and its first root is a time that is safe to advance to. Where the gap itself
- * has closed at the interval's end, its root is searched, and is the first one if the bound up to
- * there has none. Then the closest points are sought anew. This is conservative advancement (B. V.
- * Mirtich, Impulse-based Dynamic Simulation of Rigid Body Systems, 1996) with a bound that
- * converges quadratically.
+ * <p>Testing only the ends of an interval would miss impacts, since a spinning rod can touch and be
+ * clear again. So the search keeps the axis between the closest points for a while, either fixed in
+ * the world or turning with the face whose normal it is. Along it the gap is the least of smooth
+ * functions, one per pair of corners, that curve upwards by at most κ. Over an interval Δ it lies
+ * below its chord by at most κτ(Δ − τ)/2, the error bound of linear interpolation. If this bound
+ * stays above the stopping gap, nothing can touch; otherwise its first root is a time to which it
+ * is safe to advance. If the gap has closed at the interval's end, its own root is searched, which
+ * is the first one if the bound has no root before it. Then the closest points are computed again.
+ * This is conservative advancement (B. V. Mirtich, Impulse-based Dynamic Simulation of Rigid Body
+ * Systems, 1996) with a bound that converges quadratically.
  */
 public final class TimeOfImpact {
 
     /** Returned when the shapes do not touch. */
     public static final double NEVER = Double.POSITIVE_INFINITY;
 
-    /** The least and the largest gap left at an impact, as shares of the tolerance: never 0. */
+    /** Range of the gap left at an impact, as shares of the tolerance; never 0. */
     private static final double LEAST_SHARE = 0.15;
 
     private static final double LARGEST_SHARE = 0.25;
 
-    /** Units in the last place of a coordinate that a gap must have to be told from none. */
+    /** Gap, in units in the last place of a coordinate, below which it counts as round-off. */
     private static final double ROUNDING_UNITS = 4;
 
-    /** The gap left where a disc touches, in such roundings: not so few as to be lost again. */
+    /**
+     * Gap left at the impact of a disc, as a multiple of that round-off; enough not to be lost
+     * again.
+     */
     private static final double POLISHED_ROUNDINGS = 8;
 
-    /** Newton's steps: each doubles the digits, and from a gap of 0.1 mm three come to the last. */
+    /**
+     * Most Newton steps. Each doubles the digits; from a gap of 0.1 mm three reach the last one.
+     */
     private static final int MOST_POLISHES = 4;
 
-    /** Rounds before the safe time reached so far is taken; met only by long, close passes. */
+    /**
+     * Most rounds before the safe time reached so far is returned; only long, close passes need so
+     * many.
+     */
     private static final int MOST_ROUNDS = 400;
 
     /**
-     * Longest way of the last correction, of the time searched: the speed must not change in it.
+     * Longest correction by Newton steps, as a share of the searched time; the closing speed must
+     * not change during it.
      */
     private static final double MOST_POLISH = 0.01;
 
     /**
-     * Angle in rad that both may turn while a turning axis is looked along. What the gap in front
-     * of a turning face can bend by grows with the square of that angle: over many turns the bound
-     * says nothing, and each round would come on by a thousandth of a turn.
+     * Largest angle in rad through which both may turn while one turning axis is kept. The bound on
+     * the gap in front of a turning face grows with the square of that angle. Over many turns it
+     * says nothing, and each round would advance by a thousandth of a turn.
      */
     private static final double LONGEST_TURN = 0.5;
 
@@ -58,10 +67,10 @@ public final class TimeOfImpact {
     private final Approach approach = new Approach();
     private final SafeAdvance advance = new SafeAdvance();
 
-    /** Evaluations of a gap in the last call. */
+    /** Number of gap evaluations in the last call. */
     public int evaluations;
 
-    /** Whether the last call gave up and returned a time that is safe, but before the impact. */
+    /** Whether the last call gave up and returned a safe time before the impact. */
     public boolean isConservative;
 
     private Motion a;
@@ -69,24 +78,25 @@ public final class TimeOfImpact {
     private GapAlong axis;
     private double end;
 
-    /** The tolerance for these two shapes, and what a gap must have to be told from none, m. */
+    /** Tolerance for these two shapes, and gap below which it counts as round-off, m. */
     private double tolerance;
 
     private double rounding;
 
     /**
-     * Finds the first time at which the gap of two shapes has closed to a small positive rest and
-     * still closes. The rest lies between ⅛ and ¼ of the tolerance; where a disc meets what does
-     * not turn it is round-off. A pair that starts closer than that and parts is not reported; one
-     * that comes back is, at half the gap it started with. A pair that starts in overlap is
-     * reported at once if it closes, and else when it has closed by the tolerance again.
+     * Finds the first time at which the gap of two approaching shapes has closed to a small
+     * positive value. That value lies between ⅛ and ¼ of the tolerance; where a disc meets a shape
+     * that does not turn it is a few units of round-off. A pair that starts with a smaller gap and
+     * parts is not reported; if it comes back, it is reported at half its first gap. A pair that
+     * starts in overlap is reported at once if it approaches, otherwise when the overlap has grown
+     * by up to a tolerance.
      *
      * @param first motion of A
      * @param second motion of B
-     * @param from when on, s
-     * @param to until when, s
+     * @param from start of the search, s
+     * @param to end of the search, s
      * @param metres tolerance for shapes of one metre; scales with the narrower shape
-     * @param how how the root in a bracket is found
+     * @param how method to find a root in a bracket
      * @return s, or {@link #NEVER}
      */
     public double find(
@@ -151,8 +161,9 @@ public final class TimeOfImpact {
     }
 
     /**
-     * The root lies anywhere within the stopping gap. A step of Newton's puts it on its middle, so
-     * that a mirrored or exchanged pair meets at the same time, to nearly all digits.
+     * Moves the root to the middle of the stopping gap by a Newton step. A mirrored or exchanged
+     * pair then meets at the same time, to nearly all digits; without it, the root lies anywhere in
+     * that range.
      */
     private double polished(double from, double found, double foundGap) {
         double middle = (advance.least + advance.largest) / 2;
@@ -163,8 +174,9 @@ public final class TimeOfImpact {
     }
 
     /**
-     * A disc meets what does not turn in one point and nowhere else: there more steps lead to the
-     * least gap that can be told from none, and a rebound begins where it should.
+     * Refines the impact of a disc on a shape that does not turn. They touch in a single point, so
+     * more Newton steps can lead to the smallest gap above round-off, and the rebound begins where
+     * it should.
      */
     private double touching(double from, double found, double foundGap, double aim) {
         double safe = found;
@@ -183,9 +195,9 @@ public final class TimeOfImpact {
     }
 
     /**
-     * A step of Newton's from the time that was measured last, at a gap in m above the one aimed
-     * at; the same time where that is none to round-off, or the step leads farther than speeds can
-     * be relied on.
+     * One Newton step from the time measured last, where the gap is {@code above} m more than
+     * intended. Returns the same time if that is round-off, or if the step leaves the range in
+     * which the closing speed holds.
      */
     private double newton(double from, double found, double time, double above) {
         double speed = approach.partingSpeed(distance, poseA, poseB, time, tolerance);
@@ -206,7 +218,10 @@ public final class TimeOfImpact {
         return distance.measure(a.outline, poseA, b.outline, poseB);
     }
 
-    /** Lets a pair that is close, but parts, come back to half its gap, or to deeper overlap. */
+    /**
+     * Lowers the stopping gap for a pair that is close but parts: to half its gap, or to deeper
+     * overlap.
+     */
     private void stopBelow(double gap) {
         if (gap > rounding) {
             advance.stopBetween(gap / 2, gap / 2 * (LARGEST_SHARE / LEAST_SHARE));
@@ -216,8 +231,8 @@ public final class TimeOfImpact {
     }
 
     /**
-     * The gap at a time, and the axis of the closest points from then on. The first look goes along
-     * an axis that stays, for most pairs that stay clear need no other.
+     * Measures the gap at a time, and fixes the axis of the closest points. The first round uses a
+     * fixed axis, since most pairs that stay clear need no other.
      */
     private double measure(double time, int round) {
         double gap = gapAt(time);
@@ -238,8 +253,8 @@ public final class TimeOfImpact {
     }
 
     /**
-     * How far to look, s: to the end at first, then about twice the time that closing takes, and no
-     * farther than an axis that turns can be relied on.
+     * Length of the next interval, s: at first up to the end, then about twice the time to close,
+     * and never longer than a turning axis is reliable.
      */
     private double interval(double time, double gap, int round) {
         double left =
@@ -249,7 +264,7 @@ public final class TimeOfImpact {
         return speed < 0 ? Math.min(left, 2 * (gap - advance.least) / -speed) : left;
     }
 
-    /** How fast both turn, rad/s. */
+    /** Sum of both angular speeds, rad/s. */
     private double spin(double time) {
         return Math.abs(a.spinAt(time)) + Math.abs(b.spinAt(time));
     }

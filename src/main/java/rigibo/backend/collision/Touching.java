@@ -3,9 +3,9 @@ package rigibo.backend.collision;
 import rigibo.backend.geometry.Outline;
 
 /**
- * Whether outlines reach into or touch each other. An edge of a chain is a line there, on whichever
- * side its matter lies; what pushes is asked of a {@link Collider}. Holds scratch, so each thread
- * needs its own. Allocates nothing once an edge was asked of.
+ * Tests whether outlines overlap or touch. An edge of a chain counts as a line, whichever side its
+ * matter lies on; which contacts push is up to {@link Collider}. Uses scratch fields, so each
+ * thread needs its own instance. Allocates nothing after its first edge of a chain.
  */
 public final class Touching {
 
@@ -27,8 +27,8 @@ public final class Touching {
     }
 
     /**
-     * Whether two outlines of which one is an edge come within a share of the other's width; what
-     * is told of an edge's matter is not within any.
+     * Whether two outlines, one of them an edge, come within a share of the other one's width. A
+     * reported impact fails this test if one only lay in the matter behind the edge.
      */
     public boolean areWithin(double share, Outline a, Pose poseA, Outline b, Pose poseB) {
         double width = Math.min(a.smallestWidth(), b.smallestWidth());
@@ -40,7 +40,7 @@ public final class Touching {
         return distance.measure(a, poseA, b, poseB);
     }
 
-    /** Whether one is an edge and the other lies wholly in the matter behind it. */
+    /** Whether one outline is an edge and the other lies wholly in the matter behind it. */
     public boolean isInMatter(Outline a, Pose poseA, Outline b, Pose poseB) {
         return a.isEdge() && isBehind(a, poseA, b, poseB)
                 || b.isEdge() && isBehind(b, poseB, a, poseA);

@@ -4,13 +4,14 @@ import rigibo.backend.geometry.Angle;
 import rigibo.backend.geometry.Outline;
 
 /**
- * The gap in front of a face, along a normal that turns with the face's body. Where a long face
- * sweeps towards something near its middle, its end moves much faster along the present normal than
- * the face does at the place that matters; an axis fixed in the world would then creep.
+ * The gap in front of a face, along a normal that turns with the face's body (the carrier). Where a
+ * long face sweeps towards a body near its middle, its end moves much faster along the present
+ * normal than the face does near that body. With an axis fixed in the world the search would
+ * advance in tiny steps.
  *
- * <p>With u the normal, ω and α the carrier's spin and angular acceleration, and q a corner of the
- * other body seen from the carrier's centre, a gap is u·q less a constant, and (u·q)'' = u·q'' + 2ω
- * u⊥·q' + α u⊥·q − ω² u·q.
+ * <p>With u the normal, ω and α the carrier's angular velocity and acceleration, and q a corner of
+ * the other body relative to the carrier's centre, a gap is u·q minus a constant, and (u·q)'' =
+ * u·q'' + 2ω u⊥·q' + α u⊥·q − ω² u·q.
  */
 final class TurningFaceGap implements GapAlong {
 
@@ -18,23 +19,23 @@ final class TurningFaceGap implements GapAlong {
     private Motion carrier;
     private Motion other;
 
-    /** The normal in the carrier's frame, and how far the carrier reaches along it, m. */
+    /** The normal in the carrier's frame, and the carrier's reach along it, m. */
     private double normalX;
 
     private double normalY;
     private double reach;
 
-    /** The other body's outline, or null for a disc about its centre. */
+    /** The other body's outline; null for a disc centred on its centre of mass. */
     private Outline polygon;
 
-    /** Distance of the centres when the face was fixed, and the gap then, m. */
+    /** Distance of the centres and gap at the time when the face was fixed, m. */
     private double apart;
 
     private double gap;
 
     /**
      * Fixes the face of a polygon by its outward unit normal in the world, at the time of the two
-     * poses, when the gap was the one given.
+     * poses; {@code now} is the gap then, m.
      */
     void fix(Motion of, Pose pose, Motion against, Pose otherPose, double x, double y, double now) {
         carrier = of;
@@ -63,7 +64,7 @@ final class TurningFaceGap implements GapAlong {
         return between - reach - otherReach(angle, time);
     }
 
-    /** How far the other body reaches back towards the face, m. */
+    /** Reach of the other body towards the face, m. */
     private double otherReach(double angle, double time) {
         if (polygon == null) {
             return other.outline.boundingRadius();
@@ -89,7 +90,7 @@ final class TurningFaceGap implements GapAlong {
             speed += other.mostSpin(from, to) * radius;
         }
         double far = apart + speed * interval + radius;
-        // The last term pulls together as long as the corner is in front of the carrier's centre.
+        // The last term reduces the curvature while the corner is in front of the carrier's centre.
         double behind = (speed + spin * far) * interval - gap - reach;
         return acceleration
                 + 2 * spin * speed

@@ -5,24 +5,25 @@ import rigibo.backend.storage.Bodies;
 import java.util.Arrays;
 
 /**
- * Where the bodies of active pairs were when the step before began: two that have not moved since,
- * to the last bit, touch as they did. Nobody else is looked at, so that what sleeps costs nothing.
+ * Poses of the bodies of active pairs at the start of the step before. Two bodies that have not
+ * moved since, to the last bit, still touch at the same points. Other bodies are not compared, so
+ * that sleeping ones cost nothing.
  */
 final class Whereabouts {
 
-    /** m and rad; NaN of whom nobody has looked for yet, who may have been anywhere. */
+    /** Pose, m and rad; NaN for a body that was never compared. */
     private double[] x = {};
 
     private double[] y = {};
     private double[] angle = {};
     private boolean[] stayed = {};
 
-    /** For each body the step in which it was last looked for, and the number of this. */
+    /** By body: the step in which it was last compared. Then the number of this step. */
     private int[] lookedIn = {};
 
     private int step;
 
-    /** Begins a step, in which every body is compared once. */
+    /** Begins a step, in which every body is compared at most once. */
     void begin(Bodies bodies) {
         step++;
         int capacity = bodies.type.length;
@@ -38,8 +39,8 @@ final class Whereabouts {
     }
 
     /**
-     * Whether a body is where it was when it was last looked for, which for a pair that was active
-     * in the step before is then.
+     * Whether a body is where it was when it was last compared; for a body of a pair that was
+     * active in the step before, that was then.
      */
     boolean hasStayed(Bodies bodies, int slot) {
         if (lookedIn[slot] != step) {

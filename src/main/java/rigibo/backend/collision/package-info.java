@@ -1,6 +1,6 @@
 /**
- * Two shapes at two poses: manifolds, distance, queries, and the time at which moving shapes meet.
- * Metres, seconds and radians; A and B are always in that order and normals point from A to B.
- * Knows shapes alone, except for the stage that walks over stored pairs.
+ * Two shapes at two poses: manifolds, distance, queries, and the time of impact of moving shapes.
+ * Metres, seconds and radians; A and B always come in that order, and normals point from A to B.
+ * Knows only shapes, except for the narrow phase, which visits stored pairs.
  */
 package rigibo.backend.collision;

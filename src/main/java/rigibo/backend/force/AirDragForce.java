@@ -6,7 +6,7 @@ import rigibo.backend.geometry.Outline;
 import rigibo.backend.geometry.Shape;
 import rigibo.backend.geometry.ShapeKind;
 
-/** F = −½·ρ·c·A·|u|·u with u the velocity through the air and A the width across it. */
+/** F = −½·ρ·c·A·|u|·u, where u is the velocity relative to the air and A the width across it. */
 final class AirDragForce implements ChangingForce {
 
     private final double half;
@@ -29,7 +29,10 @@ final class AirDragForce implements ChangingForce {
         }
     }
 
-    /** How wide the shape is across a velocity of that speed, m. */
+    /**
+     * Width of the shape across its velocity relative to the air, m; {@code speed} is the amount of
+     * that velocity.
+     */
     private static double widthAcross(Instant at, double ux, double uy, double speed) {
         if (at.shape.kind() == ShapeKind.CIRCLE) {
             return 2 * at.boundingRadius;
@@ -41,7 +44,7 @@ final class AirDragForce implements ChangingForce {
         return width(at.shape, acrossX, acrossY);
     }
 
-    /** The extent of a shape along a unit direction of its own frame, m, over all its parts. */
+    /** Extent of a shape with all its parts along a unit direction of its own frame, m. */
     private static double width(Shape shape, double x, double y) {
         double least = Double.POSITIVE_INFINITY;
         double most = Double.NEGATIVE_INFINITY;

@@ -4,9 +4,9 @@ import rigibo.backend.effect.Buoyancy;
 import rigibo.backend.effect.Gravity;
 
 /**
- * Lift −ρ·A·g at the centroid c of what is under water, A its area, and the drag −d·ρ·∫v dA of
- * every part of it: the force −d·ρ·A·(v + ω × c), the torque −d·ρ·(A·(c × v) + ω·J) about the
- * centre of mass, with J = ∫r² dA.
+ * Buoyancy −ρ·A·g at the centroid c of the submerged area A, and the drag −d·ρ·∫v dA on it: the
+ * force −d·ρ·A·(v + ω × c) and the torque −d·ρ·(A·(c × v) + ω·J) about the centre of mass, with J =
+ * ∫r² dA.
  */
 final class BuoyantForce implements ChangingForce {
 
@@ -32,8 +32,8 @@ final class BuoyantForce implements ChangingForce {
         double forceX = -displaced * gravity.x() - braking * (at.velocityX - at.spin * cy);
         double forceY = -displaced * gravity.y() - braking * (at.velocityY + at.spin * cx);
         at.push(forceX, forceY);
-        // The drag at the centroid turns the body with the lift; what is left is about the
-        // centroid.
+        // The drag at the centroid adds to the torque of the lift; the rest of its torque is about
+        // the centroid.
         double own = under.secondMoment - under.area * (cx * cx + cy * cy);
         double slowing = water.drag() * water.density() * own * at.spin;
         at.turn(cx * forceY - cy * forceX - slowing);

@@ -2,10 +2,10 @@ package rigibo.backend.force;
 
 import rigibo.backend.effect.CentralForce;
 
-/** a = −s·rⁿ·(r/r), as a factor s·(r²)^((n − 1)/2) on the way to the centre. */
+/** a = −s·rⁿ·(r/r), computed as the factor s·(r²)^((n − 1)/2) times the vector to the centre. */
 final class CentralPull implements ChangingForce {
 
-    /** The power of gravity, whose factor needs no exponential. */
+    /** The power of Newton's gravity, whose factor needs no exponential. */
     private static final double INVERSE_SQUARE = -2;
 
     private final CentralForce centre;
@@ -28,7 +28,7 @@ final class CentralPull implements ChangingForce {
         }
     }
 
-    /** StrictMath.pow would be a digit more exact, and allocates in every call. */
+    /** StrictMath.pow would be more exact by a digit, but allocates in every call. */
     private double share(double squared) {
         if (exponent == 0) {
             return 1;

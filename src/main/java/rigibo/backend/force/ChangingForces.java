@@ -14,12 +14,12 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 
-/** The declared forces that change along the way, compiled from a set of effects. */
+/** The declared forces that vary along the path, compiled from a set of effects. */
 public final class ChangingForces {
 
     private ChangingForce[] forces;
 
-    /** The forces of a declared set; none where it has none that change. */
+    /** The varying forces of a declared set; empty if it has none. */
     public ChangingForces(Effects effects) {
         List<ChangingForce> list = new ArrayList<>();
         effects.find(AirDrag.class)
@@ -38,7 +38,7 @@ public final class ChangingForces {
         forces = list.toArray(ChangingForce[]::new);
     }
 
-    /** Bears from now on what they do along the locked axes of bodies, some of which have such. */
+    /** From now on clears what these forces add along the locked axes of bodies. */
     public void holdAxes(Bodies bodies) {
         if (forces.length > 0) {
             forces = Arrays.copyOf(forces, forces.length + 1);
@@ -50,12 +50,14 @@ public final class ChangingForces {
         return effects.find(Wind.class).orElse(new Wind(0, 0));
     }
 
-    /** Whether there is none. */
+    /** Whether no force varies along the path. */
     public boolean isEmpty() {
         return forces.length == 0;
     }
 
-    /** Writes the accelerations, m/s² and rad/s², that all of them give a body at an instant. */
+    /**
+     * Writes the accelerations, m/s² and rad/s², that all these forces give a body at an instant.
+     */
     public void evaluate(Instant instant) {
         instant.accelerationX = 0;
         instant.accelerationY = 0;

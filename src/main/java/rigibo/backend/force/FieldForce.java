@@ -4,7 +4,7 @@ import rigibo.backend.effect.Field;
 import rigibo.backend.effect.FieldFunction;
 import rigibo.backend.effect.FieldPoint;
 
-/** Asks the caller's function, which is handed numbers and nothing of the pool. */
+/** Calls the caller's function, which receives numbers and no access to the pool. */
 final class FieldForce implements ChangingForce {
 
     private final FieldFunction function;

@@ -6,7 +6,7 @@ import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.Roster;
 
-/** Adds gravity times a body's own scale to its acceleration: F = −m·g. */
+/** Adds the acceleration of gravity, times the body's own gravity scale. */
 public final class GravityKernel {
 
     private final DataStorage data;
@@ -18,7 +18,7 @@ public final class GravityKernel {
         this.gravity = gravity;
     }
 
-    /** Adds to the accelerations of all awake dynamic bodies. */
+    /** Adds the acceleration to all awake dynamic bodies. */
     public void accelerate(double dt) {
         Bodies bodies = data.bodies;
         Roster roster = data.roster;

@@ -2,7 +2,10 @@ package rigibo.backend.force;
 
 import rigibo.backend.effect.Wind;
 
-/** What a changing wind w(t) adds to linear drag: a = k·w(t). Drag itself is part of the path. */
+/**
+ * The acceleration k·w(t) that a varying wind w(t) adds to linear drag. The drag itself is part of
+ * the path.
+ */
 final class GustForce implements ChangingForce {
 
     private final Wind wind;

@@ -5,8 +5,8 @@ import rigibo.backend.geometry.Shape;
 import rigibo.backend.storage.Bodies;
 
 /**
- * A body at one instant: what it is, where it would be, and the accelerations that forces add. A
- * plain carrier that its owner reuses; the instant need not be one that the body comes to.
+ * A body at one instant: its properties, a state, and the accelerations that forces add there.
+ * Mutable, so that its owner reuses it; the body need not ever reach that state.
  */
 public final class Instant {
 
@@ -15,7 +15,10 @@ public final class Instant {
 
     public Shape shape;
 
-    /** kg, 1/kg, 1/(kg·m²) (0 where it does not turn), m, and the linear drag in 1/s. */
+    /**
+     * Mass in kg, its inverse in 1/kg, inverse inertia in 1/(kg·m²) (0 if it does not turn),
+     * bounding radius in m, and linear drag in 1/s.
+     */
     public double mass;
 
     public double inverseMass;
@@ -23,10 +26,10 @@ public final class Instant {
     public double boundingRadius;
     public double drag;
 
-    /** s since the pool was made. */
+    /** Time, s since the pool was made. */
     public double time;
 
-    /** m, rad, m/s and rad/s. */
+    /** Position in m, angle in rad, velocity in m/s and angular velocity in rad/s. */
     public double x;
 
     public double y;
@@ -35,19 +38,19 @@ public final class Instant {
     public double velocityY;
     public double spin;
 
-    /** Result, m/s² and rad/s². */
+    /** Results: acceleration in m/s² and angular acceleration in rad/s². */
     public double accelerationX;
 
     public double accelerationY;
     public double angularAcceleration;
 
-    /** The angle whose cosine and sine were last computed: many bodies do not turn. */
+    /** The angle whose cosine and sine were computed last; kept because many bodies do not turn. */
     private double knownAngle;
 
     private double knownCos = 1;
     private double knownSin;
 
-    /** Takes over what a body is. */
+    /** Takes the properties of a body. */
     public void take(Bodies bodies, int body) {
         slot = body;
         shape = bodies.shape[slot];

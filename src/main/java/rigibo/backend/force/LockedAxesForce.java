@@ -2,7 +2,7 @@ package rigibo.backend.force;
 
 import rigibo.backend.storage.Bodies;
 
-/** Bears what all changing forces before it do along locked axes. */
+/** Clears what all varying forces before it add along locked axes. */
 final class LockedAxesForce implements ChangingForce {
 
     private final Bodies bodies;

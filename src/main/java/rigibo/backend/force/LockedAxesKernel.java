@@ -4,7 +4,7 @@ import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.Roster;
 
-/** Takes accelerations along locked axes: what holds a body there bears all force. */
+/** Clears accelerations along locked axes, where the lock bears every force. */
 public final class LockedAxesKernel {
 
     private final Bodies bodies;
@@ -16,7 +16,7 @@ public final class LockedAxesKernel {
         roster = data.roster;
     }
 
-    /** Takes them from all awake bodies, after all steady forces. */
+    /** Clears them for all awake bodies, after all steady forces were added. */
     public void hold(double dt) {
         for (int i = 0; i < roster.awakeCount; i++) {
             bodies.holdAxes(roster.awake[i], bodies.accelerationX, bodies.accelerationY);

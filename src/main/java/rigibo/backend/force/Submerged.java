@@ -4,15 +4,19 @@ import rigibo.backend.geometry.Outline;
 import rigibo.backend.geometry.ShapeKind;
 
 /**
- * What of a body is under a level: area, centroid and second moment, exactly. A plain carrier that
- * its owner reuses. Places are seen from the body's centre of mass, in the world's directions.
+ * The submerged part of a body under a level: area, centroid and second moment, exactly. Mutable,
+ * so that its owner reuses it. Positions are relative to the body's centre of mass, along the
+ * world's axes.
  */
 final class Submerged {
 
-    /** Longest arc in rad that is integrated at once. */
+    /** Longest arc in rad that is integrated in one piece. */
     private static final double LONGEST_ARC = Math.PI / 4;
 
-    /** The rule of eight points, by half: its error in such an arc is below 1e-16 of it. */
+    /**
+     * Gauss–Legendre rule of eight points, half of it; its error for such an arc is below 1e-16 of
+     * the integral.
+     */
     private static final double[] GAUSS_PLACES = {
         0.18343464249564980, 0.52553240991632899, 0.79666647741362674, 0.96028985649753623
     };
@@ -21,10 +25,10 @@ final class Submerged {
         0.36268378337836198, 0.31370664587788729, 0.22238103445337447, 0.10122853629037626
     };
 
-    /** m². */
+    /** Submerged area, m². */
     double area;
 
-    /** m; 0 where nothing is under water. */
+    /** Centroid of that area, m; 0 where nothing is submerged. */
     double centroidX;
 
     double centroidY;
@@ -34,7 +38,7 @@ final class Submerged {
 
     private double level;
 
-    /** The outline under water: its first corner and the last one so far. */
+    /** The submerged outline: its first corner, and its last one so far. */
     private boolean isBegun;
 
     private double firstX;
@@ -42,14 +46,14 @@ final class Submerged {
     private double lastX;
     private double lastY;
 
-    /** Sums over the triangles between the centre and the outline's edges, by their weights. */
+    /** Sums over the triangles between the centre of mass and the edges of the outline. */
     private double twiceArea;
 
     private double momentX;
     private double momentY;
     private double momentSquared;
 
-    /** Measures a body; the level in m is seen from its centre of mass. */
+    /** Measures a body; the level in m is relative to its centre of mass. */
     void measure(Instant at, double heightOverCentre) {
         level = heightOverCentre;
         area = 0;
@@ -84,8 +88,8 @@ final class Submerged {
     }
 
     /**
-     * The segment of a disc with the half angle φ, cos φ = −level/r: A = r²(φ − ½sin 2φ), its
-     * centroid ⅔r³sin³φ/A under the centre, ∫r²dA = r⁴(φ/2 − sin 2φ/6 − sin 4φ/24).
+     * Measures the segment of a disc with the half angle φ, cos φ = −level/r: A = r²(φ − ½sin 2φ),
+     * its centroid ⅔r³sin³φ/A below the centre, ∫r²dA = r⁴(φ/2 − sin 2φ/6 − sin 4φ/24).
      */
     private void measureDisc(double r) {
         double cos = Math.max(-1, -level / r);
@@ -100,7 +104,7 @@ final class Submerged {
         }
     }
 
-    /** Walks round the outline, leaving out what is over the level. */
+    /** Walks round a sharp outline, and skips what is above the level. */
     private void walk(Outline polygon, double cos, double sin) {
         int count = polygon.corners();
         double fromX = worldX(polygon, count - 1, cos, sin);
@@ -123,7 +127,7 @@ final class Submerged {
         }
     }
 
-    /** The same of a rounded outline: an arc about each corner, and the edges between them. */
+    /** Walks round a rounded outline: an arc about each corner, and the edges between the arcs. */
     private void walkRound(Outline outline, double angle, double cos, double sin) {
         int count = outline.corners();
         double radius = outline.radius();
@@ -155,7 +159,7 @@ final class Submerged {
         }
     }
 
-    /** Cuts an arc where it crosses the level, and goes along what is under it. */
+    /** Cuts an arc where it crosses the level, and adds the pieces below it. */
     private void walkArc(double x, double y, double radius, double from, double turn) {
         double rises = StrictMath.asin(Math.max(-1, Math.min(1, (level - y) / radius)));
         double first = turnTo(rises, from);
@@ -167,15 +171,16 @@ final class Submerged {
         goAlong(x, y, radius, from + far, turn - far);
     }
 
-    /** How far to turn counter-clockwise from one angle to another, rad, 0 to 2π. */
+    /** Counter-clockwise turn from one angle to another, rad, 0 to 2π. */
     private static double turnTo(double angle, double from) {
         double turns = (angle - from) / (2 * Math.PI);
         return (turns - Math.floor(turns)) * (2 * Math.PI);
     }
 
     /**
-     * An arc that lies on one side of the level. The sums over its triangles are integrals of
-     * sines, by Gauss and Legendre in pieces of at most an eighth of a turn, to round-off.
+     * Adds an arc that lies on one side of the level, if that is below. The sums over its triangles
+     * are integrals of sines; Gauss–Legendre in pieces of at most an eighth of a turn is exact to
+     * round-off.
      */
     private void goAlong(double x, double y, double radius, double from, double turn) {
         double middle = from + turn / 2;
@@ -197,7 +202,10 @@ final class Submerged {
         lastY = y + radius * StrictMath.sin(from + turn);
     }
 
-    /** The triangle of the centre of mass and a piece of an arc so short that it is straight. */
+    /**
+     * Adds the triangle between the centre of mass and an infinitesimal piece of an arc, weighted
+     * by {@code turn}.
+     */
     private void addArc(double cx, double cy, double radius, double angle, double turn) {
         double cos = StrictMath.cos(angle);
         double sin = StrictMath.sin(angle);
@@ -230,7 +238,10 @@ final class Submerged {
         lastY = y;
     }
 
-    /** The triangle of the centre of mass and two points; clockwise ones count negative. */
+    /**
+     * Adds the triangle between the centre of mass and two points; a clockwise one counts as
+     * negative.
+     */
     private void addTriangle(double ax, double ay, double bx, double by) {
         double cross = ax * by - bx * ay;
         twiceArea += cross;

@@ -4,24 +4,21 @@ import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.Found;
 
-/**
- * Turns the forces that were asked for into accelerations, a = F/m, and forgets them: the origin
- * report's thrust.
- */
+/** Turns applied forces into accelerations, a = F/m, and clears them. */
 public final class ThrustKernel {
 
     private final DataStorage data;
 
-    /** Torques, or null where nothing turns. */
+    /** Kernel for applied torques; null without rotation. */
     private final TorqueKernel torque;
 
-    /** A kernel for a pool that declares thrust; {@code torque} is null where nothing turns. */
+    /** A kernel for a pool that declares thrust; {@code torque} is null without rotation. */
     public ThrustKernel(DataStorage data, TorqueKernel torque) {
         this.data = data;
         this.torque = torque;
     }
 
-    /** Adds to the accelerations of the bodies that forces were asked for. */
+    /** Adds the accelerations of all bodies to which forces are applied. */
     public void accelerate(double dt) {
         Bodies bodies = data.bodies;
         Found thrusting = data.thrusting;

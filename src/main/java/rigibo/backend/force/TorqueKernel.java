@@ -4,7 +4,7 @@ import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.Found;
 
-/** Turns the torques that were asked for into angular accelerations, α = τ/I, and forgets them. */
+/** Turns applied torques into angular accelerations, α = τ/I, and clears them. */
 public final class TorqueKernel {
 
     private final DataStorage data;
@@ -14,7 +14,7 @@ public final class TorqueKernel {
         this.data = data;
     }
 
-    /** Adds to the angular accelerations of the bodies that torques were asked for. */
+    /** Adds the angular accelerations of all bodies to which torques are applied. */
     void accelerate() {
         Bodies bodies = data.bodies;
         Found thrusting = data.thrusting;

@@ -5,7 +5,7 @@ import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.Roster;
 
-/** What a steady wind w adds to linear drag: a = k·w, so that v′ = a − k·(v − w). */
+/** The acceleration k·w that a steady wind w adds to linear drag, so that v′ = a − k·(v − w). */
 public final class WindKernel {
 
     private final DataStorage data;
@@ -17,7 +17,7 @@ public final class WindKernel {
         this.wind = wind;
     }
 
-    /** Adds to the accelerations of all awake dynamic bodies. */
+    /** Adds the acceleration to all awake dynamic bodies. */
     public void accelerate(double dt) {
         Bodies bodies = data.bodies;
         Roster roster = data.roster;

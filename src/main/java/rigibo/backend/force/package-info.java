@@ -1,6 +1,6 @@
 /**
- * Kernels that turn declared effects into accelerations, one class per effect. Those that are the
- * same all along a step are added to columns; those that change along a body's way are asked for
- * instants of it.
+ * Kernels that turn declared effects into accelerations, one class per effect. A steady force,
+ * which is constant during a step, is added to the columns of accelerations. A force that varies
+ * along the path is evaluated at instants of the path.
  */
 package rigibo.backend.force;

@@ -1,7 +1,7 @@
 package rigibo.backend.geometry;
 
 /**
- * An axis-aligned box in world coordinates, m. A plain carrier that stages reuse.
+ * An axis-aligned box in world coordinates, m; mutable, so that stages can reuse one object.
  *
  * <pre>{@code
  * List<RigidBody> found = new ArrayList<>();
@@ -22,7 +22,7 @@ public final class Aabb {
     /** Upper edge, m. */
     public double maxY;
 
-    /** An empty box at the origin, to be written to. */
+    /** An empty box at the origin, to be filled by {@link #set}. */
     public Aabb() {}
 
     /**
@@ -57,7 +57,7 @@ public final class Aabb {
         maxY = top;
     }
 
-    /** Widens this box until it holds the other, too. */
+    /** Enlarges this box so that it also holds the other. */
     public void enclose(Aabb other) {
         set(
                 Math.min(minX, other.minX),

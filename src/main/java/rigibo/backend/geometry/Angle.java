@@ -1,17 +1,17 @@
 package rigibo.backend.geometry;
 
 /**
- * Sine and cosine with the same bits on every JVM, which {@link Math#sin} does not promise, and
- * faster than {@link StrictMath#sin}, which does.
+ * Sine and cosine with the same bits on every JVM. {@link Math#sin} does not promise that; {@link
+ * StrictMath#sin} does, but is slower.
  *
- * <p>The angle is brought into [−π/4, π/4] by subtracting n·π/2 with π/2 in three parts (W. J. Cody
- * and W. Waite, Software Manual for the Elementary Functions, 1980), and the Taylor series finishes
- * there. The result is within one unit in the last place of the true value, or within 10⁻²⁷ where
- * that is nearly 0.
+ * <p>The angle is reduced to [−π/4, π/4] by subtracting n·π/2, with π/2 in three parts (W. J. Cody
+ * and W. Waite, Software Manual for the Elementary Functions, 1980); there the Taylor series is
+ * evaluated. The result is within one unit in the last place of the true value, or within 10⁻²⁷
+ * where that is nearly 0.
  *
- * <p>Beyond 10⁷ rad, whose neighbours are 10⁻⁹ rad apart and more, whole turns are taken off first,
- * by the double next to 2π: the result is that of an angle nearer than the next double. {@link
- * StrictMath} would be exact there, and allocates on some JVMs.
+ * <p>From 10⁷ rad on, doubles are 10⁻⁹ rad apart or more. There whole turns are subtracted first,
+ * with the double next to 2π; the error that this adds to the angle is less than the distance to
+ * the next double. {@link StrictMath} would be exact there, but allocates on some JVMs.
  *
  * <pre>{@code
  * double height = 5 * Angle.sin(0.3); // m, the same bits everywhere
@@ -31,10 +31,10 @@ public final class Angle {
     private static final double TWO_OVER_PI = 2 / Math.PI;
     private static final double TWO_PI = 2 * Math.PI;
 
-    /** Adding and subtracting 1.5·2⁵² rounds a double to the nearest whole number. */
+    /** Adding and then subtracting 1.5·2⁵² rounds a double to the nearest whole number. */
     private static final double ROUNDER = 0x1.8p52;
 
-    /** Coefficients 1/k! of the two series, by the power k they stand with. */
+    /** Coefficients 1/k! of the two Taylor series, named by the power k. */
     private static final double TERM_3 = 1.0 / 6;
 
     private static final double TERM_4 = 1.0 / 24;
@@ -68,17 +68,23 @@ public final class Angle {
         return quarter((int) turns + 1, less, turns);
     }
 
-    /** The remainder is exact; it differs from the angle's own by 2π's rounding for each turn. */
+    /**
+     * Subtracts whole turns from a large angle. The remainder is exact; the rounding of 2π shifts
+     * it once per turn.
+     */
     private static double withoutTurns(double angle) {
         return Math.abs(angle) <= LARGEST ? angle : angle % TWO_PI;
     }
 
-    /** Sine of what is left of the angle after {@code turns} quarter turns, plus that many more. */
+    /**
+     * Sine of the remainder of an angle after {@code turns} quarter turns, plus {@code quadrant}
+     * quarter turns.
+     */
     private static double quarter(int quadrant, double angle, double turns) {
         double high = angle - turns * HALF_PI_HIGH;
         double middle = turns * HALF_PI_MIDDLE;
         double sum = high - middle;
-        // Knuth's two-sum: what the subtraction rounded away, whichever of the two is larger.
+        // Knuth's two-sum: the rounding error of the subtraction, whichever operand is larger.
         double back = high - sum;
         double lost = (high - (sum + back)) + (back - middle);
         double low = turns * HALF_PI_LOW - lost;
@@ -88,7 +94,7 @@ public final class Angle {
         return (quadrant & 2) == 0 ? value : -value;
     }
 
-    /** Taylor series of sin(x + tail) for |x| up to π/4: the first term left out is below 1e-19. */
+    /** Taylor series of sin(x + tail) for |x| up to π/4; the first omitted term is below 1e-19. */
     private static double sineOf(double x, double tail) {
         double z = x * x;
         double zz = z * z;
@@ -98,7 +104,7 @@ public final class Angle {
         return x + (tail - x * (z * series + x * tail / 2));
     }
 
-    /** Taylor series of cos(x + tail) for |x| up to π/4: the first term left out is below 1e-17. */
+    /** Taylor series of cos(x + tail) for |x| up to π/4; the first omitted term is below 1e-17. */
     private static double cosineOf(double x, double tail) {
         double z = x * x;
         double zz = z * z;
@@ -106,7 +112,7 @@ public final class Angle {
         double odd = TERM_6 + zz * (TERM_10 + zz * TERM_14);
         double half = z / 2;
         double whole = 1 - half;
-        // What 1 − z/2 rounded away is put back together with the small terms.
+        // The rounding error of 1 − z/2 is added back together with the small terms.
         return whole + ((1 - whole - half) + (zz * (even - z * odd) - x * tail));
     }
 }

@@ -1,14 +1,14 @@
 package rigibo.backend.geometry;
 
 /**
- * A disc that was drawn along its own x axis: all points within a radius of the line between two
- * ends. A character, a limb, a pill, a link of a chain.
+ * A stadium, such as a limb, a pill or a link of a chain: all points within a radius of a line
+ * segment on its own x axis. The segment's middle is the centre of mass.
  *
  * <pre>{@code
  * pool.add(BodyDefinition.dynamic(new Capsule(0.4, 0.2)).at(0, 2).angle(Math.PI / 2)); // upright
  * }</pre>
  *
- * @param halfLength from the centre to either end of the line, m, zero (a disc) or more, finite
+ * @param halfLength half the length of the segment, m, zero (a disc) or more, finite
  * @param radius m, positive and finite
  */
 public record Capsule(double halfLength, double radius) implements Convex {
@@ -58,8 +58,9 @@ public record Capsule(double halfLength, double radius) implements Convex {
     }
 
     /**
-     * A rectangle, of 1/12·m·(a² + b²), between two half discs, whose centroids lie 4r/3π outside
-     * of its ends: each has ½·m·r² + m·h² + 2·m·h·4r/3π about the middle.
+     * A rectangle with inertia 1/12·m·(a² + b²) between two half discs. The centroid of a half disc
+     * lies 4r/3π beyond the rectangle's end, so its inertia about the middle is ½·m·r² + m·h² +
+     * 2·m·h·4r/3π.
      */
     @Override
     public MassProperties massProperties(double density) {

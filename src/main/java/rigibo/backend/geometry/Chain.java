@@ -3,16 +3,16 @@ package rigibo.backend.geometry;
 import java.util.Arrays;
 
 /**
- * A line of straight edges with matter on one side: a landscape, a cave, a drum. It is static or
- * kinematic. Matter lies to the left of the way from corner to corner and air to the right, as
- * round a polygon: a floor goes from right to left, a rock's loop counter-clockwise, a cave's
- * clockwise. What comes out of the air is stopped; what comes out of the matter passes untouched
- * and is stopped only once it has left. Nothing that slides from edge to edge bumps into the corner
- * between them.
+ * A line of straight edges with matter on one side: a landscape, a cave, a drum. Its body must be
+ * static or kinematic. Seen in the direction from corner to corner, matter lies to the left and air
+ * to the right, as it does for a polygon: a floor runs from right to left, the loop of a rock
+ * counter-clockwise, the loop of a cave clockwise. A chain stops bodies that come from the air. It
+ * lets bodies pass that come from the matter, and stops them only once they have left it. A body
+ * that slides from edge to edge does not catch on the corner between them.
  *
- * <p>The body's frame is that of the corners: it sits where the body is, and turns about its
- * origin. Edge i, from corner i to the next, is part i of the shape, with a material and a filter
- * of its own if wanted.
+ * <p>The corners are stated in the body's frame; the body turns about the origin of that frame.
+ * Edge i, from corner i to the next, is part i of the shape and may have a material and a filter of
+ * its own.
  *
  * <pre>{@code
  * Chain hills = Chain.open(20, 0, 10, 1, 5, 0, 0, 2, -10, 2);
@@ -44,7 +44,7 @@ public final class Chain implements Shape {
     }
 
     /**
-     * A line with two ends.
+     * An open chain.
      *
      * @param xy corner coordinates x₀, y₀, x₁, y₁, … in m, of 2 to 16,385 corners, matter to the
      *     left
@@ -57,7 +57,7 @@ public final class Chain implements Shape {
     }
 
     /**
-     * A line that ends where it began.
+     * A closed chain, whose last corner is joined to the first.
      *
      * @param xy corner coordinates x₀, y₀, x₁, y₁, … in m, of 3 to 16,384 corners, matter to the
      *     left
@@ -68,7 +68,7 @@ public final class Chain implements Shape {
         return new Chain(xy.clone(), true);
     }
 
-    /** The same line with matter and air exchanged. Its edges are counted from the other end. */
+    /** The chain with matter and air exchanged; its edges are counted from the other end. */
     public Chain reversed() {
         double[] back = new double[xy.length];
         for (int i = 0; i < xy.length; i += 2) {
@@ -78,7 +78,7 @@ public final class Chain implements Shape {
         return new Chain(back, isLoop);
     }
 
-    /** Number of corners; of edges there are {@link #parts}. */
+    /** Number of corners; {@link #parts} is the number of edges. */
     public int corners() {
         return xy.length / 2;
     }
@@ -99,10 +99,10 @@ public final class Chain implements Shape {
     }
 
     /**
-     * An edge by itself, as a chain of one.
+     * One edge as a chain of its own.
      *
-     * @param i its number, from 0 to before {@link #parts}
-     * @throws IllegalArgumentException when there is none of that number
+     * @param i number of the edge, from 0 to {@link #parts} − 1
+     * @throws IllegalArgumentException when there is no such edge
      */
     public Chain edge(int i) {
         if (i < 0 || i >= parts()) {
@@ -129,13 +129,13 @@ public final class Chain implements Shape {
         return outlines[part];
     }
 
-    /** A line has no area: 0. */
+    /** Returns 0: a line has no area. */
     @Override
     public double area() {
         return 0;
     }
 
-    /** A line has no mass: 0 kg and 0 kg·m². */
+    /** Returns 0 kg and 0 kg·m²: a line has no mass. */
     @Override
     public MassProperties massProperties(double density) {
         Polygon.requireDensity(density);
@@ -147,7 +147,10 @@ public final class Chain implements Shape {
         return boundingRadius;
     }
 
-    /** Infinite, for no tolerance follows from it: matter is as thick as may be. */
+    /**
+     * Returns infinity: the matter behind a chain has no thickness, so no tolerance follows from
+     * it.
+     */
     @Override
     public double smallestWidth() {
         return Double.POSITIVE_INFINITY;

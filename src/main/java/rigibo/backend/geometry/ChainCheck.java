@@ -3,10 +3,13 @@ package rigibo.backend.geometry;
 import java.util.Comparator;
 import java.util.stream.IntStream;
 
-/** What makes a list of points a chain, and the sentence for each way it is not. */
+/** Checks that a list of points is a chain, and names what is wrong with it. */
 final class ChainCheck {
 
-    /** Sine of the angle between two edges up to which the second goes right back. */
+    /**
+     * Sine of the angle between two edges below which the second counts as reversing along the
+     * first.
+     */
     private static final double RIGHT_BACK = 1e-6;
 
     private final String maker;
@@ -82,7 +85,10 @@ final class ChainCheck {
         }
     }
 
-    /** Sorted along the longer side, so that only those that lie near each other are compared. */
+    /**
+     * Checks that no two edges meet. Edges are sorted along the longer side, so that only those
+     * near each other are compared.
+     */
     private void requireApart() {
         boolean isWide = extent(0) >= extent(1);
         int axis = isWide ? 0 : 1;
@@ -128,7 +134,7 @@ final class ChainCheck {
         return boundsMeet && side1 * side2 <= 0 && side3 * side4 <= 0;
     }
 
-    /** The sign of the side of an edge on which a point lies. */
+    /** Side of an edge's line on which a point lies: 1 left, −1 right, 0 on the line. */
     private double side(int edge, double x, double y) {
         double dx = endX(edge) - startX(edge);
         double dy = endY(edge) - startY(edge);

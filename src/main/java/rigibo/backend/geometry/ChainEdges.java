@@ -1,13 +1,13 @@
 package rigibo.backend.geometry;
 
-/** Makes the outlines of a chain's edges, each of which knows what lies beyond its ends. */
+/** Makes the outlines of a chain's edges, each with its neighbours at both ends. */
 final class ChainEdges {
 
     private final double[] xy;
     private final boolean isLoop;
     private final int edges;
 
-    /** Outward normals, and lengths in m. */
+    /** By edge: outward unit normal, and length in m. */
     private final double[] normalX;
 
     private final double[] normalY;
@@ -46,7 +46,10 @@ final class ChainEdges {
         return outlines;
     }
 
-    /** What lies beyond every edge, one way along the chain. */
+    /**
+     * Finds, for every edge, what follows it: in the chain's order for {@code way} 1, in reverse
+     * for −1.
+     */
     private EdgeEnd[] beyond(int way) {
         double whole = 0;
         for (double one : length) {
@@ -55,12 +58,14 @@ final class ChainEdges {
         EdgeEnd[] ends = new EdgeEnd[edges];
         double run = 0;
         double straight = 0;
-        // Against the way, so that what is beyond is known; round a loop twice.
+        // Runs against that direction, so that the next edge's values are known; a loop takes two
+        // rounds.
         for (int i = 0; i < (isLoop ? 2 * edges : edges); i++) {
             int edge = way > 0 ? Math.floorMod(edges - 1 - i, edges) : i % edges;
             int next = edge + way;
             if (!isLoop && (next < 0 || next == edges)) {
-                // Out along the edge, which is its normal turned by a right angle.
+                // At an open end the normal points out along the edge: it is the edge's normal
+                // turned by 90°.
                 ends[edge] = new EdgeEnd(-way * normalY[edge], way * normalX[edge], 0, 0);
                 run = 0;
                 straight = 0;
@@ -78,7 +83,7 @@ final class ChainEdges {
         return ends;
     }
 
-    /** The sine of the turn away from the air at the far end of an edge; all of it at an end. */
+    /** Sine of the turn away from the air at the far end of an edge; 1 at an open end. */
     private double turn(int edge, int way) {
         if (!isLoop && (edge + way < 0 || edge + way == edges)) {
             return 1;

@@ -1,7 +1,7 @@
 package rigibo.backend.geometry;
 
 /**
- * A disc about the centre of mass.
+ * A disc with its centre of mass at its centre.
  *
  * <pre>{@code
  * pool.add(BodyDefinition.dynamic(new Circle(0.5)).at(0, 3)); // a disc of 1 m

@@ -3,10 +3,10 @@ package rigibo.backend.geometry;
 import java.util.List;
 
 /**
- * 1 to 256 convex shapes in one rigid body: a hammer, a cup, an L. Its parts never meet each other.
- * The parts are stated in a frame of the caller's choice; the body's place is that of the centre of
- * mass, which lies at {@link #centroidX}, {@link #centroidY} of that frame. Where parts overlap
- * their masses add up.
+ * One rigid body of 1 to 256 convex shapes: a hammer, a cup, an L. Its parts never collide with
+ * each other. The parts are stated in a frame of the caller's choice; the centre of mass, which is
+ * the body's position, lies at {@link #centroidX}, {@link #centroidY} of that frame. Where parts
+ * overlap, their masses add up.
  *
  * <pre>{@code
  * Compound hammer =
@@ -75,7 +75,7 @@ public final class Compound implements Shape {
     }
 
     /**
-     * Whatever a line goes round that crosses itself nowhere, cut into convex pieces.
+     * A simple polygon, convex or not, cut into convex pieces.
      *
      * <pre>{@code
      * Compound star = Compound.ofOutline(0, 1, -0.3, 0.3, -1, 0.2, 0, -1, 1, 0.2, 0.3, 0.3);
@@ -93,8 +93,9 @@ public final class Compound implements Shape {
     }
 
     /**
-     * The same with a centre of mass of its own: a tumbler that rights itself has it below its
-     * middle. The inertia about it is that of the parts, by Steiner's theorem.
+     * Returns this compound with the centre of mass at a stated point: that of a tumbler that
+     * rights itself lies below its middle. The inertia about the new centre follows from that of
+     * the parts by Steiner's theorem.
      *
      * @param x in the frame the parts were stated in, m, finite
      * @param y in the frame the parts were stated in, m, finite
@@ -112,7 +113,10 @@ public final class Compound implements Shape {
         return new Compound(parts, new MassProperties(natural.mass(), inertia, x, y), true);
     }
 
-    /** By Steiner's theorem, seen from the first part, which may be far from the frame's origin. */
+    /**
+     * Sums the parts by Steiner's theorem, about the first part, since all may be far from the
+     * frame's origin.
+     */
     private static MassProperties massOf(List<Part> parts) {
         double fromX = parts.get(0).x();
         double fromY = parts.get(0).y();
@@ -146,7 +150,7 @@ public final class Compound implements Shape {
         return new MassProperties(mass, inertia, fromX + x, fromY + y);
     }
 
-    /** A part as it was stated. */
+    /** A part as the caller stated it. */
     public Part part(int i) {
         return parts.get(i);
     }
@@ -171,7 +175,7 @@ public final class Compound implements Shape {
         return 0 - plate.centroidY();
     }
 
-    /** Whether the centre of mass was stated. */
+    /** Whether the caller stated the centre of mass. */
     public boolean statesCentre() {
         return statesCentre;
     }
@@ -196,7 +200,7 @@ public final class Compound implements Shape {
         return ShapeKind.COMPOUND;
     }
 
-    /** Area in m² of all parts; what two of them cover counts twice. */
+    /** Area in m² of all parts; an overlap of two parts counts twice. */
     @Override
     public double area() {
         return area;
@@ -213,7 +217,7 @@ public final class Compound implements Shape {
         return boundingRadius;
     }
 
-    /** The smallest width in m of any part that is no sensor. */
+    /** The smallest width in m of all parts that are not sensors. */
     @Override
     public double smallestWidth() {
         return smallestWidth;

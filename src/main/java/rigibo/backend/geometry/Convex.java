@@ -1,7 +1,7 @@
 package rigibo.backend.geometry;
 
 /**
- * A shape in one piece without a dent: a core of corners and a radius.
+ * A convex shape in one piece: a core of corners and a radius.
  *
  * <pre>{@code
  * Convex[] parts = {new Circle(0.5), new Capsule(0.3, 0.2), Polygon.box(1, 2)};
@@ -10,7 +10,7 @@ package rigibo.backend.geometry;
  */
 public sealed interface Convex extends Shape permits Circle, Capsule, Polygon {
 
-    /** The outline as collisions see it. */
+    /** The outline that collision detection uses. */
     Outline outline();
 
     @Override

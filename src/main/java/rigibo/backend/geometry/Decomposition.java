@@ -4,9 +4,9 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * A simple polygon as convex pieces. Ears are cut off until a triangle is left; then pieces are
- * joined again across every diagonal that leaves both its ends convex, so that there are at most
- * four times as many as need be (S. Hertel and K. Mehlhorn, 1983).
+ * Cuts a simple polygon into convex pieces. Ears are cut off until a triangle is left; then two
+ * pieces are joined again across every diagonal whose removal leaves a convex piece. This gives at
+ * most four times as many pieces as necessary (S. Hertel and K. Mehlhorn, 1983).
  */
 final class Decomposition {
 
@@ -14,10 +14,10 @@ final class Decomposition {
 
     private final double[] xy;
 
-    /** Corners of the pieces, counter-clockwise, by their index. */
+    /** Corner indices of each piece, counter-clockwise. */
     private final List<int[]> pieces = new ArrayList<>();
 
-    /** Ends of the cuts made, two by two. */
+    /** The two end corners of each cut. */
     private final List<int[]> diagonals = new ArrayList<>();
 
     private Decomposition(double[] xy) {
@@ -25,9 +25,9 @@ final class Decomposition {
     }
 
     /**
-     * Convex pieces of an outline.
+     * The convex pieces of an outline.
      *
-     * @throws IllegalArgumentException naming the corner or the edges that make it no outline
+     * @throws IllegalArgumentException naming the corner or the edges at fault
      */
     static List<Polygon> of(double[] outline) {
         requireSimple(outline);
@@ -63,7 +63,7 @@ final class Decomposition {
         pieces.add(new int[] {left.get(0), left.get(1), left.get(2)});
     }
 
-    /** The ear whose triangle is the least like a splinter. */
+    /** The ear whose triangle has the largest smallest angle, to avoid slivers. */
     private int bluntestEar(List<Integer> left) {
         int best = 0;
         double bluntest = 0;
@@ -84,7 +84,7 @@ final class Decomposition {
         return best;
     }
 
-    /** The sine of the sharpest corner of a triangle; not over 0 where it turns to the right. */
+    /** Sine of the smallest angle of a triangle; 0 or less where the triangle is clockwise. */
     private double leastSine(int a, int b, int c) {
         double ab = length(a, b);
         double bc = length(b, c);
@@ -102,7 +102,7 @@ final class Decomposition {
         return true;
     }
 
-    /** Makes one piece of the two at a diagonal, if it is convex. */
+    /** Joins the two pieces at a diagonal if the result is convex. */
     private void join(int[] diagonal) {
         int[] one = pieceWith(diagonal[1], diagonal[0]);
         int[] other = pieceWith(diagonal[0], diagonal[1]);
@@ -134,7 +134,10 @@ final class Decomposition {
         return -1;
     }
 
-    /** Round the first piece from the diagonal's end back to its other, then round the second. */
+    /**
+     * The corners of the first piece, from the diagonal's start round to its other end, then those
+     * of the second.
+     */
     private static int[] joined(int[] one, int from, int[] other, int fromOther) {
         int[] joined = new int[one.length + other.length - 2];
         for (int i = 0; i < one.length - 1; i++) {
@@ -159,7 +162,7 @@ final class Decomposition {
         return isConvex;
     }
 
-    /** Twice the area of a triangle, m²; negative where it turns to the right. */
+    /** Twice the signed area of a triangle, m²; negative if it is clockwise. */
     private double turn(int a, int b, int c) {
         return turn(xy, a, xy[2 * b], xy[2 * b + 1], xy[2 * c], xy[2 * c + 1]);
     }
@@ -235,7 +238,7 @@ final class Decomposition {
         return Math.min(a, b) <= Math.max(c, d) && Math.min(c, d) <= Math.max(a, b);
     }
 
-    /** Whether the ends of an edge are on both sides of another's line, or on it. */
+    /** Whether the ends of one edge lie on different sides of the line of another, or on it. */
     private static boolean isAcross(double[] xy, int edge, int other) {
         int next = (edge + 1) % (xy.length / 2);
         int end = (other + 1) % (xy.length / 2);

@@ -8,7 +8,7 @@ final class Hull {
 
     private final double[] xy;
 
-    /** The corners found so far, by their index. */
+    /** Indices of the corners found so far. */
     private final int[] chain;
 
     private int count;
@@ -18,7 +18,9 @@ final class Hull {
         chain = new int[xy.length];
     }
 
-    /** The corners of the hull, counter-clockwise; fewer than three where all lie on one line. */
+    /**
+     * The corners of the hull, counter-clockwise; fewer than three if all points lie on one line.
+     */
     static double[] of(double[] xy) {
         if (xy.length % 2 != 0) {
             throw new IllegalArgumentException(
@@ -52,7 +54,10 @@ final class Hull {
         return corners;
     }
 
-    /** Adds a point to the chain that began at a place of it, and drops those it makes dents. */
+    /**
+     * Adds a point to the chain that begins at index {@code from}, and removes the points that are
+     * no longer corners.
+     */
     private void add(int point, int from) {
         while (count - from >= 2 && !turnsLeft(chain[count - 2], chain[count - 1], point)) {
             count--;

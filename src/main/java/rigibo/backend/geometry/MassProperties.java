@@ -1,7 +1,7 @@
 package rigibo.backend.geometry;
 
 /**
- * What a rigid plate's motion depends on; zeros of what has no mass.
+ * Mass, moment of inertia and centroid of a rigid plate; all 0 for a shape without mass.
  *
  * <pre>{@code
  * MassProperties plate = Polygon.box(2, 1).massProperties(10); // 20 kg
@@ -15,10 +15,10 @@ package rigibo.backend.geometry;
 public record MassProperties(double mass, double inertia, double centroidX, double centroidY) {
 
     /**
-     * A polygonal plate, by the shoelace sums over triangles (p₀, pᵢ, pᵢ₊₁): area Σ½cross, centroid
-     * Σ(area·(a+b)/3), second moment Σ(cross/12)(a·a + a·b + b·b), about p₀ and then moved to the
-     * centroid by Steiner's theorem. Summing about p₀ instead of the frame's origin keeps full
-     * precision for a small polygon far from the origin.
+     * Mass properties of a polygonal plate, by the shoelace sums over triangles (p₀, pᵢ, pᵢ₊₁):
+     * area Σ½cross, centroid Σ(area·(a+b)/3), second moment Σ(cross/12)(a·a + a·b + b·b), about p₀
+     * and then moved to the centroid by Steiner's theorem. Summing about p₀ instead of the frame's
+     * origin keeps full precision for a small polygon far from the origin.
      *
      * @param density kg/m², positive
      * @param xy corner coordinates x₀, y₀, x₁, … in m, counter-clockwise

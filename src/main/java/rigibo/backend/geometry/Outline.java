@@ -4,10 +4,10 @@ import java.util.Arrays;
 import java.util.Objects;
 
 /**
- * The outline of a convex shape as collisions see it: a core of corners, and a radius at which the
- * outline goes round the core. The core of a disc is one point, that of a capsule two, that of a
- * polygon its corners, with a radius of 0 where it is not rounded. All places are seen from the
- * body's centre of mass. Immutable.
+ * The outline of a convex shape for collision detection: all points at a distance {@link #radius}
+ * from a core of corners. The core of a disc is one point, that of a capsule two, that of a polygon
+ * its corners; the radius of a sharp polygon is 0. Coordinates are relative to the body's centre of
+ * mass. Immutable.
  *
  * <pre>{@code
  * Outline pill = new Capsule(0.5, 0.2).outline();
@@ -16,7 +16,9 @@ import java.util.Objects;
  */
 public final class Outline {
 
-    /** Sine of the turn between two edges of a chain up to which they are one straight line. */
+    /**
+     * Sine of the turn between two edges of a chain below which they count as one straight line.
+     */
     static final double STRAIGHT = 1e-9;
 
     private static final double[] NOTHING = {};
@@ -32,12 +34,12 @@ public final class Outline {
     private final double smallestWidth;
     private final boolean isBox;
 
-    /** What lies beyond the ends of a chain's edge; null of all others. */
+    /** Neighbours of a chain's edge; null for every other outline. */
     private final EdgeEnd before;
 
     private final EdgeEnd after;
 
-    /** A disc about the centre of mass. */
+    /** A disc centred on the centre of mass. */
     static Outline ofDisc(double radius) {
         return new Outline(CENTRE, CENTRE, NOTHING, NOTHING, radius, null, null);
     }
@@ -74,7 +76,7 @@ public final class Outline {
     /**
      * An edge of a chain as a line that is solid on both sides.
      *
-     * @param share half of what it is thick, as a share of its length
+     * @param share half the line's thickness, as a share of its length
      */
     public Outline asLine(double share) {
         return of(cornerX, cornerY, 2 * share * halfLength());
@@ -106,7 +108,7 @@ public final class Outline {
         return cornerX.length;
     }
 
-    /** Number of edges: as many as corners, and none of a disc. */
+    /** Number of edges: as many as corners; 0 for a disc. */
     public int edges() {
         return normalX.length;
     }
@@ -131,7 +133,7 @@ public final class Outline {
         return normalY[i];
     }
 
-    /** The distance in m at which the outline goes round the core, 0 or more. */
+    /** Distance in m between the core and the outline, 0 or more. */
     public double radius() {
         return radius;
     }
@@ -141,33 +143,38 @@ public final class Outline {
         return coreReach + radius;
     }
 
-    /** How far turning moves the outline, m per rad: to the core's farthest corner, 0 of a disc. */
+    /**
+     * Speed at which turning moves the outline, m per rad: the distance to the core's farthest
+     * corner, 0 for a disc.
+     */
     public double sweepRadius() {
         return coreReach;
     }
 
     /**
-     * Distance in m from the centre of mass to the core's nearest edge, minus that to the core
-     * where it lies outside: the core reaches as far in every direction.
+     * Distance in m from the centre of mass to the core's nearest edge. Where the centre of mass
+     * lies outside the core, it is minus its distance from the core.
      */
     public double innerRadius() {
         return innerRadius;
     }
 
     /**
-     * Smallest width in m between two parallel lines that hold the outline; infinite of a chain's
-     * edge, behind which matter is as thick as may be.
+     * Smallest distance in m between two parallel lines that enclose the outline; infinite for a
+     * chain's edge, since the matter behind it has no thickness.
      */
     public double smallestWidth() {
         return smallestWidth;
     }
 
-    /** Whether this is a disc about the centre of mass, whose outline stays when it turns. */
+    /** Whether this is a disc centred on the centre of mass, which turning does not change. */
     public boolean isCentredDisc() {
         return coreReach == 0;
     }
 
-    /** Whether this is an edge of a chain: solid in front of its first normal alone. */
+    /**
+     * Whether this is an edge of a chain, which stops only what is in front of its first normal.
+     */
     public boolean isEdge() {
         return before != null;
     }
@@ -179,27 +186,27 @@ public final class Outline {
         return Math.sqrt(dx * dx + dy * dy) / 2;
     }
 
-    /** What lies before the first corner of a chain's edge. */
+    /** The neighbour at the first corner of a chain's edge. */
     public EdgeEnd before() {
         return before;
     }
 
-    /** What lies behind the second corner of a chain's edge. */
+    /** The neighbour at the second corner of a chain's edge. */
     public EdgeEnd after() {
         return after;
     }
 
-    /** Whether matter ends in a corner where a chain's edge begins; so it does at an open end. */
+    /** Whether the first corner of a chain's edge is convex; an open end is. */
     public boolean isConvexBefore() {
         return bendBefore() > STRAIGHT;
     }
 
-    /** Whether matter ends in a corner where a chain's edge ends. */
+    /** Whether the second corner of a chain's edge is convex; an open end is. */
     public boolean isConvexAfter() {
         return bendAfter() > STRAIGHT;
     }
 
-    /** Sine of the turn to the left from the edge before to this one. */
+    /** Sine of the left turn from the previous edge to this one. */
     private double bendBefore() {
         return before.normalX() * normalY[0] - before.normalY() * normalX[0];
     }
@@ -208,14 +215,14 @@ public final class Outline {
         return normalX[0] * after.normalY() - normalY[0] * after.normalX();
     }
 
-    /** Whether the core is one point, wherever that is. */
+    /** Whether the core is a single point, not necessarily the centre of mass. */
     public boolean isDisc() {
         return cornerX.length == 1;
     }
 
     /**
-     * Whether this is a sharp rectangle about its centre, with sides along its own axes and the
-     * lower left corner first: then corner 2 holds half the width and half the height.
+     * Whether this is a sharp rectangle, centred, with sides along its own axes and the lower left
+     * corner first. If so, corner 2 is (half the width, half the height).
      */
     public boolean isBox() {
         return isBox;
@@ -247,12 +254,12 @@ public final class Outline {
     }
 
     /**
-     * How deep a point lies inside, m, negative outside. Beyond a corner of a sharp outline it is
-     * the least of the depths behind the edges' lines, which is more than its distance. Behind a
-     * chain's edge all is inside.
+     * Depth of a point inside the outline, m, negative outside. Beyond a corner of a sharp outline
+     * it is the smallest depth behind the lines of the edges, whose amount is less than the
+     * distance. All points behind a chain's edge are inside.
      *
-     * @param x seen from the centre of mass, in the shape's own frame, m
-     * @param y likewise, m
+     * @param x relative to the centre of mass, in the shape's own frame, m
+     * @param y relative to the centre of mass, in the shape's own frame, m
      */
     public double depth(double x, double y) {
         if (isEdge()) {
@@ -274,7 +281,7 @@ public final class Outline {
         return Math.min(behind, Math.min(fromStart, fromEnd));
     }
 
-    /** Distance of a point outside of the core from it, m. */
+    /** Distance from the core of a point outside it, m. */
     private double distanceToCore(double x, double y) {
         double least = Double.POSITIVE_INFINITY;
         for (int i = 0; i < cornerX.length; i++) {
@@ -309,7 +316,7 @@ public final class Outline {
         return least < 0 && normalX.length > 0 ? -distanceToCore(0, 0) : least;
     }
 
-    /** A convex polygon is narrowest across one of its edges (rotating calipers). */
+    /** The smallest width of a convex polygon is across one of its edges (rotating calipers). */
     private double narrowest() {
         double least = normalX.length == 0 ? 0 : Double.POSITIVE_INFINITY;
         for (int i = 0; i < normalX.length; i++) {
@@ -356,7 +363,7 @@ public final class Outline {
         return "Outline[" + cornerX.length + " corners, radius " + radius + " m]";
     }
 
-    /** Writes the bounds of all outlines of one body, of which there is at least one. */
+    /** Writes the common bounds of all outlines of a body, of which there is at least one. */
     static void bounds(Outline[] outlines, double x, double y, double cos, double sin, Aabb out) {
         Aabb one = new Aabb();
         outlines[0].bounds(x, y, cos, sin, out);

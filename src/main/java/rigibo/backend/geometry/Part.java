@@ -1,7 +1,7 @@
 package rigibo.backend.geometry;
 
 /**
- * One convex shape of a {@link Compound}, and where it sits. Immutable: every verb returns another
+ * One convex shape of a {@link Compound} and its placement. Immutable: every verb returns a new
  * part.
  *
  * <pre>{@code
@@ -41,7 +41,7 @@ public final class Part {
     }
 
     /**
-     * The same with its own centre of mass somewhere else.
+     * Returns this part with its own centre of mass at a point of the compound's frame.
      *
      * @param metresX in the compound's frame, m, finite
      * @param metresY in the compound's frame, m, finite
@@ -58,7 +58,7 @@ public final class Part {
     }
 
     /**
-     * The same turned about its own centre of mass, rad, counter-clockwise.
+     * Returns this part turned about its own centre of mass, rad, counter-clockwise.
      *
      * @throws IllegalArgumentException when the angle is not finite
      */
@@ -68,9 +68,9 @@ public final class Part {
     }
 
     /**
-     * The same of a stuff so many times as dense as the material of the body.
+     * Returns this part with a density relative to the material of the body.
      *
-     * @param factor 0, which weighs nothing, to 10⁶
+     * @param factor 0 (no mass) to 10⁶
      * @throws IllegalArgumentException when the factor is out of range
      */
     public Part relativeDensity(double factor) {
@@ -82,14 +82,14 @@ public final class Part {
     }
 
     /**
-     * The same as a sensor, which touches nothing and tells who is inside, where {@code Sensors}
-     * are declared. It weighs nothing unless a relative density is stated after this.
+     * Returns this part as a sensor: it touches nothing, and where {@code Sensors} are declared it
+     * reports the bodies inside it. It has no mass unless a relative density is stated afterwards.
      */
     public Part sensor() {
         return new Part(shape, x, y, angle, 0, true);
     }
 
-    /** Whether it touches nothing and tells who is inside. */
+    /** Whether this part is a sensor, which touches nothing and reports the bodies inside it. */
     public boolean isSensor() {
         return isSensor;
     }
@@ -99,27 +99,27 @@ public final class Part {
         return shape;
     }
 
-    /** Of its centre of mass in the compound's frame, m. */
+    /** The x of its centre of mass in the compound's frame, m. */
     public double x() {
         return x;
     }
 
-    /** Of its centre of mass in the compound's frame, m. */
+    /** The y of its centre of mass in the compound's frame, m. */
     public double y() {
         return y;
     }
 
-    /** How far it is turned in the compound's frame, rad, counter-clockwise. */
+    /** Its angle in the compound's frame, rad, counter-clockwise. */
     public double angle() {
         return angle;
     }
 
-    /** How many times as dense as the body's material it is. */
+    /** Its density divided by that of the body's material. */
     public double relativeDensity() {
         return relativeDensity;
     }
 
-    /** The outline seen from a point of the compound's frame, m. */
+    /** The outline relative to a point of the compound's frame, m. */
     Outline outlineFrom(double originX, double originY) {
         double cos = Angle.cos(angle);
         double sin = Angle.sin(angle);

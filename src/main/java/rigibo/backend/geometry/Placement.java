@@ -1,7 +1,7 @@
 package rigibo.backend.geometry;
 
 /**
- * Where a shape is: its centre of mass, and how far it is turned.
+ * The pose of a shape: its centre of mass and its angle.
  *
  * <pre>{@code
  * Placement ahead = Placement.at(3, 1).angle(Math.PI / 4);
@@ -13,13 +13,13 @@ package rigibo.backend.geometry;
  */
 public record Placement(double x, double y, double angle) {
 
-    /** At the world's origin, not turned. */
+    /** The origin of the world, at angle 0. */
     public static final Placement ORIGIN = new Placement(0, 0, 0);
 
     /**
      * Checks every number.
      *
-     * @throws IllegalArgumentException naming the one that is not finite
+     * @throws IllegalArgumentException naming the number that is not finite
      */
     public Placement {
         requireFinite("x", x, "m");
@@ -27,12 +27,12 @@ public record Placement(double x, double y, double angle) {
         requireFinite("angle", angle, "rad");
     }
 
-    /** Not turned. */
+    /** A placement at a point (m) and angle 0. */
     public static Placement at(double x, double y) {
         return new Placement(x, y, 0);
     }
 
-    /** The same turned to an angle in rad, counter-clockwise. */
+    /** Returns this placement with another angle in rad, counter-clockwise. */
     public Placement angle(double radians) {
         return new Placement(x, y, radians);
     }

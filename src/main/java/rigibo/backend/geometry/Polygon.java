@@ -2,8 +2,8 @@ package rigibo.backend.geometry;
 
 /**
  * A convex polygon of 3 to 256 corners, counter-clockwise, sharp or {@linkplain #rounded rounded}.
- * The corners are kept relative to the centroid: wherever the points were given, the centre of mass
- * is the shape's origin.
+ * Its origin is the centre of mass: the corners are kept relative to the centroid, wherever the
+ * caller states them.
  *
  * <pre>{@code
  * Polygon box = Polygon.box(2, 1);
@@ -17,15 +17,22 @@ public final class Polygon implements Convex {
     public static final int MAX_CORNERS = 256;
 
     /**
-     * Offset of the centroid, per size of the coordinates, that is round-off of the sums: corners
-     * given about the centroid stay as they are, so that a box is its own mirror image to the bit.
+     * Largest offset of the centroid, relative to the size of the coordinates, that counts as
+     * round-off. Within it, corners stay as they were stated, so that a box is its own mirror image
+     * to the bit.
      */
     private static final double CENTROID_ROUNDING = 1e-15;
 
-    /** A corner radius of more would leave nothing of the corners in a double's digits. */
+    /**
+     * Largest corner radius, in bounding radii of the core; with a larger one, a double would lose
+     * all digits of the corners.
+     */
     private static final double MOST_ROUNDING = 1e6;
 
-    /** As they were given: centred corners give another centroid and area in the last bit. */
+    /**
+     * Corners as the caller stated them; the centred ones would give another centroid and area in
+     * the last bit.
+     */
     private final double[] stated;
 
     private final Outline outline;
@@ -92,9 +99,9 @@ public final class Polygon implements Convex {
     }
 
     /**
-     * A convex polygon from its corners, which are moved so that their centroid is the origin: a
-     * body's place is that of its centre of mass. For the corners to be where they are stated, the
-     * body is placed at {@link #centroidX}, {@link #centroidY}:
+     * A convex polygon from its corners. They are shifted so that their centroid is the origin,
+     * because a body's position is that of its centre of mass. To keep the corners where they are
+     * stated, place the body at {@link #centroidX}, {@link #centroidY}:
      *
      * <pre>{@code
      * Polygon wedge = Polygon.of(0, 0, 3, 0, 0, 1);
@@ -113,8 +120,8 @@ public final class Polygon implements Convex {
     }
 
     /**
-     * The smallest convex polygon that holds some points: a rubber band round them. Points inside
-     * it, or on an edge of it, are passed over.
+     * The convex hull of some points: the smallest convex polygon that holds them. Points inside it
+     * or on an edge are ignored.
      *
      * @param xy coordinates x₀, y₀, x₁, y₁, … of the points in m, in any order
      * @throws IllegalArgumentException when one is not finite, all lie on one line, or more than
@@ -127,14 +134,15 @@ public final class Polygon implements Convex {
     }
 
     /**
-     * The same corners with an outline that goes round them at a distance: all points within a
-     * radius of the polygon, which grows by that much on every side.
+     * Returns this polygon grown by a radius on every side, with round corners: all points within
+     * that radius of it.
      *
      * <pre>{@code
      * Polygon die = Polygon.box(0.8, 0.8).rounded(0.1); // a square of 1 m with round corners
      * }</pre>
      *
-     * @param radius m, from 0, a sharp polygon, to 10⁶ times the polygon's own bounding radius
+     * @param radius m, from 0 (a sharp polygon) to 10⁶ times the bounding radius of the sharp
+     *     polygon
      * @throws IllegalArgumentException when the radius is out of range
      */
     public Polygon rounded(double radius) {
@@ -147,27 +155,27 @@ public final class Polygon implements Convex {
     }
 
     /**
-     * Whether this is a sharp rectangle about its centre, with sides along its own axes and the
-     * lower left corner first: then corner 2 holds half the width and half the height.
+     * Whether this is a sharp rectangle, centred, with sides along its own axes and the lower left
+     * corner first. If so, corner 2 is (half the width, half the height).
      */
     public boolean isBox() {
         return outline.isBox();
     }
 
     /**
-     * The corner coordinates x₀, y₀, x₁, y₁, … in m that this polygon was made of: {@link #of} and
-     * {@link #rounded} make the same of them to the last bit.
+     * The corner coordinates x₀, y₀, x₁, y₁, … in m that this polygon was made of. {@link #of} and
+     * {@link #rounded} make an equal polygon from them, to the last bit.
      */
     public double[] stated() {
         return stated.clone();
     }
 
-    /** Where the centroid was among the corners as they were stated, m, to the right. */
+    /** The x of the centroid in the frame in which the corners were stated, m. */
     public double centroidX() {
         return shiftX;
     }
 
-    /** Where the centroid was among the corners as they were stated, m, up. */
+    /** The y of the centroid in the frame in which the corners were stated, m, up. */
     public double centroidY() {
         return shiftY;
     }
@@ -207,7 +215,7 @@ public final class Polygon implements Convex {
         return outline.normalY(i);
     }
 
-    /** The radius in m at which the outline goes round the corners; 0 of a sharp polygon. */
+    /** Corner radius in m; 0 for a sharp polygon. */
     public double radius() {
         return outline.radius();
     }
@@ -268,7 +276,8 @@ public final class Polygon implements Convex {
     }
 
     /**
-     * What to take off the coordinates of one axis: the centroid's, or 0 where that is round-off.
+     * Offset to subtract from the coordinates of one axis, m: the centroid's, or 0 where that is
+     * round-off.
      */
     private static double offset(double[] xy, int axis, double centroid) {
         double size = 0;

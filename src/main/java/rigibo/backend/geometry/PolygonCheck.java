@@ -1,11 +1,12 @@
 package rigibo.backend.geometry;
 
-/** What makes a list of points a convex polygon, and the sentence for each way it is not. */
+/** Checks that a list of points is a convex polygon, and names what is wrong with it. */
 final class PolygonCheck {
 
     /**
-     * Least sine between neighbouring edges. Below it two edges are one edge to double precision,
-     * and the corner between them only adds a contact point that jumps.
+     * Smallest sine of the turn between neighbouring edges. With a smaller one both are the same
+     * edge to double precision, and the corner between them would only add a contact point that
+     * jumps.
      */
     static final double LEAST_SINE = 1e-10;
 
@@ -19,7 +20,7 @@ final class PolygonCheck {
         for (int i = 0; i < count; i++) {
             turned += turnAt(xy, i, (i + 1) % count, (i + 2) % count);
         }
-        // Every corner of a star turns left too, but the star turns by more than once around.
+        // A star also turns left at every corner, but by more than one full turn in all.
         if (turned > 3 * Math.PI) {
             throw new IllegalArgumentException(
                     "Polygon.of corners must go round once, they go round "
@@ -47,7 +48,10 @@ final class PolygonCheck {
         }
     }
 
-    /** Points of which no more than two are corners lie on one line. */
+    /**
+     * Checks the number of corners of a hull; fewer than three mean that all points lie on one
+     * line.
+     */
     static void requireHull(double[] corners) {
         int count = corners.length / 2;
         if (count < 3 || count > Polygon.MAX_CORNERS) {
@@ -69,7 +73,7 @@ final class PolygonCheck {
         }
     }
 
-    /** Left turn in radians at corner b; refuses repeated, collinear and reflex corners. */
+    /** Left turn at corner b, rad; rejects repeated, collinear and reflex corners. */
     private static double turnAt(double[] xy, int a, int b, int c) {
         double ux = xy[2 * b] - xy[2 * a];
         double uy = xy[2 * b + 1] - xy[2 * a + 1];

@@ -1,8 +1,8 @@
 package rigibo.backend.geometry;
 
 /**
- * Mass of a rounded polygon: the polygon itself, a strip along each edge, and a sector of a disc
- * about each corner, put together by Steiner's theorem.
+ * Mass properties of a rounded polygon: the sharp polygon, a strip along each edge and a sector of
+ * a disc at each corner, combined by Steiner's theorem.
  */
 final class RoundedMass {
 
@@ -10,13 +10,13 @@ final class RoundedMass {
     private double momentX;
     private double momentY;
 
-    /** About the point that places are seen from, per density, m⁴. */
+    /** Second moment of area about the core's centroid, m⁴. */
     private double polar;
 
     private RoundedMass() {}
 
     /**
-     * Adds a rounding to a polygon of a density of 1 kg/m².
+     * Adds the rounding to a polygon with a density of 1 kg/m².
      *
      * @param core mass, inertia and centroid of the polygon
      * @param xy its corners, m, counter-clockwise
@@ -24,7 +24,8 @@ final class RoundedMass {
      */
     static MassProperties around(MassProperties core, double[] xy, double radius) {
         RoundedMass sum = new RoundedMass();
-        // Places are seen from the core's centroid: far from the origin they would lose digits.
+        // Positions are relative to the core's centroid; far from the origin they would lose
+        // digits.
         sum.add(core.mass(), 0, 0, core.inertia());
         int count = xy.length / 2;
         for (int i = 0; i < count; i++) {
@@ -55,7 +56,7 @@ final class RoundedMass {
         polar += own + area * (x * x + y * y);
     }
 
-    /** A rectangle outside of an edge: its length by the radius. */
+    /** Adds the rectangle along an edge: the edge's length times the radius. */
     private void addStrip(double x, double y, double ex, double ey, double radius) {
         double length = Math.sqrt(ex * ex + ey * ey);
         double out = radius / (2 * length);
@@ -68,8 +69,9 @@ final class RoundedMass {
     }
 
     /**
-     * The sector between the normals of two edges that meet in a corner at an angle φ: φr²/2 in
-     * all, its centroid 4r·sin(φ/2)/(3φ) from the corner, φr⁴/4 about the corner.
+     * Adds the sector between the normals of two edges that meet at an angle φ: its area is φr²/2,
+     * its centroid lies 4r·sin(φ/2)/(3φ) from the corner, its second moment about the corner is
+     * φr⁴/4.
      */
     private void addSector(
             double x, double y, double inX, double inY, double outX, double outY, double radius) {

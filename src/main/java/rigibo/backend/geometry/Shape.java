@@ -1,9 +1,9 @@
 package rigibo.backend.geometry;
 
 /**
- * The outline of a body in the body's own frame, whose origin is the centre of mass; of a {@link
- * Chain}, which has none, that of its corners. Immutable, so one shape may serve any number of
- * bodies.
+ * The shape of a body in the body's own frame. The origin of that frame is the centre of mass; for
+ * a {@link Chain}, which has no mass, it is the origin in which the corners were stated. Immutable,
+ * so one shape may serve any number of bodies.
  *
  * <pre>{@code
  * Shape shape = Polygon.box(2, 1);
@@ -12,22 +12,22 @@ package rigibo.backend.geometry;
  */
 public sealed interface Shape permits Convex, Compound, Chain {
 
-    /** Which shape this is, for switches without a default. */
+    /** The kind of this shape, for switches without a default. */
     ShapeKind kind();
 
-    /** Of how many convex parts, or edges of a chain, it is. */
+    /** Number of convex parts, or of edges of a chain. */
     int parts();
 
     /**
-     * The outline of a part as collisions see it: a core of corners and a radius, seen from the
-     * centre of mass of the whole.
+     * The outline of a part for collision detection, relative to the centre of mass of the whole
+     * shape.
      *
      * @param part from 0
      */
     Outline outline(int part);
 
     /**
-     * Whether a part touches nothing and tells who is inside.
+     * Whether a part is a sensor, which touches nothing and reports the bodies inside it.
      *
      * @param part from 0
      */
@@ -36,14 +36,14 @@ public sealed interface Shape permits Convex, Compound, Chain {
     }
 
     /**
-     * Where the origin of the frame in which the shape was stated is, seen from its centre of mass,
-     * m along the first axis: 0 of what is stated about its centre, as discs and boxes are.
+     * The x, relative to the centre of mass and in m, of the origin of the frame in which the shape
+     * was stated: 0 for shapes stated about their centre, such as discs and boxes.
      */
     default double originX() {
         return 0;
     }
 
-    /** The same along the second axis, m. */
+    /** The y of that origin, m. */
     default double originY() {
         return 0;
     }
@@ -63,8 +63,8 @@ public sealed interface Shape permits Convex, Compound, Chain {
     double boundingRadius();
 
     /**
-     * Smallest width in m between two parallel lines that hold the shape: a disc's diameter, a
-     * box's shorter side. Tolerances written for a body of one metre scale with it.
+     * Smallest distance in m between two parallel lines that enclose the shape: a disc's diameter,
+     * a box's shorter side. Tolerances stated for a body of one metre scale with it.
      */
     double smallestWidth();
 

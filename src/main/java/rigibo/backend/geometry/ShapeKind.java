@@ -1,7 +1,8 @@
 package rigibo.backend.geometry;
 
 /**
- * The kinds of shape the engine knows; switches over it have no default, so none is forgotten.
+ * The kinds of shape. Switches over it have no default, so that the compiler finds a forgotten
+ * kind.
  *
  * <pre>{@code
  * boolean isRound = crate.shape().kind() == ShapeKind.CIRCLE;

@@ -6,8 +6,8 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * Reads what {@link ByteWriter} wrote, and refuses with {@link IllegalArgumentException} whatever
- * it cannot have written. Equal shapes and materials become one again.
+ * Reads bytes of a {@link ByteWriter}, and rejects with {@link IllegalArgumentException} anything
+ * that it cannot have written. Equal shapes and materials become one object.
  */
 final class ByteReader implements Codec {
 
@@ -22,7 +22,7 @@ final class ByteReader implements Codec {
 
     private record Stated(Form<?> form, List<Double> numbers) {}
 
-    /** Reads from a place on. */
+    /** Reads from an index on. */
     ByteReader(byte[] bytes, int from) {
         this.bytes = bytes;
         at = from;
@@ -79,7 +79,10 @@ final class ByteReader implements Codec {
         return value.toString();
     }
 
-    /** Never more than there are bytes left for, so that nobody makes room for them in vain. */
+    /**
+     * Never more than the remaining bytes can hold, so that altered bytes cannot make the caller
+     * allocate for nothing.
+     */
     @Override
     public int count(int ignored, int leastBytes) {
         int entries = number(0);
@@ -110,7 +113,7 @@ final class ByteReader implements Codec {
         return made(form, numbers);
     }
 
-    /** One value for equal numbers: a pile of equal boxes shares one shape. */
+    /** One object for equal numbers, so that a pile of equal boxes shares one shape. */
     @SuppressWarnings("unchecked")
     private <T> T made(Form<T> form, List<Double> numbers) {
         return (T)
@@ -124,7 +127,7 @@ final class ByteReader implements Codec {
                                                         .toArray()));
     }
 
-    /** Refuses what is left over. */
+    /** Rejects bytes that are left over. */
     void requireEnd() {
         if (at != bytes.length) {
             throw new IllegalArgumentException(

@@ -2,13 +2,13 @@ package rigibo.backend.saved;
 
 import java.util.Arrays;
 
-/** Writes a state as bytes, the highest byte of a number first. */
+/** Writes a state as bytes, numbers in big-endian order. */
 final class ByteWriter implements Codec {
 
     private byte[] bytes = new byte[1 << 12];
     private int size;
 
-    /** All that was written. */
+    /** All bytes written so far. */
     byte[] bytes() {
         return Arrays.copyOf(bytes, size);
     }
@@ -44,7 +44,7 @@ final class ByteWriter implements Codec {
         return value;
     }
 
-    /** As UTF-16, which keeps half a surrogate too. */
+    /** Written as UTF-16, which also keeps unpaired surrogates. */
     @Override
     public String text(String value) {
         number(value.length());

@@ -1,18 +1,19 @@
 package rigibo.backend.saved;
 
 /**
- * Goes through the numbers of a state one by one. It is handed what there is and answers what there
- * is to be: who writes or hashes gives back the same, who reads gives what was written. So one
- * description of a state serves all of them, and none can forget what another knows.
+ * Processes the values of a state one by one. Each method receives the present value and returns
+ * the value to keep: a writer or a hash returns the same one, a reader the one that was written. So
+ * a single description of the state serves writing, reading and hashing, and none of them can leave
+ * anything out.
  */
 interface Codec {
 
-    /** Names what comes next, in ASCII; who reads refuses anything else in its place. */
+    /** Names the values that follow, in ASCII; a reader rejects any other name in its place. */
     void label(String name);
 
     /**
-     * Whether to go through the column of a declared effect, of which these rows are in use. Where
-     * the effect does nothing it holds what {@code idle} does, or 0 where that is null.
+     * Whether to process the column of a declared effect; {@code rows} are its slots in use. While
+     * the effect does nothing, the column equals {@code idle}, or 0 where {@code idle} is null.
      */
     default boolean keeps(String name, double[] column, double[] idle, int[] rows) {
         return true;
@@ -26,9 +27,9 @@ interface Codec {
 
     String text(String value);
 
-    /** How many entries follow that are written in at least so many bytes each. */
+    /** The number of entries that follow, each of at least {@code leastBytes} bytes. */
     int count(int entries, int leastBytes);
 
-    /** A value that is stated by numbers; null is handed in where there is none yet. */
+    /** A value that is made of numbers; a reader receives null where there is none yet. */
     <T> T value(Form<T> form, T value);
 }

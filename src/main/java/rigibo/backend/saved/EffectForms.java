@@ -23,8 +23,8 @@ import java.util.List;
 import java.util.function.Function;
 
 /**
- * How each effect is stated by numbers: to add an effect, add a line. One that holds a function
- * needs none, for it is not written but handed in again.
+ * How each effect is converted to numbers; a new effect needs one line here. An effect that holds a
+ * function needs none, since it is not written but passed again by the caller.
  */
 final class EffectForms {
 
@@ -75,11 +75,11 @@ final class EffectForms {
     private EffectForms() {}
 
     /**
-     * How an effect of this name is stated.
+     * The form of the effect with a name.
      *
      * @throws IllegalArgumentException when there is none
      */
-    @SuppressWarnings("unchecked") // An effect is only stated by the form of its own name.
+    @SuppressWarnings("unchecked") // An effect is only converted by the form of its own name.
     static Form<Effect> named(String name) {
         return (Form<Effect>)
                 FORMS.stream()

@@ -3,16 +3,18 @@ package rigibo.backend.saved;
 import java.util.Arrays;
 
 /**
- * What stands before a snapshot's content: who wrote it, in which format, how long it is and a
- * checksum over all of that and the content. Any change confined to eight bytes in a row that the
- * checksum takes at once is found for certain, any other but for one chance in 2⁶⁴.
+ * The header of a snapshot: origin, format, length, and a checksum over these and the content. A
+ * change within one eight-byte word of the checksum is always detected; any other is missed with a
+ * probability of one in 2⁶⁴.
  */
 final class Envelope {
 
-    /** To be raised when what is written changes its meaning; columns have names of their own. */
+    /**
+     * To be raised when the meaning of the written bytes changes; columns have names of their own.
+     */
     static final int VERSION = 10;
 
-    /** "RigiBo" and both line ends: whoever takes it for a text and mends those, is found out. */
+    /** "RigiBo" and both line ends, which reveal a transfer as text that replaced line ends. */
     private static final long MAGIC = 0x5269_6769_426F_0D0AL;
 
     private static final int CHECKSUM_AT = 16;
@@ -20,7 +22,7 @@ final class Envelope {
 
     private Envelope() {}
 
-    /** Puts the header before a content. */
+    /** Puts the header in front of the content. */
     static byte[] seal(byte[] content) {
         ByteWriter header = new ByteWriter();
         header.word(MAGIC);
@@ -36,7 +38,7 @@ final class Envelope {
     }
 
     /**
-     * A reader of the content.
+     * Checks the header and returns a reader of the content.
      *
      * @throws IllegalArgumentException when the header or the checksum is not that of a snapshot
      */
@@ -70,7 +72,7 @@ final class Envelope {
         }
     }
 
-    /** Of all bytes but those of the checksum itself, as words; the last is filled up with 0. */
+    /** Checksum of all bytes except its own, as words; the last word is padded with 0. */
     private static long checksum(byte[] bytes) {
         byte[] padded = Arrays.copyOf(bytes, (bytes.length + Long.BYTES - 1) & -Long.BYTES);
         ByteReader reader = new ByteReader(padded, 0);

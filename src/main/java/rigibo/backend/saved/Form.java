@@ -18,13 +18,13 @@ import java.util.function.Function;
 import java.util.stream.DoubleStream;
 
 /**
- * How an immutable value is stated by numbers, and made of them again.
+ * How an immutable value is converted to numbers, and made of them again.
  *
  * @param name for messages
- * @param count how many numbers, or {@link #ANY}
- * @param numbers that state a value
- * @param maker of an equal value, to the last bit; refuses what states none with {@link
- *     IllegalArgumentException}
+ * @param count number of values, or {@link #ANY}
+ * @param numbers converts a value to numbers
+ * @param maker makes an equal value, to the last bit; rejects numbers that describe none with
+ *     {@link IllegalArgumentException}
  */
 record Form<T>(String name, int count, Function<T, double[]> numbers, Function<double[], T> maker) {
 
@@ -32,19 +32,19 @@ record Form<T>(String name, int count, Function<T, double[]> numbers, Function<d
     static final int ANY = -1;
 
     /**
-     * A disc is stated by its radius, a capsule by two numbers, a polygon by its corners and, where
-     * it is rounded, one number more; a compound begins with {@link #COMPOUND} and a chain with
-     * {@link #CHAIN}, which no other does.
+     * A disc is given by its radius, a capsule by two numbers, a polygon by its corners and, if
+     * rounded, one number more. A compound begins with {@link #COMPOUND} and a chain with {@link
+     * #CHAIN}; no other shape does.
      */
     static final Form<Shape> SHAPE = new Form<>("shape", ANY, Form::numbersOf, Form::shapeOf);
 
     private static final double COMPOUND = Double.POSITIVE_INFINITY;
     private static final double CHAIN = Double.NEGATIVE_INFINITY;
 
-    /** Of a chain before its first corner. */
+    /** Numbers of a chain before its first corner. */
     private static final int CHAIN_HEAD = 2;
 
-    /** Of a compound before its first part, and of a part before the numbers of its shape. */
+    /** Numbers of a compound before its first part, and of a part before those of its shape. */
     private static final int COMPOUND_HEAD = 5;
 
     private static final int PART_HEAD = 6;
@@ -102,7 +102,10 @@ record Form<T>(String name, int count, Function<T, double[]> numbers, Function<d
         return numbers;
     }
 
-    /** The parts, whether the centre was stated and where, then each part behind its length. */
+    /**
+     * Number of parts, whether the centre was stated, the centre, then each part, preceded by the
+     * number of its shape's values.
+     */
     private static double[] numbersOf(Compound compound) {
         DoubleStream.Builder numbers = DoubleStream.builder();
         numbers.add(COMPOUND).add(compound.parts()).add(compound.statesCentre() ? 1 : 0);

@@ -5,7 +5,7 @@ import rigibo.backend.setup.Require;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.JointStore;
 
-/** Refuses joints that were read whose kinds, bodies, couplings or numbers cannot be. */
+/** Rejects joints from a snapshot with impossible kinds, bodies, couplings or numbers. */
 final class JointLinks {
 
     private final Bodies bodies;
@@ -19,7 +19,7 @@ final class JointLinks {
     }
 
     /**
-     * Checks every joint and the order in which they were joined.
+     * Checks every joint and the order in which they were added.
      *
      * @throws IllegalArgumentException naming what is wrong
      */

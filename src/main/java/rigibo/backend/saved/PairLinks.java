@@ -6,7 +6,7 @@ import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.PairIndex;
 import rigibo.backend.storage.Pairs;
 
-/** Refuses pairs that were read whose bodies, points or lists cannot be. */
+/** Rejects pairs from a snapshot with impossible bodies, points or lists. */
 final class PairLinks {
 
     private static final int MOST_POINTS = 2;
@@ -15,7 +15,7 @@ final class PairLinks {
     private final Pairs pairs;
     private final boolean[] isPair;
 
-    /** Ends of pairs met in the lists so far: every pair has to be met at both. */
+    /** Ends of pairs found in lists so far; every pair must be found at both ends. */
     private int linked;
 
     private PairLinks(DataStorage data) {
@@ -82,7 +82,7 @@ final class PairLinks {
                 && bodies.bodyOf(slot) == body;
     }
 
-    /** A list whose links back hold at every step has no way back into itself. */
+    /** Checks a list: if all its links back are right, it cannot run into itself. */
     private void requireList(int body) {
         int before = Pairs.NONE;
         int pair = bodies.firstPairOf(body);

@@ -2,12 +2,14 @@ package rigibo.backend.saved;
 
 import rigibo.backend.setup.Accuracy;
 
-/** The knobs of an accuracy; choices go by their names, so that a new one moves no other. */
+/**
+ * The settings of an accuracy. Choices are written by name, so that a new choice changes no other.
+ */
 final class SavedAccuracy {
 
     private SavedAccuracy() {}
 
-    /** Shows every knob to a codec; answers the accuracy that it says. */
+    /** Passes every setting to a codec; returns the resulting accuracy. */
     static Accuracy visit(Accuracy accuracy, Codec codec) {
         codec.label("accuracy");
         return new Accuracy(

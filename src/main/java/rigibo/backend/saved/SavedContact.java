@@ -5,20 +5,20 @@ import rigibo.backend.setup.Require;
 import rigibo.backend.storage.Bodies;
 
 /**
- * A contact that an edit took from the pairs, as a snapshot keeps it.
+ * A contact that an edit removed from the pairs, as a snapshot keeps it.
  *
- * @param a slot of the body the normal points away from, the lower one
- * @param b slot of the body the normal points to
- * @param partA which part of A's shape touched, from 0
- * @param partB which part of B's shape touched
- * @param isCut whether it was taken since the last step, or the last step told its end
- * @param phase 0, 1, 2: what the last step told of it: that it began, persisted or ended
+ * @param a slot of the body from which the normal points away, the lower one
+ * @param b slot of the body to which the normal points
+ * @param partA number of the part of A's shape that touched, from 0
+ * @param partB number of the part of B's shape that touched
+ * @param isCut whether it was removed after the last step; if not, the last step reported its end
+ * @param phase what the last step reported: 0 begun, 1 persisting, 2 ended
  * @param x world x, m
  * @param y world y, m
- * @param normalX unit normal from a to b
- * @param normalY unit normal from a to b
+ * @param normalX x of the unit normal from a to b
+ * @param normalY y of the unit normal from a to b
  * @param impulse N·s
- * @param isCrushing whether something driven was pressed in deep
+ * @param isCrushing whether a driven body overlapped the other one too deeply
  */
 public record SavedContact(
         int a,
@@ -39,7 +39,7 @@ public record SavedContact(
 
     private static final int LAST_PHASE = 2;
 
-    /** What is handed to a codec that reads. */
+    /** Passed to a codec that reads. */
     static final SavedContact UNREAD = new SavedContact(0, 1, 0, 0, true, 0, 0, 0, 0, 0, 0, false);
 
     SavedContact visit(Codec codec) {
@@ -59,7 +59,7 @@ public record SavedContact(
     }
 
     /**
-     * Refuses what no pool can have told.
+     * Rejects a contact that no pool can have reported.
      *
      * @throws IllegalArgumentException naming what is wrong
      */

@@ -9,12 +9,12 @@ import java.util.Set;
 import java.util.TreeSet;
 
 /**
- * The effects that a snapshot declares. Of one that holds a function only the kind is written: the
- * caller has to hand it in again.
+ * The effects that a snapshot declares. Of an effect that holds a function only the kind is
+ * written; the caller must pass it again when restoring.
  */
 final class SavedEffects {
 
-    /** A name's length, whether a function is held, and how many numbers. */
+    /** Bytes of a name's length, of the flag for a function, and of the number of values. */
     private static final int LEAST_BYTES = 5;
 
     private final List<Effect> effects = new ArrayList<>();
@@ -69,7 +69,7 @@ final class SavedEffects {
     }
 
     /**
-     * Effects of the caller's in place of those declared.
+     * The caller's effects in place of those declared.
      *
      * @throws IllegalArgumentException when they are not of the same kinds, naming the difference
      */

@@ -9,13 +9,13 @@ import java.util.Arrays;
 import java.util.function.Function;
 import java.util.function.IntConsumer;
 
-/** All of a pool that lasts from step to step, to be written as bytes and read again. */
+/** The complete state of a pool between steps, which can be written as bytes and read back. */
 public final class Snapshot {
 
-    /** Of the simulation at present; see {@code Pool.REVISION}. */
+    /** Revision of the present simulation; see {@code Pool.REVISION}. */
     public static final int REVISION = 14;
 
-    /** A body's slot, and how many characters its name has. */
+    /** Bytes of a body's slot and of the length of its name. */
     private static final int LEAST_BYTES = 8;
 
     private static final String REVISION_LABEL = "revision";
@@ -24,28 +24,28 @@ public final class Snapshot {
     public final DataStorage data;
     public Accuracy accuracy;
 
-    /** s since the pool was made. */
+    /** Time, s since the pool was made. */
     public double time;
 
-    /** Slots of the bodies in the order they were added, and their names. */
+    /** Slots of the bodies in the order in which they were added, and their names. */
     public int[] order = {};
 
     public String[] names = {};
 
-    /** Slots of the joints in the order they were joined. */
+    /** Slots of the joints in the order in which they were added. */
     public int[] jointOrder = {};
 
-    /** What edits took from the pairs. */
+    /** Contacts that edits removed from the pairs. */
     public SavedContact[] ended = {};
 
-    /** A snapshot of what a pool simulates, how exactly, and its columns. */
+    /** A snapshot of the effects, the accuracy and the columns of a pool. */
     public Snapshot(Effects effects, Accuracy accuracy, DataStorage data) {
         this.effects = effects;
         this.accuracy = accuracy;
         this.data = data;
     }
 
-    /** Writes it. */
+    /** Writes this snapshot as bytes. */
     public byte[] encode() {
         ByteWriter writer = new ByteWriter();
         writer.label(REVISION_LABEL);
@@ -56,30 +56,31 @@ public final class Snapshot {
     }
 
     /**
-     * Reads what {@link #encode} wrote. Columns that follow from others are left empty.
+     * Reads bytes from {@link #encode}. Derived columns are left empty.
      *
-     * @param revision is told of which revision it is before anything else is read, and may refuse
-     * @throws IllegalArgumentException when it was altered, states what cannot be, or declares an
-     *     effect that holds a function
+     * @param revision receives the revision before anything else is read, and may reject it by an
+     *     exception
+     * @throws IllegalArgumentException when the bytes were altered, state an impossible pool, or
+     *     declare an effect that holds a function
      */
     public static Snapshot decode(byte[] bytes, IntConsumer revision) {
         return decode(bytes, revision, SavedEffects::declared);
     }
 
     /**
-     * Reads what {@link #encode} wrote, with the caller's effects in place of those declared.
+     * Reads bytes from {@link #encode}, with the caller's effects in place of those declared.
      *
-     * @throws IllegalArgumentException when it was altered, states what cannot be, or the effects
-     *     are not of the kinds it declares
+     * @throws IllegalArgumentException when the bytes were altered, state an impossible pool, or
+     *     declare effects of other kinds
      */
     public static Snapshot decode(byte[] bytes, IntConsumer revision, Effects given) {
         return decode(bytes, revision, saved -> saved.replacedBy(given));
     }
 
     /**
-     * Of which revision of the simulation a snapshot is.
+     * The revision of the simulation that wrote a snapshot.
      *
-     * @throws IllegalArgumentException when it was altered
+     * @throws IllegalArgumentException when the bytes were altered
      */
     public static int revision(byte[] bytes) {
         return readRevision(Envelope.open(bytes));
@@ -106,7 +107,7 @@ public final class Snapshot {
         accuracy = SavedAccuracy.visit(accuracy, codec);
         codec.label("time");
         time = codec.number(time);
-        // Which forces change along the way no column tells, but whether those of such are there.
+        // No column tells which forces vary along the path, only whether their columns exist.
         data.bodies.integratePaths(codec.flag(data.bodies.integratesPaths()));
         for (Need need : Need.OF_BODIES) {
             if (codec.flag(data.bodies.holds(need))) {

@@ -10,7 +10,7 @@ import rigibo.backend.storage.Visits;
 import java.util.Arrays;
 
 /**
- * Refuses a snapshot that was written well but states what no pool can be in: numbers that are not
+ * Rejects a snapshot that is well formed but describes an impossible pool: numbers that are not
  * finite, slots out of range, lists without an end.
  */
 final class SnapshotCheck {
@@ -24,7 +24,7 @@ final class SnapshotCheck {
     }
 
     /**
-     * Checks all of a snapshot.
+     * Checks a whole snapshot.
      *
      * @throws IllegalArgumentException naming what is wrong
      */
@@ -124,7 +124,10 @@ final class SnapshotCheck {
         }
     }
 
-    /** Every body has a slot for each part of its shape, in their order, and all slots are had. */
+    /**
+     * Checks that every body has a slot for each part of its shape, in order, and that no slot is
+     * left over.
+     */
     private void requireParts() {
         int had = 0;
         for (int body : bodies.slots.occupied()) {
@@ -168,7 +171,7 @@ final class SnapshotCheck {
         return count;
     }
 
-    /** Every body has its place in the order they were added, once. */
+    /** Checks that the order of the bodies names every body once. */
     private void requireOrder() {
         long count = Arrays.stream(bodies.slots.occupied()).filter(bodies::isBody).count();
         if (snapshot.order.length != count) {
@@ -189,7 +192,7 @@ final class SnapshotCheck {
         }
     }
 
-    /** Refuses a slot without a body. */
+    /** Rejects a slot that holds no body. */
     static void requireBodyAt(String where, Bodies bodies, int slot) {
         if (slot < 0 || slot >= bodies.slots.high || !bodies.isBody(slot)) {
             throw new IllegalArgumentException(where + " must name bodies, was slot " + slot);

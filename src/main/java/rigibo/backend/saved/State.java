@@ -14,8 +14,8 @@ import java.util.Arrays;
 import java.util.Map;
 
 /**
- * Shows a codec what a pool's columns carry from step to step: those that their tables call saved,
- * in the order of the tables.
+ * Passes to a codec all columns of a pool that last from step to step: those with the role SAVED,
+ * in the order of their tables.
  */
 final class State implements ColumnVisitor {
 
@@ -25,30 +25,30 @@ final class State implements ColumnVisitor {
                     Shape[].class, Form.SHAPE,
                     Material[].class, Form.MATERIAL);
 
-    /** Fewer bytes than any body or pair takes when it is written. */
+    /** Lower bound on the bytes of any body or pair when written. */
     private static final int LEAST_BYTES = 100;
 
     private static final int NUMBER_BYTES = 4;
 
     private final Codec codec;
 
-    /** The occupied slots of the table in hand, ascending. */
+    /** Slots in use of the present table, ascending. */
     private int[] rows = {};
 
     private State(Codec codec) {
         this.codec = codec;
     }
 
-    /** Shows all bodies and pairs to a codec, which may write them. */
+    /** Passes all bodies, pairs, joints and visits to a codec, which may replace their values. */
     static void visit(DataStorage data, Codec codec) {
         State state = new State(codec);
-        // Of types only their order is written, so that their names stand in the label.
+        // Only the ordinal of a type is written, so the label names the types in order.
         codec.label("body types " + Arrays.toString(BodyType.values()));
         data.bodies.reserve(state.visitSlots("body slots", data.bodies.slots));
         data.bodies.visitColumns(state);
         data.pairs.reserve(state.visitSlots("pair slots", data.pairs.slots));
         data.pairs.visitColumns(state);
-        // A hash passes over a table that was never used: declared alone it changes nothing.
+        // A hash skips a table that was never used, since declaring joints alone changes nothing.
         boolean isHash = codec instanceof StateHash;
         if (data.joints != null && !(isHash && data.joints.slots.high == 0)) {
             data.joints.reserve(state.visitSlots("joint slots", data.joints.slots));
@@ -74,7 +74,10 @@ final class State implements ColumnVisitor {
         }
     }
 
-    /** Slots and which of them are free, in the order they will be handed out; answers how many. */
+    /**
+     * Passes the number of slots and the free ones, in the order in which they will be assigned;
+     * returns the number of slots.
+     */
     private int visitSlots(String name, Slots slots) {
         codec.label(name);
         int inUse = codec.count(slots.inUse(), LEAST_BYTES);
@@ -90,7 +93,7 @@ final class State implements ColumnVisitor {
     }
 
     @Override
-    @SuppressWarnings("unchecked") // A column holds what its form states.
+    @SuppressWarnings("unchecked") // A column holds values of its own form.
     public <T> T[] column(String name, Role role, T[] column) {
         if (role == Role.SAVED) {
             codec.label(name);

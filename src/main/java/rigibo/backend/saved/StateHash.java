@@ -5,8 +5,8 @@ import rigibo.backend.storage.DataStorage;
 import java.util.List;
 
 /**
- * A 64-bit hash of every bit that the future depends on: the time and all that {@link State} lists.
- * What is simulated and how exactly are not folded in, and neither are names.
+ * A 64-bit hash of every bit that decides the future: the time and all columns that {@link State}
+ * lists. Effects, accuracy and names do not enter it.
  */
 public final class StateHash implements Codec {
 
@@ -14,7 +14,7 @@ public final class StateHash implements Codec {
 
     private StateHash() {}
 
-    /** The hash of a pool's data at a time in s, and of the contacts that edits took from them. */
+    /** The hash of a pool's data at a time in s, and of the contacts that edits removed. */
     public static long of(DataStorage data, double time, List<SavedContact> ended) {
         StateHash state = new StateHash();
         state.number(time);
@@ -25,10 +25,13 @@ public final class StateHash implements Codec {
 
     @Override
     public void label(String name) {
-        // Names are not state.
+        // Names are not part of the state.
     }
 
-    /** What a declared effect keeps and does not use is as if it were not declared. */
+    /**
+     * The column of a declared effect that does nothing is left out, as if the effect were not
+     * declared.
+     */
     @Override
     public boolean keeps(String name, double[] column, double[] idle, int[] rows) {
         for (int row : rows) {
@@ -69,7 +72,7 @@ public final class StateHash implements Codec {
         return number(entries);
     }
 
-    /** Number by number: the hash code of a record may differ from JVM to JVM. */
+    /** Folds in number by number, because the hash code of a record may differ between JVMs. */
     @Override
     public <T> T value(Form<T> form, T value) {
         for (double number : form.numbers().apply(value)) {

@@ -1,6 +1,6 @@
 /**
- * A pool's state outside of it: snapshots as bytes and back, and the hash of the state. Knows
- * columns only as their table shows them, so that a column that is added there is saved and hashed;
- * no stage of a step knows this room. All numbers are SI.
+ * The state of a pool outside the pool: snapshots as bytes, and the hash of the state. Knows
+ * columns only through their table, so that a new column is saved and hashed without a change here;
+ * no stage of a step knows this room. All numbers are in SI units.
  */
 package rigibo.backend.saved;

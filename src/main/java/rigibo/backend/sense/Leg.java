@@ -6,15 +6,15 @@ import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.Ways;
 
 /**
- * A body's way within a step, leg by leg: from where it began, by where it was struck, to where it
- * is. On a leg it flies the parabola of its acceleration through both ends, or goes straight where
- * it is part of a pile.
+ * A body's path within a step, leg by leg: from where it began, over the places where it was
+ * struck, to where it is now. On a leg a body in flight follows the parabola of its acceleration
+ * through both ends; a body of a pile moves in a straight line.
  */
 final class Leg {
 
     final Motion motion = new Motion();
 
-    /** When the present leg ends, s after the step's start. */
+    /** End of the present leg, s after the step's start. */
     double until;
 
     private final Bodies bodies;
@@ -22,7 +22,7 @@ final class Leg {
     private int body;
     private double dt;
 
-    /** The struck place that ends the leg, or the number of them. */
+    /** Index of the strike that ends the leg; the number of strikes for the last leg. */
     private int next;
 
     private double x;
@@ -35,7 +35,7 @@ final class Leg {
         bodies = data.bodies;
     }
 
-    /** Begins the way of a shape over a step of dt seconds. */
+    /** Begins the path of a shape over a step of dt seconds. */
     void begin(int slot, double dt) {
         body = bodies.bodyOf(slot);
         this.dt = dt;
@@ -59,7 +59,7 @@ final class Leg {
         lay();
     }
 
-    /** Whether there is another leg after this one. */
+    /** Whether there is another leg. */
     boolean hasNext() {
         return next < data.ways.count;
     }

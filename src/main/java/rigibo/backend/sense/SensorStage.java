@@ -12,12 +12,12 @@ import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.Visits;
 
 /**
- * Asks of every shape whose fixture reaches into that of a sensor whether it is inside, and of
- * those that are not and were not whether they came through within the step.
+ * Tests every shape whose fixture overlaps a sensor's: whether it is inside the sensor, or, if it
+ * is outside and was so before, whether it passed through within the step.
  */
 public final class SensorStage {
 
-    /** How near something has to come on its way, as a share of the narrower one's width. */
+    /** Largest gap on the way that counts as touching, as a share of the narrower shape's width. */
     private static final double TOLERANCE = 1e-6;
 
     private final DataStorage data;
@@ -31,7 +31,7 @@ public final class SensorStage {
     private final Leg way;
     private final Leg otherWay;
 
-    /** Sensors of a storage. */
+    /** The sensors of a storage. */
     public SensorStage(DataStorage data, Broadphase broadphase) {
         this.broadphase = broadphase;
         this.data = data;
@@ -41,7 +41,9 @@ public final class SensorStage {
         otherWay = new Leg(data);
     }
 
-    /** Tells who is inside after a step of dt seconds; forgets those that are far away again. */
+    /**
+     * Updates all visits after a step of dt seconds, and drops those whose fixtures have parted.
+     */
     public void sense(double dt) {
         Visits visits = data.visits;
         if (visits == null) {
@@ -76,7 +78,10 @@ public final class SensorStage {
         return meet && passes(sensor, visitor, dt) ? Visits.PASSED : Visits.OUTSIDE;
     }
 
-    /** Whether fixtures are apart, so that nobody has to be asked before one is laid anew. */
+    /**
+     * Whether the fixtures are apart or the two do not collide, so that no test is due until a
+     * fixture is replaced.
+     */
     private boolean isOver(int a, int b) {
         return bodies.fixtureMinX[a] > bodies.fixtureMaxX[b]
                 || bodies.fixtureMinX[b] > bodies.fixtureMaxX[a]
@@ -98,7 +103,7 @@ public final class SensorStage {
         at.set(bodies.x[body], bodies.y[body], bodies.cos[body], bodies.sin[body]);
     }
 
-    /** Whether the two come together on their ways. */
+    /** Whether the two touch on their paths within the step. */
     private boolean passes(int sensor, int visitor, double dt) {
         int body = bodies.bodyOf(sensor);
         int other = bodies.bodyOf(visitor);
@@ -129,7 +134,10 @@ public final class SensorStage {
         }
     }
 
-    /** Whether what was found is no edge of a chain that is met from its matter, out of reach. */
+    /**
+     * Whether an impact found on the paths is real. One at an edge of a chain may be reported from
+     * behind, in its matter, though the two are out of reach.
+     */
     private boolean isMet(Outline sensor, Outline visitor, double time) {
         if (!sensor.isEdge() && !visitor.isEdge()) {
             return true;

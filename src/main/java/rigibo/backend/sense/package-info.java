@@ -1,5 +1,5 @@
 /**
- * Who is inside of a sensor, asked once all bodies are where the step leaves them. It moves nothing
- * and wakes nobody. m, s, rad.
+ * Detects which shapes are inside sensors, after a step has moved all bodies. It moves and wakes no
+ * body. Metres, seconds, radians.
  */
 package rigibo.backend.sense;

@@ -7,17 +7,18 @@ import rigibo.backend.storage.Found;
 import rigibo.backend.storage.Roster;
 
 /**
- * Gives driven bodies the velocity that brings them nearer to where they are to be. Any change of
- * pose is a turn about one point (Chasles), so the centre of mass goes along an arc: with d the way
- * left, θ the turn left and φ that of this step, it goes d·sin(φ/2)/sin(θ/2), turned by (φ − θ)/2.
- * Beyond half a turn the arc would be longer than anybody means, and the way is straight.
+ * Gives driven bodies the velocity that brings them towards their target pose. Any change of pose
+ * is a rotation about one point (Chasles), so the centre of mass moves on an arc. With the
+ * displacement left d, the turn left θ and the turn of this step φ, it moves by
+ * d·sin(φ/2)/sin(θ/2), rotated by (φ − θ)/2. Beyond half a turn the arc would be longer than
+ * intended, and the path is straight.
  */
 final class Steering {
 
-    /** Share of a step below which time left is round-off. */
+    /** Share of a step below which the time left is round-off. */
     private static final double LEAST_SHARE = 1e-9;
 
-    /** rad below which an arc is its own chord to all digits. */
+    /** Turn in rad below which an arc equals its chord to all digits. */
     private static final double STRAIGHT = 1e-8;
 
     private final Bodies bodies;
@@ -67,7 +68,8 @@ final class Steering {
         if (bodies.turns()) {
             bodies.spin[slot] = share * turn / dt;
         }
-        // What is left of the last step it stands at its end: so little is passed over.
+        // A tiny time is left after the last step, so that the body is stopped at the start of the
+        // next one.
         bodies.driveTime[slot] = Math.max(LEAST_SHARE * LEAST_SHARE * dt, time - dt);
     }
 }

@@ -6,7 +6,7 @@ import rigibo.backend.storage.Found;
 import rigibo.backend.storage.Quarantine;
 import rigibo.backend.storage.Roster;
 
-/** What a step does for every body that moves, whatever the effects. */
+/** The work of a step on all moving bodies, whatever effects are declared. */
 final class StepBodies {
 
     private final Bodies bodies;
@@ -16,7 +16,7 @@ final class StepBodies {
     private final Found steered;
     private final Steering steering;
 
-    /** The same for what turns, or null where nothing does. */
+    /** Does the corresponding work on rotation; null without rotation. */
     private final StepTurns turning;
 
     StepBodies(DataStorage data) {
@@ -28,7 +28,7 @@ final class StepBodies {
         roster = data.roster;
     }
 
-    /** Lists the bodies that move and remembers where each begins. */
+    /** Lists the moving bodies and stores the position of each at the start of the step. */
     void accept(double dt) {
         if (steered.count > 0) {
             steering.steer(dt);
@@ -42,7 +42,7 @@ final class StepBodies {
         }
     }
 
-    /** Takes all for flyers. */
+    /** Marks all bodies as in flight. */
     void scatter(double dt) {
         for (int i = 0; i < roster.awakeCount; i++) {
             bodies.piled[roster.awake[i]] = false;
@@ -59,7 +59,7 @@ final class StepBodies {
         }
     }
 
-    /** Kinematic bodies go exactly as told, after the piles that were pushed by them. */
+    /** Moves kinematic bodies exactly by their velocities, after the piles that they push. */
     void moveDriven(double dt) {
         for (int i = 0; i < roster.awakeCount; i++) {
             int slot = roster.awake[i];
@@ -74,8 +74,8 @@ final class StepBodies {
     }
 
     /**
-     * Puts bodies to rest where the step began whose state is, or by this step would be, beyond all
-     * bounds. Asked before anything can touch them, and once more at the end.
+     * Puts bodies to rest where the step began if their state is out of bounds, or would be at the
+     * end of this step. Runs before anything can touch them, and again at the end.
      */
     void quarantine(double dt) {
         if (turning == null) {
@@ -93,7 +93,9 @@ final class StepBodies {
         }
     }
 
-    /** Both at once, so that bodies are named in the order of their slots. */
+    /**
+     * Checks motion and rotation together, so that bodies are named in the order of their slots.
+     */
     private void quarantineTurning(double dt) {
         for (int i = 0; i < roster.awakeCount; i++) {
             int slot = roster.awake[i];

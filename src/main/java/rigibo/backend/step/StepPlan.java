@@ -48,8 +48,8 @@ import java.util.StringJoiner;
 import java.util.function.LongSupplier;
 
 /**
- * The stages one step consists of, compiled from the declared effects and the accuracy: what is not
- * declared is not on the list. Compiled anew only when either changes.
+ * The stages of a step, compiled from the declared effects and the accuracy: an effect that is not
+ * declared adds no stage. Compiled again only when either changes.
  */
 public final class StepPlan {
 
@@ -58,16 +58,16 @@ public final class StepPlan {
     private Effects effects;
     private Accuracy accuracy;
 
-    /** Null where contacts are not declared. */
+    /** The broad phase; null where contacts are not declared. */
     private Broadphase broadphase;
 
-    /** A plan for a pool's data. */
+    /** A plan for the data of a pool. */
     public StepPlan(DataStorage data, Effects effects, Accuracy accuracy) {
         this.data = data;
         compile(effects, accuracy);
     }
 
-    /** Lists the parts of a step anew. */
+    /** Compiles the parts of a step. */
     public void compile(Effects declared, Accuracy wanted) {
         effects = declared;
         accuracy = wanted;
@@ -92,7 +92,7 @@ public final class StepPlan {
             add(StepStage.FLIGHT, "move every body along its exact path", flight::fly);
         }
         add(StepStage.REST, "move driven bodies", bodies::moveDriven);
-        // What a caller's function does to a sleeper nobody would notice.
+        // A function of the caller may change its force, and a sleeping body would not notice.
         declared.find(Sleep.class)
                 .filter(sleep -> !declared.holdFunctions())
                 .ifPresent(
@@ -215,7 +215,7 @@ public final class StepPlan {
         }
     }
 
-    /** Advances by {@code dt} seconds; the clock counts ns. */
+    /** Advances by {@code dt} seconds; the clock returns ns. */
     public void run(double dt, LongSupplier clock) {
         data.beginStep();
         long before = clock.getAsLong();
@@ -228,7 +228,7 @@ public final class StepPlan {
         }
     }
 
-    /** Null where contacts are not declared. */
+    /** The broad phase; null where contacts are not declared. */
     public Broadphase broadphase() {
         return broadphase;
     }
@@ -241,7 +241,7 @@ public final class StepPlan {
         return accuracy;
     }
 
-    /** The parts in words, a line each, under the stage they belong to. */
+    /** A description of the parts, one line each, headed by the stage to which it belongs. */
     public String describe() {
         StringBuilder words = new StringBuilder();
         for (Part part : parts) {

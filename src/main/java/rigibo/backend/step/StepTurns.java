@@ -5,7 +5,7 @@ import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.Quarantine;
 import rigibo.backend.storage.Roster;
 
-/** What a step does besides for every body that moves, where bodies turn. */
+/** The work of a step on the rotation of all moving bodies; exists only if rotation is declared. */
 final class StepTurns {
 
     private final Bodies bodies;
@@ -16,7 +16,7 @@ final class StepTurns {
         roster = data.roster;
     }
 
-    /** Remembers at which angle each begins. */
+    /** Stores the angle of each body at the start of the step. */
     void keepStart() {
         for (int i = 0; i < roster.awakeCount; i++) {
             bodies.keepStartAngle(roster.awake[i]);
@@ -29,7 +29,7 @@ final class StepTurns {
         }
     }
 
-    /** Turns kinematic bodies as told. */
+    /** Turns kinematic bodies by their angular velocities. */
     void turnDriven(double dt) {
         for (int i = 0; i < roster.awakeCount; i++) {
             int slot = roster.awake[i];
@@ -39,7 +39,7 @@ final class StepTurns {
         }
     }
 
-    /** Whether a body turns, and will by the end of the step, within all bounds. */
+    /** Whether the rotation of a body is within bounds, and will be at the end of the step. */
     boolean isBounded(int slot, double dt) {
         double w = Math.abs(bodies.spin[slot]) + Math.abs(bodies.angularAcceleration[slot]) * dt;
         return Quarantine.isBounded(w) && Math.abs(bodies.angle[slot]) < Double.POSITIVE_INFINITY;

@@ -1,2 +1,2 @@
-/** The stages one step consists of, compiled from the declared effects and the accuracy. */
+/** The stages of a step, compiled from the declared effects and the accuracy. */
 package rigibo.backend.step;

@@ -11,8 +11,8 @@ import java.util.EnumSet;
 import java.util.Set;
 
 /**
- * Columns of the bodies, one slot each. A slot whose {@link #type} is null is empty. Whatever is
- * done to every column, {@link BodyColumns} does.
+ * Columns of the bodies, one slot each. A slot whose {@link #type} is null is empty. {@link
+ * BodyColumns} lists all columns, for operations on every one of them.
  */
 public final class Bodies {
 
@@ -20,12 +20,12 @@ public final class Bodies {
 
     public final Slots slots = new Slots();
 
-    /** What was stated. */
+    /** As the caller stated it. */
     public BodyType[] type = new BodyType[FIRST_CAPACITY];
 
     public Shape[] shape = new Shape[FIRST_CAPACITY];
 
-    /** The shape as collisions see it. */
+    /** The outline that collision detection uses. */
     public Outline[] outline = new Outline[FIRST_CAPACITY];
 
     public Material[] material = new Material[FIRST_CAPACITY];
@@ -33,8 +33,9 @@ public final class Bodies {
     public double[] gravityScale = new double[FIRST_CAPACITY];
 
     /**
-     * kg and kg·m² stated in place of the material's density; 0 where none was. They stay whatever
-     * is declared, as all that was stated does: who declares rotation later gets what was stated.
+     * Mass in kg and inertia in kg·m² stated in place of the material's density; 0 where none was.
+     * They are kept whatever effects are declared, so that rotation declared later finds the stated
+     * inertia.
      */
     public double[] statedMass = new double[FIRST_CAPACITY];
 
@@ -58,42 +59,51 @@ public final class Bodies {
 
     public double[] accelerationY = new double[FIRST_CAPACITY];
 
-    /** Mass in kg and its inverse, 0 for what cannot be moved. */
+    /** Mass in kg and its inverse in 1/kg; 0 for bodies that forces cannot move. */
     public double[] mass = new double[FIRST_CAPACITY];
 
     public double[] inverseMass = new double[FIRST_CAPACITY];
 
-    /** From the shape: farthest point, m. */
+    /** Distance from the centre of mass to the farthest point of the shape, m. */
     public double[] boundingRadius = new double[FIRST_CAPACITY];
 
-    /** Whether the body is simulated. */
+    /** Whether the body is awake, so that steps simulate it. */
     public boolean[] awake = new boolean[FIRST_CAPACITY];
 
-    /** Where the step began, m: what a body returns to when its state stops being finite. */
+    /**
+     * Position at the start of the step, m; a body returns to it when its state stops being finite.
+     */
     public double[] startX = new double[FIRST_CAPACITY];
 
     public double[] startY = new double[FIRST_CAPACITY];
 
-    // From here on columns of declared effects only, else null.
+    // The columns below exist only if an effect that needs them is declared; otherwise they are
+    // null.
 
-    /** Of rotation: rad/s, what the effects make of it in this step, rad/s², and the start, rad. */
+    /**
+     * With rotation: angular velocity in rad/s, angular acceleration in this step in rad/s², and
+     * the angle at the start of the step in rad.
+     */
     public double[] spin;
 
     public double[] angularAcceleration;
     public double[] startAngle;
 
-    /** Inertia in kg·m² and its inverse, 0 for what cannot be turned. */
+    /** Inertia in kg·m² and its inverse; 0 for bodies that torques cannot turn. */
     public double[] inertia;
 
     public double[] inverseInertia;
 
-    /** Of contacts, from the shape: smallest width, m. */
+    /** With contacts: smallest width of the shape, m. */
     public double[] smallestWidth;
 
-    /** Of contacts and rotation: how far turning moves the outline, m per rad; 0 for a disc. */
+    /**
+     * With contacts and rotation: speed at which turning moves the outline, m per rad; 0 for a
+     * disc.
+     */
     public double[] sweepRadius;
 
-    /** The size fixture, m, and its leaf in the broadphase. */
+    /** The fixture, m, and its leaf in the tree of the broad phase. */
     public double[] fixtureMinX;
 
     public double[] fixtureMinY;
@@ -101,95 +111,97 @@ public final class Bodies {
     public double[] fixtureMaxY;
     public int[] leaf;
 
-    /** Whether the fixture was laid anew since pairs were last sought. */
+    /** Whether the fixture was replaced since the broad phase last searched for pairs. */
     public boolean[] refitted;
 
     /**
-     * Of bodies of more than one shape: the body of each shape's slot, and the slot of its next
-     * shape or {@link Pairs#NONE}. A body's own slot is that of its first shape; the others hold a
-     * shape, a material and a fixture, and nothing that moves. Null where every body has one shape.
+     * For bodies with several shapes: the body of each shape's slot, and the slot of that body's
+     * next shape or {@link Pairs#NONE}. A body's own slot holds its first shape. The other slots
+     * hold a shape, a material and a fixture, but no motion. Null where every body has one shape.
      */
     public int[] owner;
 
     public int[] nextShape;
 
-    /** Which part of its body's shape a slot holds, from 0. */
+    /** The number, from 0, of the part of its body's shape that a slot holds. */
     public int[] part;
 
     /**
-     * Of which categories a shape is, one bit each, and which it meets; null where every shape is
-     * of the first and meets all.
+     * Categories of a shape, one bit each, and the categories with which it collides; null where
+     * every shape is in the first category and collides with all.
      */
     public int[] category;
 
     public int[] mask;
 
-    /** Whether a body is kept from turning; null where none is. */
+    /** Whether the rotation of a body is locked; null where none is. */
     public boolean[] rotationLocked;
 
-    /** Whether a body is kept from moving along x or y; null where none is. */
+    /** Whether a body's motion along x or y is locked; null where none is. */
     public boolean[] lockedX;
 
     public boolean[] lockedY;
 
-    /** Where a body is driven to, m and rad, and in how many s; 0 s where it is not. */
+    /** Target pose of a driven body, m and rad, and time to reach it, s; 0 s if it has none. */
     public double[] driveX;
 
     public double[] driveY;
     public double[] driveAngle;
     public double[] driveTime;
 
-    /** Whether a body is neither moved nor met by anybody; null where none is. */
+    /** Whether a body is disabled: it neither moves nor collides; null where none is. */
     public boolean[] disabled;
 
-    /** Head of the list of the body's pairs; see {@link Pairs}. */
+    /** First pair in the list of the body's pairs; see {@link Pairs}. */
     public int[] firstPair;
 
-    /** Whether the body is part of a pile in this step, and since when, s after its start. */
+    /**
+     * Whether the body is part of a pile in this step, and since when, s after the step's start.
+     */
     public boolean[] piled;
 
     public double[] pileTime;
 
-    /** Of sleep: for how long (s) the body has stayed by an anchor pose, and which. */
+    /** With sleep: how long (s) the body has stayed near an anchor pose, and that pose, m. */
     public double[] stillTime;
 
     public double[] stillX;
     public double[] stillY;
 
-    /** Of sleep and rotation. */
+    /** With sleep and rotation: the angle of the anchor pose, rad. */
     public double[] stillAngle;
 
-    /** From the material, so that a loop over contacts reads flat columns. */
+    /** Copied from the material, so that a loop over contacts reads flat columns. */
     public double[] friction;
 
     public double[] elasticity;
 
     /**
-     * The normal of a surface that is solid on its side alone, in the body's frame, 0 where it is
-     * solid all round; null where no shape is solid on one side alone.
+     * Normal of a surface that is solid on one side only, in the body's frame; 0 for a shape that
+     * is solid all round. Null where no shape is solid on one side only.
      */
     public double[] oneWayX;
 
     public double[] oneWayY;
 
-    /** Whether a shape touches nothing and tells who is inside; null where none does. */
+    /** Whether a shape is a sensor; null where none is. */
     public boolean[] sensor;
 
-    /** N asked for, and N·m where bodies turn. */
+    /** Applied force, N, and, with rotation, applied torque, N·m. */
     public double[] forceX;
 
     public double[] forceY;
     public double[] torque;
 
-    /** Rolling lever in m, speed of the outline in m/s, drag in 1/s. */
+    /** Rolling resistance lever in m, surface speed in m/s, drag in 1/s. */
     public double[] rollingResistance;
 
     public double[] surfaceSpeed;
     public double[] drag;
 
     /**
-     * Of the accelerations, what forces add that change along the way, m/s², and rad/s² where
-     * bodies turn; null where no path is integrated.
+     * The share of the accelerations that comes from forces that vary along the path, m/s² and,
+     * with rotation, rad/s²; null where no path is integrated.
      */
     public double[] pullX;
 
@@ -205,7 +217,7 @@ public final class Bodies {
         declare(effects);
     }
 
-    /** Shows every column to a visitor, which may put others in their place. */
+    /** Passes every column to a visitor, which may replace the arrays. */
     public void visitColumns(ColumnVisitor visitor) {
         BodyColumns.visit(this, visitor);
     }
@@ -225,7 +237,7 @@ public final class Bodies {
         declare(effects);
     }
 
-    /** Whether the columns are there that integrated paths need. */
+    /** Whether the columns for integrated paths exist. */
     public boolean integratesPaths() {
         return asked.contains(Need.PATHS);
     }
@@ -238,7 +250,10 @@ public final class Bodies {
         }
     }
 
-    /** Makes columns that a body needs, whatever is declared; for all others they say nothing. */
+    /**
+     * Makes columns that a body needs, whatever effects are declared; all other bodies get neutral
+     * values.
+     */
     public void hold(Need need) {
         if (!asked.contains(need)) {
             ask(need, true);
@@ -249,7 +264,7 @@ public final class Bodies {
         }
     }
 
-    /** Whether the columns are there that a body needed, whatever is declared. */
+    /** Whether the columns for such a need exist. */
     public boolean holds(Need need) {
         return asked.contains(need);
     }
@@ -259,7 +274,7 @@ public final class Bodies {
         return owner != null;
     }
 
-    /** Writes into a slot of columns that a body needed what holds for all others. */
+    /** Writes the neutral value of such a need into a slot. */
     private void begin(int slot, Need need) {
         switch (need) {
             case COMPOUNDS -> {
@@ -287,7 +302,7 @@ public final class Bodies {
         }
     }
 
-    /** A free slot with room in every column, of a body with its first shape. */
+    /** Returns a free slot, with room in every column, for a body with its first shape. */
     public int take() {
         int slot = slots.take();
         room.hold(slot);
@@ -299,7 +314,7 @@ public final class Bodies {
         return slot;
     }
 
-    /** A slot for one more shape of a body, behind the shape that was its last so far. */
+    /** Returns a slot for a further shape of a body, after the shape that has been its last. */
     public int takeShape(int body, int last) {
         int slot = take();
         owner[slot] = body;
@@ -308,12 +323,12 @@ public final class Bodies {
         return slot;
     }
 
-    /** The slot of the body that a shape's slot belongs to. */
+    /** The slot of the body to which a shape's slot belongs. */
     public int bodyOf(int slot) {
         return owner == null ? slot : owner[slot];
     }
 
-    /** Whether there may be bodies of more than one shape. */
+    /** Whether a body may have more than one shape. */
     public boolean mayHaveParts() {
         return owner != null;
     }
@@ -323,12 +338,12 @@ public final class Bodies {
         return owner == null ? Pairs.NONE : nextShape[slot];
     }
 
-    /** Which part of its body's shape a slot holds, from 0. */
+    /** The number, from 0, of the part of its body's shape that a slot holds. */
     public int partOf(int slot) {
         return part == null ? 0 : part[slot];
     }
 
-    /** The slot of a part of a body, or {@link Pairs#NONE} where it has no such part. */
+    /** The slot of a part of a body, or {@link Pairs#NONE} if there is no such part. */
     public int shapeOf(int body, int number) {
         int slot = body;
         for (int i = 0; i < number && slot != Pairs.NONE; i++) {
@@ -337,17 +352,19 @@ public final class Bodies {
         return slot;
     }
 
-    /** Whether a body is a single disc about its centre of mass: turning changes nothing. */
+    /**
+     * Whether a body is a single disc centred on its centre of mass, which turning does not change.
+     */
     public boolean isCentredDisc(int body) {
         return outline[body].isCentredDisc() && nextShapeOf(body) == Pairs.NONE;
     }
 
-    /** Whether a slot is that of a body, not only of one more shape of one. */
+    /** Whether a slot holds a body, not a further shape of one. */
     public boolean isBody(int slot) {
         return type[slot] != null && bodyOf(slot) == slot;
     }
 
-    /** How many bodies there are, each once, of however many shapes it is. */
+    /** Number of bodies, each counted once, however many shapes it has. */
     public int count() {
         if (owner == null) {
             return slots.inUse();
@@ -359,22 +376,28 @@ public final class Bodies {
         return count;
     }
 
-    /** Makes room for so many slots. */
+    /** Makes room for a number of slots. */
     public void reserve(int slotCount) {
         room.reserve(slotCount);
     }
 
-    /** Whether bodies turn: rotation is declared, and all columns of turning are there. */
+    /** Whether bodies turn: rotation is declared, so all columns of turning exist. */
     public boolean turns() {
         return spin != null;
     }
 
-    /** rad/s; 0 where nothing turns. Whoever reads it for body after body asks {@link #turns}. */
+    /**
+     * Angular velocity, rad/s; 0 without rotation. Loops over bodies test {@link #turns} once
+     * instead.
+     */
     public double spinOf(int slot) {
         return spin == null ? 0 : spin[slot];
     }
 
-    /** 1/(kg·m²), 0 for what cannot be turned; likewise. */
+    /**
+     * Inverse inertia, 1/(kg·m²); 0 for a body that cannot be turned. Loops over bodies test {@link
+     * #turns} once instead.
+     */
     public double inverseInertiaOf(int slot) {
         return inverseInertia == null ? 0 : inverseInertia[slot];
     }
@@ -397,14 +420,14 @@ public final class Bodies {
     }
 
     /**
-     * When in the step a dynamic body becomes part of a pile, s after its start; 0 for a sleeper,
-     * which nothing moves.
+     * Time at which a dynamic body becomes part of a pile, s after the step's start; 0 for a
+     * sleeping one, which does not move.
      */
     public double pileTimeOf(int slot) {
         return awake[slot] ? pileTime[slot] : 0;
     }
 
-    /** Makes of a slot what holds one more shape of its body, and moves nothing itself. */
+    /** Sets up a slot that holds a further shape of its body and has no motion of its own. */
     public void standBy(int slot) {
         int body = owner[slot];
         type[slot] = type[body];
@@ -441,7 +464,7 @@ public final class Bodies {
         slots.giveBack(slot);
     }
 
-    /** Forgets the forces asked for. */
+    /** Clears the applied forces. */
     public void clearForces(int slot) {
         if (forceX != null) {
             forceX[slot] = 0;
@@ -452,13 +475,13 @@ public final class Bodies {
         }
     }
 
-    /** Whether a force or a torque was asked for. */
+    /** Whether a force or a torque is applied. */
     public boolean isThrust(int slot) {
         return forceX != null
                 && (forceX[slot] != 0 || forceY[slot] != 0 || torque != null && torque[slot] != 0);
     }
 
-    /** Takes all accelerations of the centre of mass from a body. */
+    /** Clears the accelerations of a body's centre of mass. */
     public void clearAccelerations(int slot) {
         accelerationX[slot] = 0;
         accelerationY[slot] = 0;
@@ -468,7 +491,7 @@ public final class Bodies {
         }
     }
 
-    /** Takes the angular acceleration from a body, where bodies turn. */
+    /** Clears a body's angular acceleration; needs rotation. */
     public void clearAngularAcceleration(int slot) {
         angularAcceleration[slot] = 0;
         if (pullTurn != null) {
@@ -476,27 +499,27 @@ public final class Bodies {
         }
     }
 
-    /** Whether a body is kept from turning. */
+    /** Whether the rotation of a body is locked. */
     public boolean isRotationLocked(int slot) {
         return rotationLocked != null && rotationLocked[slot];
     }
 
-    /** Whether a body is kept from moving to the left and right. */
+    /** Whether a body's motion along x is locked. */
     public boolean isLockedInX(int slot) {
         return lockedX != null && lockedX[slot];
     }
 
-    /** Whether a body is kept from moving up and down. */
+    /** Whether a body's motion along y is locked. */
     public boolean isLockedInY(int slot) {
         return lockedY != null && lockedY[slot];
     }
 
-    /** Whether a body is kept from moving along an axis. */
+    /** Whether a body's motion along some axis is locked. */
     public boolean isHeldByAxis(int slot) {
         return lockedX != null && (lockedX[slot] || lockedY[slot]);
     }
 
-    /** Takes from a vector of a body, in two columns, what it has along locked axes. */
+    /** Clears the components along locked axes of a body's vector, given as two columns. */
     public void holdAxes(int slot, double[] alongX, double[] alongY) {
         if (isLockedInX(slot)) {
             alongX[slot] = 0;
@@ -506,22 +529,22 @@ public final class Bodies {
         }
     }
 
-    /** Whether a body is neither moved nor met by anybody. */
+    /** Whether a body is disabled: it neither moves nor collides. */
     public boolean isDisabled(int slot) {
         return disabled != null && disabled[slot];
     }
 
-    /** Whether a shape touches nothing and tells who is inside. */
+    /** Whether a shape is a sensor, which touches nothing and reports the bodies inside it. */
     public boolean isSensor(int slot) {
         return sensor != null && sensor[slot];
     }
 
-    /** Whether a body is on its way to a place. */
+    /** Whether a body is being driven to a target pose. */
     public boolean isSteered(int slot) {
         return driveTime != null && driveTime[slot] > 0;
     }
 
-    /** Whether two shapes meet, as far as their groups, categories and masks say. */
+    /** Whether the groups, categories and masks of two shapes let them collide. */
     public boolean meet(int a, int b) {
         boolean areApart = group[a] != 0 && group[a] == group[b];
         return !areApart
@@ -529,14 +552,14 @@ public final class Bodies {
                         || (category[a] & mask[b]) != 0 && (category[b] & mask[a]) != 0);
     }
 
-    /** Takes all spin from a body. */
+    /** Sets a body's angular velocity to 0. */
     public void haltTurning(int slot) {
         if (turns()) {
             spin[slot] = 0;
         }
     }
 
-    /** Takes all velocity from a body. */
+    /** Sets a body's velocity and angular velocity to 0. */
     public void halt(int slot) {
         velocityX[slot] = 0;
         velocityY[slot] = 0;
@@ -549,24 +572,24 @@ public final class Bodies {
         aim(slot);
     }
 
-    /** Takes cosine and sine from the angle. */
+    /** Computes cosine and sine from the angle. */
     public void aim(int slot) {
         cos[slot] = Angle.cos(angle[slot]);
         sin[slot] = Angle.sin(angle[slot]);
     }
 
-    /** Remembers the place the step begins with. */
+    /** Stores the position at the start of the step. */
     public void keepStart(int slot) {
         startX[slot] = x[slot];
         startY[slot] = y[slot];
     }
 
-    /** Remembers the angle the step begins with, where bodies turn. */
+    /** Stores the angle at the start of the step; needs rotation. */
     public void keepStartAngle(int slot) {
         startAngle[slot] = angle[slot];
     }
 
-    /** Begins to measure anew how long the body stays where it is. */
+    /** Restarts the measurement of how long the body stays where it is. */
     public void restartStillness(int slot) {
         if (stillTime == null) {
             return;
@@ -579,7 +602,7 @@ public final class Bodies {
         }
     }
 
-    /** J of motion and rotation; 0 for what is not dynamic. */
+    /** Kinetic energy of translation and rotation, J; 0 unless the body is dynamic. */
     public double kineticEnergy(int slot) {
         if (type[slot] != BodyType.DYNAMIC) {
             return 0;
@@ -590,7 +613,10 @@ public final class Bodies {
         return (turns() ? twiceLinear + inertia[slot] * spin[slot] * spin[slot] : twiceLinear) / 2;
     }
 
-    /** kg·m²/s about the centre of mass; 0 for what is not dynamic, and where nothing turns. */
+    /**
+     * Angular momentum about the centre of mass, kg·m²/s; 0 unless the body is dynamic and rotation
+     * is declared.
+     */
     public double angularMomentum(int slot) {
         return turns() && isDynamic(slot) ? inertia[slot] * spin[slot] : 0;
     }
@@ -600,7 +626,7 @@ public final class Bodies {
         return firstPair == null ? Pairs.NONE : firstPair[slot];
     }
 
-    /** Names of the columns there are. */
+    /** Names of the columns that exist. */
     public String declaredColumns() {
         return "pose, motion, mass"
                 + (turns() ? ", turning" : "")
@@ -615,7 +641,9 @@ public final class Bodies {
                 + (pullX == null ? "" : ", changing forces");
     }
 
-    /** How many bits the columns hold for each body; what they refer to is not counted. */
+    /**
+     * Bits that the columns take for each body; a reference counts, the object behind it does not.
+     */
     public int bitsPerBody() {
         return SlotSize.of(this::visitColumns);
     }

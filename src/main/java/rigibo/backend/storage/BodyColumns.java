@@ -28,14 +28,16 @@ import static rigibo.backend.storage.Role.SAVED;
 import static rigibo.backend.storage.Role.SCRATCH;
 
 /**
- * The table of the bodies' columns, in the order in which they are saved: what there is to a column
- * besides its field is its line here.
+ * The table of the bodies' columns, in the order in which they are saved. Apart from its field, a
+ * column is declared by one line here.
  */
 final class BodyColumns {
 
     private BodyColumns() {}
 
-    /** Shows every column to a visitor, and puts what it answers into the field. */
+    /**
+     * Passes every column to a visitor, and stores the array that the visitor returns in the field.
+     */
     static void visit(Bodies b, ColumnVisitor v) {
         visitStated(b, v);
         visitMotion(b, v);
@@ -84,8 +86,8 @@ final class BodyColumns {
     }
 
     /**
-     * A sleeper's accelerations, and what changing forces add to them, stay what they were when it
-     * fell asleep: they tell who leans on whom, and who wakes within a step starts with them.
+     * The accelerations of a sleeping body keep the values with which it fell asleep: they decide
+     * which bodies lean on which, and a body that wakes within a step starts with them.
      */
     private static void visitForces(Bodies b, ColumnVisitor v) {
         b.accelerationX = v.column("accelerationX", SAVED, ALWAYS, b.accelerationX);
@@ -114,7 +116,8 @@ final class BodyColumns {
         b.stillTime = v.column("stillTime", SAVED, SLEEP, b.stillTime);
         b.stillX = v.column("stillX", SAVED, SLEEP, b.stillX);
         b.stillY = v.column("stillY", SAVED, SLEEP, b.stillY);
-        // Where nothing turned since, the anchor is the angle, as where nothing turns at all.
+        // Where no body has turned since, the anchor angle is the body's angle, as it is without
+        // rotation.
         b.stillAngle = v.column("stillAngle", SAVED, TURNING_SLEEP, b.stillAngle, b.angle);
     }
 

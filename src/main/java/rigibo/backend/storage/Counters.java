@@ -5,7 +5,10 @@ import rigibo.backend.setup.StepStage;
 
 import java.util.Arrays;
 
-/** What the step in progress did and cost; the step's report is a view of it. */
+/**
+ * Counters of the step in progress: what it did and what that cost. The report of the step is a
+ * view of them.
+ */
 public final class Counters {
 
     public int contacts;
@@ -21,15 +24,15 @@ public final class Counters {
 
     public final int[] rowsBy = new int[SolveMethod.values().length];
 
-    /** How often a contact was solved in a pass, and what eliminations multiplied. */
+    /** Number of times that a contact was solved in a pass, and multiplications in eliminations. */
     public long contactSolves;
 
     public double multiplications;
 
-    /** How often it was asked whether something is inside of a sensor. */
+    /** Number of tests whether a shape is inside a sensor. */
     public int sensed;
 
-    /** m, 0 or more. */
+    /** Deepest overlap, m, 0 or more. */
     public double deepestOverlap;
 
     /** Slots of bodies put to rest because their state stopped being finite. */
@@ -37,10 +40,10 @@ public final class Counters {
 
     public int quarantinedCount;
 
-    /** ns per stage; all 0 without a clock. */
+    /** Time per stage, ns; all 0 without a clock. */
     public final long[] nanos = new long[StepStage.values().length];
 
-    /** Begins a step. */
+    /** Clears all counters at the start of a step. */
     public void clear() {
         contacts = 0;
         impacts = 0;
@@ -59,7 +62,7 @@ public final class Counters {
         Arrays.fill(nanos, 0);
     }
 
-    /** Adds what a solver of islands did, which begins anew. */
+    /** Adds the work of an island solver, and clears it there. */
     public void take(IslandWork work) {
         impacts += work.impacts;
         crushed += work.crushed;
@@ -73,7 +76,7 @@ public final class Counters {
         work.clear();
     }
 
-    /** Notes a body that was put to rest, once. */
+    /** Notes, once, a body that was put to rest. */
     void quarantine(int slot) {
         for (int i = 0; i < quarantinedCount; i++) {
             if (quarantined[i] == slot) {

@@ -3,7 +3,9 @@ package rigibo.backend.storage;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Joints;
 
-/** All live state of a pool: the columns of bodies and pairs, and what a step counts. */
+/**
+ * All live state of a pool: the columns of bodies, pairs and joints, and the counters of a step.
+ */
 public final class DataStorage {
 
     public final Bodies bodies;
@@ -13,27 +15,33 @@ public final class DataStorage {
     public final StillContacts stillContacts;
     public final Counters counters = new Counters();
 
-    /** Slots of the bodies that forces were asked for since the last step, some twice. */
+    /** Slots of the bodies to which forces were applied since the last step; some appear twice. */
     public final Found thrusting = new Found();
 
-    /** Slots of the bodies on their way to a place, some twice, and some that no longer are. */
+    /**
+     * Slots of the bodies that are driven to a target pose; some appear twice, and some have
+     * arrived.
+     */
     public final Found steered = new Found();
 
-    /** Who is near a sensor, and where bodies were struck; null where no shape is a sensor. */
+    /**
+     * Shapes near sensors, and the paths of struck bodies; both are null while no shape is a
+     * sensor.
+     */
     public Visits visits;
 
     public Ways ways;
 
-    /** The impacts of the last step; null where nothing ever resolved any. */
+    /** The impacts of the last step; null until a stage resolves impacts. */
     public Hits hits;
 
-    /** The joints, or null where none are declared. */
+    /** The joints; null where none are declared. */
     public JointStore joints;
 
-    /** Stands for the joints where none are declared and bodies are held by an axis. */
+    /** An empty store, for islands with locked axes where no joints are declared. */
     private JointStore noJoints;
 
-    /** When the step in progress began, s since the pool was made. */
+    /** Start of the step in progress, s since the pool was made. */
     public double time;
 
     /** Storage with the columns that a set of effects needs. */
@@ -44,7 +52,7 @@ public final class DataStorage {
         declareJoints(effects);
     }
 
-    /** Makes the store of joints where they are declared, and drops it where they are not. */
+    /** Makes the store of joints if they are declared, and drops it if not. */
     public void declareJoints(Effects effects) {
         if (!effects.declares(Joints.class)) {
             joints = null;
@@ -54,14 +62,14 @@ public final class DataStorage {
     }
 
     /**
-     * Whether there may be islands that are solved with equations beside their contacts: joints are
-     * declared, or a body is kept from moving along an axis.
+     * Whether an island may have equations besides its contacts: joints are declared, or a body's
+     * motion along an axis is locked.
      */
     public boolean hasAssemblies() {
         return joints != null || bodies.lockedX != null;
     }
 
-    /** The joints, or none where they are not declared. */
+    /** The joints; an empty store where none are declared. */
     public JointStore jointsOrNone() {
         if (joints != null) {
             return joints;
@@ -77,7 +85,7 @@ public final class DataStorage {
         return joints != null && joints.holds(bodies, body);
     }
 
-    /** Makes columns that a body needs, whatever is declared. */
+    /** Makes columns that a body needs, whatever effects are declared. */
     public void hold(Need need) {
         bodies.hold(need);
         if (need == Need.COMPOUNDS) {
@@ -90,7 +98,7 @@ public final class DataStorage {
         }
     }
 
-    /** Where whoever resolves impacts notes them. */
+    /** Returns the list of impacts, for a stage that resolves them; makes it at first use. */
     public Hits noteHits() {
         if (hits == null) {
             hits = new Hits();
@@ -98,7 +106,7 @@ public final class DataStorage {
         return hits;
     }
 
-    /** Begins a step, of which nothing is told yet. */
+    /** Begins a step: clears counters and impacts. */
     public void beginStep() {
         counters.clear();
         if (hits != null) {
@@ -106,7 +114,7 @@ public final class DataStorage {
         }
     }
 
-    /** Makes room for so many bodies and pairs. */
+    /** Makes room for a number of bodies and pairs. */
     public void reserve(int bodyCount, int pairCount) {
         bodies.reserve(bodyCount);
         pairs.reserve(pairCount);

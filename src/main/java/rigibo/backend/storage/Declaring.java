@@ -4,14 +4,14 @@ import rigibo.backend.effect.Effects;
 
 import java.util.Set;
 
-/** Makes the columns that are newly needed, and drops those that are needed no more. */
+/** Makes the columns that have become necessary, and drops those that no longer are. */
 final class Declaring implements ColumnVisitor {
 
     private final Effects effects;
     private final Set<Need> asked;
     private final int slots;
 
-    /** Makes columns with room for so many slots. */
+    /** Makes columns with room for a number of slots. */
     Declaring(Effects effects, Set<Need> asked, int slots) {
         this.effects = effects;
         this.asked = asked;

@@ -2,7 +2,7 @@ package rigibo.backend.storage;
 
 import java.util.Arrays;
 
-/** A list of numbers that is filled and emptied again and again without allocating. */
+/** A list of whole numbers that can be emptied and refilled without allocation. */
 public final class Found {
 
     public int[] numbers = new int[32];
@@ -13,14 +13,14 @@ public final class Found {
         count = 0;
     }
 
-    /** Makes room for so many numbers; contents are to be written anew. */
+    /** Makes room for a number of entries; the present ones may be lost. */
     public void reserve(int capacity) {
         if (numbers.length < capacity) {
             numbers = new int[capacity];
         }
     }
 
-    /** Sorts ascending, so that what follows does not depend on the order of finding. */
+    /** Sorts in ascending order, so that results do not depend on the order of finding. */
     public void sort() {
         Arrays.sort(numbers, 0, count);
     }

@@ -3,15 +3,15 @@ package rigibo.backend.storage;
 import java.util.Arrays;
 
 /**
- * The impacts of the last step, in the order in which they were resolved: scratch that no step
- * reads. It is there with whatever resolves impacts.
+ * The impacts of the last step, in the order in which they were resolved. No step reads them; they
+ * exist where a stage resolves impacts.
  */
 public final class Hits {
 
-    /** Hits of a step that are kept, some 5 MB; what a step resolves beyond them is not told. */
+    /** Most hits kept of a step, some 5 MB; further ones are not reported. */
     private static final int MOST = 1 << 16;
 
-    /** Slots of the two bodies, which part of each was struck, and the slot of their pair. */
+    /** Slots of the two bodies, the struck part of each, and the slot of their pair. */
     public int[] bodyA = new int[16];
 
     public int[] bodyB = new int[16];
@@ -19,28 +19,28 @@ public final class Hits {
     public int[] partB = new int[16];
     private int[] pair = new int[16];
 
-    /** World place, m, and the unit normal from A to B. */
+    /** World position, m, and the unit normal from A to B. */
     public double[] x = new double[16];
 
     public double[] y = new double[16];
     public double[] normalX = new double[16];
     public double[] normalY = new double[16];
 
-    /** m/s at which the two came together along the normal, and s after the step's start. */
+    /** Closing speed along the normal, m/s, and time, s after the step's start. */
     public double[] speed = new double[16];
 
     public double[] time = new double[16];
     public int count;
 
-    /** By pair: whether its hit was told, and a solver is still to resolve it. */
+    /** By pair: whether its hit was noted before a solver resolves it. */
     private boolean[] isForetold = new boolean[16];
 
-    /** Slots of bodies that were removed since the step, and by slot whether they were. */
+    /** Slots of bodies that were removed since the step; then, by slot, whether a body was. */
     private final Found removed = new Found();
 
     private boolean[] isRemoved = new boolean[16];
 
-    /** Begins a step, with columns for so many pairs. */
+    /** Begins a step, with room for a number of pairs. */
     public void clear(int pairRoom) {
         for (int i = 0; i < count; i++) {
             if (pair[i] < isForetold.length) {
@@ -56,7 +56,7 @@ public final class Hits {
     }
 
     /**
-     * Notes a hit of a pair where its two shapes come together; what only slides or parts is none.
+     * Notes a hit of a pair if its two shapes approach each other; sliding or parting is no hit.
      */
     public void add(
             Bodies bodies, Pairs pairs, int of, double atX, double atY, double closing, double at) {
@@ -80,13 +80,16 @@ public final class Hits {
         count++;
     }
 
-    /** Notes that a solver will resolve the hit of a pair that was just added. */
+    /** Marks the hit of a pair that was just added as one that a solver will resolve later. */
     public void foretell(int of) {
         reserve(of + 1);
         isForetold[of] = count > 0 && pair[count - 1] == of;
     }
 
-    /** Whether the hit of a pair that a solver resolves was told before; the next one was not. */
+    /**
+     * Whether the hit of a pair that a solver now resolves is already noted; clears the mark, so
+     * that the pair's next hit is noted again.
+     */
     public boolean wasForetold(int of) {
         boolean was = of < isForetold.length && isForetold[of];
         if (was) {
@@ -101,7 +104,7 @@ public final class Hits {
         }
     }
 
-    /** A body goes, whose slot may be another's before the next step. */
+    /** Notes that a body is removed: another body may get its slot before the next step. */
     public void remove(int slot) {
         if (slot >= isRemoved.length) {
             isRemoved = Arrays.copyOf(isRemoved, Math.max(slot + 1, 2 * isRemoved.length));
@@ -112,7 +115,7 @@ public final class Hits {
         }
     }
 
-    /** Whether both bodies of a hit are still the ones that met. */
+    /** Whether both bodies of a hit still exist. */
     public boolean areThere(int hit) {
         return removed.count == 0 || !wasRemoved(bodyA[hit]) && !wasRemoved(bodyB[hit]);
     }

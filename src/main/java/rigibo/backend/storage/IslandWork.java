@@ -4,13 +4,13 @@ import rigibo.backend.setup.SolveMethod;
 
 import java.util.Arrays;
 
-/** What one solver of islands did in the step in progress, and what that cost. */
+/** Work of one island solver in the step in progress. */
 public final class IslandWork {
 
     public int impacts;
     public int crushed;
 
-    /** How often a contact was solved in a pass, and what eliminations multiplied. */
+    /** Number of times that a contact was solved in a pass, and multiplications in eliminations. */
     public long contactSolves;
 
     public double multiplications;
@@ -20,13 +20,13 @@ public final class IslandWork {
 
     final int[] rowsBy = new int[SolveMethod.values().length];
 
-    /** Notes an island of so many rows that was solved by a method. */
+    /** Notes an island, with its number of rows, and the method that solved it. */
     public void solve(SolveMethod method, int rowCount) {
         rowsBy[method.ordinal()] += rowCount;
         islandsBy[method.ordinal()]++;
     }
 
-    /** Begins anew. */
+    /** Clears all counters. */
     void clear() {
         impacts = 0;
         crushed = 0;

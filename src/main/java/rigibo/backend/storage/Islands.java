@@ -3,8 +3,8 @@ package rigibo.backend.storage;
 import java.util.Arrays;
 
 /**
- * The islands of this step: groups of piled bodies that touch each other, with their pairs. Island
- * i holds {@code bodies[bodyStart[i] .. bodyStart[i + 1]]} and {@code pairs[pairStart[i] .. ]}.
+ * The islands of this step: groups of piled bodies that touch each other, and their pairs. Island i
+ * holds {@code bodies[bodyStart[i] .. bodyStart[i + 1]]} and {@code pairs[pairStart[i] .. ]}.
  */
 public final class Islands {
 
@@ -12,7 +12,7 @@ public final class Islands {
     public int[] bodyStart = new int[17];
     public int[] pairStart = new int[17];
 
-    /** Where the next body and pair of each island go while the islands are filled. */
+    /** By island, while the lists are filled: index for its next body, and for its next pair. */
     public int[] bodyFill = new int[17];
 
     public int[] pairFill = new int[17];
@@ -32,7 +32,7 @@ public final class Islands {
         return jointStart != null && jointStart[island + 1] > jointStart[island];
     }
 
-    /** Makes room for so many joints. */
+    /** Makes room for the joints of a number of islands. */
     public void reserveJoints(int islands, int jointCount) {
         if (jointStart == null || jointStart.length <= islands + 1) {
             jointStart = new int[2 * (islands + 2)];
@@ -43,7 +43,7 @@ public final class Islands {
         Arrays.fill(jointStart, 0, islands + 2, 0);
     }
 
-    /** Makes room; contents are to be written anew. */
+    /** Makes room for a number of islands, bodies and pairs; present contents may be lost. */
     public void reserve(int islands, int bodyCount, int pairCount) {
         if (bodyStart.length <= islands) {
             bodyStart = new int[Math.max(islands + 1, 2 * bodyStart.length)];
@@ -61,7 +61,7 @@ public final class Islands {
         Arrays.fill(pairStart, 0, islands + 1, 0);
     }
 
-    /** Begins to fill every island from its start. */
+    /** Starts to fill the lists of every island from their beginnings. */
     public void rewind() {
         System.arraycopy(bodyStart, 0, bodyFill, 0, count);
         System.arraycopy(pairStart, 0, pairFill, 0, count);

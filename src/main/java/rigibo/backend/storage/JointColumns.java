@@ -8,7 +8,9 @@ final class JointColumns {
 
     private JointColumns() {}
 
-    /** Shows every column to a visitor, and puts what it answers into the field. */
+    /**
+     * Passes every column to a visitor, and stores the array that the visitor returns in the field.
+     */
     static void visit(JointStore j, ColumnVisitor v) {
         j.kind = v.column("joint kind", SAVED, ALWAYS, j.kind);
         j.bodyA = v.column("joint bodyA", SAVED, ALWAYS, j.bodyA);

@@ -5,23 +5,26 @@ import rigibo.backend.setup.JointKind;
 import java.util.Arrays;
 
 /**
- * Columns of the joints, one slot each, and for each body the list of its joints. A slot whose
- * {@link #bodyA} is {@link #NONE} is empty. There is a store only where joints are declared.
+ * Columns of the joints, one slot each, and the list of joints of each body. A slot whose {@link
+ * #bodyA} is {@link #NONE} is empty. The store exists only where joints are declared.
  */
 public final class JointStore {
 
     public static final int NONE = -1;
 
-    /** Rows that a joint can have, each with the force it carried in {@link #force}. */
+    /** Most rows of a joint; {@link #force} keeps the force of each. */
     public static final int ROWS = 7;
 
-    /** Numbers beside those that joints of several kinds have. */
+    /** Number of parameters besides those that several kinds of joints share. */
     public static final int PARAMETERS = 6;
 
-    /** Of a distance joint: its length, m. */
+    /** Parameter of a distance joint: its length, m. */
     public static final int LENGTH = 0;
 
-    /** Of a motor joint: velocity in m/s and rad/s, force in N and torque in N·m. */
+    /**
+     * Parameters of a motor joint: velocity in m/s and rad/s, greatest force in N and torque in
+     * N·m.
+     */
     public static final int VELOCITY_X = 0;
 
     public static final int VELOCITY_Y = 1;
@@ -29,17 +32,23 @@ public final class JointStore {
     public static final int MOST_FORCE = 3;
     public static final int MOST_TORQUE = 4;
 
-    /** Of a mouse joint: the target, m; {@link #MOST_FORCE} too. */
+    /** Parameters of a mouse joint: its target, m; {@link #MOST_FORCE} as well. */
     public static final int TARGET_X = 0;
 
     public static final int TARGET_Y = 1;
 
-    /** Of a gear joint: its ratio, and the sum that stays, rad or m. */
+    /**
+     * Parameters of a gear joint: its ratio, and the sum of coordinates that it keeps constant, rad
+     * or m.
+     */
     public static final int RATIO = 0;
 
     public static final int CONSTANT = 1;
 
-    /** Of a pulley joint, beside {@link #RATIO}: the length of the rope and its two points, m. */
+    /**
+     * Parameters of a pulley joint, besides {@link #RATIO}: the length of the rope and its two
+     * fixed points, m.
+     */
     public static final int ROPE = 1;
 
     public static final int GROUND_AX = 2;
@@ -52,21 +61,21 @@ public final class JointStore {
 
     public final Slots slots = new Slots();
 
-    /** The ordinal of its {@link JointKind}. */
+    /** Ordinal of the {@link JointKind}. */
     public int[] kind = new int[FIRST_CAPACITY];
 
     public int[] bodyA = new int[FIRST_CAPACITY];
     public int[] bodyB = new int[FIRST_CAPACITY];
 
-    /** Of a gear the two joints it couples, else {@link #NONE}. */
+    /** For a gear joint: the two joints that it couples; otherwise {@link #NONE}. */
     public int[] firstGeared = new int[FIRST_CAPACITY];
 
     public int[] secondGeared = new int[FIRST_CAPACITY];
 
-    /** Whether the two bodies meet each other. */
+    /** Whether the two bodies collide with each other. */
     public boolean[] meets = new boolean[FIRST_CAPACITY];
 
-    /** Where it holds its bodies, in their own frames: m and rad. */
+    /** Anchors in m and axes in rad, each in its body's frame. */
     public double[] anchorAX = new double[FIRST_CAPACITY];
 
     public double[] anchorAY = new double[FIRST_CAPACITY];
@@ -75,48 +84,51 @@ public final class JointStore {
     public double[] anchorBY = new double[FIRST_CAPACITY];
     public double[] axisB = new double[FIRST_CAPACITY];
 
-    /** By number, then by slot. */
+    /** Parameters, indexed by number, then by slot. */
     public final double[][] parameter = new double[PARAMETERS][FIRST_CAPACITY];
 
-    /** Limits of the coordinate in rad or m, and how it rebounds from them. */
+    /** Limits of the joint's coordinate in rad or m, and elasticity of the rebound at them. */
     public double[] lower = new double[FIRST_CAPACITY];
 
     public double[] upper = new double[FIRST_CAPACITY];
     public double[] elasticity = new double[FIRST_CAPACITY];
 
-    /** rad/s or m/s, N·m or N. */
+    /** Speed in rad/s or m/s, and greatest torque in N·m or force in N. */
     public double[] motorSpeed = new double[FIRST_CAPACITY];
 
     public double[] motorMost = new double[FIRST_CAPACITY];
 
-    /** The spring as stated, and what follows: N/m or N·m/rad, and N·s/m or N·m·s/rad. */
+    /**
+     * The spring as stated, then the values that follow: stiffness in N/m or N·m/rad, damping in
+     * N·s/m or N·m·s/rad.
+     */
     public double[] hertz = new double[FIRST_CAPACITY];
 
     public double[] dampingRatio = new double[FIRST_CAPACITY];
     public double[] stiffness = new double[FIRST_CAPACITY];
     public double[] damping = new double[FIRST_CAPACITY];
 
-    /** N and N·m. */
+    /** Force in N and torque in N·m at which the joint breaks. */
     public double[] breakForce = new double[FIRST_CAPACITY];
 
     public double[] breakTorque = new double[FIRST_CAPACITY];
 
-    /** By row, then by slot: N or N·m that held when the last step ended. */
+    /** Force at the end of the last step, N or N·m, indexed by row, then by slot. */
     public final double[][] force = new double[ROWS][FIRST_CAPACITY];
 
-    /** Mean of the last step on B: N, and N·m about its anchor. */
+    /** Mean reaction on B in the last step: force in N, and torque about B's anchor in N·m. */
     public double[] reactionX = new double[FIRST_CAPACITY];
 
     public double[] reactionY = new double[FIRST_CAPACITY];
     public double[] reactionTurn = new double[FIRST_CAPACITY];
 
-    /** Joints with an awake body, in the order of their slots: those that this step looks at. */
+    /** Joints that this step visits, since one of their bodies is awake; in slot order. */
     public final Found active = new Found();
 
     /** Joints that broke in this step. */
     public final Found broken = new Found();
 
-    /** By body the first joint of its list; by joint the next one in the lists of A and of B. */
+    /** By body: the first joint of its list. By joint: the next one in the lists of A and of B. */
     private int[] firstOf = new int[FIRST_CAPACITY];
 
     private int[] next = new int[2 * FIRST_CAPACITY];
@@ -127,23 +139,23 @@ public final class JointStore {
         Arrays.fill(firstOf, NONE);
     }
 
-    /** Shows every column to a visitor, which may put others in their place. */
+    /** Passes every column to a visitor, which may replace the arrays. */
     public void visitColumns(ColumnVisitor visitor) {
         JointColumns.visit(this, visitor);
     }
 
-    /** Makes room for so many slots. */
+    /** Makes room for a number of slots. */
     public void reserve(int slotCount) {
         room.reserve(slotCount);
     }
 
-    /** Whether a joint holds on to a place in the world beside its bodies. */
+    /** Whether a joint is attached to a point of the world besides its bodies. */
     public boolean holdsOnToPlace(int joint) {
         JointKind of = KINDS[kind[joint]];
         return of == JointKind.MOUSE || of == JointKind.PULLEY;
     }
 
-    /** A free slot of a joint between two bodies, which is in the lists of both. */
+    /** Adds a joint between two bodies to the lists of both, and returns its slot. */
     public int add(JointKind of, int a, int b) {
         int joint = slots.take();
         room.hold(joint);
@@ -160,7 +172,7 @@ public final class JointStore {
         return joint;
     }
 
-    /** Forgets what a joint carried. */
+    /** Clears the forces that a joint carried. */
     public void rest(int joint) {
         for (double[] column : force) {
             column[joint] = 0;
@@ -170,7 +182,7 @@ public final class JointStore {
         reactionTurn[joint] = 0;
     }
 
-    /** Takes a joint out of both lists. */
+    /** Removes a joint from both lists and frees its slot. */
     public void remove(int joint) {
         unlink(joint, bodyA[joint], 0);
         unlink(joint, bodyB[joint], 1);
@@ -178,7 +190,7 @@ public final class JointStore {
         slots.giveBack(joint);
     }
 
-    /** Writes the lists of joints that were just read. */
+    /** Rebuilds the lists after the columns were read from a snapshot. */
     public void derive() {
         Arrays.fill(firstOf, NONE);
         for (int i = 0; i < slots.freeCount; i++) {
@@ -189,7 +201,7 @@ public final class JointStore {
         }
     }
 
-    /** Of which kind a joint is. */
+    /** The kind of a joint. */
     public JointKind kindOf(int joint) {
         return KINDS[kind[joint]];
     }
@@ -199,7 +211,7 @@ public final class JointStore {
         return body < firstOf.length ? firstOf[body] : NONE;
     }
 
-    /** The next joint in the list of a body that is in this one, or {@link #NONE}. */
+    /** The next joint in a body's list after this one, or {@link #NONE}. */
     public int nextOf(int joint, int body) {
         return next[2 * joint + (bodyA[joint] == body ? 0 : 1)];
     }
@@ -209,7 +221,7 @@ public final class JointStore {
         return bodyA[joint] == body ? bodyB[joint] : bodyA[joint];
     }
 
-    /** Whether a joint keeps two bodies from meeting. */
+    /** Whether a joint keeps two bodies from colliding. */
     public boolean keepApart(int a, int b) {
         for (int j = firstOf(a); j != NONE; j = nextOf(j, a)) {
             if (!meets[j] && other(j, a) == b) {
@@ -219,7 +231,7 @@ public final class JointStore {
         return false;
     }
 
-    /** Whether a body is held by a joint that has rows. */
+    /** Whether a joint that has rows holds a body. */
     public boolean holds(Bodies bodies, int body) {
         for (int j = firstOf(body); j != NONE; j = nextOf(j, body)) {
             if (hasRows(bodies, j)) {
@@ -229,7 +241,9 @@ public final class JointStore {
         return false;
     }
 
-    /** Whether a joint does anything: it has rows, and both of its bodies take part. */
+    /**
+     * Whether a joint acts: its kind has rows, a body of it is dynamic, and neither is disabled.
+     */
     public boolean hasRows(Bodies bodies, int joint) {
         int a = bodyA[joint];
         int b = bodyB[joint];

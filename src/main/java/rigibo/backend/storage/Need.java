@@ -15,7 +15,7 @@ import rigibo.backend.effect.Thrust;
 import java.util.List;
 import java.util.Set;
 
-/** What has to be declared for a column to be there. */
+/** The condition under which a column exists. */
 public enum Need {
     ALWAYS,
     ROTATION(Rotation.class),
@@ -30,27 +30,27 @@ public enum Need {
     DRAG(Drag.class),
     THRUST(Thrust.class),
     TURNING_THRUST(Thrust.class, Rotation.class),
-    /** Paths are integrated, which follows from forces and accuracy. */
+    /** Paths are integrated in substeps; this follows from the forces and the accuracy. */
     PATHS,
     TURNING_PATHS(Rotation.class),
     /** A body has more than one shape. */
     COMPOUNDS,
-    /** A shape does not meet everybody. */
+    /** A shape has a category or a mask of its own. */
     FILTERS,
-    /** A body is kept from turning. */
+    /** The rotation of a body is locked. */
     LOCKS,
-    /** A body is driven to a place. */
+    /** A body is driven to a target pose. */
     DRIVES,
-    /** A body is taken out of the simulation for a while. */
+    /** A body is disabled for a while. */
     ABSENCES,
-    /** A shape is solid on one side alone. */
+    /** A shape is solid on one side only. */
     ONE_SIDED,
-    /** A shape touches nothing and tells who is inside. */
+    /** A shape is a sensor. */
     SENSORS,
-    /** A body is kept from moving along an axis. */
+    /** A body's motion along an axis is locked. */
     AXES;
 
-    /** What the first body that has it makes columns of, whatever is declared. */
+    /** Needs that arise with the first such body, whatever effects are declared. */
     public static final List<Need> OF_BODIES =
             List.of(COMPOUNDS, FILTERS, LOCKS, DRIVES, ABSENCES, ONE_SIDED, SENSORS, AXES);
 
@@ -61,12 +61,12 @@ public enum Need {
         this.effects = List.of(effects);
     }
 
-    /** Whether effects alone do not tell. */
+    /** Whether the declared effects alone do not decide it. */
     private boolean isAskedFor() {
         return this == PATHS || this == TURNING_PATHS || OF_BODIES.contains(this);
     }
 
-    /** Whether it is met by what is declared, and by what else was asked for. */
+    /** Whether the declared effects, and the needs that were asked for, meet it. */
     boolean isMet(Effects declared, Set<Need> asked) {
         return (!isAskedFor() || asked.contains(this))
                 && effects.stream().allMatch(declared::declares);

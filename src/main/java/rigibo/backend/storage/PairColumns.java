@@ -11,14 +11,16 @@ import static rigibo.backend.storage.Role.SAVED;
 import static rigibo.backend.storage.Role.SCRATCH;
 
 /**
- * The table of the pairs' columns, in the order in which they are saved: what there is to a column
- * besides its field is its line here.
+ * The table of the pairs' columns, in the order in which they are saved. Apart from its field, a
+ * column is declared by one line here.
  */
 final class PairColumns {
 
     private PairColumns() {}
 
-    /** Shows every column to a visitor, and puts what it answers into the field. */
+    /**
+     * Passes every column to a visitor, and stores the array that the visitor returns in the field.
+     */
     static void visit(Pairs p, ColumnVisitor v) {
         p.bodyA = v.column("bodyA", SAVED, ALWAYS, p.bodyA);
         p.bodyB = v.column("bodyB", SAVED, ALWAYS, p.bodyB);
@@ -46,7 +48,7 @@ final class PairColumns {
         p.separation = v.twins("separation", SAVED, ALWAYS, p.separation);
         p.feature = v.twins("feature", SAVED, ALWAYS, p.feature);
         p.former = v.twins("former", SCRATCH, ALWAYS, p.former);
-        // Unknown in a restored pool, which measures anew and finds the same.
+        // Unknown in a restored pool, which measures again with the same result.
         p.reach = v.column("reach", DERIVED, ALWAYS, p.reach);
     }
 
@@ -59,7 +61,10 @@ final class PairColumns {
         p.rollingTorque = v.column("rollingTorque", SAVED, ROLLING_RESISTANCE, p.rollingTorque);
     }
 
-    /** Whether they touched decides in the next step, too, who rests and what is told. */
+    /**
+     * Whether a pair touched in this step also decides, in the next one, which bodies rest and what
+     * is reported.
+     */
     private static void visitWhatIsTold(Pairs p, ColumnVisitor v) {
         p.impulse = v.column("impulse", SAVED, ALWAYS, p.impulse);
         p.impacts = v.column("impacts", SAVED, ALWAYS, p.impacts);

@@ -1,12 +1,12 @@
 package rigibo.backend.storage;
 
 /**
- * Finds the pair of two bodies: open addressing with linear probing. It is only asked, never
+ * Finds the pair of two shapes: a hash table with open addressing and linear probing. It is never
  * iterated, so its layout cannot influence the simulation.
  */
 public final class PairIndex {
 
-    /** Returned when two bodies are no pair. */
+    /** Returned when two shapes are no pair. */
     public static final int ABSENT = -1;
 
     private static final long EMPTY = -1;
@@ -16,7 +16,7 @@ public final class PairIndex {
     private int[] pairs = new int[FIRST_CAPACITY];
     private int size;
 
-    /** The pair of bodies {@code a < b}, or {@link #ABSENT}. */
+    /** The pair of shapes {@code a < b}, or {@link #ABSENT}. */
     public int find(int a, int b) {
         long key = key(a, b);
         int at = home(key);
@@ -29,14 +29,14 @@ public final class PairIndex {
         return ABSENT;
     }
 
-    /** Makes room for so many pairs. */
+    /** Makes room for a number of pairs. */
     void reserve(int count) {
         while (2 * count > keys.length) {
             grow();
         }
     }
 
-    /** Notes the pair of bodies {@code a < b}, who are none so far. */
+    /** Adds the pair of shapes {@code a < b}, which must not be in the table. */
     public void put(int a, int b, int pair) {
         if (2 * ++size > keys.length) {
             grow();
@@ -44,7 +44,7 @@ public final class PairIndex {
         place(key(a, b), pair);
     }
 
-    /** Removes by moving later entries of the same run up, so that no tombstones pile up. */
+    /** Removes an entry and moves later entries of its run up, so that no tombstones accumulate. */
     void remove(int a, int b) {
         int mask = keys.length - 1;
         int hole = home(key(a, b));
@@ -69,7 +69,7 @@ public final class PairIndex {
         size--;
     }
 
-    /** Gives each pair another number, told by its old one. */
+    /** Renumbers the pairs: {@code numbers} holds the new number of each old one. */
     void renumber(int[] numbers) {
         for (int at = 0; at < keys.length; at++) {
             if (keys[at] != EMPTY) {
@@ -100,7 +100,7 @@ public final class PairIndex {
     }
 
     private int home(long key) {
-        // Fibonacci hashing: the golden ratio's multiples spread neighbouring keys evenly.
+        // Fibonacci hashing: multiples of the golden ratio spread neighbouring keys evenly.
         return (int) (key * 0x9E3779B97F4A7C15L >>> 40) & keys.length - 1;
     }
 

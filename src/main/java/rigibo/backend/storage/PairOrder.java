@@ -1,28 +1,34 @@
 package rigibo.backend.storage;
 
 /**
- * Keeps the pairs in memory in the order in which a step meets them. Pairs come and go, and their
- * slots with them, until each of their columns is read at random: then the cache waits for memory
- * once per column and pair. When to sort them again follows from their order alone, and nothing
- * that is simulated depends on their numbers.
+ * Keeps the pairs in memory in the order in which a step visits them. As pairs come and go, their
+ * slots are reused, until every column is read at random and the processor waits for memory once
+ * per column and pair. The time to sort follows from the order of the pairs alone, and no result of
+ * the simulation depends on their numbers.
  */
 public final class PairOrder implements ColumnVisitor {
 
-    /** Pairs up to which all columns fit into the cache. */
+    /** Number of pairs up to which all columns fit into the cache. */
     private static final int FEW = 1000;
 
-    /** Share of steps back, from one active pair to the next, from which on they are sorted. */
+    /**
+     * Sorts when the slot decreases from one active pair to the next in more than this share of
+     * cases.
+     */
     private static final double SCATTERED = 1.0 / 16;
 
     private final Bodies bodies;
     private final Pairs pairs;
 
-    /** The old slot of each pair in its new one, and the other way round. */
+    /** Old slot of each new one, and new slot of each old one. */
     private int[] olds = new int[0];
 
     private int[] news = new int[0];
 
-    /** Columns to sort into, one and two values a pair; each changes places with the one sorted. */
+    /**
+     * Buffers to sort into, with one or two values a pair; a sorted column and its buffer change
+     * places.
+     */
     private double[] numbers = new double[0];
 
     private double[] twinNumbers = new double[0];
@@ -30,16 +36,16 @@ public final class PairOrder implements ColumnVisitor {
     private int[] twinIntegers = new int[0];
     private boolean[] flags = new boolean[0];
 
-    /** The order of the pairs of a storage. */
+    /** Watches the order of the pairs of a storage. */
     public PairOrder(DataStorage data) {
         bodies = data.bodies;
         pairs = data.pairs;
     }
 
-    /** Sorts the pairs if the active ones, which were just listed, lie too far about. */
+    /** Sorts the pairs if the active ones, which were just listed, are too scattered. */
     public void restore() {
         if (olds.length > 0) {
-            // While the columns grow one by one, so do these.
+            // While the columns grow one after another, so do the buffers.
             lengthenOne(pairs.roomAhead());
         }
         if (pairs.activeCount > FEW && stepsBack() > SCATTERED * pairs.activeCount) {
@@ -56,10 +62,13 @@ public final class PairOrder implements ColumnVisitor {
         return count;
     }
 
-    /** Active pairs first, as they are listed, then the others as they are. */
+    /**
+     * The active pairs first, in the order of their list, then the others in the order of their
+     * slots.
+     */
     private void listOrder() {
         while (lengthenOne(pairs.room())) {
-            // The first time all of them, later only those that could not be made ahead.
+            // The first time this makes all buffers, later only those that were not made ahead.
         }
         int count = 0;
         for (int i = 0; i < pairs.activeCount; i++) {
@@ -90,7 +99,7 @@ public final class PairOrder implements ColumnVisitor {
         pairs.slots.closeRanks();
     }
 
-    /** Writes the new numbers of the pairs that a column of links names. */
+    /** Replaces the numbers of pairs in a column of links. */
     private void linkAnew(int[] links) {
         for (int i = 0; i < pairs.slots.inUse(); i++) {
             int at = 2 * olds[i];
@@ -99,7 +108,7 @@ public final class PairOrder implements ColumnVisitor {
         }
     }
 
-    /** Makes room in one of the columns to sort with; answers whether any was too short. */
+    /** Lengthens one buffer that is too short; returns whether there was one. */
     private boolean lengthenOne(int capacity) {
         if (twinNumbers.length < 2 * capacity) {
             twinNumbers = new double[2 * capacity];

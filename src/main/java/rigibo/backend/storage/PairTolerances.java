@@ -3,27 +3,33 @@ package rigibo.backend.storage;
 import rigibo.backend.setup.BodyType;
 
 /**
- * Lengths that are stated for bodies of one metre and scale with the smaller movable body of a
- * pair, so that a scene 64 times smaller behaves the same.
+ * Tolerances in lengths. They are stated for bodies of one metre and scale with the smaller movable
+ * body of a pair, so that a scene 64 times smaller behaves the same.
  */
 public final class PairTolerances {
 
     /** Gap in m, per metre of body, up to which two bodies count as touching. */
     public static final double TOUCHING_GAP = 1e-3;
 
-    /** Lift in m, per metre of body, below which a rebound is not seen; decides bounce or rest. */
+    /**
+     * Lift in m, per metre of body, below which a rebound cannot be seen; decides between bounce
+     * and rest.
+     */
     public static final double INVISIBLE_LIFT = 0.5e-3;
 
     /**
-     * Share of an acceleration by which round-off in a normal may seem to press: two boxes that
-     * fall side by side press nothing together, though their common face is upright only up to a
-     * few ulp. Some 4,000 ulp, for far away a normal is known worse.
+     * Share of an acceleration that counts as round-off of a normal. Two boxes that fall side by
+     * side do not press on each other, though their common normal is horizontal only up to a few
+     * ulp. The share is some 4,000 ulp, because far from the origin a normal is less exact.
      */
     private static final double ROUND_OFF = 1e-12;
 
     private PairTolerances() {}
 
-    /** Width in m of the smaller movable body; of the smaller of two where neither is. */
+    /**
+     * Width in m of the movable body of a pair; of the smaller body if both or neither can be
+     * moved.
+     */
     public static double width(Bodies bodies, int a, int b) {
         boolean movesA = bodies.type[a] == BodyType.DYNAMIC;
         boolean movesB = bodies.type[b] == BodyType.DYNAMIC;
@@ -35,7 +41,7 @@ public final class PairTolerances {
 
     /**
      * Acceleration in m/s² with which the effects press a pair together along its normal from A to
-     * B, taking the other body as supported: 0 where nothing presses.
+     * B, as if the other body were supported; 0 where nothing presses.
      */
     public static double pressingAcceleration(
             Bodies bodies, int a, int b, double normalX, double normalY) {
@@ -45,8 +51,8 @@ public final class PairTolerances {
     }
 
     /**
-     * Whether a force in N between A and B is more than round-off: accelerates them by more than
-     * that of their weights.
+     * Whether a force in N between A and B is more than round-off: it accelerates them by more than
+     * the round-off of their own accelerations.
      */
     public static boolean isPressing(Bodies bodies, int a, int b, double force) {
         double weights =
@@ -56,7 +62,7 @@ public final class PairTolerances {
     }
 
     /**
-     * Component of an acceleration (ax, ay) in m/s² along a unit normal, 0 where it is no more than
+     * Component of an acceleration (ax, ay) in m/s² along a unit normal; 0 where it is no more than
      * round-off of the normal.
      */
     public static double along(double ax, double ay, double normalX, double normalY) {
@@ -66,8 +72,8 @@ public final class PairTolerances {
     }
 
     /**
-     * Speed in m/s up to which a rebound against a pressing acceleration (m/s²) cannot lift a body
-     * of this width (m) visibly: v = √(2·a·d).
+     * Speed in m/s up to which a rebound cannot visibly lift a body of this width (m) against a
+     * pressing acceleration (m/s²): v = √(2·a·d).
      */
     public static double restSpeed(double pressing, double width) {
         return Math.sqrt(2 * pressing * INVISIBLE_LIFT * width);

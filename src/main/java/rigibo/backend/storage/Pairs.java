@@ -7,19 +7,19 @@ import java.util.EnumSet;
 import java.util.Set;
 
 /**
- * Columns of the candidate pairs: two bodies whose size fixtures overlap, and what is known of the
- * contact between them. Body A always has the lower slot. A pair sits in the lists of both its
- * bodies; columns of two values per pair are indexed {@code 2 * pair + point}. Whatever is done to
- * every column, {@link PairColumns} does.
+ * Columns of the candidate pairs: two shapes whose fixtures overlap, with the state of the contact
+ * between them. Body A is the one with the lower slot. A pair is in the lists of both its bodies;
+ * columns of two values per pair are indexed {@code 2 * pair + point}. {@link PairColumns} lists
+ * all columns, for operations on every one of them.
  */
 public final class Pairs {
 
-    /** Ends a list. */
+    /** Marks the end of a list. */
     public static final int NONE = -1;
 
     /**
-     * In {@link #passage}: nobody has decided yet; the two meet; one is behind the other's surface;
-     * one is just coming through it.
+     * Values of {@link #passage}: not decided yet; the two collide; one is behind the surface of
+     * the other, so they do not; one is just coming through that surface.
      */
     public static final int UNDECIDED = 0;
 
@@ -27,7 +27,7 @@ public final class Pairs {
     public static final int PASSES = 2;
     public static final int COMES_THROUGH = 3;
 
-    /** In {@link #beside}: the two cannot touch in this step but where they have points. */
+    /** Value of {@link #beside}: without a point, the two cannot touch in this step. */
     public static final double NOT_AWAITED = -1;
 
     private static final int FIRST_CAPACITY = 64;
@@ -40,33 +40,38 @@ public final class Pairs {
 
     public int[] bodyB = new int[FIRST_CAPACITY];
 
-    /** Slots of the two shapes, where a body has more than one; else null, and the bodies' own. */
+    /**
+     * Slots of the two shapes if some body has several; otherwise null, and the slots are the
+     * bodies' own.
+     */
     int[] shapesA;
 
     int[] shapesB;
 
-    /** Links of the two lists the pair is in, at 2·pair for A's and 2·pair + 1 for B's. */
+    /** Links of the two lists that hold the pair: 2·pair in A's, 2·pair + 1 in B's. */
     public int[] next = new int[2 * FIRST_CAPACITY];
 
     public int[] previous = new int[2 * FIRST_CAPACITY];
 
-    /** Unit normal from A to B, and 0, 1 or 2 points of contact. */
+    /** Unit normal from A to B. Number of contact points: 0, 1 or 2, in {@link #points}. */
     public double[] normalX = new double[FIRST_CAPACITY];
 
     public double[] normalY = new double[FIRST_CAPACITY];
 
-    /** Slot of the body whose face the normal stands on, or {@link #NONE}: it joins two points. */
+    /**
+     * Slot of the body with the reference face, or {@link #NONE} where the normal joins two points.
+     */
     public int[] faceOf = new int[FIRST_CAPACITY];
 
     public int[] points = new int[FIRST_CAPACITY];
 
     /**
-     * How far away points were looked for when the step before began, m; NaN where nobody looked,
-     * or what was found has been changed since.
+     * Distance (m) up to which the last step searched for points at its start; NaN if none did, or
+     * if the points were changed since.
      */
     public double[] reach = new double[FIRST_CAPACITY];
 
-    /** Per point: world place and gap in m (negative in overlap), and the id of its features. */
+    /** By point: world position in m, separation in m (negative in overlap), and feature id. */
     public double[] pointX = new double[2 * FIRST_CAPACITY];
 
     public double[] pointY = new double[2 * FIRST_CAPACITY];
@@ -74,26 +79,26 @@ public final class Pairs {
     public int[] feature = new int[2 * FIRST_CAPACITY];
 
     /**
-     * Where the bodies were when the points were measured, m: the centre of the one that is not
-     * dynamic, or else halfway between both.
+     * Reference position of the bodies when the points were measured, m: the centre of the one that
+     * is not dynamic, or else the middle between both centres.
      */
     public double[] middleX = new double[FIRST_CAPACITY];
 
     public double[] middleY = new double[FIRST_CAPACITY];
 
-    /** Per point: which one of the manifold before it continues, 0 or 1, or {@link #NONE}. */
+    /** By point: the point of the previous manifold that it continues, 0 or 1, or {@link #NONE}. */
     public int[] former = new int[2 * FIRST_CAPACITY];
 
-    /** Per point: the force (N) that held at the end of the last step; starts the next one. */
+    /** By point: normal force at the end of the last step, N, for warm starting. */
     public double[] normalForce = new double[2 * FIRST_CAPACITY];
 
-    /** Per point: the force (N) carried of late, averaged over the last seconds. */
+    /** By point: normal force averaged over the last seconds, N. */
     public double[] load = new double[2 * FIRST_CAPACITY];
 
     /**
-     * Of declared effects only, else null: mixed from the two materials, and the friction force (N)
-     * and rolling torque (N·m) that held at the end of the last step, which mean nothing where the
-     * points carry nothing.
+     * Null unless the effect is declared: coefficients mixed from both materials; friction force
+     * (N) and rolling torque (N·m) at the end of the last step, without meaning where no point
+     * carries a force.
      */
     public double[] friction;
 
@@ -101,42 +106,42 @@ public final class Pairs {
     public double[] frictionForce;
     public double[] rollingTorque;
 
-    /** Normal impulse of the last step, impacts included, N·s. */
+    /** Normal impulse of the last step, including impacts, N·s. */
     public double[] impulse = new double[FIRST_CAPACITY];
 
-    /** Impacts of the pair in this step. */
+    /** Number of impacts of the pair in this step. */
     public int[] impacts = new int[FIRST_CAPACITY];
 
-    /** Whether what is driven presses into the other body so deep that it presses no further. */
+    /** Whether a driven body overlaps the other one so deeply that it presses no further. */
     public boolean[] crushed = new boolean[FIRST_CAPACITY];
 
-    /** Whether the pair presses without bouncing: part of a pile. */
+    /** Whether the pair presses without bouncing and so belongs to a pile. */
     public boolean[] resting = new boolean[FIRST_CAPACITY];
 
-    /** Whether the pair touched in this step and in the one before. */
+    /** Whether the pair touched in this step, and in the one before. */
     public boolean[] touching = new boolean[FIRST_CAPACITY];
 
     public boolean[] touchedBefore = new boolean[FIRST_CAPACITY];
 
     /**
-     * Of pairs with a shape that is solid on one side alone: whether the two meet; null where no
-     * shape is such.
+     * For pairs with a shape that is solid on one side only: whether the two collide; null where
+     * there is no such shape.
      */
     public int[] passage;
 
     /**
-     * Of pairs with an edge of a chain that have no point: the gap in m between the two where one
-     * may come over the edge within the reach that was looked, else {@link #NOT_AWAITED}; null
-     * likewise.
+     * For pairs without points that include an edge of a chain: gap (m) to a body that may come
+     * over the end of the edge within the searched distance, else {@link #NOT_AWAITED}. Null
+     * together with {@link #passage}.
      */
     public double[] beside;
 
-    /** The pairs this step has to look at: those with an awake body. */
+    /** The pairs that this step visits, since one of their bodies moves. */
     public int[] active = new int[FIRST_CAPACITY];
 
     public int activeCount;
 
-    /** The step in which a pair was last listed as active, and the number of this step. */
+    /** Step in which a pair was last listed as active, and the number of this step. */
     int[] activeStep = new int[FIRST_CAPACITY];
 
     private int step;
@@ -152,7 +157,7 @@ public final class Pairs {
         declare(effects);
     }
 
-    /** Shows every column to a visitor, which may put others in their place. */
+    /** Passes every column to a visitor, which may replace the arrays. */
     public void visitColumns(ColumnVisitor visitor) {
         PairColumns.visit(this, visitor);
     }
@@ -165,7 +170,7 @@ public final class Pairs {
         visitColumns(new Declaring(effects, asked, room.slots()));
     }
 
-    /** Makes the columns that bodies of more than one shape need. */
+    /** Makes the columns for bodies with more than one shape. */
     public void holdCompounds() {
         if (shapesA == null) {
             asked.add(Need.COMPOUNDS);
@@ -175,40 +180,43 @@ public final class Pairs {
         }
     }
 
-    /** Makes the column that shapes need which are solid on one side alone. */
+    /** Makes the columns for shapes that are solid on one side only. */
     void holdOneSided() {
         asked.add(Need.ONE_SIDED);
         declare(effects);
     }
 
-    /** The slot of the shape of A that the pair is of. */
+    /** The slot of A's shape in the pair. */
     public int shapeA(int pair) {
         return shapesA == null ? bodyA[pair] : shapesA[pair];
     }
 
-    /** The slot of the shape of B that the pair is of. */
+    /** The slot of B's shape in the pair. */
     public int shapeB(int pair) {
         return shapesB == null ? bodyB[pair] : shapesB[pair];
     }
 
-    /** The slot of the shape of one of its bodies that the pair is of. */
+    /** The slot of the shape that a body has in the pair. */
     public int shapeOf(int pair, int body) {
         return bodyA[pair] == body ? shapeA(pair) : shapeB(pair);
     }
 
-    /** How many pairs every column has room for. */
+    /** Number of pairs for which every column has room. */
     public int room() {
         return room.slots();
     }
 
-    /** How many some columns have room for already; more than all while the room grows. */
+    /**
+     * Number of pairs for which some columns have room; more than {@link #room} while the columns
+     * grow.
+     */
     int roomAhead() {
         return room.slotsAhead();
     }
 
     /**
-     * A new pair of two shapes, that of the body with the lower slot first, linked into the lists
-     * of both bodies, without contact.
+     * Adds a pair of two shapes, without contact, to the lists of both bodies; the shape of the
+     * body with the lower slot comes first. Returns its slot.
      */
     public int add(Bodies bodies, int shapeA, int shapeB) {
         int pair = slots.take();
@@ -227,19 +235,19 @@ public final class Pairs {
         return pair;
     }
 
-    /** Makes room for so many slots. */
+    /** Makes room for a number of slots. */
     public void reserve(int slotCount) {
         room.reserve(slotCount);
     }
 
-    /** Writes what follows from the pairs and their bodies, all of which were just read. */
+    /** Computes the derived columns after pairs and bodies were read from a snapshot. */
     public void derive(Bodies bodies) {
         for (int i = 0; i < slots.freeCount; i++) {
             bodyA[slots.free[i]] = NONE;
         }
         for (int pair : slots.occupied()) {
             reach[pair] = Double.NaN;
-            // Any of them may have been active in the last step.
+            // Each of them may have been active in the last step.
             list(pair);
             index.put(shapeA(pair), shapeB(pair), pair);
             mix(bodies, pair);
@@ -252,7 +260,7 @@ public final class Pairs {
         step++;
     }
 
-    /** Notes a pair that this step has to look at, once. */
+    /** Lists a pair as active, once. */
     public void activate(int pair) {
         if (activeStep[pair] == step) {
             return;
@@ -266,7 +274,7 @@ public final class Pairs {
         list(pair);
     }
 
-    /** Notes a pair within a step, before which nobody has measured it. */
+    /** Lists a pair as active within a step; it has not been measured yet. */
     public void activateLate(int pair) {
         if (activeStep[pair] != step) {
             reach[pair] = Double.NaN;
@@ -281,12 +289,12 @@ public final class Pairs {
         active[activeCount++] = pair;
     }
 
-    /** Whether this step has to look at a pair. */
+    /** Whether this step visits a pair. */
     boolean isActive(int pair) {
         return activeStep[pair] == step;
     }
 
-    /** Takes a pair out of both lists. */
+    /** Removes a pair from both lists and frees its slot. */
     public void remove(Bodies bodies, int pair) {
         unlink(bodies, pair, 0, bodyA[pair]);
         unlink(bodies, pair, 1, bodyB[pair]);
@@ -295,7 +303,7 @@ public final class Pairs {
         slots.giveBack(pair);
     }
 
-    /** The next pair in the list of a body that is in this pair, or {@link #NONE}. */
+    /** The next pair in a body's list after this one, or {@link #NONE}. */
     public int nextOf(int pair, int body) {
         return next[2 * pair + (bodyA[pair] == body ? 0 : 1)];
     }
@@ -306,7 +314,8 @@ public final class Pairs {
     }
 
     /**
-     * The smallest gap in m over the pair's points, negative in overlap; infinite without points.
+     * The smallest separation in m over the pair's points, negative in overlap; infinite without
+     * points.
      */
     public double gap(int pair) {
         int first = 2 * pair;
@@ -320,27 +329,27 @@ public final class Pairs {
         }
     }
 
-    /** Whether the two touched in the last step, at its end or in an impact within it. */
+    /** Whether the two touched in the last step, at its end or in an impact during it. */
     public boolean touched(int pair) {
         return touching[pair] || impacts[pair] > 0;
     }
 
-    /** Whether one of the points carried a force when the last step ended. */
+    /** Whether one of the points carried a force at the end of the last step. */
     public boolean isLoaded(int pair) {
         return normalForce[2 * pair] != 0 || normalForce[2 * pair + 1] != 0;
     }
 
-    /** The friction that held when the last step ended, N: none where no load did. */
+    /** The friction force at the end of the last step, N; 0 if no point carried a force. */
     public double heldFriction(int pair) {
         return frictionForce != null && isLoaded(pair) ? frictionForce[pair] : 0;
     }
 
-    /** The rolling torque that held when the last step ended, N·m: none where no load did. */
+    /** The rolling torque at the end of the last step, N·m; 0 if no point carried a force. */
     public double heldTorque(int pair) {
         return rollingTorque != null && isLoaded(pair) ? rollingTorque[pair] : 0;
     }
 
-    /** Mixes friction √(μaμb) and elasticity max(ea, eb) anew from the bodies' columns. */
+    /** Mixes friction √(μaμb) and elasticity max(ea, eb) from the columns of both bodies. */
     public void mix(Bodies bodies, int pair) {
         int a = shapeA(pair);
         int b = shapeB(pair);
@@ -353,38 +362,40 @@ public final class Pairs {
         }
     }
 
-    /** How fast the surfaces of both run, m/s; surface speeds are declared. */
+    /** Sum of the surface speeds of both bodies, m/s; needs declared surface speeds. */
     public double surfaceSpeed(Bodies bodies, int pair) {
         return bodies.surfaceSpeed[shapeA(pair)] + bodies.surfaceSpeed[shapeB(pair)];
     }
 
-    /** Whether the surface of either runs; surface speeds are declared. */
+    /** Whether the surface of either body runs; needs declared surface speeds. */
     public boolean runs(Bodies bodies, int pair) {
         return bodies.surfaceSpeed[shapeA(pair)] != 0 || bodies.surfaceSpeed[shapeB(pair)] != 0;
     }
 
-    /** The longer of the rolling levers of the two bodies, m; rolling resistance is declared. */
+    /**
+     * The longer one of the rolling levers of the two bodies, m; needs declared rolling resistance.
+     */
     public double rollingLever(Bodies bodies, int pair) {
         return Math.max(
                 bodies.rollingResistance[shapeA(pair)], bodies.rollingResistance[shapeB(pair)]);
     }
 
-    /** The mixed friction, 0 where none is declared. */
+    /** The mixed coefficient of friction; 0 where none is declared. */
     public double frictionOf(int pair) {
         return friction == null ? 0 : friction[pair];
     }
 
-    /** The mixed elasticity, 0 where no restitution is declared. */
+    /** The mixed elasticity; 0 where no restitution is declared. */
     public double elasticityOf(int pair) {
         return elasticity == null ? 0 : elasticity[pair];
     }
 
-    /** Whether the two may touch within the step in a point that nobody can tell of yet. */
+    /** Whether the two have no point yet but may touch within the step at one that is not known. */
     public boolean isAwaited(int pair) {
         return beside != null && points[pair] == 0 && beside[pair] >= 0;
     }
 
-    /** Forgets all that is known of the contact. */
+    /** Resets the contact to one without points. */
     public void clear(int pair) {
         normalX[pair] = 0;
         normalY[pair] = 0;
@@ -414,7 +425,9 @@ public final class Pairs {
         }
     }
 
-    /** Leaves it to the next step whether the two meet: a surface has become another. */
+    /**
+     * Leaves it to the next step to decide whether the two collide, because a surface was changed.
+     */
     public void reconsider(int pair) {
         if (passage != null) {
             passage[pair] = UNDECIDED;
@@ -422,7 +435,7 @@ public final class Pairs {
         }
     }
 
-    /** Takes one point away; the other becomes the first. */
+    /** Removes one point; the other one becomes the first. */
     public void removePoint(int pair, int i) {
         reach[pair] = Double.NaN;
         points[pair]--;
@@ -480,8 +493,8 @@ public final class Pairs {
     }
 
     /**
-     * Adds to the normal impulse that is told of a pair, N·s. A trace of pull is round-off; an
-     * impact beyond all bounds puts its bodies to rest, as if it had not been.
+     * Adds to the reported normal impulse of a pair, N·s. A negative amount is round-off. One that
+     * is not finite belongs to an impact that puts its bodies to rest, as if it had not happened.
      */
     public void tellImpulse(int pair, double pushed) {
         if (pushed > 0 && pushed < Double.POSITIVE_INFINITY) {

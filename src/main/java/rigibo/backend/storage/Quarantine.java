@@ -3,29 +3,30 @@ package rigibo.backend.storage;
 import rigibo.backend.setup.BodyDefinition;
 
 /**
- * Puts bodies to rest whose numbers are beyond all bounds, at their last good pose. Every stage
- * that can make such numbers asks before another body is told of them.
+ * Puts bodies to rest, at their last good pose, when their state is no longer finite or far beyond
+ * all physical bounds. Every stage that can produce such numbers checks for them before they reach
+ * another body.
  */
 public final class Quarantine {
 
-    /** A body faster than this is beyond what doubles can collide, m/s, and rad/s. */
+    /** Speed beyond which doubles no longer resolve a collision, m/s and rad/s. */
     public static final double FASTEST = 10 * BodyDefinition.MOST_SPEED;
 
     private final DataStorage data;
     private final Bodies bodies;
 
-    /** Of the bodies of a storage. */
+    /** A quarantine for the bodies of a storage. */
     public Quarantine(DataStorage data) {
         this.data = data;
         bodies = data.bodies;
     }
 
-    /** Whether a velocity in m/s, or a spin in rad/s, is one that bodies can have. */
+    /** Whether a velocity in m/s, or an angular velocity in rad/s, is within bounds. */
     public static boolean isBounded(double speed) {
         return Math.abs(speed) < FASTEST;
     }
 
-    /** Puts a dynamic body to rest where the step began if its motion is beyond all bounds. */
+    /** Puts a dynamic body to rest where the step began if its motion is out of bounds. */
     public void putToRestIfUnbounded(int slot) {
         if (bodies.isDynamic(slot) && !isBounded(slot)) {
             putToRest(slot);
@@ -49,7 +50,7 @@ public final class Quarantine {
             bodies.aim(slot);
             bodies.clearAngularAcceleration(slot);
         }
-        // A driven body stands still now and is no longer of those that move.
+        // A driven body that was stopped must leave the roster of moving bodies.
         data.roster.isStale = true;
         data.counters.quarantine(slot);
     }

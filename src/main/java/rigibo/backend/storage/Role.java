@@ -1,11 +1,13 @@
 package rigibo.backend.storage;
 
-/** What becomes of a column's content when a step has ended. */
+/** What happens to the content of a column when a step has ended. */
 public enum Role {
-    /** The future depends on it: it is written into snapshots and folded into the state's hash. */
+    /** Later steps depend on it: it is written into snapshots and enters the state's hash. */
     SAVED,
-    /** Follows from what is saved, or is sought anew where it is unknown: restored pools do so. */
+    /**
+     * Follows from saved columns, or is computed again where it is unknown, as in a restored pool.
+     */
     DERIVED,
-    /** Written in a step before the step reads it: between steps it may hold anything. */
+    /** Written in each step before it is read; between steps it may hold anything. */
     SCRATCH
 }

@@ -4,32 +4,34 @@ import java.util.Arrays;
 import java.util.function.Consumer;
 
 /**
- * The room in the columns of a table. It doubles, but not all at once: from three quarters on,
- * column after column is copied into one twice as long, in step with the slots that are handed out,
- * so that the last column is done with the last slot. To copy them all costs a step megabytes at
- * once where there are ten thousand pairs.
+ * The capacity of the columns of a table. It doubles, but not in one step: once three quarters of
+ * the slots are in use, one column after another is copied into an array twice as long, in
+ * proportion to the slots assigned, so that the last column is copied with the last slot. Copying
+ * all of them at once would cost a single step megabytes with ten thousand pairs.
  */
 final class Room implements ColumnVisitor {
 
-    /** Slots up to which all columns are copied at once: together they are a few hundred kB. */
+    /** Capacity up to which all columns are copied at once; together they take a few hundred kB. */
     private static final int FEW = 1024;
 
     private final Consumer<ColumnVisitor> table;
 
-    /** Slots that every column has room for. */
+    /** Number of slots for which every column has room. */
     private int slots;
 
-    /** The slot that the first column is copied for, and the one that the next is copied for. */
+    /** Slot at which the first column is copied, and slot at which the next one is. */
     private int first;
 
     private int next;
 
-    /** Of a pass through the table: bits a slot of the columns so far, and up to how many to go. */
+    /**
+     * While the table is visited: bits per slot of the columns so far, and bits at which to stop.
+     */
     private long passed;
 
     private long due;
 
-    /** The room in new columns of so many slots, which a table is going to show. */
+    /** The capacity of a table whose columns have room for a number of slots. */
     Room(int slots, Consumer<ColumnVisitor> table) {
         this.table = table;
         begin(slots);
@@ -41,24 +43,27 @@ final class Room implements ColumnVisitor {
         next = first;
     }
 
-    /** How many slots every column has room for. */
+    /** Number of slots for which every column has room. */
     int slots() {
         return slots;
     }
 
-    /** How many slots some columns have room for already: as many, or twice as many. */
+    /** Number of slots for which the first columns have room: the same, or twice as many. */
     int slotsAhead() {
         return next > first ? 2 * slots : slots;
     }
 
-    /** Makes room for a slot, which is the lowest that was never handed out. */
+    /** Makes room for a slot, which must be the lowest that was never assigned. */
     void hold(int slot) {
         if (slot >= next) {
             grow(slot);
         }
     }
 
-    /** Makes room for so many slots, all of which can be handed out before any column is copied. */
+    /**
+     * Makes room for a number of slots, all of which can be assigned before a column is copied
+     * again.
+     */
     void reserve(int count) {
         while (slots < count) {
             lengthen(Long.MAX_VALUE);
@@ -83,7 +88,10 @@ final class Room implements ColumnVisitor {
         }
     }
 
-    /** Copies columns up to so many bits a slot; answers how many those up to there have. */
+    /**
+     * Copies columns until they amount to this many bits per slot; returns the bits of the columns
+     * up to there.
+     */
     private long lengthen(long bits) {
         passed = 0;
         due = bits;
@@ -91,13 +99,14 @@ final class Room implements ColumnVisitor {
         return passed;
     }
 
-    /** The length that a column of so many bits has to have now. */
+    /** The length that a column should have now. */
     private int length(int present, int perSlot, int bits) {
         if (passed >= due) {
             return present;
         }
         passed += bits;
-        // A column may be twice as long already: PairOrder sorts into others than it sorts from.
+        // A column may be twice as long already, because PairOrder exchanges columns with its
+        // buffers.
         return Math.max(present, 2 * slots * perSlot);
     }
 

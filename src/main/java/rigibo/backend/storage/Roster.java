@@ -3,20 +3,21 @@ package rigibo.backend.storage;
 import java.util.Arrays;
 
 /**
- * The bodies that a step has to look at, in slot order: awake dynamic ones and driven ones. Rebuilt
- * only when bodies came, went, slept or woke, so that a sleeping body costs nothing.
+ * The bodies that a step visits, in slot order: awake dynamic ones and moving kinematic ones. It is
+ * rebuilt only when a body was added, removed, put to sleep or woken, so that a sleeping body costs
+ * nothing.
  */
 public final class Roster {
 
-    /** Slots of the awake dynamic bodies and of kinematic bodies that move, ascending. */
+    /** Slots of awake dynamic bodies and of moving kinematic bodies, ascending. */
     public int[] awake = new int[16];
 
     public int awakeCount;
 
-    /** Set by whoever adds, removes, wakes or puts to sleep a body. */
+    /** Set by every stage that adds, removes, wakes or stops a body. */
     public boolean isStale = true;
 
-    /** Lists the bodies anew if anything changed. */
+    /** Rebuilds the list if it is stale. */
     public void refresh(Bodies bodies) {
         if (!isStale) {
             return;
@@ -33,7 +34,7 @@ public final class Roster {
         isStale = false;
     }
 
-    /** Adds a body that woke within the step, at the end of the list until the next refresh. */
+    /** Appends a body that woke within the step; the next refresh restores the order. */
     public void join(int slot) {
         if (awakeCount == awake.length) {
             awake = Arrays.copyOf(awake, 2 * awakeCount);

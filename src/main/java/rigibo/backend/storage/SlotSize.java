@@ -2,14 +2,16 @@ package rigibo.backend.storage;
 
 import java.util.function.Consumer;
 
-/** Sums what the columns there are take for each slot. */
+/** Sums the bits per slot of all columns that exist. */
 final class SlotSize implements ColumnVisitor {
 
     private int bits;
 
     private SlotSize() {}
 
-    /** Bits of all columns of a table; a reference counts, not what it refers to. */
+    /**
+     * Bits per slot of all columns of a table; a reference counts, the object behind it does not.
+     */
     static int of(Consumer<ColumnVisitor> table) {
         SlotSize size = new SlotSize();
         table.accept(size);

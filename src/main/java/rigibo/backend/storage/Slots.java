@@ -3,21 +3,21 @@ package rigibo.backend.storage;
 import java.util.Arrays;
 
 /**
- * Hands out slot numbers and takes them back. The last one returned is the next handed out, so the
- * same calls give the same numbers.
+ * Assigns slot numbers and takes them back. The slot returned last is assigned next, so that the
+ * same calls always give the same numbers.
  */
 public final class Slots {
 
-    /** One more than the highest slot ever handed out. */
+    /** One more than the highest slot ever assigned. */
     public int high;
 
-    /** Returned slots, the next to hand out last; has room for all that were ever handed out. */
+    /** Free slots, the next one to assign last; has room for all slots that were ever assigned. */
     public int[] free = new int[16];
 
-    /** How many slots wait in {@link #free}. */
+    /** Number of entries in {@link #free}. */
     public int freeCount;
 
-    /** A slot that nobody has. */
+    /** Assigns a free slot. */
     public int take() {
         if (freeCount > 0) {
             return free[--freeCount];
@@ -28,7 +28,7 @@ public final class Slots {
         return high++;
     }
 
-    /** Takes a slot back. Once all are back none waits: it is as if none had been handed out. */
+    /** Takes a slot back. Once all slots are back, counting starts at 0 again. */
     public void giveBack(int slot) {
         free[freeCount++] = slot;
         if (freeCount == high) {
@@ -36,7 +36,7 @@ public final class Slots {
         }
     }
 
-    /** What is in use has been moved to the lowest slots: none is free among them. */
+    /** Frees all slots above those in use, which have been moved to the lowest numbers. */
     void closeRanks() {
         high = inUse();
         freeCount = 0;
@@ -50,9 +50,9 @@ public final class Slots {
     }
 
     /**
-     * The slots that are handed out, ascending.
+     * The slots in use, ascending.
      *
-     * @throws IllegalArgumentException when a free slot was never handed out or is listed twice
+     * @throws IllegalArgumentException when a free slot was never assigned or is listed twice
      */
     public int[] occupied() {
         boolean[] isFree = new boolean[high];
@@ -74,7 +74,7 @@ public final class Slots {
         return occupied;
     }
 
-    /** How many slots are handed out. */
+    /** Number of slots in use. */
     public int inUse() {
         return high - freeCount;
     }

@@ -1,16 +1,16 @@
 package rigibo.backend.storage;
 
 /**
- * What is told of pairs whose bodies have both come to stand still. Nobody looks at them again, so
- * they go on as their last step left them; they must not be told step by step that they just began,
- * or just ended.
+ * Keeps the contact reports right for pairs whose bodies have both stopped. No step looks at such a
+ * pair again, so its columns stay as its last step left them; without a correction every later step
+ * would report that the contact just began, or just ended.
  */
 public final class StillContacts {
 
     private final Bodies bodies;
     private final Pairs pairs;
 
-    /** The shapes, two by two, of still pairs whose end is told of this step. */
+    /** Shapes, two by two, of the stopped pairs whose end this step reports. */
     private final Found parted = new Found();
 
     StillContacts(Bodies bodies, Pairs pairs) {
@@ -18,7 +18,10 @@ public final class StillContacts {
         this.pairs = pairs;
     }
 
-    /** Before a step lists its active pairs: of those of the last step some are still by now. */
+    /**
+     * Corrects the pairs that were active in the last step and have stopped since. It runs before a
+     * step lists its active pairs.
+     */
     public void settle() {
         settleParted();
         for (int i = 0; i < pairs.activeCount; i++) {

@@ -3,16 +3,17 @@ package rigibo.backend.storage;
 import java.util.Arrays;
 
 /**
- * Whose fixture reaches into that of a sensor, and what became of it in the last step: columns of a
- * sensor's shape and a visitor's, in the order in which they were found. They are there from the
- * first sensor on.
+ * Pairs of a sensor and a visitor, two shapes whose fixtures overlap, with the outcome of the last
+ * step; in the order of finding. They exist from the first sensor on.
  */
 public final class Visits {
 
-    /** What became of a visit in the last step: nothing, */
+    /** Outcome of the last step: the visitor was outside throughout. */
     public static final int OUTSIDE = 0;
 
-    /** the visitor came in and stayed, was in before, went out, or came in and went out. */
+    /**
+     * The visitor came in and stayed; was inside throughout; went out; came in and went out again.
+     */
     public static final int ENTERED = 1;
 
     public static final int INSIDE = 2;
@@ -28,7 +29,10 @@ public final class Visits {
 
     private final PairIndex index = new PairIndex();
 
-    /** Notes two shapes whose fixtures overlap, one of which is a sensor; known ones stay. */
+    /**
+     * Notes two shapes whose fixtures overlap, one of which is a sensor, unless they are noted
+     * already.
+     */
     public void meet(Bodies bodies, int a, int b) {
         int first = Math.min(a, b);
         int second = Math.max(a, b);
@@ -38,7 +42,7 @@ public final class Visits {
         }
     }
 
-    /** Appends a visit; columns double in room as they grow. */
+    /** Appends a visit. */
     public void add(int sensorShape, int visitorShape, int stateNow) {
         if (count == sensor.length) {
             sensor = Arrays.copyOf(sensor, 2 * count);
@@ -52,25 +56,27 @@ public final class Visits {
         count++;
     }
 
-    /** Whether a visitor was inside as the last step ended. */
+    /** Whether a visitor was inside at the end of the last step. */
     public boolean isInside(int visit) {
         return state[visit] == ENTERED || state[visit] == INSIDE;
     }
 
-    /** Moves a visit up to where others were dropped. */
+    /** Moves a visit to an earlier place, where others were dropped. */
     public void keep(int from, int to) {
         sensor[to] = sensor[from];
         visitor[to] = visitor[from];
         state[to] = state[from];
     }
 
-    /** Forgets a visit in the index; the columns are closed up by {@link #keep}. */
+    /**
+     * Removes a visit from the index; the caller closes the gap in the columns with {@link #keep}.
+     */
     public void drop(int visit) {
         index.remove(
                 Math.min(sensor[visit], visitor[visit]), Math.max(sensor[visit], visitor[visit]));
     }
 
-    /** Forgets all visits of a shape that goes. */
+    /** Removes all visits of a shape that is about to be removed. */
     public void forget(int slot) {
         int kept = 0;
         for (int i = 0; i < count; i++) {
@@ -83,7 +89,7 @@ public final class Visits {
         count = kept;
     }
 
-    /** Forgets all. */
+    /** Removes all visits. */
     public void clear() {
         for (int i = 0; i < count; i++) {
             drop(i);

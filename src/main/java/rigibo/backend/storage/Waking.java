@@ -4,7 +4,7 @@ import rigibo.backend.setup.BodyType;
 
 import java.util.Arrays;
 
-/** Wakes a body and all that sleeps in touch with it, and with that, and so on. */
+/** Wakes a body and all sleeping bodies that are connected with it by contacts or joints. */
 public final class Waking {
 
     private final DataStorage data;
@@ -15,14 +15,14 @@ public final class Waking {
 
     private long contactsLookedAt;
 
-    /** Wakes bodies of this storage. */
+    /** Wakes bodies of a storage. */
     public Waking(DataStorage data) {
         this.data = data;
         bodies = data.bodies;
         pairs = data.pairs;
     }
 
-    /** Wakes a body, whether it slept or not, and every sleeper in touch with it. */
+    /** Wakes a body, whether it sleeps or not, and every sleeping body connected with it. */
     public void wake(int slot) {
         bodies.restartStillness(slot);
         if (bodies.type[slot] == BodyType.STATIC || bodies.isDisabled(slot)) {
@@ -35,7 +35,7 @@ public final class Waking {
         spread();
     }
 
-    /** Wakes what touches a body that is about to go or change. */
+    /** Wakes the neighbours of a body that is about to be removed or changed. */
     public void wakeNeighbours(int slot) {
         for (int p = bodies.firstPairOf(slot); p != Pairs.NONE; p = pairs.nextOf(p, slot)) {
             int other = pairs.other(p, slot);
@@ -58,9 +58,9 @@ public final class Waking {
     }
 
     /**
-     * Wakes a sleeper within a step, with all it leans on: they take part as a pile, and their
-     * pairs become active. Nothing has moved there but in the step in which they fell asleep, so
-     * their manifolds still hold; the next step measures them anew.
+     * Wakes a sleeping body within a step, with all bodies connected with it. They join as a pile,
+     * and their pairs become active. Their manifolds still hold, since nothing there has moved
+     * after the step in which they fell asleep; the next step measures them again.
      */
     public void wakeIntoPile(int slot) {
         int first = data.roster.awakeCount;
@@ -82,7 +82,7 @@ public final class Waking {
     private void spread() {
         while (depth > 0) {
             int slot = stack[--depth];
-            // Several neighbours may have pushed it: only the first time has anything to spread.
+            // Several neighbours may have pushed it; only the first visit has anything to spread.
             if (!bodies.awake[slot]) {
                 rouse(slot);
                 pushSleepers(slot);
@@ -126,7 +126,7 @@ public final class Waking {
         stack[depth++] = slot;
     }
 
-    /** Contacts looked at so far: how much work wake-ups were. */
+    /** Number of contacts visited so far: the work of all wake-ups. */
     public long contactsLookedAt() {
         return contactsLookedAt;
     }

@@ -3,14 +3,14 @@ package rigibo.backend.storage;
 import java.util.Arrays;
 
 /**
- * Where bodies in flight were struck within the step, in the order of time: between two such places
- * a body flies as its forces say. Kept only where sensors ask for it.
+ * Where and when bodies in flight were struck within the step, in order of time; between two such
+ * places a body flew under its forces alone. Kept only for sensors.
  */
 public final class Ways {
 
     public int[] body = new int[16];
 
-    /** s after the step's start, m and rad. */
+    /** Time, s after the step's start; position, m; angle, rad. */
     public double[] time = new double[16];
 
     public double[] x = new double[16];
@@ -18,7 +18,7 @@ public final class Ways {
     public double[] angle = new double[16];
     public int count;
 
-    /** Notes where a body is at a time in s after the step's start. */
+    /** Notes the pose of a body at a time, s after the step's start. */
     public void note(Bodies bodies, int slot, double when) {
         if (count == body.length) {
             body = Arrays.copyOf(body, 2 * count);

@@ -1,6 +1,6 @@
 /**
- * The origin report's {@code dataStorage}: the live state of a pool in flat columns, one slot per
- * body or pair. Stages read and write these arrays; nothing here computes physics. All columns are
- * SI. A column that only an undeclared effect would need is null.
+ * The live state of a pool in flat columns, one slot per body, pair or joint. Stages read and write
+ * these arrays; nothing here computes physics. All columns are in SI units. A column that only an
+ * undeclared effect would need is null.
  */
 package rigibo.backend.storage;

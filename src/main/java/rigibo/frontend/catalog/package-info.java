@@ -1,2 +1,2 @@
-/** The list of every scene: the one line to touch when adding one. */
+/** The list of all scenes; a new scene adds one line here. */
 package rigibo.frontend.catalog;

@@ -9,7 +9,7 @@ import rigibo.frontend.scene.widget.Widget;
 
 import java.util.List;
 
-/** What one demo is: its effects, its bodies, its controls and readouts. */
+/** One demo: its effects, bodies, controls and readouts. */
 interface Demo {
 
     /** The window's title and the name on the screen. */

@@ -11,7 +11,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.stream.Collectors;
 
-/** The effects of a demo on its workbench. */
+/** The effects bar's view of a demo on its workbench. */
 final class DemoEffects implements SceneEffects {
 
     private final Demo demo;

@@ -17,7 +17,10 @@ import rigibo.frontend.scene.widget.Panel;
 
 import java.util.function.Function;
 
-/** A demo on its workbench: panel, accuracy, effects, the step's time, and the shared keys. */
+/**
+ * A demo on its workbench, with its panel, accuracy bar, effects bar, step time and the shared
+ * keys.
+ */
 final class DemoScene implements Scene {
 
     static final String TITLE = "RigiBo – ";

@@ -33,7 +33,10 @@ import java.util.List;
 import java.util.Locale;
 import java.util.SplittableRandom;
 
-/** How many bodies the pool can handle, and elasticity: a trough that is poured full. */
+/**
+ * How many bodies the pool can handle, and elasticity: bodies are poured into a trough until it is
+ * full.
+ */
 final class FloodDemo implements Demo {
 
     private final Words words;

@@ -5,7 +5,9 @@ import rigibo.backend.setup.StepStage;
 
 import java.util.Arrays;
 
-/** What the steps and the drawing of the last two seconds took, and whether both fit into 60 Hz. */
+/**
+ * Times of the steps and of the drawing in the last two seconds, and whether both fit into 60 Hz.
+ */
 final class FrameTimes {
 
     /** What a step and its drawing may take together. */

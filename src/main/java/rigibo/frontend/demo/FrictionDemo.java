@@ -21,7 +21,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 
-/** Three lanes of ice, wood and rubber: where a launched box stops, predicted and seen. */
+/**
+ * Three lanes of ice, wood and rubber: where a launched box stops, as predicted and as simulated.
+ */
 final class FrictionDemo implements Demo {
 
     private final Words words;

@@ -12,8 +12,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * What hangs from a pin at the origin: bobs on stiff rods without mass, or a chain of light links
- * with a weight at its end, straight and at rest at an angle.
+ * Pendulums hung from a pin at the origin: bobs on stiff massless rods, or a chain of light links
+ * with a weight at its end; straight, and at rest at an angle.
  */
 final class Hang {
 

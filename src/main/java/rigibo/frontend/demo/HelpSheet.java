@@ -8,7 +8,7 @@ import rigibo.frontend.scene.Words;
 import java.util.ArrayList;
 import java.util.List;
 
-/** The keys of a demo, and the stages that a step of its scene was compiled into. */
+/** The keys of a demo, and the stages into which its step was compiled. */
 final class HelpSheet {
 
     /** Lines of keys, each with words of its own. */

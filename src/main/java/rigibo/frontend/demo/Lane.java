@@ -10,7 +10,9 @@ import rigibo.frontend.scene.Skin;
 import java.util.ArrayList;
 import java.util.List;
 
-/** A floor at an angle, a box launched up it, and what Coulomb's law says of its way. */
+/**
+ * A floor at an angle, a box launched up it, and the distance that Coulomb's law predicts for it.
+ */
 final class Lane {
 
     private static final double GRAVITY = 9.81;

@@ -13,8 +13,8 @@ import java.util.Locale;
 import java.util.function.DoubleSupplier;
 
 /**
- * A ball that bounces alone beside everything else: after n bounces it must rise to e²ⁿh. What it
- * misses is what the accuracy costs it.
+ * A ball that bounces by itself beside the scene. After n bounces it must rise to e²ⁿh; the
+ * difference is the error of the present accuracy.
  */
 final class ReferenceBall {
 
@@ -75,12 +75,12 @@ final class ReferenceBall {
         return Math.pow(dropped, 2 * bounces) * HEIGHT;
     }
 
-    /** The height of the present rise as the formula has it. */
+    /** The height of the present rise by the formula. */
     String predictedWords() {
         return String.format(Locale.ROOT, "%.4f m", predicted());
     }
 
-    /** The same as the pool has it. */
+    /** The height of the present rise in the pool. */
     String seenWords() {
         return String.format(Locale.ROOT, "%.4f m", risen);
     }

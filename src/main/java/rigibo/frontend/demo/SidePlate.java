@@ -7,8 +7,8 @@ import rigibo.frontend.scene.accuracy.EnergyPlate;
 import rigibo.frontend.scene.ghost.GhostPlate;
 
 /**
- * The plate at the right: where the time of a frame goes, the energy, or the ghost, which there is
- * while its side is up.
+ * The plate on the right, with the frame's time, the energy or the ghost. The ghost exists while
+ * its side is shown.
  */
 final class SidePlate {
 
@@ -55,7 +55,7 @@ final class SidePlate {
         ghost = new GhostPlate(words);
     }
 
-    /** The same for another bench: a scene that restarts shows the side that it has shown. */
+    /** Returns a plate for another bench, so that a restarted scene shows the same side. */
     SidePlate of(Workbench other) {
         SidePlate next = new SidePlate(other, words, x, y);
         next.show(shown);

@@ -9,8 +9,8 @@ import rigibo.frontend.scene.Words;
 import java.util.Locale;
 
 /**
- * Where the time of a frame goes: the stages of a step and the drawing, smoothed, one upon the
- * other against the 16.7 ms that a frame may take.
+ * The time of a frame by stages of a step and drawing, smoothed and stacked, against the 16.7 ms
+ * that a frame may take.
  */
 final class StageProfile {
 

@@ -6,8 +6,8 @@ import rigibo.frontend.scene.Scene;
 import java.util.OptionalDouble;
 
 /**
- * A bob on a stiff rod that swings about the origin: the period that its energy calls for, and the
- * one that is seen. I is its inertia about the origin, L the way from there to its middle.
+ * A bob on a stiff rod that swings about the origin: the period that follows from its energy, and
+ * the measured one. I is its inertia about the origin, L the distance from there to its middle.
  */
 final class Swing {
 

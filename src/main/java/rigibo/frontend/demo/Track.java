@@ -12,7 +12,7 @@ import rigibo.frontend.scene.Skin;
 import java.util.ArrayList;
 import java.util.List;
 
-/** A way for a car, from the left: level ground, a hill, a bridge of planks, a see-saw. */
+/** A track for a car, from the left: level ground, a hill, a bridge of planks, a see-saw. */
 final class Track {
 
     static final double START = -9;

@@ -4,7 +4,7 @@ import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 
-/** Where something was in the last seconds, fading. */
+/** The path of a point in the last seconds, fading. */
 final class Trail {
 
     private static final int KEPT = 240;

@@ -31,7 +31,7 @@ import rigibo.frontend.scene.widget.Widget;
 import java.util.List;
 import java.util.Locale;
 
-/** Rotation: a wheel on a ramp, driven, braked, rolling or slipping as the formula says. */
+/** Rotation: a wheel on a ramp, driven or braked, rolling or slipping as the formula predicts. */
 final class WheelDemo implements Demo {
 
     private final Words words;

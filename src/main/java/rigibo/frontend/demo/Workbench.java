@@ -26,7 +26,7 @@ import java.util.IdentityHashMap;
 import java.util.Map;
 import java.util.function.Consumer;
 
-/** A pool that is looked at: bodies with skins, a camera, a hand that drags and flings. */
+/** A pool on the screen: bodies with skins, a camera, and a hand that drags and throws. */
 final class Workbench implements Bench {
 
     private static final double NORMAL_LENGTH_PX = 22;
@@ -42,7 +42,7 @@ final class Workbench implements Bench {
     private final Impacts impacts = new Impacts();
     private final Grip grip = new Grip();
 
-    /** The same scene at another accuracy, or null, and the accuracy of the scene when it began. */
+    /** A copy of the scene at another accuracy, or null; the scene's accuracy when it was made. */
     private Ghost ghost;
 
     private Accuracy hauntedAt;

@@ -1,6 +1,9 @@
 package rigibo.frontend.display;
 
-/** The dark between two windows, for a new context takes a moment: it falls and rises in frames. */
+/**
+ * The dark between two windows while the new OpenGL context is made; it fades in and out over some
+ * frames.
+ */
 final class Curtain {
 
     /** Of 1/60 s each, either way: about 120 ms. */

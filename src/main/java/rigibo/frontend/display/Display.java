@@ -20,9 +20,9 @@ import java.util.function.BiFunction;
 import java.util.function.Function;
 
 /**
- * Owns the window and the loop, in the origin report's words and order: {@code inputListener,
- * doStep, renderDisplay, updateDisplay}, until the window is closed or Esc. Every scene has a
- * window of its own; the present one is destroyed before the next one starts.
+ * Owns the window and runs the loop until the window is closed or Esc is pressed: {@code
+ * inputListener, doStep, renderDisplay, updateDisplay}, named and ordered as in the origin report.
+ * Every scene has a window of its own; the present one is destroyed before the next one starts.
  */
 public final class Display implements Director {
 

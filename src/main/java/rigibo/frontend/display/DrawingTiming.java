@@ -16,7 +16,7 @@ import java.util.Arrays;
 
 /**
  * Measures what drawing costs in a real window: a frame of bodies of every skin in rows, boxes and
- * discs in turn, with a bar of words and numbers and a graph. Nothing is simulated.
+ * discs alternating, with a bar of words and numbers and a graph. Nothing is simulated.
  */
 public final class DrawingTiming {
 

@@ -5,12 +5,12 @@ import java.util.function.LongConsumer;
 import java.util.function.LongSupplier;
 
 /**
- * Paces the loop by a clock of our own: vsync is no clock, a monitor may run at 144 Hz and a driver
- * may ignore it. A step is due 60 times a second, and a turn waits for one. A turn whose picture
- * was late makes up to four, so that the world keeps real time; what one more such turn cannot make
- * up for is dropped, and so is what is due when steps take longer than the time they stand for:
- * then the world goes slower, and no turn grows longer for having been long. The steps themselves
- * are always the same.
+ * Paces the loop by its own clock, since vsync is unreliable: a monitor may run at 144 Hz and a
+ * driver may ignore it. A step is due 60 times a second, and each turn of the loop waits for one.
+ * After a late frame a turn makes up to four steps, so that the world keeps real time. Steps that
+ * one more such turn cannot catch up are dropped, and so are those due while steps take longer than
+ * the time that they simulate: the world then slows down, but turns do not grow ever longer. The
+ * length of a step never changes.
  */
 final class FrameClock {
 

@@ -6,9 +6,9 @@ import java.util.Set;
 import java.util.function.Consumer;
 
 /**
- * Makes presses of what a gamepad's buttons and its left stick are at in each turn of the loop. The
- * stick presses the buttons of the cross, of one direction at a time; a direction that is held
- * repeats itself, as a key does.
+ * Turns the state of a gamepad's buttons and left stick into key presses, in each turn of the loop.
+ * The stick acts as the direction pad, in one direction at a time; a held direction repeats, as a
+ * key does.
  */
 final class Gamepad {
 

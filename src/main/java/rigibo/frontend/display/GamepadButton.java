@@ -2,7 +2,7 @@ package rigibo.frontend.display;
 
 import static org.lwjgl.glfw.GLFW.*;
 
-/** The buttons of a gamepad, as GLFW's mapping names them, and the keys they stand for. */
+/** The buttons of a gamepad, by the names of GLFW's mapping, and the keys for which they stand. */
 enum GamepadButton {
     UP(GLFW_GAMEPAD_BUTTON_DPAD_UP, GLFW_KEY_UP),
     DOWN(GLFW_GAMEPAD_BUTTON_DPAD_DOWN, GLFW_KEY_DOWN),
@@ -16,9 +16,9 @@ enum GamepadButton {
     Y(GLFW_GAMEPAD_BUTTON_Y, GLFW_KEY_BACKSPACE),
     /** Pauses. */
     START(GLFW_GAMEPAD_BUTTON_START, GLFW_KEY_P),
-    /** From box to box. */
+    /** To the next box. */
     RIGHT_BUMPER(GLFW_GAMEPAD_BUTTON_RIGHT_BUMPER, GLFW_KEY_TAB),
-    /** The same backwards. */
+    /** To the previous box. */
     LEFT_BUMPER(GLFW_GAMEPAD_BUTTON_LEFT_BUMPER, GLFW_KEY_TAB);
 
     private final int number;

@@ -8,7 +8,7 @@ import org.lwjgl.system.MemoryStack;
 import java.util.EnumSet;
 import java.util.Set;
 
-/** Asks GLFW for the gamepads that are plugged in; all of them are one player's. */
+/** Reads the connected gamepads from GLFW; all of them belong to one player. */
 final class GamepadDevices {
 
     private GamepadDevices() {}

@@ -4,7 +4,7 @@ import static org.lwjgl.glfw.GLFW.*;
 
 import rigibo.frontend.scene.DisplayException;
 
-/** Makes windows that OpenGL 3.3 can draw in, hidden at first. */
+/** Makes windows for OpenGL 3.3, hidden at first. */
 final class GlWindow {
 
     private GlWindow() {}

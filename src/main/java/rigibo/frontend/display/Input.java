@@ -14,8 +14,8 @@ import java.util.Map;
 import java.util.Set;
 
 /**
- * Brings GLFW's events to the scene: its callbacks call these methods, and so does the tour. Cursor
- * places are in window coordinates and become logical pixels here.
+ * Passes GLFW's events to the scene: its callbacks call these methods, and so does the tour.
+ * Converts cursor positions from window coordinates to logical pixels.
  */
 final class Input {
 
@@ -86,7 +86,10 @@ final class Input {
         scene.held(modifiers);
     }
 
-    /** The same while a key goes down or up: GLFW counts a modifier's own key only afterwards. */
+    /**
+     * Reports the modifiers when a key goes down or up; GLFW counts a modifier's own key only
+     * later.
+     */
     void modifiers(int held, int key, int action) {
         int own =
                 switch (key) {

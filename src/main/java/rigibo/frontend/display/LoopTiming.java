@@ -6,7 +6,7 @@ import rigibo.frontend.scene.Scene;
 
 import java.util.function.Function;
 
-/** Measures how long some turns of the loop take in a real window. */
+/** Measures the time of some turns of the loop in a real window. */
 public final class LoopTiming implements Display.Companion {
 
     private final int turns;

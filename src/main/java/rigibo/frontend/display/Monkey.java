@@ -14,9 +14,9 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
 /**
- * Someone who knows nothing of the game and leaves nothing alone: the pointer goes anywhere, clicks
- * and drags, keys go down that mean something and that do not, windows change their size, lose the
- * focus and are left for others. Every event comes in where GLFW's callbacks deliver theirs.
+ * Random input for a test of the whole game: the pointer moves, clicks and drags anywhere, keys
+ * with and without a meaning are pressed, windows are resized, lose the focus and are left for
+ * others. Every event enters where GLFW's callbacks deliver theirs.
  */
 public final class Monkey implements Display.Companion {
 

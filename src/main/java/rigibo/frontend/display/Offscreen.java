@@ -15,8 +15,8 @@ import java.nio.ByteBuffer;
 import java.util.List;
 
 /**
- * Pictures of scenes that nobody sees on a screen. They are drawn into a framebuffer of our own,
- * for what a hidden window holds is nobody's promise.
+ * Draws scenes without showing them. They are drawn into a framebuffer of our own, because the
+ * content of a hidden window is undefined.
  */
 public final class Offscreen implements AutoCloseable {
 

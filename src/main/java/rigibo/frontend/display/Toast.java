@@ -4,7 +4,7 @@ import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Scene;
 
-/** A word about the window itself, above whatever scene there is, for a moment. */
+/** A short message about the window itself, shown for a moment over any scene. */
 final class Toast {
 
     /** How long it stands, in frames of 1/60 s. */

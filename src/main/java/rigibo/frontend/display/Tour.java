@@ -20,8 +20,8 @@ import java.util.Optional;
 import java.util.function.Function;
 
 /**
- * The game plays itself in real windows and keeps pictures. The pointer moves and clicks where
- * GLFW's callbacks deliver their events, so that everything behind them is at work.
+ * Lets the game play itself in real windows and saves pictures. The pointer moves and clicks where
+ * GLFW's callbacks deliver their events, so that all code behind them runs.
  */
 public final class Tour implements Display.Companion {
 

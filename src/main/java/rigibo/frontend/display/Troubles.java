@@ -8,7 +8,7 @@ import org.lwjgl.glfw.GLFWErrorCallback;
 import java.util.ArrayList;
 import java.util.List;
 
-/** What GLFW and OpenGL complained about, in the order it happened. */
+/** Errors that GLFW and OpenGL reported, in order of time. */
 final class Troubles {
 
     private final List<String> list = new ArrayList<>();

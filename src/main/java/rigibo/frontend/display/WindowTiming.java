@@ -10,9 +10,7 @@ import java.util.List;
 import java.util.function.Function;
 import java.util.function.Supplier;
 
-/**
- * Measures how long it takes until something is to be seen: the menu at first, then every scene.
- */
+/** Measures the time until something is visible: first for the menu, then for every scene. */
 public final class WindowTiming implements Display.Companion {
 
     private final Supplier<List<SceneEntry>> scenes;

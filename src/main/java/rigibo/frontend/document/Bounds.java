@@ -2,7 +2,7 @@ package rigibo.frontend.document;
 
 import tools.jackson.core.StreamReadConstraints;
 
-/** How much of a file is read; beyond these numbers it is none of the game's. */
+/** Limits on the size of a file; larger ones are not files of the game. */
 final class Bounds {
 
     /** A level of 500 bodies takes about 100 kB; far above it a file is something else. */

@@ -9,8 +9,9 @@ import java.util.Set;
 import java.util.function.Supplier;
 
 /**
- * A JSON document and what is wrong with it. Where a value stands is looked for in the text only
- * when a problem is told there: to remember it for every value took a thousand times the file.
+ * A JSON document and its problems. The place of a value is searched in the text only when a
+ * problem is reported there; to store it for every value took a thousand times the size of the
+ * file.
  */
 public final class Document {
 

@@ -4,7 +4,7 @@ import tools.jackson.databind.JsonNode;
 
 import java.util.Locale;
 
-/** Shows what a file says in one line of a terminal or a window, whatever it says. */
+/** Makes any text of a file safe to show in one line of a terminal or a window. */
 final class Escape {
 
     /** Characters of a value that a message shows; more would bury the message. */

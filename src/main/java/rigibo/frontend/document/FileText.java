@@ -11,7 +11,7 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.Optional;
 
-/** Reads a file's text, whatever the file really is. */
+/** Reads the text of a file, whatever the file contains. */
 public final class FileText {
 
     private static final String BYTE_ORDER_MARK = "\uFEFF";

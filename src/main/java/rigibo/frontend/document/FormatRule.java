@@ -2,7 +2,7 @@ package rigibo.frontend.document;
 
 import tools.jackson.databind.JsonNode;
 
-/** A file of a format that this version does not know; whatever else it says would mislead. */
+/** Rejects a file of an unknown format; further messages about it would mislead. */
 public final class FormatRule {
 
     /** Formats that there may ever be; a larger number is damage. */

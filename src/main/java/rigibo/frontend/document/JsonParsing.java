@@ -18,7 +18,7 @@ import java.util.Optional;
 
 /**
  * Reads one JSON document within {@link Bounds}. The library's own tree reader would stop at the
- * first duplicate key; an author wants all of them at once.
+ * first duplicate key, but an author needs all of them at once.
  */
 final class JsonParsing {
 

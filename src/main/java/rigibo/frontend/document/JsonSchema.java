@@ -19,7 +19,7 @@ import java.util.Locale;
 import java.util.Set;
 import java.util.stream.StreamSupport;
 
-/** Compares a file with its JSON schema and words what differs. */
+/** Compares a file with its JSON schema and describes the differences. */
 public final class JsonSchema {
 
     private final Schema schema;

@@ -3,7 +3,7 @@ package rigibo.frontend.document;
 import tools.jackson.core.TokenStreamLocation;
 
 /**
- * Where something stands in a file.
+ * A position in a file.
  *
  * @param line from 1
  * @param column in characters, from 1

@@ -5,7 +5,7 @@ import tools.jackson.core.JsonToken;
 
 import java.util.List;
 
-/** Looks for a value in a text, reading it from the beginning. */
+/** Finds the position of a value in a text, reading it from the start. */
 final class PlaceSearch {
 
     private final JsonParser parser;

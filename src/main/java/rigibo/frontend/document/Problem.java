@@ -1,7 +1,7 @@
 package rigibo.frontend.document;
 
 /**
- * Something wrong with a file.
+ * A problem of a file.
  *
  * @param severity whether the file may still be used
  * @param file the file as the user named it

@@ -7,7 +7,7 @@ import java.util.Locale;
 import java.util.Set;
 import java.util.stream.Collectors;
 
-/** Collects the problems of one file: the first hundred are told, the rest are counted. */
+/** Collects the problems of one file: the first hundred are reported, the others counted. */
 public final class Problems {
 
     /** Nobody mends more at once, and each that is told is looked up in the file. */

@@ -5,8 +5,8 @@ import tools.jackson.databind.JsonNode;
 import java.util.Map;
 
 /**
- * Looks at nothing but {@code maxItems} and {@code maxProperties}: what is longer is not read any
- * further, for a list that is a thousand times too long would give as many problems.
+ * Checks only {@code maxItems} and {@code maxProperties}. A longer list is not read further, since
+ * one that is a thousand times too long would give as many problems.
  */
 final class Sizes {
 

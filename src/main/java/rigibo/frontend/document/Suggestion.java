@@ -4,7 +4,7 @@ import java.util.Collection;
 import java.util.Locale;
 import java.util.stream.Collectors;
 
-/** Guesses which known word was meant by an unknown one. */
+/** Suggests the known word nearest to an unknown one. */
 public final class Suggestion {
 
     private Suggestion() {}

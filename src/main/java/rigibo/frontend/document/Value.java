@@ -12,8 +12,8 @@ import java.util.function.Supplier;
 import java.util.regex.Pattern;
 
 /**
- * A value of a document, asked for what it should be. One that is something else is a problem, and
- * the reader goes on with what it gives instead, so that all problems are told at once.
+ * A value of a document, read as the expected type. A value of another type is reported as a
+ * problem and replaced by a default, so that reading goes on and all problems are reported at once.
  */
 public final class Value {
 

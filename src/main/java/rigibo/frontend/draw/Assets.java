@@ -8,7 +8,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 
-/** The files the game brings along, in the folder {@code assets} of its home. */
+/** The files that come with the game, in the folder {@code assets} of its home. */
 final class Assets {
 
     private Assets() {}

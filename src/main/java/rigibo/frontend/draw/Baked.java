@@ -3,8 +3,8 @@ package rigibo.frontend.draw;
 import static org.lwjgl.opengl.GL33C.*;
 
 /**
- * Layers of one size whose pixels a shader computes once, so that drawing only looks them up: on
- * software OpenGL every pixel's noise counts in every frame.
+ * Texture layers of one size, which a shader computes once and drawing only samples: on software
+ * OpenGL, computing the noise of every pixel in every frame is too slow.
  */
 final class Baked {
 

@@ -15,7 +15,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.WeakHashMap;
 
-/** All that a frame shows of the world: shadows, bodies, faces and particles, some calls in all. */
+/**
+ * Everything of the world that a frame shows: shadows, bodies, faces and particles, in a few draw
+ * calls.
+ */
 final class BodyBatch {
 
     private static final int TEXELS = 512;

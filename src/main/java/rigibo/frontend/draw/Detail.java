@@ -1,6 +1,6 @@
 package rigibo.frontend.draw;
 
-/** How much is drawn. */
+/** How much detail is drawn. */
 public enum Detail {
     /** Everything. */
     FULL,

@@ -5,9 +5,9 @@ import rigibo.frontend.scene.Settings;
 import java.util.Locale;
 
 /**
- * Decides how much is drawn: what the player chose, or by how fast frames come where OpenGL has no
- * graphics card to run on. Once frames came too late it stays with less: back and forth would be
- * worse than either.
+ * Chooses the detail of drawing: the player's setting, or, where OpenGL has no graphics card, by
+ * the rate of frames. Once frames came too late the detail stays low, because switching back and
+ * forth would be worse than either.
  */
 public final class DetailChoice {
 

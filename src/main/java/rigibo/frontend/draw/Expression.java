@@ -2,7 +2,7 @@ package rigibo.frontend.draw;
 
 import rigibo.frontend.scene.Canvas.Mood;
 
-/** What a RigiBo's face shows; the shader that bakes the faces has them in this order. */
+/** The expressions of a RigiBo's face, in the order of the shader that bakes the faces. */
 enum Expression {
     CALM,
     BLINKING,

@@ -4,7 +4,8 @@ import rigibo.frontend.scene.Canvas.Mood;
 import rigibo.frontend.scene.Color;
 
 /**
- * Faces of RigiBos, drawn by one call from a sheet of expressions; pupils are dots of their own.
+ * Faces of RigiBos, drawn by one call from a sheet of expressions; pupils are drawn as separate
+ * dots.
  */
 final class FaceBatch {
 

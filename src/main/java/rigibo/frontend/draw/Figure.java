@@ -9,7 +9,7 @@ import rigibo.backend.geometry.Shape;
 import java.util.Map;
 import java.util.WeakHashMap;
 
-/** A shape as it is drawn: a disc, a box or any other polygon, and how far it reaches, m. */
+/** A shape for drawing: a disc, a box or another polygon, and its bounding radius, m. */
 final class Figure {
 
     /** Rounded shapes as polygons of many corners, which are made once. */

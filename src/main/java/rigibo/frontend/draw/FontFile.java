@@ -4,8 +4,8 @@ import java.nio.ByteBuffer;
 import java.util.Arrays;
 
 /**
- * Whether a font is as it was made. What draws text follows the offsets in its tables without
- * looking where they lead: with half of a font, or one with a few bytes changed, the process ends.
+ * Checks that a font file is unaltered. The library that draws text follows offsets in the font's
+ * tables without checking them: with a truncated or altered font the process crashes.
  */
 final class FontFile {
 

@@ -6,7 +6,7 @@ import org.lwjgl.system.MemoryUtil;
 
 import java.nio.FloatBuffer;
 
-/** Records of floats that are gathered over a frame and brought to OpenGL at once. */
+/** Records of floats that are collected during a frame and sent to OpenGL at once. */
 final class Gathered {
 
     private static final int FIRST_CAPACITY = 1 << 16;

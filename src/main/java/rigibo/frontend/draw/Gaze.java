@@ -1,6 +1,6 @@
 package rigibo.frontend.draw;
 
-/** Where faces look, and when: they blink now and then. */
+/** The direction in which faces look, and the times at which they blink. */
 final class Gaze {
 
     /** World, m. */

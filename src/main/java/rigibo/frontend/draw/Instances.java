@@ -6,7 +6,9 @@ import rigibo.frontend.scene.Scene;
 
 import java.nio.FloatBuffer;
 
-/** Squares that are gathered over a frame, a few floats each, and drawn by one instanced call. */
+/**
+ * Squares that are collected during a frame, a few floats each, and drawn by one instanced call.
+ */
 final class Instances {
 
     private final int corners;

@@ -3,7 +3,7 @@ package rigibo.frontend.draw;
 import rigibo.frontend.scene.Scene;
 
 /**
- * Where the logical window lies in a framebuffer: as large as fits, in the middle.
+ * The place of the logical window in a framebuffer: as large as fits, centred.
  *
  * @param x left edge, framebuffer pixels
  * @param y lower edge, framebuffer pixels

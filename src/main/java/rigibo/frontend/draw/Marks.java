@@ -2,7 +2,7 @@ package rigibo.frontend.draw;
 
 import java.util.Arrays;
 
-/** Where something was drawn: rectangles, logical px. */
+/** Rectangles in which something was drawn, logical px. */
 final class Marks {
 
     private static final int SIDES = 4;

@@ -4,7 +4,7 @@ import rigibo.frontend.scene.Camera;
 
 import java.nio.FloatBuffer;
 
-/** Where a body stands on the screen: brings metres in its own frame to logical pixels. */
+/** The place of a body on the screen: converts metres in the body's frame to logical pixels. */
 final class OnScreen {
 
     private double worldX;

@@ -11,9 +11,9 @@ import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Skin;
 
 /**
- * The canvas of one window. Made and freed with the window's context; a frame is begun, drawn on
- * and ended. Plates and what the pen draws are gathered apart, the pen's above; only a plate that
- * is to cover something of the pen's has all that was gathered drawn before it.
+ * The canvas of one window. It is made and freed with the window's context; a frame is begun, drawn
+ * on and ended. Plates and pen drawings are collected separately, and the pen's lie above. A plate
+ * that must cover pen drawings first has everything collected so far drawn.
  */
 public final class Painter implements Canvas {
 

@@ -4,7 +4,7 @@ import rigibo.frontend.scene.Color;
 
 import java.nio.FloatBuffer;
 
-/** Particles, drawn by one call, an instance each: splinters, puffs of dust, glows. */
+/** Particles such as splinters, dust and glows, drawn by one call with an instance each. */
 final class ParticleBatch {
 
     /** What a particle is; the shader has them in this order. */

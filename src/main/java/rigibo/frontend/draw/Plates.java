@@ -5,8 +5,8 @@ import rigibo.frontend.scene.Color;
 import java.nio.FloatBuffer;
 
 /**
- * Filled rectangles with round corners. They are most of what a window shows beside its bodies, and
- * a shader that knows nothing else fills them four times as fast as NanoVG's.
+ * Filled rectangles with round corners. They cover most of a window besides its bodies; a shader
+ * made only for them fills them four times as fast as NanoVG's.
  */
 final class Plates {
 

@@ -7,7 +7,7 @@ import rigibo.backend.geometry.Polygon;
 import java.util.ArrayList;
 import java.util.List;
 
-/** What is round at its corners as a polygon of many. */
+/** Approximates round corners by polygons. */
 final class RoundCorners {
 
     /** Turn from one corner to the next, rad: 0.3 % of the radius is cut off. */

@@ -5,8 +5,8 @@ import rigibo.backend.geometry.Polygon;
 import java.nio.FloatBuffer;
 
 /**
- * Soft shadows of bodies, drawn by one call before the bodies: each is the body's outline, moved
- * away from the lamp, darker the further inside.
+ * Soft shadows of bodies, drawn by one call before the bodies. Each is the outline of its body,
+ * moved away from the lamp and darker towards its middle.
  */
 final class ShadowBatch {
 

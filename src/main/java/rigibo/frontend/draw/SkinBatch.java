@@ -7,9 +7,9 @@ import rigibo.frontend.scene.Skin;
 import java.nio.FloatBuffer;
 
 /**
- * Bodies, drawn by one call. A disc is a square whose shader cuts the circle; a box is its own two
- * triangles; any other polygon is a fan about its centre, whose corners carry the distance to the
- * outline. So edges are smooth without multisampling.
+ * Bodies, drawn by one call. A disc is a square whose shader cuts out the circle; a box is two
+ * triangles; any other polygon is a fan about its centre. The corners carry the distance to the
+ * outline, so that edges are smooth without multisampling.
  */
 final class SkinBatch {
 

@@ -6,7 +6,7 @@ import rigibo.frontend.scene.Scene;
 
 import java.nio.FloatBuffer;
 
-/** Triangles that are gathered over a frame and drawn by one call of one program. */
+/** Triangles that are collected during a frame and drawn by one call of one program. */
 final class Triangles {
 
     /** Two triangles about the origin. */

@@ -7,7 +7,7 @@ import rigibo.frontend.puzzle.level.Substance;
 import rigibo.frontend.scene.Key;
 import rigibo.frontend.scene.Modifier;
 
-/** What keys mean to the editor. */
+/** The editor's commands by key. */
 final class Commands {
 
     private static final double TURN = 1;

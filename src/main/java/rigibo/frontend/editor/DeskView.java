@@ -25,7 +25,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 
-/** Draws the draft: its world, what is placed, what is chosen, what is wrong with what. */
+/** Draws the draft: its world, its items, the selection and the problems. */
 final class DeskView {
 
     /** Lines nearer than this on the screen would hide the world, px. */

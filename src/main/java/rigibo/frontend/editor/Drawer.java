@@ -11,7 +11,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 
-/** The file that the draft on the desk belongs to, and what was left unsaved before. */
+/** The file of the present draft, and drafts that were left unsaved earlier. */
 final class Drawer {
 
     /** Where a player without files of their own saves: nowhere. */

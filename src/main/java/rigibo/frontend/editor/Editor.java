@@ -12,7 +12,7 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.Function;
 
-/** Where the editor is opened. */
+/** Opens the editor. */
 public final class Editor {
 
     private Editor() {}

@@ -18,7 +18,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 
-/** The editor: the draft with its panes, and the draft as it is played. */
+/** The editor: the draft with its panes, or the draft while it is played. */
 final class EditorScene implements Scene {
 
     private static final double ZOOM = 1.15;

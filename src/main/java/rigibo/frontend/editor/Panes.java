@@ -19,7 +19,7 @@ import rigibo.frontend.scene.Color;
 import java.util.List;
 import java.util.Optional;
 
-/** Draws what stands round the draft. */
+/** Draws everything around the draft. */
 final class Panes {
 
     private static final double ROW = 22;

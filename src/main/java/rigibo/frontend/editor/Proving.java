@@ -10,8 +10,9 @@ import java.util.concurrent.ForkJoinPool;
 import java.util.concurrent.ForkJoinTask;
 
 /**
- * Plays drafts through on a thread of its own, so that the window lives. The check's parallel
- * streams run in the pool that they are started from: of one thread, below the window's priority.
+ * Plays drafts through on a thread of its own, so that the window stays responsive. The check's
+ * parallel streams run in the pool from which they are started: one thread, with a priority below
+ * the window's.
  */
 final class Proving {
 

@@ -15,8 +15,8 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * A draft as it is played in the editor's window. Wherever the game would lead from here, it leads
- * back to the editor; what is done here counts until then, for the level is not done yet.
+ * A draft played in the editor's window. Every exit of the game leads back to the editor. Progress
+ * made here is forgotten then, since the level is not finished.
  */
 final class TestRun implements Director {
 

@@ -6,7 +6,7 @@ import rigibo.frontend.editor.pane.Area;
 import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Scene;
 
-/** Where things are in the window, and where the draft is looked at from at first. */
+/** The layout of the window, and the initial view of the draft. */
 final class View {
 
     static final Area TOP = new Area(4, 4, 712, 44);

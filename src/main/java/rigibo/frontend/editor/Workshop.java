@@ -27,7 +27,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
-/** What an author can have done, whatever key or button asks for it. */
+/** All actions of an author, for keys and buttons alike. */
 final class Workshop {
 
     private final Director director;

@@ -1,6 +1,6 @@
 /**
- * Makes levels: place, drag, turn, size, try, save. What it makes are the files that the game and
- * {@code levels check} read. Sees levels, rules, their check and the puzzle's scene, which plays
- * what is made; no window and no OpenGL.
+ * Makes levels: place, drag, turn, size, try, save. It writes the files that the game and {@code
+ * levels check} read. Knows levels, rules, their check, and the puzzle's scene that plays a draft;
+ * no window and no OpenGL.
  */
 package rigibo.frontend.editor;

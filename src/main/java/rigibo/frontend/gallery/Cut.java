@@ -8,9 +8,8 @@ import java.util.Arrays;
 import java.util.Optional;
 
 /**
- * The part of a convex outline that lies in a window: the outline's corners, its rounding by points
- * all round, are cut at one side of the window after the other (Sutherland and Hodgman, "Reentrant
- * polygon clipping", 1974).
+ * Clips a convex outline to a window, one side of the window after another; round corners are
+ * approximated by points (Sutherland and Hodgman, "Reentrant polygon clipping", 1974).
  */
 final class Cut {
 

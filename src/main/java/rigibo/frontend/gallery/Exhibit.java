@@ -6,13 +6,14 @@ import rigibo.backend.setup.Accuracy;
 import rigibo.frontend.scene.Scene;
 
 /**
- * A small program that the gallery shows: which effects it declares, which bodies it adds, and what
- * it does before each step, where it does anything. It needs nothing but the engine's public face.
+ * A small program that the gallery shows: the effects that it declares, the bodies that it adds,
+ * and optionally what it does before each step. It needs only the engine's public face.
  *
- * <p>The gallery finds every class that a line of {@code
- * META-INF/services/rigibo.frontend.gallery.Exhibit} names, and makes an instance with its
- * constructor without parameters each time the scene begins, so that fields may hold its bodies.
- * Its words stand in {@code rigibo/gallery.properties}; without them it is called by its class.
+ * <p>The gallery finds every class named in a line of {@code
+ * META-INF/services/rigibo.frontend.gallery.Exhibit}. It makes an instance with the constructor
+ * without parameters each time the scene begins, so that fields may hold the exhibit's bodies.
+ * Title and sentence stand in {@code rigibo/gallery.properties}; without them the gallery shows the
+ * name of the class.
  */
 public interface Exhibit {
 

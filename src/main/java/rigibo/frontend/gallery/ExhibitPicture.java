@@ -11,7 +11,7 @@ import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.ChainBand;
 import rigibo.frontend.scene.joint.JointPicture;
 
-/** An exhibit as small as a card; what lies half outside is cut at the card's edge. */
+/** An exhibit at the size of a card; bodies that extend beyond the card are clipped at its edge. */
 final class ExhibitPicture {
 
     /** Share of a view that a running exhibit's plates leave free. */

@@ -11,7 +11,9 @@ import rigibo.frontend.scene.widget.Print;
 
 import java.util.stream.Collectors;
 
-/** What stands above and below a running exhibit: title, sentence, effects; source and keys. */
+/**
+ * The plates around a running exhibit: title, sentence and effects above, source and keys below.
+ */
 final class ExhibitPlates {
 
     private static final double LEFT = 8;

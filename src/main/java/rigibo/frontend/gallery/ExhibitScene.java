@@ -14,7 +14,7 @@ import rigibo.frontend.scene.joint.JointPicture;
 
 import java.util.Optional;
 
-/** An exhibit that runs: its bodies can be dragged, it can be halted and begun anew. */
+/** A running exhibit; its bodies can be dragged, and it can be paused and restarted. */
 final class ExhibitScene implements Scene {
 
     private static final double ZOOM = 1.15;

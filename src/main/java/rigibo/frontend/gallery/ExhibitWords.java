@@ -6,8 +6,8 @@ import java.util.MissingResourceException;
 import java.util.ResourceBundle;
 
 /**
- * What exhibits and their sections are called. The words lie beside the exhibits; one that brings
- * none is called by its class.
+ * The titles and sentences of exhibits and sections, from files beside the exhibits; an exhibit
+ * without them is called by its class.
  */
 final class ExhibitWords {
 

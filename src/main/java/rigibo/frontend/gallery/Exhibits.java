@@ -7,7 +7,7 @@ import java.util.Optional;
 import java.util.ServiceLoader;
 import java.util.stream.Collectors;
 
-/** Every exhibit that is registered, in the order of the lines that do it. */
+/** Every registered exhibit, in the order of registration. */
 final class Exhibits {
 
     private Exhibits() {}

@@ -4,10 +4,10 @@ import java.util.Locale;
 import java.util.function.Supplier;
 
 /**
- * An exhibit as it was found, before it is made.
+ * A registered exhibit before an instance is made.
  *
  * @param type its class
- * @param make a new one
+ * @param make makes an instance
  */
 record Found(Class<? extends Exhibit> type, Supplier<? extends Exhibit> make) {
 

@@ -5,7 +5,7 @@ import rigibo.frontend.scene.SceneEntry;
 import java.util.List;
 import java.util.Optional;
 
-/** The door of the gallery. */
+/** Opens the gallery. */
 public final class Gallery {
 
     private Gallery() {}

@@ -19,7 +19,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 
-/** Every exhibit as a card with its picture, section by section; the chosen one moves. */
+/** Every exhibit as a card with its picture, section by section; only the selected one moves. */
 final class GalleryScene implements Scene {
 
     private static final int COLUMNS = 4;

@@ -5,7 +5,10 @@ import rigibo.frontend.scene.Demonstration;
 import java.util.List;
 import java.util.Optional;
 
-/** A walk through the gallery: from page to page of every section, each looked at for a while. */
+/**
+ * A demonstration that leafs through every page of every section of the gallery and stays on each
+ * for a while.
+ */
 final class GalleryWalk implements Demonstration {
 
     /** How long a page is looked at, turns; its picture is kept at the end of it. */

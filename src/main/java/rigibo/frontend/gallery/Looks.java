@@ -8,7 +8,7 @@ import rigibo.backend.setup.BodyType;
 import rigibo.backend.setup.Material;
 import rigibo.frontend.scene.Skin;
 
-/** What a body of an exhibit looks like: its material, for exhibits know no skins. */
+/** Derives the skin of an exhibit's body from its material, since exhibits know no skins. */
 final class Looks {
 
     /** What is so elastic is rubber, what so slippery ice, what so dense iron. */

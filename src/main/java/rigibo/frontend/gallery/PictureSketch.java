@@ -4,7 +4,7 @@ import rigibo.backend.geometry.Aabb;
 import rigibo.backend.geometry.Placement;
 import rigibo.backend.geometry.Shape;
 
-/** What an exhibit sketches, on its card: thinned out to what lies wholly in the picture. */
+/** The sketch of an exhibit on its card, reduced to parts wholly inside the picture. */
 final class PictureSketch implements Sketch {
 
     private final Sketch beyond;

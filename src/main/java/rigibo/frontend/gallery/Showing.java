@@ -7,7 +7,7 @@ import rigibo.frontend.scene.Bench;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Scene;
 
-/** An exhibit that goes on: itself and its pool. */
+/** A running exhibit and its pool. */
 final class Showing implements Bench {
 
     private final Exhibit exhibit;

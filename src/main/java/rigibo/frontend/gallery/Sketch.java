@@ -3,7 +3,7 @@ package rigibo.frontend.gallery;
 import rigibo.backend.geometry.Placement;
 import rigibo.backend.geometry.Shape;
 
-/** What an exhibit draws with over its bodies. World coordinates in m, y up. */
+/** The means by which an exhibit draws over its bodies. World coordinates in m, y up. */
 public interface Sketch {
 
     /** What a line or a point tells. */

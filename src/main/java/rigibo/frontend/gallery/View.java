@@ -1,10 +1,10 @@
 package rigibo.frontend.gallery;
 
 /**
- * What of the world a window shows.
+ * The part of the world that a window shows.
  *
- * @param x in its middle, m
- * @param y in its middle, m
+ * @param x of its middle, m
+ * @param y of its middle, m
  * @param height from its lower to its upper edge, m
  */
 public record View(double x, double y, double height) {

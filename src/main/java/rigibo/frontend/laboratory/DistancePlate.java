@@ -7,7 +7,9 @@ import rigibo.frontend.scene.ghost.DistanceCurve;
 import rigibo.frontend.scene.ghost.Divergence;
 import rigibo.frontend.scene.ghost.Metres;
 
-/** The distance of the two halves, now and as a curve, and whether it has become chaos. */
+/**
+ * The distance between the two halves, now and as a curve, and whether their divergence is chaotic.
+ */
 final class DistancePlate {
 
     private static final double PADDING = 12;

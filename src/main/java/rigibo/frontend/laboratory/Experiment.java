@@ -7,9 +7,9 @@ import java.util.function.Consumer;
 /**
  * A scene of the laboratory.
  *
- * @param name by which its title and its question are found among the words
- * @param effects what is simulated
- * @param build puts its bodies into a room
+ * @param name key of its title and question among the words
+ * @param effects the effects that it declares
+ * @param build adds its bodies to a room
  */
 record Experiment(String name, Effects effects, Consumer<Room> build) {
 

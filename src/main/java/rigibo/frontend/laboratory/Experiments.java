@@ -16,8 +16,8 @@ import rigibo.frontend.scene.Skin;
 import java.util.List;
 
 /**
- * The scenes of the laboratory, each of which one thing can be seen in. None lets bodies sleep: a
- * step at rest is to be timed as well.
+ * The experiments of the laboratory, each of which shows one thing. None declares sleep, so that a
+ * step at rest is timed as well.
  */
 final class Experiments {
 

@@ -5,7 +5,7 @@ import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.accuracy.Preset;
 import rigibo.frontend.scene.accuracy.StepTimes;
 
-/** One of the two worlds: a pool, its accuracy, what its steps take and what it does to energy. */
+/** One of the two worlds: a pool, its accuracy, the time of its steps and its energy balance. */
 final class Half {
 
     private static final double NANOS_PER_MILLI = 1e6;

@@ -11,7 +11,7 @@ import rigibo.frontend.scene.accuracy.Preset;
 import java.util.List;
 import java.util.Locale;
 
-/** Draws a half: a plate with its switch and readings, and the room below. */
+/** Draws a half: a plate with its switch and readouts, and the room below. */
 final class HalfView {
 
     /** Of plate and room, px. */

@@ -2,7 +2,7 @@ package rigibo.frontend.laboratory;
 
 import rigibo.frontend.scene.SceneEntry;
 
-/** The door of the laboratory. */
+/** Opens the laboratory. */
 public final class Laboratory {
 
     private Laboratory() {}

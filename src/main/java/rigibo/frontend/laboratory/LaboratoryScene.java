@@ -13,7 +13,10 @@ import rigibo.frontend.scene.ghost.Divergence;
 import java.util.List;
 import java.util.Locale;
 
-/** Two accuracies side by side, from the same state, in real time or as near as they come. */
+/**
+ * Two accuracies side by side, started from the same state, in real time or as near to it as
+ * possible.
+ */
 final class LaboratoryScene implements Scene {
 
     private static final double EDGE = 8;

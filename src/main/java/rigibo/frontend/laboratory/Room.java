@@ -12,8 +12,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Where an experiment takes place: inside of four walls, 7 m wide and 8.4 m high, the origin in the
- * middle of the floor.
+ * The room of an experiment: the space between four walls, 7 m wide and 8.4 m high, with the origin
+ * in the middle of the floor.
  */
 final class Room {
 

@@ -1,5 +1,5 @@
 /**
- * The laboratory: the same scene at two accuracies side by side, what their steps take, what they
- * do to energy, and how far they grow apart.
+ * The laboratory: the same scene at two accuracies side by side, with the time of their steps,
+ * their energy, and the distance between them.
  */
 package rigibo.frontend.laboratory;

@@ -10,7 +10,7 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 
 /**
- * The levels, and what a player has done of them.
+ * The levels, and the player's progress in them.
  *
  * @param levels in their order
  * @param progress the player's

@@ -17,7 +17,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
 
-/** All levels as cards with their pictures: which are open, which solved, and how well. */
+/** All levels as cards with their pictures: which are open, which are solved, and how well. */
 public final class LevelsScene implements Scene {
 
     private static final int COLUMNS = 4;

@@ -17,8 +17,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * The main menu: on to the game, the levels, the settings, and everything else there is; at its
- * foot a few RigiBos that watch the pointer.
+ * The main menu: leads to the game, the levels, the settings and everything else; at the bottom a
+ * few RigiBos watch the pointer.
  */
 public final class MenuScene implements Scene {
 

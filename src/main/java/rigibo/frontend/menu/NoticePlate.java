@@ -10,7 +10,7 @@ import rigibo.frontend.scene.widget.Print;
 import java.util.ArrayList;
 import java.util.List;
 
-/** What the player should know, above everything else until it was read. */
+/** Notices for the player, shown above everything else until read. */
 final class NoticePlate {
 
     private static final double WIDTH = 600;

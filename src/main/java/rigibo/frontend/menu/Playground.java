@@ -14,7 +14,7 @@ import rigibo.frontend.scene.Skin;
 import java.util.ArrayList;
 import java.util.List;
 
-/** What goes on at the foot of the menu: a few RigiBos that watch the pointer, and a ball. */
+/** The play area at the bottom of the menu: a few RigiBos that watch the pointer, and a ball. */
 final class Playground {
 
     private static final double BOX = 0.7;

@@ -20,7 +20,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 
-/** What a player may choose; everything holds at once, and the next time. */
+/** The player's settings; every change takes effect at once and is kept. */
 public final class SettingsScene implements Scene {
 
     private static final double PANEL_WIDTH = 480;

@@ -4,7 +4,7 @@ import rigibo.frontend.scene.Words;
 
 import java.util.Locale;
 
-/** What a player can ask for besides deleting a box. */
+/** The player's commands besides deleting a box. */
 enum Command {
     PAUSE,
     RESUME,

@@ -9,7 +9,7 @@ import rigibo.frontend.scene.Scene;
 import java.util.List;
 import java.util.Optional;
 
-/** What a click would meet: the place of the pointer, or a box chosen by keys. */
+/** The target of a click: the position of the pointer, or a box selected by keys. */
 final class Cursor {
 
     private static final int NONE = -1;

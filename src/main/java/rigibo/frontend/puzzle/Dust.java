@@ -11,7 +11,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
 
-/** Dust that blows where bodies strike each other, the more the harder. For the eye only. */
+/** Dust where bodies strike each other, more of it for harder impacts. For display only. */
 final class Dust {
 
     /** A blow that changes a body's speed by less raises none, m/s. */

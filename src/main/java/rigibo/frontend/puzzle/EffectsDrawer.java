@@ -6,7 +6,7 @@ import rigibo.frontend.scene.effects.EffectsBar;
 import rigibo.frontend.scene.effects.SceneEffects;
 import rigibo.frontend.scene.trial.Trials;
 
-/** The effects bar of a level. While it is shut nothing is measured. */
+/** The effects bar of a level. While it is closed nothing is measured. */
 final class EffectsDrawer {
 
     /** Upper edge of the open bar, px: below the bar with title and clicks. */

@@ -15,7 +15,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
-/** What is said when a try is over: how, what it earned, and what can be done now. */
+/** The panel at the end of a try: how it ended, what it earned, and what can be done next. */
 final class EndPanel {
 
     private static final double WIDTH = 600;

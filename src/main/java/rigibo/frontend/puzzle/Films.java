@@ -9,7 +9,7 @@ import rigibo.frontend.scene.Scene;
 
 import java.util.function.Function;
 
-/** Scenes that play by themselves with nobody at the keys. */
+/** Scenes that play by themselves, without input. */
 public final class Films {
 
     /** No solution takes longer. */

@@ -1,6 +1,6 @@
 package rigibo.frontend.puzzle;
 
-/** Whose clicks they are. */
+/** Who makes the clicks. */
 enum Hand {
     PLAYER,
     /** A stored solution's: earns nothing. */

@@ -8,7 +8,7 @@ import rigibo.frontend.scene.widget.Lines;
 
 import java.util.List;
 
-/** The level's hint, between the bar and the play, with a way to see the solution. */
+/** The level's hint, between the bar and the play, with a button that shows the solution. */
 final class HintPlate {
 
     private static final double EDGE = 8;

@@ -7,8 +7,8 @@ import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Settings.Motion;
 
 /**
- * The ring round the ball that fills while it stays on the platform, with a notch for each second.
- * What is lost when the ball lets go is seen for a moment, in pieces.
+ * The ring around the ball that fills while the ball stays on the platform, with a notch for each
+ * second. When the ball leaves it, the lost part breaks into pieces, visible for a moment.
  */
 final class HoldRing {
 

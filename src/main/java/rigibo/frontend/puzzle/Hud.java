@@ -13,7 +13,7 @@ import rigibo.frontend.scene.accuracy.Badge;
 import java.util.List;
 import java.util.Optional;
 
-/** The bar above the play: title, what is the matter, clicks, time, and the cooldown's ring. */
+/** The bar above the play: title, state of the game, clicks, time, and the cooldown's ring. */
 final class Hud {
 
     private static final double EDGE = 8;

@@ -6,7 +6,7 @@ import rigibo.frontend.puzzle.rules.PuzzleGame;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 
-/** Diamonds of brass in the platform, which tell it from other wood. */
+/** Diamonds of brass in the platform, which distinguish it from other wood. */
 final class Inlay {
 
     /** From one diamond to the next, m. */

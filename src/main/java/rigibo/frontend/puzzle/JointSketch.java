@@ -3,7 +3,9 @@ package rigibo.frontend.puzzle;
 import rigibo.frontend.puzzle.level.LevelJoint;
 import rigibo.frontend.scene.joint.JointPen;
 
-/** Draws a joint as a level states it, where there is no pool: on cards and on the desk. */
+/**
+ * Draws a joint as a level states it, where there is no pool: on cards and on the editor's desk.
+ */
 public final class JointSketch {
 
     private static final double PIN = 0.06;

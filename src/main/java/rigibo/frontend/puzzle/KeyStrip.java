@@ -9,7 +9,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
-/** The keys below the play, which are buttons too. */
+/** The keys below the play, which can be clicked like buttons. */
 final class KeyStrip {
 
     private static final double TOP = View.KEYS_TOP + 2;

@@ -11,7 +11,7 @@ import rigibo.frontend.scene.effects.SceneEffects;
 
 import java.util.List;
 
-/** The effects of the game that is being played; general words suit every level. */
+/** The effects bar's view of the running game, with words general enough for every level. */
 final class LevelEffects implements SceneEffects {
 
     /** Boxes are heavy: nothing less than a storm moves them, m/s. */

@@ -17,7 +17,7 @@ import rigibo.frontend.scene.joint.JointPen;
 import java.util.ArrayList;
 import java.util.List;
 
-/** A level as it looks at its start, as large as fits. */
+/** A picture of a level at its start, as large as fits. */
 final class LevelPicture implements SceneEntry.Picture {
 
     /** A level of few and small bodies is not blown up further, px per m. */

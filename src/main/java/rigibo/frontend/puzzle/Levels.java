@@ -15,7 +15,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
 
-/** The levels: those of the game as scenes, and one by its file. */
+/** The levels as scenes: those of the game, and one opened from a file. */
 public final class Levels {
 
     private Levels() {}

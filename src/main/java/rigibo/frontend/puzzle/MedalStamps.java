@@ -8,8 +8,8 @@ import rigibo.frontend.scene.Settings.Motion;
 import rigibo.frontend.scene.Words;
 
 /**
- * The medals of a solved level, stamped one by one from bronze up to the one that was earned. Each
- * has a number and a shape of its own beside its colour.
+ * The medals of a solved level, stamped one by one from bronze up to the one that was earned.
+ * Besides its colour each has a number and a shape of its own.
  */
 final class MedalStamps {
 

@@ -13,7 +13,9 @@ import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 
-/** Has a level heard: what knocks and rolls in it, and what becomes of clicks, hold and game. */
+/**
+ * The sounds of a level: its knocks and rolling, and those of clicks, hold and the end of the game.
+ */
 final class Noises {
 
     /** Ticks of a hold, the last of which is the chord: one each half second of the usual 3 s. */

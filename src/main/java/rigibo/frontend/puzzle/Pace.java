@@ -1,6 +1,9 @@
 package rigibo.frontend.puzzle;
 
-/** How fast the game runs; always in whole steps of 1/60 s, so that the outcome is the same. */
+/**
+ * The speed of the game, always in whole steps of 1/60 s, so that the outcome does not depend on
+ * it.
+ */
 enum Pace {
     FULL(1),
     HALF(2),

@@ -13,7 +13,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
-/** What stands round the play: the bar, the keys, what opens between, and the panel at the end. */
+/**
+ * The panels around the play: the bar, the keys, those that open in between, and the one at the
+ * end.
+ */
 final class Panels {
 
     private final Session session;

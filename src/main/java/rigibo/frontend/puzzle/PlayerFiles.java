@@ -18,7 +18,7 @@ import java.util.Optional;
 import java.util.function.Function;
 import java.util.stream.Stream;
 
-/** Files that the player brings: levels to be played, or a replay to be watched. */
+/** Files given by the player: levels to play, or a replay to watch. */
 public final class PlayerFiles {
 
     private final List<Level> levels = new ArrayList<>();

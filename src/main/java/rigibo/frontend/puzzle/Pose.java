@@ -3,7 +3,7 @@ package rigibo.frontend.puzzle;
 import rigibo.backend.RigidBody;
 
 /**
- * Where a body is.
+ * The pose of a body.
  *
  * @param x m
  * @param y m, up

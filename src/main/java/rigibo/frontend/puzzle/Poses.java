@@ -6,7 +6,7 @@ import rigibo.backend.RigidBody;
 import java.util.IdentityHashMap;
 import java.util.Map;
 
-/** Where the bodies were before the last step, so that slow motion moves between the steps. */
+/** The poses of the bodies before the last step, from which slow motion interpolates. */
 final class Poses {
 
     private final Map<RigidBody, Pose> before = new IdentityHashMap<>();

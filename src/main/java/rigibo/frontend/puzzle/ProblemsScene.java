@@ -11,7 +11,7 @@ import rigibo.frontend.scene.widget.Lines;
 
 import java.util.List;
 
-/** What is wrong with a file that was to be opened. */
+/** The problems of a file that could not be opened. */
 final class ProblemsScene implements Scene {
 
     private static final double EDGE = 24;

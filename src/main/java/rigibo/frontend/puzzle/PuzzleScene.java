@@ -18,7 +18,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 
-/** A level as it is played: brings what the player does to the play and to the panels round it. */
+/** A level in play: passes the player's input to the play and to the panels around it. */
 public final class PuzzleScene implements Scene {
 
     private final Director director;

@@ -9,7 +9,7 @@ import rigibo.frontend.scene.widget.Sign;
 
 import java.util.Optional;
 
-/** Shows that a click was refused, and why: none is silently lost. */
+/** Shows that a click was refused, and why; no click is lost silently. */
 final class Refusal {
 
     /** How long something shakes. */

@@ -16,11 +16,11 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * What is left of a deleted body: how it looked where it was last seen.
+ * The last appearance of a deleted body.
  *
  * @param shape its outline
- * @param pose where it was
- * @param skin what it was made of
+ * @param pose its last pose
+ * @param skin its skin
  */
 record Remains(Shape shape, Pose pose, Skin skin) {
 

@@ -8,7 +8,7 @@ import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Words;
 
-/** What stands round a recording: title, counts, a line of its time with its clicks, and keys. */
+/** The controls around a replay: title, counts, a time line with its clicks, and keys. */
 final class ReplayBar {
 
     private static final double EDGE = 8;

@@ -13,7 +13,7 @@ import rigibo.frontend.scene.Settings.Motion;
 
 import java.util.Optional;
 
-/** A solved run as it is watched, and at its end whether it was the same to the last bit. */
+/** Shows a recorded run, and at its end whether it was the same to the last bit. */
 final class ReplayScene implements Scene {
 
     private final Director director;

@@ -1,6 +1,8 @@
 package rigibo.frontend.puzzle;
 
-/** How fast a recording is watched; always in whole steps of 1/60 s, so that it is the same. */
+/**
+ * The speed of a replay, always in whole steps of 1/60 s, so that the run does not depend on it.
+ */
 enum ReplaySpeed {
     QUARTER(Pace.QUARTER, 1, "¼ ×"),
     HALF(Pace.HALF, 1, "½ ×"),

@@ -12,7 +12,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 
-/** Solved runs from files, of the levels of the game or of one level. */
+/** Recorded runs from files, of the game's levels or of a given one. */
 public final class Replays {
 
     private final ReplayLoader loader;

@@ -11,7 +11,7 @@ import rigibo.frontend.scene.Sounds;
 
 import java.util.Optional;
 
-/** A recording on the screen, from its start once to its end. */
+/** A replay on the screen, shown once from start to end. */
 final class Screening {
 
     private final Session session;

@@ -16,8 +16,8 @@ import rigibo.frontend.puzzle.rules.Replay;
 import java.util.Optional;
 
 /**
- * A player's tries at one level: the running game, paused or slow, started anew or taken back, and
- * what is shown in its place.
+ * A player's tries at one level: the running game, paused or slow, restarted or undone, and the
+ * replay or solution shown in its place.
  */
 final class Session {
 

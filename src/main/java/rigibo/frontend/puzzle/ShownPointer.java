@@ -12,7 +12,7 @@ import rigibo.frontend.scene.Scene;
 
 import java.util.Optional;
 
-/** The pointer of what is shown: it goes to each box in time for its deletion. */
+/** The pointer of a shown solution or replay: it moves to each box in time for its deletion. */
 final class ShownPointer {
 
     /** How long it is on its way. */

@@ -3,7 +3,7 @@ package rigibo.frontend.puzzle;
 import rigibo.frontend.puzzle.level.Substance;
 import rigibo.frontend.scene.Skin;
 
-/** What the materials of levels look like, and sound like. */
+/** The skin and sound of each material of the levels. */
 public final class Skins {
 
     private Skins() {}

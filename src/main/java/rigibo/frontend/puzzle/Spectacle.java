@@ -14,9 +14,9 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * What happens for the eye only: what is deleted is squashed and bursts, blows raise dust, the ball
- * glows, confetti flies, and a lost world turns grey. It watches the game instead of being told, so
- * that a box goes the same way whoever deleted it.
+ * Animations for display only: deleted boxes burst, impacts raise dust, the ball glows, confetti
+ * flies, and a lost world turns grey. It observes the game instead of receiving events, so that a
+ * deletion looks the same whoever caused it.
  */
 final class Spectacle {
 

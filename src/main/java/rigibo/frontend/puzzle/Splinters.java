@@ -8,7 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
 
-/** Small pieces that fly off a deleted box, and confetti when a level is won. For the eye only. */
+/** Small pieces that fly off a deleted box, and confetti when a level is won. For display only. */
 final class Splinters {
 
     private static final double GRAVITY = -9.81;

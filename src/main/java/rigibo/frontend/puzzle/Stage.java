@@ -17,7 +17,7 @@ import rigibo.frontend.scene.joint.JointPicture;
 
 import java.util.Optional;
 
-/** Draws a level's bodies, and marks the one that is meant. */
+/** Draws the bodies of a level and marks the target of the pointer. */
 final class Stage {
 
     /** Between a chosen box and the corners round it, px. */

@@ -11,8 +11,8 @@ import java.util.Optional;
 import java.util.function.Supplier;
 
 /**
- * Shows a level in all its states: untouched, pointed at, paused, lost by deleting one box after
- * the other, and solved.
+ * A demonstration of a level in all its states: untouched, pointed at, paused, lost by deleting one
+ * box after another, and solved.
  */
 final class StatesShow implements Demonstration {
 

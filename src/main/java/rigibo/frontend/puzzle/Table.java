@@ -13,7 +13,7 @@ import rigibo.frontend.scene.Settings.Motion;
 import java.util.List;
 import java.util.Optional;
 
-/** The play itself: the bodies, the rings, what flies about, and the pointer over them. */
+/** The play area: the bodies, the rings, the particles, and the pointer over them. */
 final class Table {
 
     /** From the ball to its ring, px. */

@@ -10,7 +10,7 @@ import rigibo.frontend.scene.Director;
 import java.io.IOException;
 import java.util.Optional;
 
-/** Tells how tries ended to whoever keeps it; an experiment counts for nothing. */
+/** Reports the end of each try to the player's progress; an experiment does not count. */
 final class Tally {
 
     /** After so many failures there is a hint. */

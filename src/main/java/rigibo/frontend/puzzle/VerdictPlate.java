@@ -10,7 +10,7 @@ import rigibo.frontend.scene.widget.Sign;
 
 import java.util.List;
 
-/** Says whether what was played again went the same. */
+/** Says whether a replay ran as recorded. */
 final class VerdictPlate {
 
     private static final double EDGE = 8;

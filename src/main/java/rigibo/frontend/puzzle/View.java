@@ -5,8 +5,8 @@ import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Scene;
 
 /**
- * Keeps the play between the bar at the top and the keys at the bottom. Levels leave a little of
- * their world free for the two; whatever else opens below the bar makes the picture smaller.
+ * Fits the play between the bar at the top and the keys at the bottom. Levels leave a margin of
+ * their world free for these two; anything else that opens below the bar makes the picture smaller.
  */
 final class View {
 

@@ -13,9 +13,9 @@ import java.util.Optional;
 import java.util.concurrent.locks.LockSupport;
 
 /**
- * Lets one game at a time read, merge and replace the files of a folder. The system holds the lock,
- * on a file of its own, and lets go of it when the process ends, however it ends. Threads of one
- * process take turns by this class's monitor, since the system's locks belong to processes.
+ * Lets only one game at a time read, merge and replace the files of a folder. The operating system
+ * holds the lock, on a file of its own, and releases it when the process ends, in whatever way.
+ * Threads of one process use this class's monitor, since the system's locks belong to processes.
  */
 public final class FolderLock {
 

@@ -4,7 +4,7 @@ import rigibo.frontend.document.Value;
 
 import tools.jackson.databind.node.ObjectNode;
 
-/** How something is told in JSON. */
+/** The form of a value in JSON. */
 interface Format<T> {
 
     /** What there is where there is no file. */

@@ -10,8 +10,8 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * A value and its file. The value is the loop's, the file is written by another thread; that thread
- * alone waits for the disk.
+ * A value and its file. The loop owns the value; another thread writes the file and alone waits for
+ * the disk.
  */
 final class Kept<T> {
 

@@ -11,8 +11,9 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
 /**
- * What games that ended while they wrote have left beside their files. Swept when a game starts,
- * before it writes anything itself: what bears its own number is of an earlier process, too.
+ * Temporary files left by games that ended while writing. They are deleted when a game starts,
+ * before it writes anything itself; even those with its own process number are then from an earlier
+ * process.
  */
 final class Leftovers {
 

@@ -6,10 +6,10 @@ import java.nio.file.Path;
 import java.util.Locale;
 
 /**
- * Something about a file that the player should know.
+ * A message to the player about a file.
  *
- * @param kind what it is
- * @param file which file
+ * @param kind its kind
+ * @param file the file
  */
 record Notice(Kind kind, Path file) {
 

@@ -6,10 +6,10 @@ import java.nio.file.Path;
 import java.util.stream.Stream;
 
 /**
- * Where the player's files are.
+ * The folders of the player's files.
  *
  * @param settings the folder of the settings
- * @param data the folder of progress, and of what else the player makes
+ * @param data the folder of the progress and the player's other files
  */
 public record Places(Path settings, Path data) {
 

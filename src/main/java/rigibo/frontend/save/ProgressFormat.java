@@ -11,7 +11,7 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.regex.Pattern;
 
-/** Progress in JSON. Hashes are hexadecimal words, for JSON's numbers need not have 64 bits. */
+/** Progress in JSON. Hashes are hexadecimal text, since JSON numbers need not have 64 bits. */
 final class ProgressFormat implements Format<Progress> {
 
     private static final Pattern HASH = Pattern.compile("[0-9a-fA-F]{1,16}");

@@ -17,11 +17,11 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * What became of reading a file.
+ * The result of reading a file.
  *
  * @param state of the file
- * @param value what it tells, when it is whole
- * @param problems why it is not, when it is damaged or newer
+ * @param value its content, if it is whole
+ * @param problems the reasons why it is damaged or newer
  */
 record Reading<T>(State state, Optional<T> value, List<Problem> problems) {
 

@@ -14,10 +14,10 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 
 /**
- * A file, the one before it as its backup, and those that were set aside. At any moment, whenever
- * the power fails, the file or its backup is whole.
+ * A file, its previous version as a backup, and damaged ones that were set aside. At any moment,
+ * even if the power fails, the file or its backup is whole.
  *
- * @param file where it is
+ * @param file its path
  */
 public record SafeFile(Path file) {
 

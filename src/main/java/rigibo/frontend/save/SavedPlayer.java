@@ -16,9 +16,9 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.stream.Stream;
 
 /**
- * A player who is remembered: settings and progress, read once and written soon after each change
- * by a thread of its own: whoever changes them never waits for a disk. What cannot be written is
- * kept, and tried again.
+ * A player whose settings and progress are saved. Both are read once, and written soon after each
+ * change by a thread of their own, so that a change never waits for a disk. If writing fails, the
+ * values are kept and written again later.
  */
 public final class SavedPlayer implements Player, AutoCloseable {
 

@@ -8,7 +8,9 @@ import tools.jackson.databind.node.ObjectNode;
 import java.util.Locale;
 import java.util.function.Function;
 
-/** Settings in JSON. One that is missing, for it is younger than the file, is as it is at first. */
+/**
+ * Settings in JSON. A setting that is missing, because it is newer than the file, gets its default.
+ */
 record SettingsFormat(Settings initial) implements Format<Settings> {
 
     @Override

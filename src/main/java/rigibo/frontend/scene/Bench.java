@@ -7,7 +7,10 @@ import rigibo.backend.RigidBody;
 
 import java.util.function.Consumer;
 
-/** What a hand reaches: a pool, and whoever has to be told what is done to it. */
+/**
+ * The bodies that a hand can reach: a pool, and verbs for every change of its bodies and joints, so
+ * that a ghost can follow.
+ */
 public interface Bench {
 
     /** What the bodies are in. */

@@ -1,6 +1,8 @@
 package rigibo.frontend.scene;
 
-/** Brings the world, in metres with y up, to the screen, in logical pixels with y down. */
+/**
+ * Converts between the world, in metres with y up, and the screen, in logical pixels with y down.
+ */
 public final class Camera {
 
     /** Pixels per metre at which 9 × 10 m fill the window. */

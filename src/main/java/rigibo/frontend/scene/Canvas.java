@@ -3,7 +3,7 @@ package rigibo.frontend.scene;
 import rigibo.backend.geometry.Shape;
 
 /**
- * What scenes draw on. Bodies and particles come first, under everything else; shapes and text
+ * The surface on which scenes draw. Bodies and particles lie below everything else; shapes and text
  * follow in their order. Screen coordinates are logical pixels, y down; sizes are px.
  */
 public interface Canvas {

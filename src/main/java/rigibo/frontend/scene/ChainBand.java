@@ -7,8 +7,9 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * What of a chain's matter is drawn: a band along it, as thick at every edge, mitred at the
- * corners. A line without a width would hardly be seen, and would not tell its sides apart.
+ * The drawn part of a chain's matter: a band along the chain, equally thick at every edge, mitred
+ * at the corners. A line without thickness would hardly be visible and would not distinguish its
+ * sides.
  */
 public final class ChainBand {
 

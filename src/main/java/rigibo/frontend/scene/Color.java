@@ -35,7 +35,7 @@ public record Color(float red, float green, float blue, float alpha) {
         return new Color((rgb >> 16 & 255) / 255f, (rgb >> 8 & 255) / 255f, (rgb & 255) / 255f, 1);
     }
 
-    /** The same, more or less clear. */
+    /** Returns this colour with another opacity. */
     public Color alpha(double opacity) {
         return new Color(red, green, blue, (float) opacity);
     }

@@ -2,7 +2,7 @@ package rigibo.frontend.scene;
 
 import java.util.Optional;
 
-/** How a scene plays itself: where the pointer goes and clicks, turn by turn. */
+/** Lets a scene play itself: the moves and clicks of the pointer, turn by turn. */
 public interface Demonstration {
 
     /** Where the pointer goes before the next turn; asked once each turn, before key and click. */

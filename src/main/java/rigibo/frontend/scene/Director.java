@@ -5,8 +5,8 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * Changes what is shown, and knows what holds in every scene. A change happens after the present
- * turn, in a window of its own.
+ * Changes the scene that is shown, and keeps what applies to every scene. A change happens after
+ * the present turn, in a window of its own.
  */
 public interface Director {
 

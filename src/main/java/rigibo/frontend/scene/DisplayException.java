@@ -1,6 +1,6 @@
 package rigibo.frontend.scene;
 
-/** Something about the window that the player should read: a sentence, not a stack trace. */
+/** A failure of the window, worded for the player: a sentence, not a stack trace. */
 public final class DisplayException extends RuntimeException {
 
     private static final long serialVersionUID = 1;

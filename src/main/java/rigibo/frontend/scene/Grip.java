@@ -10,9 +10,9 @@ import rigibo.backend.setup.BodyType;
 import java.util.Optional;
 
 /**
- * A hand that takes hold of a body of a pool and pulls it along: let go, it flies on. Where joints
- * are declared it is a joint, which holds the body where it was grabbed; elsewhere the body's
- * velocity is set, so that it comes with its middle.
+ * A hand that takes hold of a body and pulls it along; a released body flies on. Where joints are
+ * declared the hand is a joint, which holds the body where it was grabbed. Elsewhere it sets the
+ * body's velocity, so that the body follows with its centre.
  */
 public final class Grip {
 

@@ -5,7 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
-/** A player of whom nothing is remembered. */
+/** A player whose settings and progress are not saved. */
 public final class Guest implements Player {
 
     private Settings settings;

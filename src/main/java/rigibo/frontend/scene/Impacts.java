@@ -8,8 +8,8 @@ import rigibo.backend.RigidBody;
 import java.util.function.Function;
 
 /**
- * Has what meets in a pool heard, step by step. All but the first: in that everything begins to
- * touch what it stands on, with the weight of all that stands on it.
+ * Plays sounds for the contacts of a pool, step by step, except in the first step, in which every
+ * body begins to touch its support under the weight of all bodies above it.
  */
 public final class Impacts {
 

@@ -1,6 +1,6 @@
 package rigibo.frontend.scene;
 
-/** The keys that scenes listen to; Esc and F11 are the window's own. */
+/** The keys for scenes; Esc and F11 belong to the window. */
 public enum Key {
     ENTER,
     SPACE,

@@ -3,11 +3,10 @@ package rigibo.frontend.scene;
 import java.util.OptionalInt;
 
 /**
- * What a player has done in one level. A level whose play was changed keeps being solved, so that
- * what it opened stays open; clicks and failures are told of the level as it was, and are
- * forgotten.
+ * A player's progress in one level. A level that was altered since stays solved, so that the levels
+ * it opened stay open; clicks and failures refer to the level before the change and are reset.
  *
- * @param levelHash of the level that was played, as its replays name it
+ * @param levelHash of the level that was played, as its replays state it
  * @param isSolved whether it was ever solved
  * @param fewestClicks of all tries that solved it; none before the first
  * @param failures since it was last solved, 0 or more
@@ -36,7 +35,7 @@ public record LevelProgress(
         return new LevelProgress(levelHash, false, OptionalInt.empty(), 0);
     }
 
-    /** The same as it stands for a level of a hash. */
+    /** Returns this progress as it counts for a version of the level with a hash. */
     LevelProgress in(long hash) {
         return hash == levelHash ? this : new LevelProgress(hash, isSolved, OptionalInt.empty(), 0);
     }

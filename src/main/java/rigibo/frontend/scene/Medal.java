@@ -1,6 +1,6 @@
 package rigibo.frontend.scene;
 
-/** What a solved level earns; time never counts. */
+/** The medals for a solved level; time never counts. */
 public enum Medal {
     GOLD(Color.of(0xFFD24A)),
     SILVER(Color.of(0xD5DAE3)),

@@ -4,7 +4,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 
-/** Who plays: what was chosen, and what was done so far. */
+/** The player: settings and progress. */
 public interface Player {
 
     /** What the player has chosen. */

@@ -5,7 +5,7 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 
 /**
- * What a player has done in all levels. A change is another value, for {@link
+ * A player's progress in all levels; immutable. A changed value is passed to {@link
  * Director#progress(Progress)}.
  *
  * @param levels by the level's id, in its order

@@ -3,7 +3,7 @@ package rigibo.frontend.scene;
 import java.util.Optional;
 import java.util.Set;
 
-/** What a window shows: a menu, a demo, a level. Coordinates are logical pixels, y down. */
+/** The content of a window: a menu, a demo, a level. Coordinates are logical pixels, y down. */
 public interface Scene {
 
     /** Width and height of a window in logical pixels. */

@@ -6,11 +6,11 @@ import java.util.function.Function;
 /**
  * A scene that can be chosen.
  *
- * @param name for the command line, in kebab-case; of a level its id
+ * @param name for the command line, in kebab-case; a level's id
  * @param title for people, in their language
- * @param words what it is about, a short sentence
- * @param challenge what there is to win, of a level
- * @param open makes the scene anew
+ * @param words a short sentence about it
+ * @param challenge what can be won in it, for a level
+ * @param open makes a new instance of the scene
  */
 public record SceneEntry(
         String name,

@@ -3,13 +3,13 @@ package rigibo.frontend.scene;
 import java.util.Set;
 
 /**
- * What a player has chosen, in every scene alike.
+ * A player's settings, for all scenes.
  *
  * @param language of the words, one of {@link #LANGUAGES}
  * @param volume of the sounds, 0 to 1
  * @param isMuted whether there is no sound, whatever the volume
  * @param motion how much shakes, flashes and fades
- * @param detail how much is drawn
+ * @param detail how much detail is drawn
  * @param isFullScreen whether windows fill the screen
  */
 public record Settings(
@@ -55,32 +55,32 @@ public record Settings(
         return new Settings(language, 0.7, false, Motion.FULL, Detail.AUTOMATIC, false);
     }
 
-    /** The same in another language. */
+    /** Returns these settings with another language. */
     public Settings withLanguage(String other) {
         return new Settings(other, volume, isMuted, motion, detail, isFullScreen);
     }
 
-    /** The same at another volume, 0 to 1. */
+    /** Returns these settings with another volume, 0 to 1. */
     public Settings withVolume(double other) {
         return new Settings(language, other, isMuted, motion, detail, isFullScreen);
     }
 
-    /** The same with sound or without. */
+    /** Returns these settings with sound or without. */
     public Settings withMuted(boolean other) {
         return new Settings(language, volume, other, motion, detail, isFullScreen);
     }
 
-    /** The same with more or less that moves. */
+    /** Returns these settings with another amount of motion. */
     public Settings withMotion(Motion other) {
         return new Settings(language, volume, isMuted, other, detail, isFullScreen);
     }
 
-    /** The same with more or less that is drawn. */
+    /** Returns these settings with another amount of detail. */
     public Settings withDetail(Detail other) {
         return new Settings(language, volume, isMuted, motion, other, isFullScreen);
     }
 
-    /** The same in windows, or on the whole screen. */
+    /** Returns these settings for windows or the full screen. */
     public Settings withFullScreen(boolean other) {
         return new Settings(language, volume, isMuted, motion, detail, other);
     }

@@ -1,6 +1,6 @@
 package rigibo.frontend.scene;
 
-/** What a body looks like. */
+/** The appearance of a body. */
 public enum Skin {
     /** A box with a face. */
     RIGIBO(Color.RIGIBO),

@@ -1,6 +1,6 @@
 package rigibo.frontend.scene;
 
-/** What a scene is heard by. Silent where there is no device; nothing here ever waits. */
+/** The sounds of a scene. Silent without an audio device; no method ever waits. */
 public interface Sounds {
 
     /**

@@ -4,7 +4,7 @@ import java.text.MessageFormat;
 import java.util.Locale;
 import java.util.ResourceBundle;
 
-/** The game's words in one language; each has a key, in {@code rigibo/words.properties}. */
+/** The game's texts in one language, by keys, from {@code rigibo/words.properties}. */
 public final class Words {
 
     private static final String BUNDLE = "rigibo.words";

@@ -6,8 +6,8 @@ import org.lwjgl.system.Platform;
 import org.lwjgl.system.SharedLibrary;
 
 /**
- * Where a Linux machine has no sound card, ALSA writes eight lines of its insides to the terminal.
- * We say the same in one sentence.
+ * Replaces the eight lines of internals that ALSA writes to the terminal of a Linux machine without
+ * a sound card by one sentence.
  */
 final class AlsaWords {
 

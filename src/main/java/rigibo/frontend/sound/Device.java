@@ -11,7 +11,7 @@ import java.nio.ByteBuffer;
 import java.util.HashMap;
 import java.util.Map;
 
-/** OpenAL's device with its context, a source for each voice, and one for what rolls. */
+/** OpenAL's device with its context, one source for each voice, and one for rolling. */
 final class Device {
 
     private final long handle;

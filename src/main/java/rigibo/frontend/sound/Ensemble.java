@@ -7,7 +7,7 @@ import java.util.Comparator;
 import java.util.PriorityQueue;
 
 /**
- * Decides what is played on a device, turn by turn, so that nothing clips and nothing is drowned.
+ * Decides in each turn what is played on a device, so that nothing clips and no sound is drowned.
  */
 final class Ensemble {
 

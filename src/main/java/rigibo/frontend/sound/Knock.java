@@ -3,11 +3,11 @@ package rigibo.frontend.sound;
 import rigibo.frontend.scene.Skin;
 
 /**
- * A knock as it is to be played.
+ * A knock to be played.
  *
- * @param skin whose sample
+ * @param skin whose sample is played
  * @param gain 0 to 1
- * @param pitch how many times as fast as the sample of a body of 1 m
+ * @param pitch speed relative to the sample of a body of 1 m
  */
 record Knock(Skin skin, double gain, double pitch) {
 

@@ -2,7 +2,7 @@ package rigibo.frontend.sound;
 
 import java.util.SplittableRandom;
 
-/** The rumble of what rolls: always there, mostly at gain 0; louder and higher with speed. */
+/** The rumble of rolling bodies: always playing, mostly at gain 0; louder and higher with speed. */
 final class Rolling {
 
     /** The greatest gain. */

@@ -4,8 +4,8 @@ import java.util.List;
 import java.util.SplittableRandom;
 
 /**
- * A sound as it is played: mono, 16 bit. It starts and, unless it is a loop, ends at nought, so
- * that neither clicks, and its peak is {@link #PEAK}.
+ * A sound to be played: mono, 16 bit. It starts at zero and, unless it is a loop, ends there, so
+ * that neither end clicks; its peak is {@link #PEAK}.
  */
 final class Sample {
 

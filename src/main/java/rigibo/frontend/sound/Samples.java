@@ -7,7 +7,7 @@ import java.util.EnumMap;
 import java.util.LinkedHashSet;
 import java.util.Map;
 
-/** All there is to be heard, made once. */
+/** All sounds of the game, made once. */
 final class Samples {
 
     private final Map<Skin, Sample> knocks = new EnumMap<>(Skin.class);

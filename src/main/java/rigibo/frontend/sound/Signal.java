@@ -2,7 +2,7 @@ package rigibo.frontend.sound;
 
 import java.util.List;
 
-/** What the game says by sound, besides the knocks of its bodies. */
+/** The sounds of the game besides the knocks of its bodies. */
 enum Signal {
     /** A box is gone: up like a bubble. */
     POP(0.8, new Tone(0, 260, 820, 1, 0.05), Tone.steady(520, 0.2, 0.02)),

@@ -11,8 +11,8 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 
 /**
- * What the game is heard by. Silent until it is plugged in and the audio device has opened, which
- * takes half a second that no turn waits for; silent for good where there is none.
+ * The sounds of the game. Silent until the audio device has opened, which takes half a second
+ * during which no turn waits; silent for good without a device.
  */
 public final class Speaker implements Sounds {
 

@@ -6,15 +6,15 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * How a material sounds when it is struck: modal synthesis, a decaying sine for each way in which
- * the body vibrates (Adrien, "The missing link: modal synthesis", 1991).
+ * The sound of a struck material by modal synthesis: a decaying sine for each vibration mode of the
+ * body (Adrien, "The missing link: modal synthesis", 1991).
  *
  * @param frequency f₁ of the lowest partial of a body of 1 m, Hz
- * @param decay τ₁ of the lowest partial, s; the others' are τ₁·f₁/f, as of a material that loses
+ * @param decay τ₁ of the lowest partial, s; the others' are τ₁·f₁/f, as in a material that loses
  *     the same share of energy in every cycle
- * @param contact how long a blow lasts, s: it excites partials by 1/(1 + (f·contact)²), so that
- *     what is hard sounds bright
- * @param hiss amplitude of the blow's own noise
+ * @param contact duration of an impact, s: it excites partials by 1/(1 + (f·contact)²), so that
+ *     hard materials sound bright
+ * @param hiss amplitude of the impact's own noise
  * @param ratios f/f₁ of the partials, the first of them 1
  */
 record Timbre(double frequency, double decay, double contact, double hiss, double... ratios) {

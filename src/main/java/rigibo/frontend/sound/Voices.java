@@ -3,9 +3,9 @@ package rigibo.frontend.sound;
 import java.util.Arrays;
 
 /**
- * Who plays what on a limited number of voices that together stay below a loudness: whatever is
- * started when, the sum of their greatest values from now on is at most that, so nothing clips. It
- * counts only; the device plays.
+ * Assigns sounds to a limited number of voices, which together stay below a loudness: at any time
+ * the sum of their greatest remaining values is at most that, so that nothing clips. It only
+ * counts; the device plays.
  */
 final class Voices {
 

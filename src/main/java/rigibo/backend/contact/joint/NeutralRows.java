@@ -309,7 +309,7 @@ final class NeutralRows {
         }
     }
 
-    /** The same of one row. */
+    /** Writes the bounds of one row that follow from another row's impulse. */
     void bound(int row) {
         if (load[row] != NONE) {
             double sum = 0;

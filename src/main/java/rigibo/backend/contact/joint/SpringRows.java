@@ -49,7 +49,7 @@ final class SpringRows {
         isImplicit = false;
     }
 
-    /** The same of a row that is taken for stiff. */
+    /** Notes the joint of the next row, whose spring is solved implicitly. */
     void writeImplicit(int joint, double fromRest) {
         write(joint, fromRest);
         isImplicit = true;

@@ -24,7 +24,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 
-/** The draft that is being made, and how the author stands to it. */
+/** The draft in progress, with the author's selection and state of work. */
 public final class Desk {
 
     /** How far a copy lies beside what it was made of, m. */

@@ -10,7 +10,9 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
 
-/** What is wrong with a draft: at once what reading it tells, and what playing it told last. */
+/**
+ * The problems of a draft: those found by reading it, at once, and those found by playing it last.
+ */
 public final class Inspection {
 
     private static final String NAME = "draft";

@@ -19,7 +19,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 
-/** Joins what lies on a desk, and finds and moves what is joined there. */
+/** Joins items of a desk, and finds and moves their joints. */
 public final class Joining {
 
     /** Radius of the hook that a joint on the backdrop is given, m. */

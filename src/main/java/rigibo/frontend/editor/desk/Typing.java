@@ -4,7 +4,7 @@ import rigibo.frontend.scene.Key;
 
 import java.util.function.Consumer;
 
-/** A text while it is typed, and where it is to go. */
+/** A text while it is typed, and its destination. */
 public final class Typing {
 
     private static final Consumer<String> NOWHERE = text -> {};

@@ -1,5 +1,5 @@
 /**
- * What lies on the editor's desk: the draft with its history, what is chosen, what is typed, what
- * was found wrong. Lengths in m. Draws nothing.
+ * The state of the editor's desk: the draft with its history, the selection, the text being typed,
+ * the problems found. Lengths in m. Draws nothing.
  */
 package rigibo.frontend.editor.desk;

@@ -15,7 +15,7 @@ import java.util.Optional;
 import java.util.stream.DoubleStream;
 
 /**
- * A polygon of given corners, either way round, convex or not.
+ * A polygon of given corners, in either direction, convex or not.
  *
  * @param corners m
  */
@@ -111,7 +111,7 @@ public record Corners(List<Point> corners) implements Form {
         return round;
     }
 
-    /** The same with a corner elsewhere. */
+    /** Returns this polygon with a corner at another place. */
     public Corners with(int corner, Point place) {
         List<Point> changed = new ArrayList<>(corners);
         changed.set(corner, place);

@@ -3,7 +3,10 @@ package rigibo.frontend.editor.draft;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.node.JsonNodeFactory;
 
-/** Numbers as an author would write them: what a hand moves is not exact to the last bit. */
+/**
+ * Rounds numbers to what an author would write; positions set by hand are not exact to the last
+ * bit.
+ */
 public final class Decimal {
 
     /** A hundredth of a pixel is 0.1 mm; level files need no more. */

@@ -11,7 +11,7 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * A level while it is made; immutable. Edits share what they do not change with what they came
+ * A level in the making; immutable. A new version shares everything unchanged with the one it came
  * from, so that a long history costs little.
  */
 public final class Draft {
@@ -75,12 +75,12 @@ public final class Draft {
                 : Optional.empty();
     }
 
-    /** The same with an item changed. */
+    /** Returns this draft with an item replaced. */
     public Draft with(Item item) {
         return with(item.pointer(), item.node());
     }
 
-    /** The same with a value changed or added. */
+    /** Returns this draft with a value changed or added. */
     public Draft with(String pointer, JsonNode value) {
         return new Draft((ObjectNode) replaced(root, JsonPointer.compile(pointer), value));
     }
@@ -104,7 +104,7 @@ public final class Draft {
         return copy;
     }
 
-    /** The same without a value. */
+    /** Returns this draft without a value. */
     public Draft without(String pointer) {
         JsonPointer at = JsonPointer.compile(pointer);
         JsonNode around = root.at(at.head());
@@ -121,12 +121,12 @@ public final class Draft {
         return with(at.head().toString(), rest);
     }
 
-    /** The same with one more body, under an id of its own, at the end of the bodies. */
+    /** Returns this draft with a further body, under an id of its own, after the others. */
     public Draft plus(ObjectNode body) {
         return plus(body, body.path("material").asString("body"));
     }
 
-    /** The same with one more body that is called by a word and the next free number. */
+    /** Returns this draft with a further body, named by a word and the next free number. */
     public Draft plus(ObjectNode body, String word) {
         ObjectNode named = NODES.objectNode();
         named.put("id", Ids.free(this, word));
@@ -134,7 +134,7 @@ public final class Draft {
         return plus(BODIES, named);
     }
 
-    /** The same with one more ball, like the first one. */
+    /** Returns this draft with a further ball, like the first one. */
     public Draft plusBall(Point place) {
         Item first = new Item("/ball", (ObjectNode) at("/ball"));
         return plus(MORE_BALLS, first.at(place).node());
@@ -161,8 +161,8 @@ public final class Draft {
     }
 
     /**
-     * The same without an item, what was joined to it, and the solutions that click it: they are
-     * none any more.
+     * Returns this draft without an item, its joints, and the solutions that click it, which are no
+     * longer valid.
      */
     public Draft without(Item item) {
         Draft rest = without(item.pointer());

@@ -4,8 +4,8 @@ import tools.jackson.core.io.JsonStringEncoder;
 import tools.jackson.databind.JsonNode;
 
 /**
- * A document as the game's own levels are written: what fits on a line stands on one, the rest a
- * member a line. The library's printer knows only one of the two for all.
+ * Writes a document in the layout of the game's own levels: a value that fits on one line stands on
+ * one, others take a line per member. The library's printer can only use one layout for everything.
  */
 public final class DraftText {
 

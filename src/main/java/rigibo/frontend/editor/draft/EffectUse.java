@@ -13,8 +13,8 @@ import java.util.Map;
 import java.util.function.ToDoubleFunction;
 
 /**
- * Declares what an edit brings into use and takes back what it puts out of use. What an author
- * chose against what is used stays as it is: only a change of use changes the choice.
+ * Declares effects that an edit starts to use, and removes those that it no longer uses. A choice
+ * that the author made against the use is kept until the use itself changes.
  */
 public final class EffectUse {
 

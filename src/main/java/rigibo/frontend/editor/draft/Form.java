@@ -9,7 +9,10 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 
-/** An outline about the point that its item is placed by; also one that cannot be simulated. */
+/**
+ * An outline relative to the point at which its item is placed; it may be one that cannot be
+ * simulated.
+ */
 public sealed interface Form permits Box, Disc, Corners, Kept {
 
     /** Shapes of a level file that are shown, moved and turned, and not edited otherwise. */

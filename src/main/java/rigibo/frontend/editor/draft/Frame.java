@@ -6,7 +6,7 @@ import tools.jackson.databind.node.ObjectNode;
 
 import java.util.List;
 
-/** What a document must have for the editor to show it at all. */
+/** The least that a document must contain for the editor to show it. */
 final class Frame {
 
     private static final int FORMAT = 2;

@@ -1,6 +1,6 @@
 package rigibo.frontend.editor.draft;
 
-/** Where things snap to. */
+/** Snaps points to the grid. */
 public enum Grid {
     OFF(1e-3),
     ON(0.05);

@@ -3,7 +3,7 @@ package rigibo.frontend.editor.draft;
 import java.util.ArrayDeque;
 import java.util.Deque;
 
-/** A draft with its past and its future. What is done between two calls is one change. */
+/** A draft with its past and future versions. All edits between two calls count as one change. */
 public final class History {
 
     /** More than anyone takes back; drafts share what they have in common. */

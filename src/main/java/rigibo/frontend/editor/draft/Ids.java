@@ -3,7 +3,7 @@ package rigibo.frontend.editor.draft;
 import java.util.Set;
 import java.util.stream.Collectors;
 
-/** Names for bodies, which a level must not use twice. */
+/** Makes ids for bodies, which must be unique in a level. */
 final class Ids {
 
     private Ids() {}

@@ -10,11 +10,11 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * Something placed in a draft: a ball, the platform, a body. Edits give another item; its node is
- * never changed once it is part of one.
+ * An item of a draft: a ball, the platform, a body. Edits return a new item; its node never changes
+ * once it is part of one.
  *
- * @param pointer JSON pointer of where the draft has it
- * @param node what the level file states of it
+ * @param pointer JSON pointer to the item in the draft
+ * @param node the item as the level file states it
  */
 public record Item(String pointer, ObjectNode node) {
 
@@ -120,17 +120,19 @@ public record Item(String pointer, ObjectNode node) {
         return form().corners().stream().map(this::toWorld).toList();
     }
 
-    /** The same elsewhere, m. */
+    /** Returns this item at another place, m. */
     public Item at(Point place) {
         return with("x", Decimal.of(place.x())).with("y", Decimal.of(place.y()));
     }
 
-    /** The same at an angle, degrees; within half a turn, as a person would say it. */
+    /** Returns this item at an angle, degrees, reduced to half a turn either way. */
     public Item turnedTo(double degrees) {
         return with("angle", Decimal.of(Math.IEEEremainder(degrees, 360)));
     }
 
-    /** The same with another outline; of a ball only a disc, of a platform only a box. */
+    /**
+     * Returns this item with another outline: for a ball only a disc, for a platform only a box.
+     */
     public Item formed(Form form) {
         if (kind() == Kind.BALL) {
             return with("radius", Decimal.of(form.reach()));
@@ -141,7 +143,7 @@ public record Item(String pointer, ObjectNode node) {
         return with("shape", form.node());
     }
 
-    /** The same with one member changed. */
+    /** Returns this item with one member changed. */
     public Item with(String name, JsonNode value) {
         ObjectNode changed = JsonNodeFactory.instance.objectNode();
         changed.setAll(node);

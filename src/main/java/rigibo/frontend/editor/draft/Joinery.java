@@ -13,7 +13,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
 
-/** The joints of a draft, and what becomes of them when what they hold is changed. */
+/** The joints of a draft, and their changes when their bodies change. */
 public final class Joinery {
 
     private static final JsonNodeFactory NODES = JsonNodeFactory.instance;

@@ -13,10 +13,10 @@ import java.util.Locale;
 import java.util.Optional;
 
 /**
- * A joint of a draft. Edits give another one; its node is never changed once it is part of one.
+ * A joint of a draft. Edits return a new one; its node never changes once it is part of one.
  *
- * @param pointer JSON pointer of where the draft has it
- * @param node what the level file states of it
+ * @param pointer JSON pointer to the joint in the draft
+ * @param node the joint as the level file states it
  */
 public record JointEntry(String pointer, ObjectNode node) {
 
@@ -83,7 +83,7 @@ public record JointEntry(String pointer, ObjectNode node) {
         return last.minus(point(anchors().get(0))).length();
     }
 
-    /** The same, holding elsewhere, m. */
+    /** Returns this joint with one of its anchors at another place, m. */
     public JointEntry at(String anchor, Point place) {
         return with(anchor, node(place));
     }
@@ -96,7 +96,7 @@ public record JointEntry(String pointer, ObjectNode node) {
                 .add(Decimal.of(place.y()));
     }
 
-    /** The same with one member changed. */
+    /** Returns this joint with one member changed. */
     public JointEntry with(String name, JsonNode value) {
         ObjectNode changed = JsonNodeFactory.instance.objectNode();
         changed.setAll(node);
@@ -104,7 +104,7 @@ public record JointEntry(String pointer, ObjectNode node) {
         return new JointEntry(pointer, changed);
     }
 
-    /** The same the other way round: what was first comes second. */
+    /** Returns this joint with its two ends exchanged. */
     public JointEntry swapped() {
         JointEntry swapped = with("a", node.path("b")).with("b", node.path("a"));
         if (!type().hasTwoPoints()) {

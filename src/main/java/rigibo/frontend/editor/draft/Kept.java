@@ -14,8 +14,8 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * A shape that the editor has no tools for: shown, moved and turned, and otherwise kept as the file
- * states it.
+ * A shape for which the editor has no tools: it can be moved and turned, and is otherwise kept as
+ * the file states it.
  *
  * @param node as the file states it
  */

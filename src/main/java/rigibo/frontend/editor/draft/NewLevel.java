@@ -3,7 +3,10 @@ package rigibo.frontend.editor.draft;
 import tools.jackson.databind.node.JsonNodeFactory;
 import tools.jackson.databind.node.ObjectNode;
 
-/** What an author begins with: a world of the window's size, a ball on a ledge, a platform. */
+/**
+ * The draft with which an author starts: a world of the window's size, a ball on a ledge, a
+ * platform.
+ */
 public final class NewLevel {
 
     /** What a level is called until its author says otherwise, in its file's English. */

@@ -1,7 +1,7 @@
 package rigibo.frontend.editor.draft;
 
 /**
- * A place, or a way from one to another.
+ * A point, or a displacement.
  *
  * @param x m, to the right
  * @param y m, up

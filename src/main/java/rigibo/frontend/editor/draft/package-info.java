@@ -1,7 +1,7 @@
 /**
- * A level while it is made: an immutable {@link rigibo.frontend.editor.draft.Draft} whose edits are
- * functions that give another one. It is the level's document itself, so that what the editor does
- * not know of survives. Lengths in m, angles in degrees as in level files. Knows no window and no
+ * A level in the making: an immutable {@link rigibo.frontend.editor.draft.Draft} whose edits are
+ * functions that return a new one. It holds the level's document itself, so that members unknown to
+ * the editor survive. Lengths in m, angles in degrees as in level files. Knows no window and no
  * drawing.
  */
 package rigibo.frontend.editor.draft;

@@ -8,14 +8,14 @@ import java.nio.file.Path;
 import java.util.Optional;
 
 /**
- * A draft and the file it belongs to.
+ * A draft and its file.
  *
  * @param draft as it stands in the file
- * @param file where; nothing for a draft that was never saved
+ * @param file path of the file; nothing for a draft that was never saved
  */
 public record DraftFile(Draft draft, Optional<Path> file) {
 
-    /** The same with the level's id. */
+    /** Returns this file with the level's id changed. */
     DraftFile called(String id) {
         return new DraftFile(draft.with("/id", JsonNodeFactory.instance.stringNode(id)), file);
     }

@@ -22,10 +22,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
 
-/**
- * Drafts that were left without being saved, a file each, until their author saves them or says
- * that they are not wanted.
- */
+/** Drafts that were left unsaved, one file each, until their author saves or discards them. */
 public final class Unsaved {
 
     private static final String ENDING = ".unsaved.json";

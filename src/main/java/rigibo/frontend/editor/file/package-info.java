@@ -1,5 +1,5 @@
 /**
- * Where the editor's levels are: files that are opened and saved, and what was left unsaved. Writes
- * beside a file and moves into its place; never writes into a level of the game itself.
+ * The editor's files: levels that are opened and saved, and drafts left unsaved. A file is written
+ * beside the old one and then moved into its place; the game's own levels are never written.
  */
 package rigibo.frontend.editor.file;

@@ -27,7 +27,7 @@ public record Area(double x, double y, double width, double height) {
         return y + height / 2;
     }
 
-    /** The same with a margin taken off all round, px. */
+    /** Returns this area reduced by a margin on every side, px. */
     public Area inset(double by) {
         return new Area(x + by, y + by, width - 2 * by, height - 2 * by);
     }

@@ -9,7 +9,7 @@ import java.util.Arrays;
 import java.util.Locale;
 import java.util.Optional;
 
-/** The tools by what they are for, each with its key and its icon. */
+/** The tools by purpose, each with its key and icon. */
 public enum Craft {
     SELECT(Key.V),
     BOX(Key.B),

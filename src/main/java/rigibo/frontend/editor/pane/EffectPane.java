@@ -6,7 +6,7 @@ import rigibo.frontend.scene.Color;
 
 import java.util.List;
 
-/** The effects as chips: bright where declared; a press declares one or takes it back. */
+/** The effects as chips, bright where declared; a press declares an effect or removes it. */
 public final class EffectPane {
 
     private static final double CHIP = 25;

@@ -7,7 +7,7 @@ import rigibo.frontend.editor.draft.JointEntry;
 
 import java.util.Optional;
 
-/** The fields at the right: of what is chosen, else of the level. */
+/** The fields on the right: those of the selection, or of the level if nothing is selected. */
 public final class FieldPane {
 
     private FieldPane() {}

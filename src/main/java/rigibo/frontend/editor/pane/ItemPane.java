@@ -8,7 +8,7 @@ import rigibo.frontend.editor.draft.Kept;
 import rigibo.frontend.puzzle.level.Substance;
 import rigibo.frontend.scene.Canvas;
 
-/** The fields of what is chosen. */
+/** The fields of the selected item. */
 final class ItemPane {
 
     private static final Fields.Range PLACE = new Fields.Range(-1000, 1000, 0.05, 0);

@@ -4,7 +4,7 @@ import rigibo.frontend.puzzle.level.LevelJoint;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 
-/** What the tools for joints show, within 22 px. */
+/** The icons of the tools for joints, 22 px. */
 final class JointIcon {
 
     private static final double STROKE = 2.5;

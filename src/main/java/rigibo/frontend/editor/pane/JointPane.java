@@ -11,7 +11,7 @@ import tools.jackson.databind.node.JsonNodeFactory;
 
 import java.util.Locale;
 
-/** The fields of the joint that is chosen. */
+/** The fields of the selected joint. */
 final class JointPane {
 
     private static final JsonNodeFactory NODES = JsonNodeFactory.instance;

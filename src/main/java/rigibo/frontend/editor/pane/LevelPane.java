@@ -8,7 +8,7 @@ import rigibo.frontend.editor.draft.NewLevel;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.node.JsonNodeFactory;
 
-/** The fields of the level as a whole; shown while nothing is chosen. */
+/** The fields of the level as a whole, shown while nothing is selected. */
 final class LevelPane {
 
     private static final Fields.Range SIZE = new Fields.Range(1, 100, 0.5, 1);

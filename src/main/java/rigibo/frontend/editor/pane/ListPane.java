@@ -5,7 +5,7 @@ import rigibo.frontend.scene.Color;
 
 import java.util.List;
 
-/** A list to choose from, over everything else, a page at a time. */
+/** A list to choose from, above everything else, one page at a time. */
 public final class ListPane {
 
     private static final double ROW = 34;

@@ -5,10 +5,10 @@ import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Words;
 
 /**
- * What panes are drawn with: plates, texts that are shortened to their room, buttons.
+ * Draws parts of panes: plates, texts shortened to their room, buttons.
  *
- * @param canvas what is drawn on
- * @param spots what can be pressed
+ * @param canvas to draw on
+ * @param spots that can be pressed
  * @param words in the player's language
  * @param pointerX px
  * @param pointerY px

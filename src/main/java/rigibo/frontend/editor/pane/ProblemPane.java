@@ -8,7 +8,7 @@ import rigibo.frontend.scene.widget.Sign;
 import java.util.List;
 import java.util.function.Consumer;
 
-/** What is wrong, a line each; a press chooses what it concerns. */
+/** The problems, one line each; a press selects the item at fault. */
 public final class ProblemPane {
 
     private static final double ROW = 24;

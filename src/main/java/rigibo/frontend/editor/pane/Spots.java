@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
-/** Where a press does something, as it was drawn last: what comes later lies above. */
+/** The places where a press has an effect, as drawn last; later ones lie above earlier ones. */
 public final class Spots {
 
     /**

@@ -8,7 +8,7 @@ import rigibo.frontend.scene.Color;
 
 import java.util.function.Consumer;
 
-/** The tools at the left, bodies beside joints, and below them what bodies are made of. */
+/** The tools on the left, bodies beside joints, with the materials below them. */
 public final class ToolPane {
 
     private static final double SIZE = 40;

@@ -1,6 +1,6 @@
 /**
- * The editor's panes round the draft: tools, fields, effects, what is wrong, files to open. They
- * are drawn anew each frame and name, while they are drawn, what a press on them does. Coordinates
- * are logical pixels.
+ * The panes around the draft: tools, fields, effects, problems, files to open. They are drawn in
+ * every frame, and register the effect of a press on them while they are drawn. Coordinates are
+ * logical pixels.
  */
 package rigibo.frontend.editor.pane;

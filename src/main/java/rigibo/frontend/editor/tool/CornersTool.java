@@ -12,7 +12,9 @@ import rigibo.frontend.scene.Key;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Sets a polygon's corners, click by click; a click on the first, or Enter, closes it. */
+/**
+ * Sets the corners of a polygon, one per click; a click on the first corner, or Enter, closes it.
+ */
 public final class CornersTool implements Tool {
 
     /** How near to the first corner a click closes the polygon, px. */

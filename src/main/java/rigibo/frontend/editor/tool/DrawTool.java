@@ -10,7 +10,7 @@ import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Key;
 
-/** Draws a body out by dragging; a mere click sets one of the usual size. */
+/** Draws a body by dragging; a click without dragging places one of the usual size. */
 public final class DrawTool implements Tool {
 
     /** A way that no hand meant, px. */

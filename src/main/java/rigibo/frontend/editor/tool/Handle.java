@@ -6,11 +6,11 @@ import rigibo.frontend.editor.draft.Point;
 import java.util.function.Function;
 
 /**
- * Something to take hold of beside an item.
+ * A handle beside an item.
  *
- * @param kind what it is for
- * @param at where it is in the world, m
- * @param moved what becomes of the item when the handle is dragged to a point of the world
+ * @param kind its purpose
+ * @param at its position in the world, m
+ * @param moved the item that results when the handle is dragged to a point of the world
  */
 record Handle(Kind kind, Point at, Function<Point, Item> moved) {
 

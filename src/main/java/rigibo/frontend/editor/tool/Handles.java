@@ -12,7 +12,7 @@ import rigibo.frontend.scene.Modifier;
 import java.util.ArrayList;
 import java.util.List;
 
-/** The handles of an item: one to turn it by, and one for each corner, or for a radius. */
+/** The handles of an item: one to turn it, and one for each corner, or for a radius. */
 final class Handles {
 
     /** Thinnest and smallest that a level file may state, m. */

@@ -14,7 +14,7 @@ import rigibo.frontend.scene.joint.JointPen;
 
 import java.util.Optional;
 
-/** Joins two things: one is clicked, then the other, or it is dragged from one to the other. */
+/** Joins two items: click one and then the other, or drag from one to the other. */
 public final class JointTool implements Tool {
 
     /** A way that no hand meant, px. */

@@ -13,7 +13,7 @@ import java.util.Comparator;
 import java.util.Optional;
 import java.util.function.Consumer;
 
-/** Chooses, drags, turns and sizes. */
+/** Selects, drags, turns and resizes. */
 public final class SelectTool implements Tool {
 
     /** How near to a handle the pointer takes hold of it, px. */

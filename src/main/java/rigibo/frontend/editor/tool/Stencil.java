@@ -6,7 +6,7 @@ import rigibo.frontend.editor.draft.Disc;
 import rigibo.frontend.editor.draft.Form;
 import rigibo.frontend.editor.draft.Point;
 
-/** What can be drawn out, from where the button went down to where it goes up. */
+/** The shapes that can be drawn by dragging, from the press of the button to its release. */
 public enum Stencil {
     /** From corner to corner. */
     BOX(new Box(0.8, 0.8)) {

@@ -4,7 +4,7 @@ import rigibo.frontend.editor.draft.Point;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Key;
 
-/** What the pointer does on the draft. Points are of the world, m. */
+/** The action of the pointer on the draft. Points are in the world, m. */
 public interface Tool {
 
     /** The left button went down. */

@@ -12,8 +12,8 @@ import java.util.List;
 import java.util.SplittableRandom;
 
 /**
- * Levels whose bodies stand a little aside, and clicks that come a little late; the same seed gives
- * the same. Seed 0 is what the file states.
+ * Varies a level: bodies slightly displaced, clicks slightly late; the same seed gives the same
+ * variation. Seed 0 is the level as the file states it.
  */
 final class Jitter {
 

@@ -14,8 +14,8 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 
 /**
- * What only playing shows. E151 a stored solution does not win, as stated or a little aside; E152
- * fewer clicks than par win; E160 the level moves by itself.
+ * Checks that need a game to be played. E151: a stored solution does not win, as stated or with
+ * small variations; E152: fewer clicks than par win; E160: the level moves by itself.
  */
 final class LevelCheck {
 

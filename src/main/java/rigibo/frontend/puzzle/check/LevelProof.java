@@ -7,7 +7,9 @@ import rigibo.frontend.scene.accuracy.Preset;
 
 import java.util.List;
 
-/** All that is wrong with a level's text, played through; takes seconds. */
+/**
+ * Finds all problems of a level's text, including those that appear only in play; takes seconds.
+ */
 public final class LevelProof {
 
     private LevelProof() {}

@@ -9,7 +9,10 @@ import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.List;
 
-/** {@code levels check}: a level, what was proved of it, its problems below; without a window. */
+/**
+ * The command {@code levels check}: lists each level, what was proved of it, and its problems;
+ * needs no window.
+ */
 public final class LevelsCheck {
 
     private static final int ALL_SOUND = 0;

@@ -12,7 +12,9 @@ import java.util.function.IntPredicate;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 
-/** Whether a stored solution needs all of its clicks: no part of it wins at the same times. */
+/**
+ * Checks that a stored solution needs all of its clicks: no subset of them wins at the same times.
+ */
 final class NeededClicks {
 
     /** Of longer solutions the parts are too many; only those that lack one click are played. */

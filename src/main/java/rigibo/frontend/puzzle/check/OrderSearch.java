@@ -17,12 +17,12 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 
 /**
- * A search over orders and times of clicks, one click more in each round, up to par.
+ * Searches orders and times of clicks, with one click more in each round, up to par.
  *
- * <p>It covers every order of deletable bodies, each clicked at the cooldown's end, then every half
- * second for as long as something moves. Where all rests the moment of a click does not matter, so
- * one stands for all that follow; a game that is over is not searched further. A round with more
- * games than {@link #MOST_GAMES} is a sample of them, drawn by a fixed seed.
+ * <p>It covers every order of deletable bodies. Each is clicked at the end of the cooldown, then
+ * every half second as long as something moves; at rest the moment of a click does not matter, so
+ * one moment stands for all later ones. A finished game is not searched further. A round with more
+ * games than {@link #MOST_GAMES} is sampled, with a fixed seed.
  */
 final class OrderSearch {
 

@@ -13,8 +13,9 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
 /**
- * Every deletable body alone: on each preset asked for, where the file puts it and a little aside.
- * The moment is always the same, for E160 proves that the level rests until the first click.
+ * Deletes every deletable body alone, on each preset asked for, as the file states it and with
+ * small displacements. The moment of the click is always the same, since E160 proves that the level
+ * rests until the first click.
  */
 final class SingleClicks {
 

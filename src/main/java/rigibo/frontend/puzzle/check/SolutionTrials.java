@@ -9,10 +9,10 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 
 /**
- * A stored solution played on every preset asked for, as the file states it and with everything a
- * little aside and the clicks a little late.
+ * A stored solution played on every preset asked for, as the file states it and with bodies
+ * slightly displaced and clicks slightly late.
  *
- * @param games all that were played, those as stated first
+ * @param games all games played, those as stated first
  */
 record SolutionTrials(List<Game> games) {
 

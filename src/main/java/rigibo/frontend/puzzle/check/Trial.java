@@ -10,7 +10,7 @@ import rigibo.frontend.puzzle.rules.Replay;
 
 import java.util.Optional;
 
-/** Plays given clicks to the end of the game. */
+/** Plays given clicks until the game ends. */
 final class Trial {
 
     /** Time after the last click in which a level must come to its end, steps. */

@@ -5,12 +5,12 @@ import rigibo.frontend.puzzle.level.Steps;
 import java.util.Locale;
 
 /**
- * How a game that was played to its end went.
+ * The outcome of a game that was played to its end.
  *
- * @param end how
- * @param steps when, in steps
- * @param still when the last thing came to rest, in steps; the end itself where nothing did
- * @param why in words, where it was not won
+ * @param end the outcome
+ * @param steps number of steps up to the end
+ * @param still step at which the last body came to rest; the end itself if some never did
+ * @param why the reason in words, if it was not won
  */
 record Verdict(End end, int steps, int still, String why) {
 

@@ -9,7 +9,10 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Set;
 
-/** E120 two bodies overlap at the start. Sweeps from left to right, so that far ones never meet. */
+/**
+ * E120: two bodies overlap at the start. Sweeps from left to right, so that distant bodies are
+ * never compared.
+ */
 final class ApartRules {
 
     /** Overlap that counts as touching, m: what a rounded coordinate in a file may cost. */

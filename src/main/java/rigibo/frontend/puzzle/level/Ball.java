@@ -4,7 +4,7 @@ import rigibo.backend.geometry.Circle;
 import rigibo.backend.setup.BodyDefinition;
 
 /**
- * A ball that has to get onto the platform.
+ * A ball that must reach the platform.
  *
  * @param name in the pool and in messages; no body of a level may have it
  * @param x of its centre, m

@@ -22,9 +22,9 @@ import java.util.Locale;
 import java.util.function.ToDoubleFunction;
 
 /**
- * E140: an effect is declared that nothing uses, or used and not declared. What a substance brings
- * along counts as a use where the effect is declared, but only a number that the file itself states
- * asks for an effect: a level of balls without rolling resistance is a choice.
+ * E140: an effect is declared that nothing uses, or used but not declared. A value that a substance
+ * brings along counts as a use of a declared effect. But only a number that the file itself states
+ * requires an effect, since a level of balls without rolling resistance is a valid choice.
  */
 final class EffectRules {
 

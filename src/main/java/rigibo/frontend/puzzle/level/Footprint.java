@@ -7,7 +7,7 @@ import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.BodyType;
 
 /**
- * What a placed body covers of the world.
+ * The area of the world that a placed body covers.
  *
  * @param body what is placed
  * @param corners of each part's core in the world, x₀, y₀, x₁, …, m, counter-clockwise; of a disc

@@ -7,7 +7,7 @@ import tools.jackson.databind.JsonNode;
 import java.util.List;
 import java.util.Set;
 
-/** E103 a file of format 1 that holds what came with format 2: an older game would not read it. */
+/** E103: a file of format 1 uses features of format 2, which an older game could not read. */
 final class FormatRules {
 
     private static final Set<String> SHAPES = Set.of("capsule", "compound", "chain");

@@ -13,9 +13,9 @@ import java.util.Map;
 import java.util.Set;
 
 /**
- * Of joints: E102 an end that nothing is called; E118 both ends on one thing, or on two that do not
- * move by forces; E119 no effect {@code joints}; E122 a rope shorter than its ends are apart; E123
- * limits that do not hold the start.
+ * Rules for joints: E102 an end names no body; E118 both ends are on one body, or on two that
+ * forces do not move; E119 the effect {@code joints} is missing; E122 a rope is shorter than the
+ * distance of its ends; E123 limits do not include the start.
  */
 final class JointRules {
 

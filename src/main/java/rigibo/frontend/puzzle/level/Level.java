@@ -42,7 +42,7 @@ public record Level(
     }
 
     /**
-     * The same level with everything that can move a little aside, to tell skill from luck.
+     * Returns this level with everything movable displaced a little, to tell skill from luck.
      *
      * @param metres draws how far the next body goes to the right, m
      */

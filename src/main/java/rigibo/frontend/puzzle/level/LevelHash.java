@@ -15,8 +15,8 @@ import rigibo.backend.setup.Material;
 
 /**
  * The hash that ties a replay to its level: FNV-1a, 64 bit (Fowler, Noll, Vo), over the bits of
- * every number in the order of the level's records. Not over their text, for Java's wording of a
- * double changed between versions.
+ * every number in the order of the level's records. It does not use their text, since Java's text
+ * of a double changed between versions.
  */
 final class LevelHash {
 

@@ -17,18 +17,18 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * What joins two things of a level.
+ * A joint between two bodies of a level.
  *
- * @param type of which kind it is
+ * @param type its kind
  * @param a id of a body, {@code ball}, {@code ball2} … or {@code platform}
- * @param b another one; it is what a motor drives
- * @param x where it holds A, or both, world m
- * @param y world m, up
- * @param toX where it holds B, world m; x of a joint at one point
- * @param toY world m, up
- * @param axis rad, of a slide and a wheel
- * @param length m, of a spring without load
- * @param settings limits, motor, spring, and from which force on it breaks
+ * @param b id of the other one, which a motor drives
+ * @param x of the point where it holds A, or both, world m
+ * @param y of that point, world m, up
+ * @param toX x of the point where it holds B, world m; equal to x for a joint at one point
+ * @param toY y of that point, world m, up
+ * @param axis rad, for a slide and a wheel
+ * @param length m, for a spring without load
+ * @param settings limits, motor, spring, and the force at which it breaks
  */
 public record LevelJoint(
         Type type,

@@ -9,9 +9,9 @@ import java.nio.file.Path;
 import java.util.Optional;
 
 /**
- * Reads level files. Everything wrong with a file is told at once, unless it is no JSON at all or
- * made for a newer game, where every further message would mislead, or has more problems than
- * anyone reads.
+ * Reads level files and reports all problems of a file at once. Exceptions are files that are not
+ * JSON or were made for a newer game, where further messages would mislead, and files with more
+ * problems than anyone reads.
  */
 public final class LevelLoader {
 

@@ -3,11 +3,11 @@ package rigibo.frontend.puzzle.level;
 import java.util.List;
 
 /**
- * Straight ways that a body is driven along, from its start to each stop in turn.
+ * A path of straight lines along which a body is driven, from its start to each stop in turn.
  *
- * @param stops where its centre of mass goes, m; the start is none of them; one or more
+ * @param stops positions of its centre of mass, m, without the start; one or more
  * @param speed m/s
- * @param pause how long it stands at the start and at each stop, s
+ * @param pause time for which it stands at the start and at each stop, s
  * @param end what it does at the last stop
  */
 public record LevelPath(List<Stop> stops, double speed, double pause, End end) {

@@ -17,8 +17,8 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
 /**
- * Finds the level files that come with the game: in the source tree where the game is started from
- * one, so that an author sees an edit at once, else beside the schema on the class path.
+ * Finds the level files of the game: in the source tree if the game was started from one, so that
+ * an author sees edits at once, otherwise beside the schema on the class path.
  */
 public final class LevelShelf {
 

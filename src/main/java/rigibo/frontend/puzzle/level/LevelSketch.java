@@ -10,8 +10,8 @@ import java.util.Optional;
 import java.util.function.Function;
 
 /**
- * A level as far as its file could be read. A part with an error is left out, so that the rules
- * look at the others all the same and every error is told at once.
+ * The parts of a level that could be read. A part with an error is left out, so that the rules
+ * still check the others and all errors are reported at once.
  *
  * @param json the document
  * @param world where it is sound

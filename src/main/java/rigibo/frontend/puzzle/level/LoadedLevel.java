@@ -9,7 +9,9 @@ import tools.jackson.databind.JsonNode;
 import java.util.List;
 import java.util.Optional;
 
-/** What became of a level file: the level, unless an error keeps it from being played. */
+/**
+ * The result of loading a level file: its problems, and the level unless an error prevents play.
+ */
 public final class LoadedLevel {
 
     private final Optional<Level> level;

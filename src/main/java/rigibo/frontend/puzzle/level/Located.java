@@ -1,7 +1,7 @@
 package rigibo.frontend.puzzle.level;
 
 /**
- * A part of a level and where its file states it.
+ * A part of a level and its place in the file.
  *
  * @param pointer JSON pointer of the part
  * @param part the part itself

@@ -1,7 +1,7 @@
 package rigibo.frontend.puzzle.level;
 
 /**
- * How something moves at the start.
+ * The velocity of a body at the start.
  *
  * @param x m/s, to the right
  * @param y m/s, up

@@ -15,8 +15,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * A shape as a file states it. The engine keeps a shape about its centre of mass, a file about
- * whatever point its author chose; the offset between the two places the body.
+ * A shape as a file states it. The engine places a shape by its centre of mass, a file by a point
+ * of the author's choice; the offset between the two converts one to the other.
  *
  * @param shape about its centre of mass
  * @param centroidX m, in the file's frame

@@ -8,8 +8,8 @@ import java.util.Locale;
 import java.util.Optional;
 
 /**
- * Reads a body's shape; E110 where a polygon is not convex, E111 where its area is too small, E112
- * where a box has hardly anything but corners.
+ * Reads a body's shape. E110: a polygon is not convex; E111: its area is too small; E112: a box
+ * consists of hardly anything but round corners.
  */
 final class OutlineRules {
 

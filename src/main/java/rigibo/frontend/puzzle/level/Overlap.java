@@ -1,10 +1,10 @@
 package rigibo.frontend.puzzle.level;
 
 /**
- * How deep two placed bodies are in each other: that of the two parts which are deepest. Cores that
- * overlap are parted along the edge normal with the least way (separating axis theorem), cores
- * apart are as far as the nearest corner of one from an edge of the other; the radii round them
- * come on top. Nothing is made on the way: a file may hold half a million pairs.
+ * Depth of the overlap of two placed bodies: that of their two deepest parts. Overlapping cores are
+ * measured along the edge normal with the least depth (separating axis theorem), separate cores by
+ * the nearest corner of one and edge of the other; the radii are added. Nothing is allocated, since
+ * a file may hold half a million pairs.
  */
 final class Overlap {
 

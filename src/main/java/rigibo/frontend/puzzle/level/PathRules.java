@@ -8,8 +8,8 @@ import tools.jackson.databind.JsonNode;
 import java.util.Locale;
 
 /**
- * E115 a chain that is to move by forces; E116 a body with a path that says it is dynamic; E117 a
- * way of a path that leads nowhere.
+ * E115: a chain is dynamic; E116: a body with a path is declared dynamic; E117: a path has a leg of
+ * no length.
  */
 final class PathRules {
 

@@ -1,6 +1,8 @@
 package rigibo.frontend.puzzle.level;
 
-/** E130 nothing to delete; E131 something that never moves, and holds nothing, can be deleted. */
+/**
+ * E130: nothing can be deleted; E131: a body can be deleted that never moves and holds no joint.
+ */
 final class PieceRules {
 
     private PieceRules() {}

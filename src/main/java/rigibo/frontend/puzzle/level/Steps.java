@@ -1,6 +1,6 @@
 package rigibo.frontend.puzzle.level;
 
-/** Level files count seconds, the rules count steps; this is the one place where they meet. */
+/** Converts between the seconds of level files and the steps of the rules; no other class does. */
 public final class Steps {
 
     /** Steps of a second. */

@@ -5,8 +5,9 @@ import rigibo.backend.setup.Material;
 import java.util.Locale;
 
 /**
- * What level files call a material. Densities are of plates about 1 m deep, so that ratios are
- * those of the real materials, except iron's: a fifth of it keeps stacks within what GAME promises.
+ * The materials of level files. Densities are those of plates about 1 m deep, so that their ratios
+ * are those of the real materials. Iron is the exception: a fifth of its density keeps stacks
+ * within what GAME can promise.
  */
 public enum Substance {
     RIGIBO(new Material(500, 0.5, 0.05)),

@@ -6,11 +6,11 @@ import rigibo.backend.effect.Effects;
 import java.util.OptionalDouble;
 
 /**
- * The space a level plays in, its origin at the bottom left, y up.
+ * The space of a level, with its origin at the bottom left, y up.
  *
  * @param width m
  * @param height m
- * @param effects what is simulated, gravity and water included
+ * @param effects the declared effects, gravity and water included
  */
 public record World(double width, double height, Effects effects) {
 

@@ -2,7 +2,7 @@ package rigibo.frontend.puzzle.replay;
 
 import java.util.ResourceBundle;
 
-/** Which version of the game this is. */
+/** The version of the game. */
 final class GameVersion {
 
     private GameVersion() {}

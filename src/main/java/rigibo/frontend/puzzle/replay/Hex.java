@@ -4,7 +4,10 @@ import java.util.HexFormat;
 import java.util.OptionalLong;
 import java.util.regex.Pattern;
 
-/** Hashes in files: JSON's numbers would lose bits in other programs. */
+/**
+ * Writes and reads hashes as hexadecimal text, because other programs would lose bits of JSON
+ * numbers.
+ */
 final class Hex {
 
     private static final Pattern HASH = Pattern.compile("[0-9a-f]{16}");

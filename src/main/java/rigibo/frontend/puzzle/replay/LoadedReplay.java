@@ -7,11 +7,11 @@ import java.util.Optional;
 import java.util.OptionalInt;
 
 /**
- * What became of a replay file.
+ * The result of loading a replay file.
  *
  * @param recording nothing when the file has a problem
- * @param otherRevision of the simulation that it was played in, where that is not the present one,
- *     which is a problem; files of the first format know none and are of 0
+ * @param otherRevision revision of the simulation in which it was played, if that is not the
+ *     present one, which is a problem; 0 for files of the first format, which state none
  * @param problems all of them, in the order of the file
  */
 public record LoadedReplay(

@@ -6,7 +6,7 @@ import rigibo.frontend.puzzle.rules.Playback;
 import java.util.List;
 import java.util.Optional;
 
-/** Watches a recording being played again, and compares each state that was kept. */
+/** Compares each recorded state with that of the replayed run. */
 public final class Proof {
 
     private final List<Checkpoint> recorded;

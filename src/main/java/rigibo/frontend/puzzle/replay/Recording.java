@@ -13,11 +13,11 @@ import rigibo.frontend.puzzle.rules.Replay;
 import java.util.List;
 
 /**
- * A run of a level that can be played again and compared.
+ * A run of a level that can be replayed and compared.
  *
- * @param level what was played
- * @param replay what was clicked
- * @param checkpoints the states it went through, the last where it ended
+ * @param level the level played
+ * @param replay the clicks
+ * @param checkpoints states of the run, the last one at its end
  */
 public record Recording(Level level, Replay replay, List<Checkpoint> checkpoints) {
 

@@ -20,9 +20,9 @@ import java.util.OptionalInt;
 import java.util.OptionalLong;
 
 /**
- * Reads replay files. Everything that is wrong with one is told at once; a replay of another
- * revision of the simulation, of another level or of one that was altered since would play to
- * something else, and is refused.
+ * Reads replay files and reports all problems of one at once. A replay of another revision of the
+ * simulation, of another level or of a level that was altered since would run differently, and is
+ * rejected.
  */
 public final class ReplayLoader {
 

@@ -16,7 +16,7 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.stream.Stream;
 
-/** Where solved runs of a level are kept: the best and the last. */
+/** The folder of a level's solved runs: the best and the last. */
 public final class ReplayShelf {
 
     /** How the names of replay files end. */

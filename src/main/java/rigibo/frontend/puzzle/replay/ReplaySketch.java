@@ -18,7 +18,7 @@ import java.util.List;
 import java.util.OptionalLong;
 import java.util.regex.Pattern;
 
-/** Reads the parts of a replay that the schema found sound, and tells what it cannot say. */
+/** Reads the parts of a replay that the schema accepted, and reports values that are impossible. */
 final class ReplaySketch {
 
     private static final Pattern STEP = Pattern.compile("0|[1-9]\\d{0,7}");

@@ -11,7 +11,7 @@ import tools.jackson.databind.node.ObjectNode;
 
 import java.util.Locale;
 
-/** A recording as the text of a file. */
+/** Writes a recording as the text of a file. */
 final class ReplayText {
 
     private static final JsonMapper JSON = JsonMapper.shared();

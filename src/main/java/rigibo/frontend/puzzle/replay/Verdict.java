@@ -5,7 +5,7 @@ import rigibo.frontend.puzzle.rules.ClickResult;
 import rigibo.frontend.puzzle.rules.Deletion;
 import rigibo.frontend.scene.Words;
 
-/** Whether a recording plays back as it was. */
+/** Whether a replay ran as recorded. */
 public sealed interface Verdict {
 
     /** Whether it does, to the last bit. */

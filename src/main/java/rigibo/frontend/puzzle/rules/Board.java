@@ -11,13 +11,13 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * A level's bodies in a pool.
+ * The bodies of a level in a pool.
  *
  * @param world its bounds
  * @param pool the bodies, in the order platform, level's bodies, balls
  * @param platform where the balls must stay
- * @param pieces the level's bodies in the file's order, also those that are gone
- * @param balls the balls; last, so that they are what a click on them finds
+ * @param pieces the level's bodies in the file's order, including deleted ones
+ * @param balls the balls; last in the pool, so that a click on one finds it
  */
 record Board(
         World world, Pool pool, RigidBody platform, List<Piece> pieces, List<RigidBody> balls) {

@@ -1,9 +1,9 @@
 package rigibo.frontend.puzzle.rules;
 
 /**
- * The state of a game between two steps, in one number.
+ * The state of a game between two steps, as one hash.
  *
- * @param step how many steps had been done
- * @param hash of every bit that the future depends on
+ * @param step number of steps done before
+ * @param hash of every bit that decides the future
  */
 public record Checkpoint(int step, long hash) {}

@@ -1,6 +1,6 @@
 package rigibo.frontend.puzzle.rules;
 
-/** What became of a click; none is silently lost. */
+/** The result of a click; no click is lost silently. */
 public enum ClickResult {
     DELETED,
     /** A deletable body was meant, but the cooldown still runs. */

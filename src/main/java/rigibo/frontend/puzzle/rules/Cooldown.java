@@ -1,6 +1,6 @@
 package rigibo.frontend.puzzle.rules;
 
-/** Keeps two deletions apart. Counts in steps, so that its end is exact. */
+/** The time that must pass between two deletions. Counts in steps, so that its end is exact. */
 final class Cooldown {
 
     private final int length;

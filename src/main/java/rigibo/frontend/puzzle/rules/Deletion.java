@@ -3,7 +3,7 @@ package rigibo.frontend.puzzle.rules;
 /**
  * A click that deleted a body.
  *
- * @param step how many steps had been done before it
+ * @param step number of steps done before it
  * @param body id of the body
  */
 public record Deletion(int step, String body) {}

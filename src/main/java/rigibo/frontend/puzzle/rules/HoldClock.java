@@ -1,8 +1,8 @@
 package rigibo.frontend.puzzle.rules;
 
 /**
- * Counts how long the balls have stayed on the platform, all at once. Gaps shorter than the grace
- * do not reset it, but it can only run out while the two touch.
+ * Counts how long all balls together have stayed on the platform. Gaps shorter than the grace do
+ * not reset it, but it can only finish while they touch the platform.
  */
 final class HoldClock {
 

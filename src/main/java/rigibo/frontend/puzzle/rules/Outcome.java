@@ -1,6 +1,6 @@
 package rigibo.frontend.puzzle.rules;
 
-/** How a game stands. */
+/** The state of a game: running, won or lost. */
 public enum Outcome {
     RUNNING,
     WON,

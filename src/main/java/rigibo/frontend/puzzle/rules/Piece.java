@@ -6,7 +6,7 @@ import rigibo.frontend.puzzle.level.LevelBody;
 /**
  * A body of the level in play.
  *
- * @param definition how the level states it
+ * @param definition as the level states it
  * @param body its handle; no longer alive once it was deleted or fell out of the world
  */
 public record Piece(LevelBody definition, RigidBody body) {

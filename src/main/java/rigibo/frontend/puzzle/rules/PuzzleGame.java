@@ -13,8 +13,8 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * One attempt at a level. Clicks come between steps; the game judges after each step, and goes on
- * moving, but no longer judging, once it is won or lost.
+ * One attempt at a level. Clicks are made between steps, and the game is judged after each step.
+ * Once it is won or lost it keeps moving but is no longer judged.
  */
 public final class PuzzleGame {
 

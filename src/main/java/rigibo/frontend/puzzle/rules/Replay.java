@@ -9,11 +9,11 @@ import rigibo.frontend.puzzle.level.Steps;
 import java.util.List;
 
 /**
- * All that a game depends on: it plays back to the same bits.
+ * Everything that decides a game, so that it can be replayed to the same bits.
  *
- * @param levelHash of the level it belongs to
+ * @param levelHash hash of its level
  * @param deletions in the order of their steps
- * @param accuracy how exactly it was simulated
+ * @param accuracy of the simulation
  */
 public record Replay(long levelHash, List<Deletion> deletions, Accuracy accuracy) {
 
@@ -38,7 +38,7 @@ public record Replay(long levelHash, List<Deletion> deletions, Accuracy accuracy
                         .toList());
     }
 
-    /** The same without its last deletion. */
+    /** Returns this replay without its last deletion. */
     public Replay withoutLast() {
         return new Replay(
                 levelHash, deletions.subList(0, Math.max(0, deletions.size() - 1)), accuracy);

@@ -4,7 +4,7 @@ import rigibo.backend.RigidBody;
 import rigibo.backend.setup.BodyType;
 import rigibo.frontend.puzzle.level.Steps;
 
-/** Tells when everything has come to rest; also where sleep is not declared. */
+/** Detects that everything has come to rest, whether sleep is declared or not. */
 final class RestWatch {
 
     /** Fastest motion that counts as rest, m/s: a hand's breadth in ten seconds. */

@@ -9,8 +9,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Drives a body along its path. All of it follows from the count of steps, so that a run played
- * again is the same; each way takes a whole number of them.
+ * Drives a body along its path. Its position follows from the number of steps alone, so that a
+ * replayed run is the same; each leg takes a whole number of steps.
  */
 final class Ride {
 

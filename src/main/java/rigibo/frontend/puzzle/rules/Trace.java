@@ -6,7 +6,7 @@ import rigibo.frontend.puzzle.level.Steps;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Keeps hashes of a game's states, from its start to its end. */
+/** Records hashes of a game's states, from its start to its end. */
 final class Trace {
 
     /** Steps between two: near enough to see what went apart, few enough for a small file. */

@@ -10,9 +10,9 @@ import rigibo.frontend.scene.Words;
 import java.util.Optional;
 
 /**
- * The dial, and beside it what its position costs and brings: the time of a step, its price in
- * steps at DRAFT, the error, and whether the scene keeps up with real time. Under the pointer each
- * position says what it is, and the badge what its numbers mean.
+ * The dial with the cost and the accuracy of its present position: the time of a step, its price in
+ * steps at DRAFT, the error, and whether the scene keeps up with real time. The pointer over a
+ * position or the badge shows an explanation.
  */
 public final class AccuracyBar {
 

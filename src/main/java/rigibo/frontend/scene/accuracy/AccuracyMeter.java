@@ -8,8 +8,8 @@ import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 
 /**
- * Measures what the present accuracy costs and how far it is from EXACT, now and then on copies of
- * a running scene. The game's thread never waits.
+ * Measures at intervals, on copies of a running scene, what the present accuracy costs and how far
+ * it is from EXACT. The game's thread never waits.
  */
 public final class AccuracyMeter {
 

@@ -11,9 +11,9 @@ import java.util.List;
 import java.util.function.LongSupplier;
 
 /**
- * Half a second of a scene from the same state three times: at the present accuracy, at DRAFT, and
- * at EXACT, left to itself. They are stepped in turn, so that whatever else the machine does hits
- * all alike.
+ * Half a second of a scene, simulated from the same state three times without input: at the present
+ * accuracy, at DRAFT and at EXACT. The three are stepped in turn, so that other work of the machine
+ * affects all of them alike.
  */
 final class AccuracyTrial {
 

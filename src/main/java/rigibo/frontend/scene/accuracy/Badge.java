@@ -5,7 +5,7 @@ import rigibo.frontend.scene.Words;
 import java.util.Locale;
 
 /**
- * What accuracy costs and brings, in few words; what is not known yet is "…".
+ * Cost and error of the accuracy in few words; unknown values are shown as "…".
  *
  * @param words the player's
  */

@@ -6,7 +6,7 @@ import rigibo.frontend.scene.Color;
 
 import java.util.Optional;
 
-/** The four presets side by side; the one that the pool runs at is lit. */
+/** The four presets side by side; that of the pool is lit. */
 public final class Dial {
 
     /** px. */

@@ -5,7 +5,7 @@ import rigibo.backend.RigidBody;
 import rigibo.backend.setup.BodyType;
 
 /**
- * The mechanical energy of a pool by its kinds, J.
+ * The mechanical energy of a pool by kinds, J.
  *
  * @param potential in the declared gravity, 0 at the world's origin; negative below it
  * @param translational of the motion of the centres of mass, 0 or more

@@ -1,13 +1,13 @@
 package rigibo.frontend.scene.accuracy;
 
 /**
- * Keeps account of a scene's energy since it began or was last edited: E = E₀ − lost + drift +
- * work, to the last bit but the rounding of this sum. Edits are known by the energy being another
- * before a step than it was after the last one: then a new account begins.
+ * Balances a scene's energy since it began or was last edited: E = E₀ − lost + drift + work, exact
+ * up to the rounding of this sum. An edit shows as an energy before a step that differs from that
+ * after the last one; then a new balance begins.
  *
- * <p>What is declared decides what a change is called, see {@link EnergyKind}. Where energy is lost
- * by design nobody can tell a loss from drift downwards, so that is counted as lost; it cannot rise
- * again without work, so what it has risen from its lowest is drift.
+ * <p>The declared effects decide how a change is classified, see {@link EnergyKind}. Where energy
+ * is lost by design, a loss cannot be distinguished from downward drift and counts as lost. Such
+ * energy cannot rise again without work, so any rise above its lowest value is drift.
  */
 public final class EnergyBook {
 

@@ -21,7 +21,9 @@ import rigibo.backend.setup.BodyType;
 
 import java.util.List;
 
-/** What may become of the energy of a scene by what it declares, and so what is an error. */
+/**
+ * How the energy of a scene may change under its declared effects, and so which changes are errors.
+ */
 public enum EnergyKind {
     /** Nothing can take or give any: every change is drift. */
     CONSERVED,

@@ -6,9 +6,9 @@ import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Words;
 
 /**
- * The energy of a scene: its parts beside what was lost by design, and its drift over the last 10
- * s. The parts are told as the pool has them, potential energy from the world's origin; in the bar
- * it is told from its lowest, for a bar cannot show less than nothing.
+ * The energy of a scene: its parts, the loss by design, and the drift over the last 10 s. The
+ * numbers are those of the pool, with potential energy relative to the world's origin; the bar
+ * shows it relative to its lowest value, since a bar cannot show a negative length.
  */
 public final class EnergyPlate {
 

@@ -2,7 +2,7 @@ package rigibo.frontend.scene.accuracy;
 
 import java.util.Locale;
 
-/** An energy in words that are short enough for a column. */
+/** Formats an energy, short enough for a column. */
 final class Joules {
 
     private static final double KILO = 1e3;

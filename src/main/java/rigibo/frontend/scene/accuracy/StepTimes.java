@@ -5,7 +5,7 @@ import rigibo.backend.setup.StepStage;
 
 import java.util.Arrays;
 
-/** What the steps of the last second took. */
+/** Times of the steps in the last second. */
 public final class StepTimes {
 
     private static final int WINDOW = 60;

@@ -5,7 +5,7 @@ import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 
 /**
- * An effect's place in the bar.
+ * The chip of an effect in the bar.
  *
  * @param reason the effect and what it does
  * @param title the player's name of it
@@ -28,7 +28,7 @@ record Chip(EffectReason reason, String title, double x, double y, double width)
         return px >= x && px <= x + width && py >= y && py <= y + HEIGHT;
     }
 
-    /** The same chip elsewhere, px. */
+    /** Returns this chip displaced, px. */
     Chip movedBy(double dx, double dy) {
         return new Chip(reason, title, x + dx, y + dy, width);
     }

@@ -12,8 +12,9 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 
 /**
- * Which chips there are and where: first what the scene calls for, then what it offers, in two rows
- * at most. Offers that find no room are left out; what the scene calls for moves together instead.
+ * Selects and places the chips, in two rows at most: first the effects that the scene needs, then
+ * those that it offers. Offers without room are left out; chips of needed effects are moved closer
+ * together instead.
  */
 final class ChipLayout {
 
@@ -25,7 +26,7 @@ final class ChipLayout {
     /** Beside a chip's word, px. */
     private static final double MARGIN = 10;
 
-    /** The same where there is a crowd. */
+    /** Margin, then gap, where chips are moved closer together, px. */
     private static final double CROWDED_MARGIN = 1;
 
     private static final double CROWDED_GAP = 2;

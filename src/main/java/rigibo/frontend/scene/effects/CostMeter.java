@@ -16,9 +16,9 @@ import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 
 /**
- * Measures what each effect of a running scene costs, one trial after the other on copies of its
- * pool. The game's thread only takes a snapshot now and then and looks whether a trial is done; it
- * never waits. All but the trials themselves happens on the game's thread, so nothing is locked.
+ * Measures what each effect of a running scene costs, one trial after another on copies of its
+ * pool. The game's thread only takes a snapshot at intervals and checks whether a trial is done; it
+ * never waits. Everything except the trials runs on the game's thread, so nothing needs a lock.
  */
 public final class CostMeter {
 

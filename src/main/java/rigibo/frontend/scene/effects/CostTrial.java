@@ -11,11 +11,11 @@ import java.util.Arrays;
 import java.util.function.LongSupplier;
 
 /**
- * What a step costs with one set of effects and with another: two pools of the same state, stepped
- * in turn, so that whatever else the machine does hits both alike. Everything is done twice and the
- * lesser time of each step counts: as the work is the same to the last bit, the greater one holds
- * an interruption. Means of these, not medians, for a step that takes long now and then is the
- * pool's own doing.
+ * Compares the times of a step with two sets of effects: two pools of the same state, stepped in
+ * turn, so that other work of the machine affects both alike. Everything is run twice and the
+ * smaller time of each step counts: since the work is the same to the last bit, the larger one
+ * contains an interruption. The result is the mean, not the median, because an occasional slow step
+ * is the pool's own doing.
  */
 final class CostTrial {
 

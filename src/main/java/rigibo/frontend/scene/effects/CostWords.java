@@ -5,7 +5,7 @@ import rigibo.frontend.scene.Words;
 import java.util.Locale;
 
 /**
- * What was measured, in words that claim no more than that.
+ * Words a measured cost without claiming more than was measured.
  *
  * @param words the player's
  */

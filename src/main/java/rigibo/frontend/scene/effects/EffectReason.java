@@ -3,10 +3,10 @@ package rigibo.frontend.scene.effects;
 import rigibo.backend.effect.Effect;
 
 /**
- * What an effect is to a scene. Of an effect that the scene does not call for it is an offer: a
- * click switches it on with these parameters.
+ * The role of an effect in a scene. An effect that the scene does not need is an offer: a click
+ * switches it on with these parameters.
  *
- * @param effect which, with the parameters a click switches it on with
- * @param words what it does there, as it does it: "crates hold each other in the stack"
+ * @param effect the effect, with the parameters for switching it on
+ * @param words what it does in the scene, such as "crates hold each other in the stack"
  */
 public record EffectReason(Effect effect, String words) {}

@@ -13,8 +13,9 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 
 /**
- * The effects of a scene as chips, lit when simulated. Under the pointer a chip says what it does
- * there and what it costs; a click switches it, which is an experiment and marked as one.
+ * The effects of a scene as chips, lit when simulated. The pointer over a chip shows what the
+ * effect does in the scene and what it costs; a click switches it, which is marked as an
+ * experiment.
  */
 public final class EffectsBar {
 

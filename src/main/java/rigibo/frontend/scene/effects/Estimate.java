@@ -2,7 +2,7 @@ package rigibo.frontend.scene.effects;
 
 import java.util.Arrays;
 
-/** A time measured again and again: the mean of the last rounds, and how sure it is. */
+/** An estimate of a repeatedly measured time: the mean of the last rounds and its uncertainty. */
 final class Estimate {
 
     /** Rounds that count: the scene changes, and what was measured long ago is of another one. */

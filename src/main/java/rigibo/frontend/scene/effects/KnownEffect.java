@@ -26,9 +26,9 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * Every kind of effect in the order of the bar, with words for scenes that have none of their own.
- * Offered everywhere are those that do something wherever bodies are; the others, whose numbers are
- * the materials' or the place's, only where a scene has them.
+ * Every kind of effect in the order of the bar, with general words for scenes without their own.
+ * Effects that act on any bodies are offered everywhere; the others, whose parameters belong to
+ * materials or places, only in scenes that have them.
  */
 enum KnownEffect {
     GRAVITY(new Gravity(0, -9.81)),

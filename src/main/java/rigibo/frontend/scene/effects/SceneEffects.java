@@ -6,7 +6,7 @@ import rigibo.frontend.scene.Words;
 
 import java.util.List;
 
-/** A scene as the effects bar sees it. */
+/** The effects bar's view of a scene. */
 public interface SceneEffects {
 
     /** The player's. */

@@ -11,10 +11,10 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * One effect of a set switched: off where it is declared, on where it is not.
+ * Switches one effect of a set: off if it is declared, otherwise on.
  *
- * @param effects the set it makes; none where another effect needs this one, or this one another
- * @param lack which needs which then
+ * @param effects the resulting set; none if another effect needs this one, or this one another
+ * @param lack which effect then needs which
  */
 record Switching(Optional<Effects> effects, Optional<Lack> lack) {
 

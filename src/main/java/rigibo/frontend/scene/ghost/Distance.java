@@ -6,7 +6,7 @@ import rigibo.backend.setup.BodyType;
 
 import java.util.Iterator;
 
-/** Root mean squares over the dynamic bodies of a pool, m. */
+/** Root mean square distances of dynamic bodies, between two pools and within one, m. */
 final class Distance {
 
     private Distance() {}

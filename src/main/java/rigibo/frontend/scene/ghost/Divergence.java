@@ -5,7 +5,7 @@ import rigibo.frontend.scene.Scene;
 
 import java.util.Optional;
 
-/** How the distance between two pools has grown since they were equal. */
+/** Growth of the distance between two pools since they were equal. */
 public final class Divergence {
 
     /** Steps whose distances are kept: ten seconds. */

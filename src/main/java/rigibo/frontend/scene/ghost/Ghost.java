@@ -13,9 +13,9 @@ import rigibo.frontend.scene.accuracy.Preset;
 import java.util.function.Consumer;
 
 /**
- * A copy of a scene that goes on at another accuracy from where the scene is. Whatever is done to
- * the scene's bodies from then on is done to their twins as well, so that the two differ by their
- * accuracy alone. The scene itself is only looked at.
+ * A copy of a scene that continues at another accuracy from the scene's present state. Every later
+ * change of the scene's bodies is also made to their twins, so that the two differ by accuracy
+ * alone. The scene itself is only read.
  */
 public final class Ghost {
 

@@ -5,7 +5,7 @@ import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Words;
 import rigibo.frontend.scene.widget.Lines;
 
-/** How far a ghost has come from its scene: a number, a curve, and what it means. */
+/** The distance between a ghost and its scene: a number, a curve, and an explanation. */
 public final class GhostPlate {
 
     /** px. */

@@ -3,9 +3,9 @@ package rigibo.frontend.scene.ghost;
 import java.util.Arrays;
 
 /**
- * Whether distances grow as chaos lets them: by the same factor in the same time, d = d₀·exp(λt),
- * until they are as large as the scene. Errors that only add up grow as a power of time, and two
- * bodies of which one falls the other way part at once.
+ * Decides whether a distance grows chaotically: by the same factor in equal times, d = d₀·exp(λt),
+ * until it is as large as the scene. Errors that merely add up grow as a power of time, and two
+ * bodies that fall to different sides part suddenly.
  */
 final class Growth {
 

@@ -2,7 +2,7 @@ package rigibo.frontend.scene.ghost;
 
 import java.util.Locale;
 
-/** Lengths in words, from picometres to metres. */
+/** Formats lengths, from picometres to metres. */
 public final class Metres {
 
     private static final String[] UNITS = {"m", "mm", "µm", "nm", "pm"};

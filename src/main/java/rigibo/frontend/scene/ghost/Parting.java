@@ -5,19 +5,19 @@ import rigibo.frontend.scene.Words;
 import java.util.Locale;
 
 /**
- * Two pools have become as different as two scenes.
+ * The moment at which two pools have become as different as two unrelated scenes.
  *
- * @param seconds after which it was seen
- * @param isChaotic whether they grew apart exponentially, not by one error or by many that add up
+ * @param seconds time at which it was detected, s
+ * @param isChaotic whether they diverged exponentially, not by one error or by many that add up
  */
 public record Parting(double seconds, boolean isChaotic) {
 
-    /** What it means, in a line. */
+    /** Describes it in a line. */
     public String in(Words words) {
         return words.of(isChaotic ? "parting.chaotic" : "parting.apart", time());
     }
 
-    /** The same where there is little room. */
+    /** Describes it in few words. */
     String briefIn(Words words) {
         return words.of(isChaotic ? "parting.chaotic.brief" : "parting.apart.brief", time());
     }

@@ -19,7 +19,7 @@ import java.util.IdentityHashMap;
 import java.util.Iterator;
 import java.util.Map;
 
-/** Which body and which joint of a copy is which of the original. */
+/** Maps each body and joint of the original to its copy. */
 final class Twins {
 
     private final Map<RigidBody, RigidBody> bodies = new IdentityHashMap<>();
@@ -57,7 +57,7 @@ final class Twins {
         return joints.remove(joint);
     }
 
-    /** The same joint between the twins. */
+    /** Returns a joint's definition between the twins of its bodies. */
     JointDefinition of(JointDefinition of) {
         RigidBody a = of(of.a());
         RigidBody b = of(of.b());

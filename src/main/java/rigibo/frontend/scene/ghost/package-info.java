@@ -1,6 +1,6 @@
 /**
- * The same scene at another accuracy: how far two pools that began alike have come apart, when they
- * became different worlds and whether that was chaos, and a {@link
- * rigibo.frontend.scene.ghost.Ghost} that goes along with a scene as an outline.
+ * A scene beside its copy at another accuracy: the distance between two pools that started equal,
+ * when they became unrelated and whether that was chaos, and a {@link
+ * rigibo.frontend.scene.ghost.Ghost}, which is drawn over a scene as an outline.
  */
 package rigibo.frontend.scene.ghost;

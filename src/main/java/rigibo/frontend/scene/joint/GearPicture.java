@@ -14,8 +14,8 @@ import java.util.function.Function;
 import java.util.function.Predicate;
 
 /**
- * What couples two hinges: toothed wheels where they turn against each other, whose radii follow
- * from the ratio and the distance, and a belt where they turn alike.
+ * Draws the coupling of two hinges: toothed wheels if they turn in opposite directions, with radii
+ * from the ratio and the distance, or a belt if they turn in the same one.
  */
 final class GearPicture {
 

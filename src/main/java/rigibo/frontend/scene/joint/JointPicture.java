@@ -26,7 +26,7 @@ import java.util.List;
 import java.util.function.Function;
 import java.util.function.Predicate;
 
-/** The joints of a pool, drawn over its bodies: each kind as what a workshop would make it of. */
+/** Draws the joints of a pool over its bodies, each kind as a workshop would make it. */
 public final class JointPicture {
 
     /** A pin is as thick as this share of the thinner body, within bounds, m. */

@@ -5,11 +5,11 @@ import rigibo.backend.effect.Effects;
 import rigibo.backend.setup.Accuracy;
 
 /**
- * What is measured; with any of these it is another matter and what was known is void.
+ * The subject of a measurement; if any of these changes, earlier results are void.
  *
  * @param pool the scene's
- * @param effects it simulates
- * @param accuracy it runs at
+ * @param effects the declared effects
+ * @param accuracy of the pool
  */
 public record Subject(Pool pool, Effects effects, Accuracy accuracy) {
 

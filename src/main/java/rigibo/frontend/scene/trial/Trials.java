@@ -8,8 +8,8 @@ import java.util.function.LongSupplier;
 import java.util.function.Supplier;
 
 /**
- * Where trials run, and the snapshot they begin with. Several meters share it: their trials queue
- * for one thread, so no two disturb each other, and a snapshot serves all of them.
+ * Runs trials, and keeps the snapshot from which they start. Several meters share it: their trials
+ * queue for one thread, so that no two disturb each other, and one snapshot serves all of them.
  */
 public final class Trials {
 

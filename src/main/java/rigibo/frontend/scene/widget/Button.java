@@ -4,9 +4,9 @@ import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 
 /**
- * Does something once.
+ * A button that does something once.
  *
- * @param words what
+ * @param words its label
  * @param action what it does
  */
 public record Button(String words, Runnable action) implements Widget {

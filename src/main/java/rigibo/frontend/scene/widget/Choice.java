@@ -8,11 +8,11 @@ import java.util.function.IntConsumer;
 import java.util.function.IntSupplier;
 
 /**
- * One of a few, round and round.
+ * A choice of a few options, which a press cycles through.
  *
- * @param words what is chosen
- * @param options what there is
- * @param value which of them it is, from 0
+ * @param words its label
+ * @param options the options
+ * @param value index of the present option, from 0
  * @param change sets it
  */
 public record Choice(String words, List<String> options, IntSupplier value, IntConsumer change)

@@ -5,7 +5,7 @@ import rigibo.frontend.scene.Canvas;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Texts in lines of a width. */
+/** Breaks texts into lines of a width. */
 public final class Lines {
 
     private static final String MORE = "…";

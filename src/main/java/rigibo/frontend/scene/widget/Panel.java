@@ -6,7 +6,9 @@ import rigibo.frontend.scene.Key;
 
 import java.util.List;
 
-/** A column of widgets on a dark plate. The owner hands it the input it does not want itself. */
+/**
+ * A column of widgets on a dark plate. The owner passes on the input that it does not use itself.
+ */
 public final class Panel {
 
     private static final double PADDING = 12;
@@ -27,7 +29,7 @@ public final class Panel {
         this.widgets = List.copyOf(widgets);
     }
 
-    /** The same with other widgets, and the one in the same row chosen or held. */
+    /** Returns this panel with other widgets; the selected or held row stays so. */
     public Panel with(List<Widget> others) {
         Panel panel = new Panel(x, y, width, others);
         panel.hot = hot;

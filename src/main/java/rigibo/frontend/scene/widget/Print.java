@@ -3,7 +3,7 @@ package rigibo.frontend.scene.widget;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 
-/** Words of a size in px, about or beside a point of the screen. */
+/** Text of a size in px, centred on a point of the screen or beside it. */
 public final class Print {
 
     private Print() {}

@@ -6,10 +6,10 @@ import rigibo.frontend.scene.Color;
 import java.util.function.Supplier;
 
 /**
- * Shows something that was measured.
+ * Shows a measured value.
  *
- * @param words what
- * @param value how it stands, with its unit
+ * @param words its label
+ * @param value the value with its unit
  */
 public record Readout(String words, Supplier<String> value) implements Widget {
 

@@ -3,7 +3,7 @@ package rigibo.frontend.scene.widget;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 
-/** A tick and a cross: what is good and what is not, told not by colour alone. */
+/** A tick and a cross for good and bad, which do not rely on colour alone. */
 public final class Sign {
 
     /** From the middle to the foot of a tick, a share of its arm. */

@@ -7,14 +7,14 @@ import java.util.function.DoubleConsumer;
 import java.util.function.DoubleSupplier;
 
 /**
- * A number between two bounds, in even notches.
+ * A number between two bounds, in equal notches.
  *
- * @param words what
+ * @param words its label
  * @param format how the number is shown, with its unit
  * @param least lower bound
  * @param most upper bound
  * @param notch the step between values
- * @param value how it stands
+ * @param value the present value
  * @param change sets it
  */
 public record Slider(

@@ -3,7 +3,7 @@ package rigibo.frontend.scene.widget;
 import rigibo.frontend.scene.Canvas;
 
 /**
- * Something to choose, at a place on the screen.
+ * An option at a place on the screen.
  *
  * @param x left edge, logical px
  * @param y upper edge

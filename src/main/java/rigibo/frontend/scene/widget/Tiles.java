@@ -6,7 +6,7 @@ import rigibo.frontend.scene.PointerButton;
 
 import java.util.List;
 
-/** Tiles of which one is chosen, by the pointer, by arrows or by Tab. */
+/** Tiles, one of which is selected, by the pointer, by arrow keys or by Tab. */
 public final class Tiles {
 
     /** A tile aside of an arrow's way is as far as one so many times farther along it. */

@@ -8,8 +8,8 @@ import java.util.function.BooleanSupplier;
 /**
  * Switches something on and off.
  *
- * @param words what
- * @param isOn how it stands
+ * @param words its label
+ * @param isOn the present state
  * @param flip changes it
  */
 public record Toggle(String words, BooleanSupplier isOn, Runnable flip) implements Widget {

@@ -2,7 +2,7 @@ package rigibo.frontend.scene.widget;
 
 import rigibo.frontend.scene.Canvas;
 
-/** One control or readout in a {@link Panel}, a row of it. */
+/** A control or readout that takes one row of a {@link Panel}. */
 public sealed interface Widget permits Button, Choice, Slider, Toggle, Readout {
 
     /** Height of a row, px. */
