@@ -18,6 +18,9 @@ public final class JointedBodies {
     private final JointStore joints;
     private final Waking waking;
 
+    /** Awake bodies whose joints are listed. */
+    private int listed;
+
     /** Over the bodies and joints of a storage, in which joints are declared. */
     public JointedBodies(DataStorage data) {
         bodies = data.bodies;
@@ -28,13 +31,27 @@ public final class JointedBodies {
 
     /** Lists the joints that a step looks at. Who sleeps beside somebody awake wakes. */
     public void pile(double dt) {
-        Found active = joints.active;
-        active.clear();
-        // The list grows while it is read: who wakes has joints as well.
-        for (int i = 0; i < roster.awakeCount; i++) {
-            pile(roster.awake[i], active);
+        joints.active.clear();
+        listed = 0;
+        list();
+    }
+
+    /**
+     * Lists the joints of those who have been woken within the step since: one bone of a sleeper
+     * that is struck would leave the others without it.
+     */
+    public void pileWoken(double dt) {
+        if (listed < roster.awakeCount) {
+            list();
         }
-        active.sort();
+    }
+
+    private void list() {
+        // The list grows while it is read: who wakes has joints as well.
+        for (; listed < roster.awakeCount; listed++) {
+            pile(roster.awake[listed], joints.active);
+        }
+        joints.active.sort();
     }
 
     private void pile(int slot, Found active) {
