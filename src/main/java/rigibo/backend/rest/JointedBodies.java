@@ -18,6 +18,9 @@ public final class JointedBodies {
     private final JointStore joints;
     private final Waking waking;
 
+    /** Number of awake bodies whose joints are listed. */
+    private int listed;
+
     /** The storage must hold joints. */
     public JointedBodies(DataStorage data) {
         bodies = data.bodies;
@@ -28,13 +31,27 @@ public final class JointedBodies {
 
     /** Lists the joints of this step, and wakes sleepers that are joined to an awake body. */
     public void pile(double dt) {
-        Found active = joints.active;
-        active.clear();
-        // The list grows while it is read, since woken bodies can have joints too.
-        for (int i = 0; i < roster.awakeCount; i++) {
-            pile(roster.awake[i], active);
+        joints.active.clear();
+        listed = 0;
+        list();
+    }
+
+    /**
+     * Lists the joints of bodies woken since then in the same step. Without them a struck sleeper
+     * would go through the step without its joints, each of its bones on its own.
+     */
+    public void pileWoken(double dt) {
+        if (listed < roster.awakeCount) {
+            list();
         }
-        active.sort();
+    }
+
+    private void list() {
+        // The list grows while it is read, since woken bodies can have joints too.
+        for (; listed < roster.awakeCount; listed++) {
+            pile(roster.awake[listed], joints.active);
+        }
+        joints.active.sort();
     }
 
     private void pile(int slot, Found active) {

@@ -160,11 +160,9 @@ public final class StepPlan {
         } else {
             add(StepStage.CLASSIFY, "manifolds of pairs that may touch", narrowphase::collide);
         }
-        if (effects.declares(Joints.class)) {
-            add(
-                    StepStage.CLASSIFY,
-                    "take what joints hold for piled",
-                    new JointedBodies(data)::pile);
+        JointedBodies jointed = effects.declares(Joints.class) ? new JointedBodies(data) : null;
+        if (jointed != null) {
+            add(StepStage.CLASSIFY, "take what joints hold for piled", jointed::pile);
         }
         if (data.bodies.lockedX != null) {
             add(
@@ -186,6 +184,9 @@ public final class StepPlan {
                     StepStage.FLIGHT,
                     "move bodies in flight along their exact paths",
                     new FreeFlight(data, course)::fly);
+        }
+        if (jointed != null) {
+            add(StepStage.CONTACT, "find the joints of who was woken", jointed::pileWoken);
         }
         IslandBuilder islands = new IslandBuilder(data);
         add(StepStage.CONTACT, "group bodies in contact into islands", dt -> islands.build());

@@ -29,6 +29,9 @@ final class SpringJoints {
     /** Envelopes below are not looked at, as a share of the start. */
     private static final double FADED = 1e-3;
 
+    /** What may be left of a swing that counts as rest: a tenth of the strictest limit. */
+    private static final double AT_REST = 1e-5;
+
     private enum Kind {
         PRISMATIC,
         DISTANCE,
@@ -150,12 +153,16 @@ final class SpringJoints {
         trial.measure("deflection", Math.abs((-1 - body.y()) / truth - 1), "of mg/k", SHARE);
     }
 
-    /** A body of whose centre a weld holds a point 1 m beside: m·g·cos θ = −k·θ. */
+    /**
+     * A body of whose centre a weld holds a point 1 m beside: m·g·cos θ = −k·θ. It swings about the
+     * hook with I + m·1², far more than the spring was damped for, and fades by c/2(I + m·1²).
+     */
     private static void bend(
             Trial trial, WatchedPool pool, RigidBody hook, RigidBody body, JointSettings soft) {
         body.moveTo(1, 0, 0);
         Joint joint = pool.join(WeldJoint.at(hook, body, 0, 0).with(soft));
-        pool.run(10);
+        double decay = joint.damping() / (2 * (body.inertia() + body.mass()));
+        pool.run(Math.max(10, Math.log(1 / AT_REST) / decay));
         double angle = joint.angle();
         double truth = body.mass() * Trial.GRAVITY * Math.cos(angle) / joint.stiffness();
         trial.measure("deflection", Math.abs(-angle / truth - 1), "of mg/k", SHARE);
