@@ -86,6 +86,12 @@ public final class Rounds {
      */
     private static final double GIVEN_UP = 0.03;
 
+    /** How many times as many rounds an island that moves is given where no work is too much. */
+    private static final double TIMES_UNLIMITED = 8;
+
+    /** Rounds after which Newton's method is tried again at first; twice as many each time. */
+    private static final int WAIT = 4;
+
     /** Rounds that begin with one pass, as most islands need no more. */
     private static final int QUICK = 2;
 
@@ -121,6 +127,9 @@ public final class Rounds {
     private final double ofPasses;
 
     private final double worthIfCalm;
+
+    /** How many times as many rounds an island that moves is given at least. */
+    private final double leastTimes;
 
     private boolean isCalm;
 
@@ -160,6 +169,7 @@ public final class Rounds {
         boolean isLimited = substeps < Accuracy.EXACT.substeps();
         double coarser = Math.min(1, substeps / (double) Accuracy.GAME.substeps());
         ofPasses = isLimited ? WORK_OF_PASSES : Double.POSITIVE_INFINITY;
+        leastTimes = isLimited ? 1 : TIMES_UNLIMITED;
         worthIfCalm =
                 isLimited ? WORTH_IF_CALM * coarser * WORK_OF_PASSES : Double.POSITIVE_INFINITY;
     }
@@ -234,8 +244,9 @@ public final class Rounds {
      * Goes on until nothing is left, which at rest it is after the first round; a calm island goes
      * on as long as that brings it nearer. Newton's method is tried as long as it does; where it
      * does not, its round is taken back and elimination goes on; where masses differ, and more
-     * rounds are made, it is tried again. Rounds of a calm island may take turns for ever; then the
-     * best of them counts.
+     * rounds are made, it is tried again from time to time: at once it would only lead to the same
+     * place. Rounds of a calm island may take turns for ever, and many of one that moves lead
+     * astray; then the best of them counts.
      */
     private boolean settleRows(double h, double kicked, int substep, double fastest) {
         double enough = isCalm ? LEFT_IF_CALM / SETTLED_IF_CALM : 1;
@@ -243,7 +254,8 @@ public final class Rounds {
         boolean isNewton = false;
         double last = Double.POSITIVE_INFINITY;
         double least = Double.POSITIVE_INFINITY;
-        double times = isThorough && !isCalm ? Math.max(1, timesByMass(motions)) : 1;
+        double times = isThorough && !isCalm ? Math.max(leastTimes, timesByMass(motions)) : 1;
+        int wait = WAIT;
         int rounds = (int) (most * times);
         int passes = (int) Math.min(MOST_PASSES, times);
         for (int i = 0; i < rounds && !direct.isSpent(); i++) {
@@ -251,7 +263,7 @@ public final class Rounds {
                 sweep.once(h, substep);
             }
             double left = left(h, kicked, substep, fastest);
-            if (isCalm && left < least) {
+            if (left < least && isBestKept()) {
                 least = left;
                 best.begin();
             }
@@ -264,7 +276,8 @@ public final class Rounds {
             }
             if (isNewton && isNoNearer) {
                 halfway.takeBack();
-                newtonFrom = most;
+                newtonFrom = Math.max(most, i + wait);
+                wait *= 2;
                 isNoNearer = false;
                 left = last;
             }
@@ -278,13 +291,16 @@ public final class Rounds {
             }
             last = left;
         }
-        if (isCalm) {
+        if (isBestKept()) {
             best.takeBack();
-            missed = 0;
-        } else {
-            missed = sweep.once(h, substep);
         }
+        missed = isCalm ? 0 : sweep.once(h, substep);
         return false;
+    }
+
+    /** Whether the best of the rounds counts, where none settles all. */
+    private boolean isBestKept() {
+        return isCalm || leastTimes > 1;
     }
 
     /** What a pass over the rows finds left, as a multiple of what may be left; 0 if nothing. */

@@ -35,11 +35,23 @@ final class ImpactShifts {
     private final Motions motions;
     private final PackedContacts contacts;
 
+    /** That of bodies whose gaps are known to round-off. */
+    private static final double ROUND_OFF = 1e-10;
+
     /** What the impacts took of the energy of motion, less what has been lifted for it, J. */
     private double taken;
 
     /** By entry of the motions, m and rad. */
     private double[] shifts = new double[16 * STRIDE];
+
+    /** How long what parts goes on before it is to be apart, s. */
+    private double ahead;
+
+    /** Gap in widths, before anything was shifted, of the contacts that are asked. */
+    private double widest;
+
+    /** Way into another that is left, as a share of the width. */
+    private double unseen;
 
     /** By entry of the motions the share of its shift that stays. */
     private double[] shares = new double[16];
@@ -83,11 +95,30 @@ final class ImpactShifts {
         }
     }
 
+    /** Takes back what leads into others where they are now, and shows. */
+    void limit(int substep) {
+        ahead = 0;
+        widest = Double.POSITIVE_INFINITY;
+        unseen = UNSEEN;
+        limitAsked(substep);
+    }
+
+    /**
+     * Takes back what leads bodies into each other that touched already, to a gap in widths, unless
+     * they part again within {@code later} seconds.
+     */
+    void limitOfTouching(int substep, double gap, double later) {
+        ahead = later;
+        widest = gap;
+        unseen = ROUND_OFF;
+        limitAsked(substep);
+    }
+
     /**
      * Takes back what leads into others. That may lead into the next ones, which the same shift had
      * left behind: so again, until all are apart or nothing is left.
      */
-    void limit(int substep) {
+    private void limitAsked(int substep) {
         listContacts(substep);
         for (int round = 0; round < MOST_ROUNDS; round++) {
             Arrays.fill(shares, 0, motions.count, 1);
@@ -160,12 +191,15 @@ final class ImpactShifts {
     /** The share of their shifts that leaves the bodies of a contact apart. */
     private double shareOf(int row) {
         double share = 1;
-        double unseen = UNSEEN * contacts.data[row * PackedContacts.STRIDE + PackedContacts.WIDTH];
+        double width = contacts.data[row * PackedContacts.STRIDE + PackedContacts.WIDTH];
         for (int point = 0; point < contacts.points[row]; point++) {
             double gap = motions.gap(contacts, row, point);
+            if (ahead > 0 && gap < 0) {
+                gap += ahead * Math.max(0, motions.parting(contacts, row, point));
+            }
             double opened = gap < 0 ? opened(row, point) : 0;
-            if (opened < 0) {
-                share = Math.min(share, (Math.max(0, gap - opened) + unseen) / -opened);
+            if (opened < 0 && gap - opened <= widest * width) {
+                share = Math.min(share, (Math.max(0, gap - opened) + unseen * width) / -opened);
             }
         }
         return share;

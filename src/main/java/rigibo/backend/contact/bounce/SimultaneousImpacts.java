@@ -29,6 +29,12 @@ final class SimultaneousImpacts {
     /** Gap up to which a contact takes part, as a multiple of the overlap that is left alone. */
     private static final double TOUCHING = 10;
 
+    /**
+     * Gap in widths up to which a point touched before the kick: what landed in the substep before
+     * is where it stopped but for round-off, which must not tell a load from an impact.
+     */
+    private static final double TOUCHED = 1e-8;
+
     /** Closing speeds under this (m/s) are what is left of solved rows, not impacts. */
     private static final double ROUND_OFF = 1e-9;
 
@@ -41,6 +47,7 @@ final class SimultaneousImpacts {
     private final HitNotes notes;
     private final Impact impact = new Impact();
     private final TiedImpacts together;
+    private final ImpactShifts shifts;
 
     /** The substep looked at, its length in s, and how far velocities are from its start, s. */
     private int substep;
@@ -55,6 +62,9 @@ final class SimultaneousImpacts {
     private int[] striking = new int[16];
 
     private int strikingCount;
+
+    /** How often bodies were struck in the substep. */
+    private int instants;
 
     SimultaneousImpacts(
             DataStorage data,
@@ -71,6 +81,7 @@ final class SimultaneousImpacts {
         this.bounces = bounces;
         this.notes = notes;
         together = new TiedImpacts(bodies, pairs);
+        shifts = new ImpactShifts(bodies, motions, contacts);
     }
 
     /** Begins the packed island, whose impacts are worth so many multiplications in this step. */
@@ -83,7 +94,13 @@ final class SimultaneousImpacts {
      * the step's work was enough; impacts that it was not enough for are not struck.
      */
     boolean resolve(double length, int number) {
-        return resolve(length, length / 2, number);
+        boolean isAnswered = resolve(length, length / 2, number);
+        if (instants > 0) {
+            // What lay on others is stopped by them from the substep's beginning, though its speed
+            // was not answered yet when the impact put it where that would have taken it.
+            shifts.limitOfTouching(number, TOUCHED, length);
+        }
+        return isAnswered;
     }
 
     /** Resolves the impacts of velocities as they are, within next to no time. */
@@ -93,6 +110,7 @@ final class SimultaneousImpacts {
 
     private boolean resolve(double length, double middleOfVelocities, int number) {
         h = length;
+        instants = 0;
         middle = middleOfVelocities;
         substep = number;
         boolean isAnswered = true;
@@ -140,7 +158,8 @@ final class SimultaneousImpacts {
     private boolean strikes(int row, int point, double time) {
         double speed = motions.parting(contacts, row, point);
         double met = met(row, point, time);
-        boolean touched = motions.gap(contacts, row, point) <= 0;
+        double width = contacts.data[row * PackedContacts.STRIDE + PackedContacts.WIDTH];
+        boolean touched = motions.gap(contacts, row, point) <= TOUCHED * width;
         double unloaded = speed - gainedInAll(row, point) + turnedBy(row);
         double parting = touched ? Math.max(met, unloaded) : met;
         double limit = contacts.data[row * PackedContacts.STRIDE + PackedContacts.BOUNCE_SPEED];
@@ -211,12 +230,17 @@ final class SimultaneousImpacts {
         contacts.work.multiplications += together.work();
         if (isAnswered || left > 0) {
             together.keep(isAnswered);
+            if (instants++ == 0) {
+                shifts.begin();
+            }
+            double before = motions.energy(motions.data);
             noteStrikes(time);
             takeVelocities(time);
             if (bodies.turns()) {
                 takeSpins(time);
             }
             countStrikes();
+            shifts.take(before - motions.energy(motions.data));
         }
         return isAnswered;
     }
@@ -304,21 +328,24 @@ final class SimultaneousImpacts {
         for (int entry = 1; entry < motions.count; entry++) {
             int slot = motions.slots[entry];
             int at = entry * Motions.STRIDE;
-            take(at, Motions.VX, Motions.DX, bodies.velocityX[slot], time);
-            take(at, Motions.VY, Motions.DY, bodies.velocityY[slot], time);
+            double x = take(at, Motions.VX, bodies.velocityX[slot], time);
+            double y = take(at, Motions.VY, bodies.velocityY[slot], time);
+            shifts.shift(at, -time * x, -time * y, 0);
         }
     }
 
     private void takeSpins(double time) {
         for (int entry = 1; entry < motions.count; entry++) {
             double after = bodies.spin[motions.slots[entry]];
-            take(entry * Motions.STRIDE, Motions.SPIN, Motions.TURN, after, time);
+            double turn = take(entry * Motions.STRIDE, Motions.SPIN, after, time);
+            shifts.shift(entry * Motions.STRIDE, 0, 0, -time * turn);
         }
     }
 
-    private void take(int body, int speed, int way, double after, double time) {
+    /** Takes what the impact changed of a speed, and returns it. */
+    private double take(int body, int speed, double after, double time) {
         double gained = after - at(body, speed, time - middle);
         motions.data[body + speed] += gained;
-        motions.data[body + way] -= time * gained;
+        return gained;
     }
 }
