@@ -1,0 +1,65 @@
+package rigibo.backend;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+import rigibo.backend.effect.Contacts;
+import rigibo.backend.effect.ContinuousImpacts;
+import rigibo.backend.effect.Effects;
+import rigibo.backend.effect.Friction;
+import rigibo.backend.effect.Gravity;
+import rigibo.backend.effect.Restitution;
+import rigibo.backend.effect.Rotation;
+import rigibo.backend.geometry.Polygon;
+import rigibo.backend.setup.Accuracy;
+import rigibo.backend.setup.BodyDefinition;
+import rigibo.backend.setup.Material;
+
+/** Pyramids built with equal vertical gaps, whose storeys land on each other. */
+class SettlingPyramidTest {
+
+    private static final Effects EFFECTS =
+            Effects.of(
+                    new Gravity(0, -9.81),
+                    new Contacts(),
+                    new Rotation(),
+                    new Friction(),
+                    new Restitution(),
+                    new ContinuousImpacts());
+
+    /** Share of the energy at the start that a step may gain at {@code EXACT}. */
+    private static final double GAINED = 1e-6;
+
+    /**
+     * Overlap in widths: ten times what is left alone. Boxes that are driven into each other by
+     * more are lifted out again, by energy from nothing.
+     */
+    private static final double OVERLAP = 1e-4;
+
+    /** Impacts and friction take energy, weights only change it from height to motion. */
+    @ParameterizedTest
+    @CsvSource({"4, 0.01", "5, 0.003", "6, 0.01", "6, 0.005", "6, 0.02"})
+    void storeysThatLandGainNoEnergy(int base, double gap) {
+        Pool pool = new Pool(EFFECTS, Accuracy.EXACT);
+        Material stone = new Material(1, 0.6, 0.1);
+        pool.add(BodyDefinition.fixed(Polygon.box(40, 2)).at(0, -1).material(stone));
+        for (int row = 0; row < base; row++) {
+            for (int i = 0; i < base - row; i++) {
+                double y = row + 0.5 + gap * (row + 1);
+                BodyDefinition box = BodyDefinition.dynamic(Polygon.box(1, 1)).material(stone);
+                pool.add(box.at(i - (base - row - 1) / 2.0, y));
+            }
+        }
+        double start = pool.kineticEnergy() + pool.potentialEnergy();
+        double before = start;
+        for (int step = 1; step <= 60; step++) {
+            StepReport report = pool.step(Scenes.DT);
+            double now = pool.kineticEnergy() + pool.potentialEnergy();
+            assertThat((now - before) / start).as("gained in step %d", step).isLessThan(GAINED);
+            assertThat(report.deepestOverlap()).as("overlap, step %d", step).isLessThan(OVERLAP);
+            before = now;
+        }
+    }
+}
