@@ -35,9 +35,6 @@ final class ImpactShifts {
     private final Motions motions;
     private final PackedContacts contacts;
 
-    /** That of bodies whose gaps are known to round-off. */
-    private static final double ROUND_OFF = 1e-10;
-
     /** What the impacts took of the energy of motion, less what has been lifted for it, J. */
     private double taken;
 
@@ -104,13 +101,13 @@ final class ImpactShifts {
     }
 
     /**
-     * Takes back what leads bodies into each other that touched already, to a gap in widths, unless
-     * they part again within {@code later} seconds.
+     * Takes back what leads bodies that touched already, to a gap in widths, farther into each
+     * other than a share of their width, unless they part again within {@code later} seconds.
      */
-    void limitOfTouching(int substep, double gap, double later) {
+    void limitOfTouching(int substep, double gap, double later, double share) {
         ahead = later;
         widest = gap;
-        unseen = ROUND_OFF;
+        unseen = share;
         limitAsked(substep);
     }
 

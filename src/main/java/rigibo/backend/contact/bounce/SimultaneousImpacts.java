@@ -35,6 +35,9 @@ final class SimultaneousImpacts {
      */
     private static final double TOUCHED = 1e-8;
 
+    /** Share of the tolerance of impacts that the way before one may lead into what touches. */
+    private static final double INTO = 0.1;
+
     /** Closing speeds under this (m/s) are what is left of solved rows, not impacts. */
     private static final double ROUND_OFF = 1e-9;
 
@@ -48,6 +51,9 @@ final class SimultaneousImpacts {
     private final Impact impact = new Impact();
     private final TiedImpacts together;
     private final ImpactShifts shifts;
+
+    /** Way in widths that may lead what touches into each other. */
+    private final double leftInto;
 
     /** The substep looked at, its length in s, and how far velocities are from its start, s. */
     private int substep;
@@ -72,7 +78,9 @@ final class SimultaneousImpacts {
             PackedContacts contacts,
             Kick kick,
             BounceRows bounces,
-            HitNotes notes) {
+            HitNotes notes,
+            double tolerance) {
+        leftInto = INTO * tolerance;
         bodies = data.bodies;
         pairs = data.pairs;
         this.motions = motions;
@@ -98,7 +106,7 @@ final class SimultaneousImpacts {
         if (instants > 0) {
             // What lay on others is stopped by them from the substep's beginning, though its speed
             // was not answered yet when the impact put it where that would have taken it.
-            shifts.limitOfTouching(number, TOUCHED, length);
+            shifts.limitOfTouching(number, TOUCHED, length, leftInto);
         }
         return isAnswered;
     }

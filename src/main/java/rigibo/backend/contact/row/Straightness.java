@@ -14,8 +14,8 @@ public final class Straightness {
 
     private final Motions motions;
 
-    /** As a share of a body's width. */
-    private final double tolerance;
+    /** That of impacts, as a share of a body's width. */
+    public final double tolerance;
 
     /**
      * Whether bodies are followed where they are few: they are if impacts are resolved in the order
