@@ -35,9 +35,6 @@ final class SimultaneousImpacts {
      */
     private static final double TOUCHED = 1e-8;
 
-    /** Share of the tolerance of impacts that the way before one may lead into what touches. */
-    private static final double INTO = 0.1;
-
     /** Closing speeds under this (m/s) are what is left of solved rows, not impacts. */
     private static final double ROUND_OFF = 1e-9;
 
@@ -52,7 +49,10 @@ final class SimultaneousImpacts {
     private final TiedImpacts together;
     private final ImpactShifts shifts;
 
-    /** Way in widths that may lead what touches into each other. */
+    /**
+     * Way in widths that may lead what touches into each other: what passes may miss a contact by
+     * in a substep, the tolerance of impacts to the power of three quarters.
+     */
     private final double leftInto;
 
     /** The substep looked at, its length in s, and how far velocities are from its start, s. */
@@ -80,7 +80,8 @@ final class SimultaneousImpacts {
             BounceRows bounces,
             HitNotes notes,
             double tolerance) {
-        leftInto = INTO * tolerance;
+        double root = Math.sqrt(tolerance);
+        leftInto = root * Math.sqrt(root);
         bodies = data.bodies;
         pairs = data.pairs;
         this.motions = motions;
