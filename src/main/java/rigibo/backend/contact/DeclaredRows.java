@@ -63,7 +63,10 @@ final class DeclaredRows {
         CurvedRows curved = curves ? new CurvedRows(data, motions, contacts, straight) : null;
         bent = new BentRows(contacts, fresh, turning, curved);
         boolean bounces = effects.declares(Restitution.class);
-        impacts = bounces ? new IslandImpacts(data, motions, contacts, kick) : null;
+        impacts =
+                bounces
+                        ? new IslandImpacts(data, motions, contacts, kick, straight.tolerance)
+                        : null;
     }
 
     private static Rubbing rubbing(

@@ -89,6 +89,12 @@ public final class Rounds {
      */
     private static final double GIVEN_UP = 0.03;
 
+    /** Factor of the rounds that a moving island is given at least where work has no limit. */
+    private static final double TIMES_UNLIMITED = 8;
+
+    /** Rounds before Newton's method is tried again; twice as many each time. */
+    private static final int WAIT = 4;
+
     /** Number of rounds that begin with a single pass; most islands need no more rounds. */
     private static final int QUICK = 2;
 
@@ -124,6 +130,9 @@ public final class Rounds {
     private final double ofPasses;
 
     private final double worthIfCalm;
+
+    /** Least factor of the rounds of a moving island. */
+    private final double leastTimes;
 
     private boolean isCalm;
 
@@ -163,6 +172,7 @@ public final class Rounds {
         boolean isLimited = substeps < Accuracy.EXACT.substeps();
         double coarser = Math.min(1, substeps / (double) Accuracy.GAME.substeps());
         ofPasses = isLimited ? WORK_OF_PASSES : Double.POSITIVE_INFINITY;
+        leastTimes = isLimited ? 1 : TIMES_UNLIMITED;
         worthIfCalm =
                 isLimited ? WORTH_IF_CALM * coarser * WORK_OF_PASSES : Double.POSITIVE_INFINITY;
     }
@@ -261,8 +271,9 @@ public final class Rounds {
      * Makes rounds until the residual is small enough, at rest after the first one; in a calm
      * island as long as rounds converge. Newton's method is used as long as it converges; a round
      * of it that does not is undone and elimination continues. Where masses differ and more rounds
-     * are made, it is tried again. If the rounds of a calm island cycle, the best of them is kept.
-     * Returns whether they converged.
+     * are made, it is tried again after some rounds, since at once it would lead to the same place.
+     * If the rounds of a calm island cycle, or many rounds of a moving one diverge, the best of
+     * them is kept. Returns whether they converged.
      */
     private boolean settleRows(double h, double kicked, int substep, double fastest) {
         double enough = isCalm ? LEFT_IF_CALM / SETTLED_IF_CALM : 1;
@@ -270,7 +281,8 @@ public final class Rounds {
         boolean isNewton = false;
         double last = Double.POSITIVE_INFINITY;
         double least = Double.POSITIVE_INFINITY;
-        double times = isThorough && !isCalm ? Math.max(1, timesByMass(motions)) : 1;
+        double times = isThorough && !isCalm ? Math.max(leastTimes, timesByMass(motions)) : 1;
+        int wait = WAIT;
         int rounds = (int) (most * times);
         int passes = (int) Math.min(MOST_PASSES, times);
         for (int i = 0; i < rounds && !direct.isSpent(); i++) {
@@ -278,7 +290,7 @@ public final class Rounds {
                 sweep.once(h, substep);
             }
             double left = left(h, kicked, substep, fastest);
-            if (isCalm && left < least) {
+            if (left < least && isBestKept()) {
                 least = left;
                 best.begin();
             }
@@ -291,7 +303,8 @@ public final class Rounds {
             }
             if (isNewton && isNoNearer) {
                 halfway.takeBack();
-                newtonFrom = most;
+                newtonFrom = Math.max(most, i + wait);
+                wait *= 2;
                 isNoNearer = false;
                 left = last;
             }
@@ -305,13 +318,16 @@ public final class Rounds {
             }
             last = left;
         }
-        if (isCalm) {
+        if (isBestKept()) {
             best.takeBack();
-            missed = 0;
-        } else {
-            missed = sweep.once(h, substep);
         }
+        missed = isCalm ? 0 : sweep.once(h, substep);
         return false;
+    }
+
+    /** Whether the best of the rounds is kept if they do not converge. */
+    private boolean isBestKept() {
+        return isCalm || leastTimes > 1;
     }
 
     /**

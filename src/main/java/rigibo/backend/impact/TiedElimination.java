@@ -23,6 +23,12 @@ final class TiedElimination {
      */
     private static final double FARTHEST = 1e4;
 
+    /**
+     * Share of the fastest approach below which what a row carries is round-off: whether bodies
+     * side by side press each other by 10⁻¹⁷ N·s must not choose the equations.
+     */
+    private static final double NOISE = 1e-12;
+
     private final TiedRows rows;
 
     /** The active rows: those that are equations. */
@@ -49,7 +55,7 @@ final class TiedElimination {
      * @return multiplications done, 0 if there was nothing to solve
      */
     double solve(double fastest) {
-        choose();
+        choose(NOISE * fastest);
         if (size < 2 || size > MOST_ROWS) {
             return 0;
         }
@@ -75,7 +81,8 @@ final class TiedElimination {
         return factor.work();
     }
 
-    private void choose() {
+    /** Chooses the rows that carry, or may rub by, what gives them more than a speed in m/s. */
+    private void choose(double least) {
         if (set.length < rows.count) {
             set = new int[rows.pair.length];
             place = new int[rows.pair.length];
@@ -86,7 +93,9 @@ final class TiedElimination {
         for (int row = 0; row < rows.count; row++) {
             boolean isNormal = rows.points[row] == 0;
             double impulse = rows.impulse[row];
-            boolean isEquation = isNormal ? impulse > 0 : Math.abs(impulse) < rows.cone(row);
+            double most = isNormal ? impulse : rows.cone(row);
+            boolean isEquation =
+                    most * rows.response[row] > least && (isNormal || Math.abs(impulse) < most);
             place[row] = isEquation ? size : TiedRows.NONE;
             if (isEquation) {
                 set[size++] = row;

@@ -44,6 +44,15 @@ final class ImpactShifts {
     /** By entry of the motions: its shift, m and rad. */
     private double[] shifts = new double[16 * STRIDE];
 
+    /** Time, s, during which bodies that part still separate before they have to be apart. */
+    private double ahead;
+
+    /** Largest gap, in widths, that a contact may have had before the shift to be asked. */
+    private double widest;
+
+    /** Overlap by the shift that is left, in widths. */
+    private double unseen;
+
     /** By entry of the motions: the share of its shift that is kept. */
     private double[] shares = new double[16];
 
@@ -86,11 +95,30 @@ final class ImpactShifts {
         }
     }
 
+    /** Takes back what leads into others where they are now, and shows. */
+    void limit(int substep) {
+        ahead = 0;
+        widest = Double.POSITIVE_INFINITY;
+        unseen = UNSEEN;
+        limitAsked(substep);
+    }
+
+    /**
+     * Takes back what leads bodies that touched already, to a gap in widths, farther into each
+     * other than a share of their width, unless they part again within {@code later} seconds.
+     */
+    void limitOfTouching(int substep, double gap, double later, double share) {
+        ahead = later;
+        widest = gap;
+        unseen = share;
+        limitAsked(substep);
+    }
+
     /**
      * Takes back shifts that lead into other bodies. A body that goes back may meet one that had
      * been shifted along with it, so this is repeated until none overlaps or no shift is left.
      */
-    void limit(int substep) {
+    private void limitAsked(int substep) {
         listContacts(substep);
         for (int round = 0; round < MOST_ROUNDS; round++) {
             Arrays.fill(shares, 0, motions.count, 1);
@@ -163,12 +191,15 @@ final class ImpactShifts {
     /** Largest share of their shifts at which the bodies of a contact do not overlap. */
     private double shareOf(int row) {
         double share = 1;
-        double unseen = UNSEEN * contacts.data[row * PackedContacts.STRIDE + PackedContacts.WIDTH];
+        double width = contacts.data[row * PackedContacts.STRIDE + PackedContacts.WIDTH];
         for (int point = 0; point < contacts.points[row]; point++) {
             double gap = motions.gap(contacts, row, point);
+            if (ahead > 0 && gap < 0) {
+                gap += ahead * Math.max(0, motions.parting(contacts, row, point));
+            }
             double opened = gap < 0 ? opened(row, point) : 0;
-            if (opened < 0) {
-                share = Math.min(share, (Math.max(0, gap - opened) + unseen) / -opened);
+            if (opened < 0 && gap - opened <= widest * width) {
+                share = Math.min(share, (Math.max(0, gap - opened) + unseen * width) / -opened);
             }
         }
         return share;

@@ -16,10 +16,16 @@ public final class IslandImpacts {
     private final PairwiseImpacts apart;
     private final HitNotes notes;
 
-    public IslandImpacts(DataStorage data, Motions motions, PackedContacts contacts, Kick kick) {
+    /** Impacts within a tolerance, as a share of a body's width. */
+    public IslandImpacts(
+            DataStorage data,
+            Motions motions,
+            PackedContacts contacts,
+            Kick kick,
+            double tolerance) {
         bounces = new BounceRows(data, contacts);
         notes = new HitNotes(data, motions, contacts);
-        joint = new SimultaneousImpacts(data, motions, contacts, kick, bounces, notes);
+        joint = new SimultaneousImpacts(data, motions, contacts, kick, bounces, notes, tolerance);
         apart = new PairwiseImpacts(data, motions, contacts, bounces, notes);
     }
 

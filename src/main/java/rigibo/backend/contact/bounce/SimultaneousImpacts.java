@@ -29,6 +29,13 @@ final class SimultaneousImpacts {
     /** Gap up to which a contact takes part, as a multiple of the kept overlap. */
     private static final double TOUCHING = 10;
 
+    /**
+     * Gap in widths up to which a point touched before the kick. A body that landed in the substep
+     * before is where it stopped up to round-off, and round-off must not tell a load from an
+     * impact.
+     */
+    private static final double TOUCHED = 1e-8;
+
     /** Closing speed in m/s below which it is the residual of a solved row and not an impact. */
     private static final double ROUND_OFF = 1e-9;
 
@@ -41,6 +48,13 @@ final class SimultaneousImpacts {
     private final HitNotes notes;
     private final Impact impact = new Impact();
     private final TiedImpacts together;
+    private final ImpactShifts shifts;
+
+    /**
+     * Way in widths that may lead what touches into each other: what passes may miss a contact by
+     * in a substep, the tolerance of impacts to the power of three quarters.
+     */
+    private final double leftInto;
 
     /** Number of the present substep. */
     private int substep;
@@ -59,13 +73,19 @@ final class SimultaneousImpacts {
 
     private int strikingCount;
 
+    /** How often bodies were struck in the substep. */
+    private int instants;
+
     SimultaneousImpacts(
             DataStorage data,
             Motions motions,
             PackedContacts contacts,
             Kick kick,
             BounceRows bounces,
-            HitNotes notes) {
+            HitNotes notes,
+            double tolerance) {
+        double root = Math.sqrt(tolerance);
+        leftInto = root * Math.sqrt(root);
         bodies = data.bodies;
         pairs = data.pairs;
         this.motions = motions;
@@ -74,6 +94,7 @@ final class SimultaneousImpacts {
         this.bounces = bounces;
         this.notes = notes;
         together = new TiedImpacts(bodies, pairs);
+        shifts = new ImpactShifts(bodies, motions, contacts);
     }
 
     /** Starts the packed island with a budget for its impacts in this step, in multiplications. */
@@ -86,7 +107,13 @@ final class SimultaneousImpacts {
      * budget was enough; impacts beyond it are not resolved.
      */
     boolean resolve(double length, int number) {
-        return resolve(length, length / 2, number);
+        boolean isAnswered = resolve(length, length / 2, number);
+        if (instants > 0) {
+            // What lay on others is stopped by them from the substep's beginning, though its speed
+            // was not answered yet when the impact put it where that would have taken it.
+            shifts.limitOfTouching(number, TOUCHED, length, leftInto);
+        }
+        return isAnswered;
     }
 
     /**
@@ -99,6 +126,7 @@ final class SimultaneousImpacts {
 
     private boolean resolve(double length, double middleOfVelocities, int number) {
         h = length;
+        instants = 0;
         middle = middleOfVelocities;
         substep = number;
         boolean isAnswered = true;
@@ -148,7 +176,8 @@ final class SimultaneousImpacts {
     private boolean strikes(int row, int point, double time) {
         double speed = motions.parting(contacts, row, point);
         double met = met(row, point, time);
-        boolean touched = motions.gap(contacts, row, point) <= 0;
+        double width = contacts.data[row * PackedContacts.STRIDE + PackedContacts.WIDTH];
+        boolean touched = motions.gap(contacts, row, point) <= TOUCHED * width;
         double unloaded = speed - gainedInAll(row, point) + turnedBy(row);
         double parting = touched ? Math.max(met, unloaded) : met;
         double limit = contacts.data[row * PackedContacts.STRIDE + PackedContacts.BOUNCE_SPEED];
@@ -219,12 +248,17 @@ final class SimultaneousImpacts {
         contacts.work.multiplications += together.work();
         if (isAnswered || left > 0) {
             together.keep(isAnswered);
+            if (instants++ == 0) {
+                shifts.begin();
+            }
+            double before = motions.energy(motions.data);
             noteStrikes(time);
             takeVelocities(time);
             if (bodies.turns()) {
                 takeSpins(time);
             }
             countStrikes();
+            shifts.take(before - motions.energy(motions.data));
         }
         return isAnswered;
     }
@@ -312,21 +346,24 @@ final class SimultaneousImpacts {
         for (int entry = 1; entry < motions.count; entry++) {
             int slot = motions.slots[entry];
             int at = entry * Motions.STRIDE;
-            take(at, Motions.VX, Motions.DX, bodies.velocityX[slot], time);
-            take(at, Motions.VY, Motions.DY, bodies.velocityY[slot], time);
+            double x = take(at, Motions.VX, bodies.velocityX[slot], time);
+            double y = take(at, Motions.VY, bodies.velocityY[slot], time);
+            shifts.shift(at, -time * x, -time * y, 0);
         }
     }
 
     private void takeSpins(double time) {
         for (int entry = 1; entry < motions.count; entry++) {
             double after = bodies.spin[motions.slots[entry]];
-            take(entry * Motions.STRIDE, Motions.SPIN, Motions.TURN, after, time);
+            double turn = take(entry * Motions.STRIDE, Motions.SPIN, after, time);
+            shifts.shift(entry * Motions.STRIDE, 0, 0, -time * turn);
         }
     }
 
-    private void take(int body, int speed, int way, double after, double time) {
+    /** Takes what the impact changed of a speed, and returns it. */
+    private double take(int body, int speed, double after, double time) {
         double gained = after - at(body, speed, time - middle);
         motions.data[body + speed] += gained;
-        motions.data[body + way] -= time * gained;
+        return gained;
     }
 }

@@ -15,7 +15,7 @@ public final class Straightness {
     private final Motions motions;
 
     /** The deviation, in widths. */
-    private final double tolerance;
+    public final double tolerance;
 
     /** Whether few bodies are followed closely: if impacts are resolved in time order. */
     public final boolean follows;

@@ -40,6 +40,7 @@ public final class OverlapSolver {
     private final PackedContacts contacts;
     private final PartingLimit limit;
     private final GroundHold ground;
+    private final LiftLimit lift;
     private final Accuracy accuracy;
     private final Jam jam;
 
@@ -64,6 +65,7 @@ public final class OverlapSolver {
         this.bodies = bodies;
         limit = new PartingLimit(bodies, motions, contacts);
         ground = new GroundHold(motions, contacts);
+        lift = new LiftLimit(bodies, motions);
         this.accuracy = accuracy;
         jam = new Jam(bodies, motions, contacts, ground);
     }
@@ -119,7 +121,13 @@ public final class OverlapSolver {
         if (deepCount > 0) {
             begin();
             noteGround(h);
+            if (raises) {
+                lift.begin();
+            }
             pass(h, passes);
+            if (raises) {
+                lift.end(h);
+            }
             end(h, substep);
         }
     }

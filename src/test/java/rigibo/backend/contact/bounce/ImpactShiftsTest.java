@@ -21,6 +21,9 @@ class ImpactShiftsTest {
     /** Way into another that does not show, as a share of the width, which is a metre here. */
     private static final double UNSEEN = 1e-4;
 
+    /** Gap up to which bodies touch, as a share of the width. */
+    private static final double TOUCHED = 1e-8;
+
     private final PackedIsland island = new PackedIsland();
     private final Motions motions = island.motions;
     private final Bodies bodies = new Bodies(Effects.of());
@@ -91,6 +94,37 @@ class ImpactShiftsTest {
         assertThat(way(1)).isEqualTo(-0.3);
         shifts.limit(2);
         assertThat(way(1)).isCloseTo(-0.1 - UNSEEN, within(ROUND_OFF));
+    }
+
+    /** What lay on the ground is where it lay when others are struck. */
+    @Test
+    void whatTouchesIsNotShiftedIntoTheGround() {
+        tower(1, 0);
+        shifts.begin();
+        shift(1, -0.01);
+        shifts.limitOfTouching(0, TOUCHED, 0.01, TOUCHED);
+        assertThat(way(1)).isCloseTo(-TOUCHED, within(ROUND_OFF));
+    }
+
+    /** At 3 m/s upwards it is 2 cm above the ground again after a hundredth of a second. */
+    @Test
+    void whatPartsInTimeKeepsItsShift() {
+        tower(1, 0);
+        motions.data[Motions.STRIDE + Motions.VY] = 3;
+        shifts.begin();
+        shift(1, -0.01);
+        shifts.limitOfTouching(0, TOUCHED, 0.01, TOUCHED);
+        assertThat(way(1)).isEqualTo(-0.01);
+    }
+
+    /** What falls meets the ground where it may, and not where it is now. */
+    @Test
+    void whatHasAGapKeepsItsShift() {
+        tower(1, 0.05);
+        shifts.begin();
+        shift(1, -0.06);
+        shifts.limitOfTouching(0, TOUCHED, 0.01, TOUCHED);
+        assertThat(way(1)).isEqualTo(-0.06);
     }
 
     /** Turning brings a corner down by its lever. */
