@@ -109,10 +109,11 @@ final class JointedIslands {
 
     private void advanceAndStore(int island, double dt) {
         int substeps = substepsFor(island, dt);
+        boolean wasTaut = joints.needed.isTaut();
         advance(island, dt, substeps);
         joints.tell(dt);
         int wanted = substepsFor(island, dt);
-        if (wanted > MORE * substeps) {
+        if (wanted > MORE * substeps || joints.needed.isTaut() && !wasTaut) {
             // What became taut within the step trembles faster than its substeps can follow.
             advance(island, dt, wanted);
             joints.tell(dt);
@@ -128,8 +129,8 @@ final class JointedIslands {
     private int substepsFor(int island, double dt) {
         boolean areMany = joints.areCrowd(island);
         int most = accuracy.substeps();
-        int usual = areMany ? fewer.byWay(island, dt, most) : joints.substepsFor(island, dt, most);
-        boolean isTaut = !areMany && joints.isTaut();
+        int usual = areMany ? fewer.byWay(island, dt, most) : joints.needed.of(island, dt, most);
+        boolean isTaut = !areMany && joints.needed.isTaut();
         int needed = isTaut ? fewer.byWay(island, dt, MORE_IF_TAUT * most) : usual;
         return declared.substepsFor(island, dt, needed);
     }
@@ -143,7 +144,7 @@ final class JointedIslands {
         boolean isWhole = joints.isWhole();
         int slow = isWhole ? usual : fewer.byWay(island, dt, accuracy.substeps());
         int fewest = Math.min(usual, declared.substepsFor(island, dt, slow));
-        int substeps = isWhole ? joints.substepsForSprings(dt, fewest) : fewest;
+        int substeps = isWhole ? joints.needed.forSprings(dt, fewest) : fewest;
         if (substeps != usual) {
             packFor(island, dt / substeps / 2, substeps);
         }
@@ -159,7 +160,7 @@ final class JointedIslands {
     /** Substeps that are not composed for the packed island; all of them where it moves fast. */
     private int plainSubsteps(int island, double dt, int packed) {
         int byWay = declared.areAnyContacts() ? fewer.byWay(island, dt, packed) : 1;
-        return joints.plainSubsteps(island, dt, byWay, packed);
+        return joints.needed.plain(island, dt, byWay, packed);
     }
 
     /** Advances an island as it is stored, without storing what it comes to. */
@@ -167,7 +168,7 @@ final class JointedIslands {
         int packed = pack(island, dt, usual);
         int substeps = plainSubsteps(island, dt, packed);
         // A step back in time would drive what drag brakes.
-        boolean isFree = stages.mayCompose() && !kick.isForced() && !joints.isTaut();
+        boolean isFree = stages.mayCompose() && !kick.isForced() && !joints.needed.isTaut();
         boolean mayCompose =
                 substeps == packed && isFree && joints.areHeldByEquations(2 * dt / packed);
         if (mayCompose) {
@@ -175,7 +176,7 @@ final class JointedIslands {
             // are measured once in each, and bodies that only locks hold turn about them.
             boolean isTurning = declared.areAnyContacts() && !islands.areJoined(island);
             int most = isTurning ? packed : (packed + 1) / 2;
-            substeps = joints.composedSubsteps(island, dt, most);
+            substeps = joints.needed.composed(island, dt, most);
             stages.beginComposed();
         } else {
             stages.begin();
