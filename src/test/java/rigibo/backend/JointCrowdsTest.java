@@ -105,8 +105,9 @@ class JointCrowdsTest {
      * A straight bridge of planks between two fixed ends, as long as its span, on which discs fall.
      * Nothing pushes it upwards as long as it is straight, and the least way down asks of its
      * hinges for more than any force: an equation that no elimination answers with a sensible
-     * number. Whatever it does, nothing drives it, and its hinges gape by no more than a
-     * millimetre: discs that nobody stops in time land some centimetres deep.
+     * number. Whatever it does, nothing drives it, and its hinges gape by no more than a fiftieth
+     * of a plank's height, as bodies may overlap: discs that nobody stops in time land some
+     * centimetres deep.
      */
     @ParameterizedTest
     @CsvSource({
@@ -129,7 +130,7 @@ class JointCrowdsTest {
             double x = left / 2 + 1.01 * i;
             pool.add(BodyDefinition.dynamic(new Circle(0.25)).at(x, 10));
         }
-        assertThat(run(pool, 120)).isLessThan(1e-3);
+        assertThat(run(pool, 120)).isLessThan(2.5e-3);
     }
 
     /**
