@@ -105,11 +105,16 @@ class JointCrowdsTest {
      * A straight bridge of planks between two fixed ends, as long as its span, on which discs fall.
      * Nothing pushes it upwards as long as it is straight, and the least way down asks of its
      * hinges for more than any force: an equation that no elimination answers with a sensible
-     * number. Whatever it does, nothing drives it.
+     * number. Whatever it does, nothing drives it, and its hinges gape by no more than a fiftieth
+     * of a plank's height, as bodies may overlap: discs that nobody stops in time land some
+     * centimetres deep.
      */
     @ParameterizedTest
-    @CsvSource({"DRAFT, 12", "DRAFT, 20", "DRAFT, 40", "GAME, 12", "GAME, 40", "FINE, 20"})
-    void straightBridgeGainsNoEnergy(Presets preset, int planks) {
+    @CsvSource({
+        "DRAFT, 12", "DRAFT, 20", "DRAFT, 40", "DRAFT, 60",
+        "GAME, 12", "GAME, 40", "GAME, 60", "FINE, 20"
+    })
+    void straightBridgeStaysClosedAndGainsNoEnergy(Presets preset, int planks) {
         Pool pool = new Pool(JointScenes.ROUGH_EARTH, preset.accuracy);
         double left = -0.25 * planks;
         RigidBody before = pool.add(BodyDefinition.fixed(new Circle(0.05)).at(left - 0.05, 8));
@@ -125,7 +130,7 @@ class JointCrowdsTest {
             double x = left / 2 + 1.01 * i;
             pool.add(BodyDefinition.dynamic(new Circle(0.25)).at(x, 10));
         }
-        run(pool, 120);
+        assertThat(run(pool, 120)).isLessThan(2.5e-3);
     }
 
     /**

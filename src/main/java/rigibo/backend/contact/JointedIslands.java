@@ -109,10 +109,11 @@ final class JointedIslands {
 
     private void advanceAndStore(int island, double dt) {
         int substeps = substepsFor(island, dt);
+        boolean wasTaut = joints.needed.isTaut();
         advance(island, dt, substeps);
         joints.tell(dt);
         int wanted = substepsFor(island, dt);
-        if (wanted > MORE * substeps) {
+        if (wanted > MORE * substeps || joints.needed.isTaut() && !wasTaut) {
             // An island that became taut within the step oscillates faster than its substeps
             // resolve.
             advance(island, dt, wanted);
@@ -129,8 +130,8 @@ final class JointedIslands {
     private int substepsFor(int island, double dt) {
         boolean areMany = joints.areCrowd(island);
         int most = accuracy.substeps();
-        int usual = areMany ? fewer.byWay(island, dt, most) : joints.substepsFor(island, dt, most);
-        boolean isTaut = !areMany && joints.isTaut();
+        int usual = areMany ? fewer.byWay(island, dt, most) : joints.needed.of(island, dt, most);
+        boolean isTaut = !areMany && joints.needed.isTaut();
         int needed = isTaut ? fewer.byWay(island, dt, MORE_IF_TAUT * most) : usual;
         return declared.substepsFor(island, dt, needed);
     }
@@ -144,7 +145,7 @@ final class JointedIslands {
         boolean isWhole = joints.isWhole();
         int slow = isWhole ? usual : fewer.byWay(island, dt, accuracy.substeps());
         int fewest = Math.min(usual, declared.substepsFor(island, dt, slow));
-        int substeps = isWhole ? joints.substepsForSprings(dt, fewest) : fewest;
+        int substeps = isWhole ? joints.needed.forSprings(dt, fewest) : fewest;
         if (substeps != usual) {
             packFor(island, dt / substeps / 2, substeps);
         }
@@ -162,7 +163,7 @@ final class JointedIslands {
      */
     private int plainSubsteps(int island, double dt, int packed) {
         int byWay = declared.areAnyContacts() ? fewer.byWay(island, dt, packed) : 1;
-        return joints.plainSubsteps(island, dt, byWay, packed);
+        return joints.needed.plain(island, dt, byWay, packed);
     }
 
     /** Advances an island from its stored state, without storing the result. */
@@ -170,7 +171,7 @@ final class JointedIslands {
         int packed = pack(island, dt, usual);
         int substeps = plainSubsteps(island, dt, packed);
         // A composed substep has a stage back in time, in which drag would accelerate bodies.
-        boolean isFree = stages.mayCompose() && !kick.isForced() && !joints.isTaut();
+        boolean isFree = stages.mayCompose() && !kick.isForced() && !joints.needed.isTaut();
         boolean mayCompose =
                 substeps == packed && isFree && joints.areHeldByEquations(2 * dt / packed);
         if (mayCompose) {
@@ -179,7 +180,7 @@ final class JointedIslands {
             // them.
             boolean isTurning = declared.areAnyContacts() && !islands.areJoined(island);
             int most = isTurning ? packed : (packed + 1) / 2;
-            substeps = joints.composedSubsteps(island, dt, most);
+            substeps = joints.needed.composed(island, dt, most);
             stages.beginComposed();
         } else {
             stages.begin();

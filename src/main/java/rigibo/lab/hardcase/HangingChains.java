@@ -20,6 +20,9 @@ import java.util.SplittableRandom;
  */
 final class HangingChains {
 
+    /** As of every pendulum (J1). */
+    private static final Limits SWING = Limits.of(1e-3, 1e-6);
+
     private static final Limits STRETCH = Limits.of(1e-3, 1e-6);
     private static final Limits REACTION = Limits.of(1e-2, 1e-6);
     private static final Limits MOMENT = Limits.of(2e-2, 1e-4);
@@ -184,6 +187,8 @@ final class HangingChains {
             before = link;
         }
         double mass = before.mass();
+        double height = (ratio + links / 2.0) * links * length * (1 - Math.cos(angle));
+        double swing = mass * Trial.GRAVITY * height;
         RigidBody bob =
                 pool.add(
                         BodyDefinition.dynamic(new Circle(length / 2))
@@ -191,8 +196,13 @@ final class HangingChains {
                                 .mass(ratio * mass)
                                 .group(1));
         pool.join(RevoluteJoint.at(before, bob, bob.x(), bob.y()));
+        double start = pool.energy();
         while (pool.time() < 3) {
             pool.step();
+            if (angle > 0) {
+                double off = Math.abs(pool.energy() - start) / swing;
+                trial.measure("energy of the swing", off, "of its own", SWING);
+            }
             double stretch = Math.hypot(bob.x(), bob.y()) / (links * length) - 1;
             trial.measure("stretch", Math.max(0, stretch), "of length", STRETCH);
             JointCase.measureErrors(trial, pool);

@@ -11,13 +11,15 @@ import rigibo.backend.setup.Filter;
 import java.util.function.Consumer;
 
 /**
- * A case of joints: DRAFT is held to what is true in every case alone.
+ * A case of joints: as a rule DRAFT is held to what is true in every case alone.
  *
  * @param row of the catalogue
  * @param title what is true of it, as a sentence
+ * @param limitedFrom the fastest preset that is held to the case's own limits
  * @param scenes simulates every variant
  */
-record JointCase(String row, String title, Consumer<Trial> scenes) implements HardCase {
+record JointCase(String row, String title, Preset limitedFrom, Consumer<Trial> scenes)
+        implements HardCase {
 
     /** Most that what a joint holds may be off, m. */
     static final Limits ERROR = Limits.of(1e-4, 1e-9);
@@ -31,9 +33,8 @@ record JointCase(String row, String title, Consumer<Trial> scenes) implements Ha
     private static final Effects EARTH = Surroundings.earth().with(new Joints());
     private static final Effects SPACE = EARTH.without(Gravity.class);
 
-    @Override
-    public Preset limitedFrom() {
-        return Preset.GAME;
+    JointCase(String row, String title, Consumer<Trial> scenes) {
+        this(row, title, Preset.GAME, scenes);
     }
 
     @Override

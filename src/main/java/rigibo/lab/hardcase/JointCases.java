@@ -32,6 +32,7 @@ final class JointCases {
     static List<HardCase> open() {
         List<HardCase> cases = new ArrayList<>(JointCrowd.each());
         cases.add(HangingChains.bridge());
+        cases.add(TautBridges.loaded());
         return cases;
     }
 }

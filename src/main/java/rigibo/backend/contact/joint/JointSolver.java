@@ -8,8 +8,6 @@ import rigibo.backend.contact.row.RowBuilder;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.SolveMethod;
 import rigibo.backend.storage.DataStorage;
-import rigibo.backend.storage.Islands;
-import rigibo.backend.storage.JointStore;
 
 /**
  * Solves the joints of an island, with its contacts, for one substep after the other: velocities in
@@ -37,60 +35,11 @@ public final class JointSolver {
 
     private static final double HARDLY = 1e-3;
 
-    /** Work of contacts and equations that is round-off, as a share of the energy of motion. */
-    private static final double MOST_WORK = 1e-6;
-
-    /** Most work of equations in a kick whose places are held, as a share of the energy. */
-    private static final double MOST_WORK_OF_TURNING = 0.1;
-
-    /** Most work where Newton's steps do not reach the places: turning does not explain it. */
-    private static final double MOST_WORK_IF_MISSED = 1e-4;
-
-    /** Multiplications that one elimination is worth, and from EXACT on. */
-    private static final double WORTH = 1e6;
-
-    private static final double WORTH_IF_EXACT = 1e8;
-
-    /**
-     * Eliminations of all rows that an island is worth in a substep, and of the largest size in a
-     * step; what takes more is left to passes. Newton's steps take some ten; what takes fifty tries
-     * sets of rows that contradict each other.
-     */
-    private static final double ELIMINATIONS = 64;
-
-    private static final double LARGEST_ELIMINATIONS = 32;
-
-    /** Multiplications in a step that a small island is worth, whatever one elimination takes. */
-    private static final double LEAST_WORTH = 1e6;
-
-    /** Rows that passes solve in a step, unless that leaves a substep fewer than so many passes. */
-    private static final int SOLVES = 1_000_000;
-
-    private static final int LEAST_PASSES = 8;
-
-    /** Rows up to which an island whose contacts may open and close is eliminated. */
-    private static final int MOST_ROWS = 400;
-
-    /** Rows with bounds up to which it is: more of them enter and leave the set without an end. */
-    private static final int MOST_BOUNDED = 60;
-
-    /** Rows of a contact or a joint, at least, as a rule. */
-    private static final int LEAST_ROWS = 2;
-
-    /**
-     * Rows of an island that is small: its impacts are at their time, and what its equations do in
-     * a kick is not held against it. In larger ones rows that contradict each other are common.
-     */
-    private static final int FEW_ROWS = 150;
-
-    /** Rows times impacts that an island is worth in a substep. */
-    private static final int STRUCK_ROWS = 1000;
-
-    /** Passes over rows in a substep for each substep of a step. */
-    private static final int PASSES_PER_SUBSTEP = 20;
-
     /** What stops are there, which of them are watched, and what happens when they are reached. */
     private final Stops stops;
+
+    /** How many substeps islands need. */
+    public final JointSubsteps needed;
 
     public final Strikes strikes;
     public final JointImpacts impacts;
@@ -118,24 +67,14 @@ public final class JointSolver {
     public final RowOverlap lockedOverlap;
 
     private final int substeps;
+    private final JointBudget budget;
+    private final AllowedWork allowed;
 
     /** Whether the packed island has anything that only pushes. */
     private boolean haveStops;
 
     /** Whether all rows are written where bodies are, without contacts: nothing has moved since. */
     private boolean areWritten;
-
-    private int mostStrikes;
-
-    private boolean isSmall;
-
-    /** Passes over the island's rows in a substep. */
-    private int mostPasses;
-
-    private final double worth;
-
-    /** Whether the island is small enough to be eliminated. */
-    private boolean isWhole;
 
     /** How long the last kick was, s, and the next one as a share of it. */
     private double kicked;
@@ -148,20 +87,8 @@ public final class JointSolver {
     /** The last kick when it was kept, s. */
     private double keptKick;
 
-    private final TautSubsteps taut;
     private final TautInertia inertia;
-
-    /** Whether tautness may be answered by inertia at this accuracy. */
-    private final boolean mayStiffen;
-
-    /** Whether the island trembles faster than its substeps follow. */
-    private boolean isTaut;
-
-    private final ComposedSubsteps composed;
-    private final SpringSubsteps springs;
     private final double tolerance;
-    private final Islands islands;
-    private final JointStore store;
 
     public JointSolver(
             DataStorage data,
@@ -207,13 +134,13 @@ public final class JointSolver {
                         poses,
                         elimination,
                         accuracy.impactTolerance());
-        taut = new TautSubsteps(data);
         inertia = new TautInertia(data, motions, packed, poses);
-        composed = new ComposedSubsteps(data, motions, rows, jointRows, packed, taut, accuracy);
         results = new JointResults(data, packed, rows);
-        islands = data.islands;
-        store = data.jointsOrNone();
-        springs = new SpringSubsteps(store, rows, packed, accuracy);
+        budget = new JointBudget(data, rows, elimination, accuracy);
+        allowed = new AllowedWork(motions, work);
+        needed =
+                new JointSubsteps(
+                        data, motions, rows, jointRows, packed, contactRows, budget, accuracy);
         tolerance = accuracy.impactTolerance();
         crowd =
                 new CrowdSolver(
@@ -246,61 +173,12 @@ public final class JointSolver {
                         elimination,
                         solver,
                         results);
-        mayStiffen = tolerance >= Accuracy.GAME.impactTolerance();
         substeps = accuracy.substeps();
-        boolean isLimited = substeps < Accuracy.EXACT.substeps();
-        worth = isLimited ? WORTH : WORTH_IF_EXACT;
     }
 
     /** Whether an island is too large for its contacts and limits to be eliminated. */
     public boolean areCrowd(int island) {
-        int contactCount = islands.pairStart[island + 1] - islands.pairStart[island];
-        int jointCount = islands.jointStart[island + 1] - islands.jointStart[island];
-        int bounded = LEAST_ROWS * contactCount;
-        for (int i = islands.jointStart[island]; i < islands.jointStart[island + 1]; i++) {
-            int slot = islands.joints[i];
-            boolean isLimited =
-                    store.lower[slot] > Double.NEGATIVE_INFINITY
-                            || store.upper[slot] < Double.POSITIVE_INFINITY;
-            bounded += (isLimited ? 1 : 0) + (store.motorMost[slot] > 0 ? 1 : 0);
-        }
-        boolean areMany = LEAST_ROWS * (contactCount + jointCount) > MOST_ROWS;
-        return contactCount > 0 && (areMany || bounded > MOST_BOUNDED);
-    }
-
-    /**
-     * How many substeps an island needs for a step of dt seconds, usually as usual; so many as well
-     * where it is too taut for any.
-     */
-    public int substepsFor(int island, double dt, int usual) {
-        isTaut = mayStiffen && taut.isBeyond(island, dt, usual);
-        return isTaut ? usual : taut.count(island, dt, usual);
-    }
-
-    /** How many substeps the springs of the packed island need for a step of dt seconds. */
-    public int substepsForSprings(double dt, int usual) {
-        return springs.count(dt, usual);
-    }
-
-    /**
-     * How many substeps of the fourth order the packed island needs for a step of dt seconds, which
-     * is given so many at most; where something touches, it gets them all.
-     */
-    public int composedSubsteps(int island, double dt, int most) {
-        return contactRows.areAny() ? most : composed.count(island, dt, most);
-    }
-
-    /**
-     * How many substeps that are not composed the packed island needs, at least so many; as many as
-     * there may be where it needs more, or is not eliminated as a whole.
-     */
-    public int plainSubsteps(int island, double dt, int least, int most) {
-        return isWhole ? composed.countPlainly(island, dt, least, most) : most;
-    }
-
-    /** Whether the island that was asked for last is too taut for any number of substeps. */
-    public boolean isTaut() {
-        return isTaut;
+        return budget.areCrowd(island);
     }
 
     /** Begins substeps of h seconds of the packed island. */
@@ -313,7 +191,7 @@ public final class JointSolver {
         boolean areMany = areCrowd(island);
         packed.pack(island, firstKick);
         inertia.begin();
-        isTaut &= !areMany;
+        needed.begin(areMany);
         strikes.watchNothing();
         stops.begin(2 * firstKick);
         places.begin();
@@ -324,29 +202,10 @@ public final class JointSolver {
             haveStops |= stops.isStop(row);
         }
         contactRows.write(2 * firstKick, 0);
-        isSmall = rows.count <= FEW_ROWS;
-        mostStrikes = isSmall ? STRUCK_ROWS / Math.max(1, rows.count) : 0;
-        double one = isTiny(substepsOfIsland) ? 0 : elimination.workOfAll();
-        isWhole = !areMany && one <= worth;
-        double eliminations = ELIMINATIONS * one * substepsOfIsland;
-        double least = isSmall ? LEAST_WORTH : 0;
-        double most = Math.min(LARGEST_ELIMINATIONS * worth, Math.max(least, eliminations));
-        elimination.beginIsland(most);
+        budget.begin(areMany, substepsOfIsland);
         passes.begin();
         crowd.beginIsland(substeps, substepsOfIsland);
-        int affordable = SOLVES / (substepsOfIsland * Math.max(1, rows.count));
-        mostPasses = Math.max(LEAST_PASSES, Math.min(PASSES_PER_SUBSTEP * substeps, affordable));
         kicked = firstKick;
-    }
-
-    /**
-     * Whether the packed island is worth more than all of its eliminations could take, however its
-     * rows are ordered: then that need not be known.
-     */
-    private boolean isTiny(int substepsOfIsland) {
-        double n = rows.count;
-        double most = n * (n + 1) * (2 * n + 1) / 12;
-        return isSmall && ELIMINATIONS * most * substepsOfIsland <= LEAST_WORTH;
     }
 
     /** Multiplications that eliminations of the packed island took. */
@@ -361,12 +220,12 @@ public final class JointSolver {
 
     /** How the packed island is solved. */
     public SolveMethod method() {
-        return isWhole ? SolveMethod.ELIMINATION : SolveMethod.PASSES;
+        return budget.isWhole() ? SolveMethod.ELIMINATION : SolveMethod.PASSES;
     }
 
     /** Whether the packed island is eliminated, not passed over. */
     public boolean isWhole() {
-        return isWhole && !elimination.isSpent();
+        return budget.isWhole() && !elimination.isSpent();
     }
 
     /**
@@ -377,7 +236,7 @@ public final class JointSolver {
         poses.take(0);
         writeRows(h, h);
         areWritten = !contactRows.areAny();
-        boolean areEquations = isWhole && !jointRows.areAnyStiff();
+        boolean areEquations = budget.isWhole() && !jointRows.areAnyStiff();
         for (int row = 0; areEquations && row < rows.count; row++) {
             areEquations =
                     rows.isEquation(row) || rows.lower[row] == rows.upper[row] || stops.isStop(row);
@@ -390,7 +249,7 @@ public final class JointSolver {
      * none in a crowd, whose stops are solved as they are reached.
      */
     public int mostStrikes() {
-        return mostStrikes;
+        return budget.mostStrikes();
     }
 
     /**
@@ -398,7 +257,7 @@ public final class JointSolver {
      * are followed from substep to substep as well.
      */
     public boolean areImpactsTimed() {
-        return isWhole && isSmall;
+        return budget.isWhole() && budget.isSmall();
     }
 
     /** Whether there is anything that only pushes: a limit, a rope, a contact. */
@@ -454,7 +313,7 @@ public final class JointSolver {
      * which they drift for h.
      */
     public void write(double kick, double h) {
-        write(kick, h, isWhole);
+        write(kick, h, budget.isWhole());
     }
 
     /** Writes them likewise before a kick after which nothing drifts. */
@@ -466,9 +325,9 @@ public final class JointSolver {
     private void write(double kick, double h, boolean mayAnswer) {
         share = kicked == 0 ? 0 : kick / kicked;
         poses.take(0);
-        if (isTaut && mayAnswer && kicked > 0) {
+        if (needed.isTaut() && mayAnswer && kicked > 0) {
             inertia.stiffen(kicked, h);
-        } else if (isTaut) {
+        } else if (needed.isTaut()) {
             inertia.release();
         }
         kicked = kick;
@@ -486,15 +345,18 @@ public final class JointSolver {
     /** Begins a part of h seconds whose rows are written, before its kick. */
     public void begin(double h) {
         before = motions.fastest();
-        isWhole &= !elimination.isSpent();
-        if (!isWhole) {
+        if (!needed.isTaut()) {
+            // What is too taut has no better answer in a crowd: contacts are passed over here.
+            budget.review();
+        }
+        if (!budget.isWhole()) {
             crowd.begin(h, share);
         }
     }
 
     /** Notes how bodies move after the kick, before they get what contacts carried. */
     public void takeFree() {
-        if (!isWhole) {
+        if (!budget.isWhole()) {
             crowd.takeFree();
         }
     }
@@ -504,7 +366,7 @@ public final class JointSolver {
      * seconds.
      */
     public void solve(double h, int substep, double fastest, double noise) {
-        if (!isWhole) {
+        if (!budget.isWhole()) {
             crowd.solve(h, substep, fastest, noise);
             crowd.holdPlaces(h);
             results.add();
@@ -515,13 +377,13 @@ public final class JointSolver {
         work.begin();
         solver.beginAsBefore(packed, share);
         boolean isSolved = solver.solve(settled);
-        if (isTaut) {
+        if (needed.isTaut()) {
             // Kicks along the rows of the start would tremble against what inertia has answered.
             places.leave();
         } else {
-            places.hold(h, settled, contactRows.carry(), isSmall);
+            places.hold(h, settled, contactRows.carry(), budget.isSmall());
         }
-        boolean isGained = gains(noise);
+        boolean isGained = allowed.isExceeded(places.areHeld(), noise);
         if (isGained && !contactRows.areAny()) {
             places.release();
         }
@@ -535,33 +397,18 @@ public final class JointSolver {
      */
     private void secure(boolean isSolved, double settled) {
         boolean mayDoWork = contactRows.areAny() || elimination.isSpent();
-        if (mayDoWork && !(isSolved && done() <= MOST_WORK * energy())) {
+        if (mayDoWork && !(isSolved && allowed.isNone(budget.isSmall()))) {
             work.takeBack();
             work.rest();
-            passes.run(mostPasses, settled);
+            passes.run(budget.mostPasses(), settled);
             solver.holdEquations();
         }
-    }
-
-    /** Whether what holds places has done more work than turning takes and gives in a kick. */
-    private boolean gains(double noise) {
-        double share = places.areHeld() ? MOST_WORK_OF_TURNING : MOST_WORK_IF_MISSED;
-        return !(work.sum() <= share * (energy() + noise));
-    }
-
-    /** J that rows have done which may do no work. */
-    private double done() {
-        return isSmall ? Math.min(work.sum(), work.sumOfStops()) : work.sum();
     }
 
     /** Speed that may be left unsolved, m/s, where the fastest body goes so fast after a kick. */
     private double settled(double fastest) {
         boolean isSlow = before < HARDLY * fastest;
         return (isSlow ? FINER : 1) * SETTLED * tolerance * fastest;
-    }
-
-    private double energy() {
-        return motions.energy(motions.data);
     }
 
     /** Solves them at the end of the last kick, after which nothing drifts. */
@@ -572,7 +419,7 @@ public final class JointSolver {
                 rows.target[row] = stops.load(row) > 0 ? 0 : -Math.max(0, rows.place[row]) / h;
             }
         }
-        if (!isWhole) {
+        if (!budget.isWhole()) {
             crowd.solve(h, substep, fastest, noise);
             results.add();
             return;
@@ -582,7 +429,7 @@ public final class JointSolver {
         work.begin();
         solver.beginAsBefore(packed, share);
         boolean isSolved = solver.solve(settled);
-        secure(isSolved && work.sum() <= MOST_WORK_IF_MISSED * (energy() + noise), settled);
+        secure(isSolved && !allowed.isExceeded(false, noise), settled);
         finish();
     }
 
@@ -593,16 +440,20 @@ public final class JointSolver {
 
     /** Whether overlap is taken back with what joints are off their places. */
     public boolean takesOverlapBack() {
-        return !isWhole;
+        return !budget.isWhole();
     }
 
     /** Takes back what joints are off their places, by moving bodies, in a substep of h seconds. */
     public void correct(double h) {
-        if (!isWhole) {
+        if (!budget.isWhole()) {
             crowd.correctOverlap(h);
             return;
         }
-        recovery.correct(h);
+        if (needed.isTaut()) {
+            recovery.correctTaut(h);
+        } else {
+            recovery.correct(h);
+        }
     }
 
     /** Tells what joints gave their bodies in a step of dt seconds. */

@@ -47,6 +47,12 @@ final class RowElimination {
 
     private boolean isFactored;
 
+    /**
+     * How many rows of the set, from the first on, are factored. A row of the factor follows from
+     * those before it alone, so that one who enters or leaves the set costs only what comes after.
+     */
+    private int factored;
+
     /** What every row gives way by, as a share of its response. */
     private double regular = NeutralRows.REGULAR;
 
@@ -101,7 +107,7 @@ final class RowElimination {
             lastOf = new int[motions.slots.length];
         }
         Arrays.fill(isIn, 0, rows.count, false);
-        isFactored = false;
+        forget();
     }
 
     /**
@@ -109,12 +115,13 @@ final class RowElimination {
      */
     void regularize(double share) {
         regular = share;
-        isFactored = false;
+        forget();
     }
 
     /** Rows have changed, but not who is in the set. */
     void forget() {
         isFactored = false;
+        factored = 0;
     }
 
     boolean isIn(int row) {
@@ -155,10 +162,15 @@ final class RowElimination {
         }
         lay();
         Arrays.fill(lastOf, 0, motions.count, NONE);
-        for (int i = 0; i < size; i++) {
+        for (int i = 0; i < factored; i++) {
+            link(i);
+        }
+        for (int i = factored; i < size; i++) {
             assemble(i);
+            link(i);
             eliminate(i);
         }
+        factored = size;
         isFactored = true;
     }
 
@@ -167,16 +179,20 @@ final class RowElimination {
         for (int i = 0; i < rows.count; i++) {
             int row = order.order[i];
             if (all || isIn[row]) {
+                if (size < factored && set[size] != row) {
+                    factored = size;
+                }
                 number[row] = size;
                 set[size++] = row;
             }
         }
+        factored = Math.min(factored, size);
     }
 
     private void layEnvelope() {
         int length = layFirsts();
         if (lower.length < length) {
-            lower = new double[2 * length];
+            lower = Arrays.copyOf(lower, 2 * length);
         }
     }
 
@@ -208,15 +224,22 @@ final class RowElimination {
             int entry = rows.body[at] / Motions.STRIDE;
             for (int other = lastOf[entry]; other != NONE; other = before[other]) {
                 int otherRow = other / NeutralRows.BODIES;
-                if (otherRow != row) {
-                    lower[start[i] + number[otherRow] - first[i]] +=
-                            rows.through(row, k, otherRow, other % NeutralRows.BODIES);
-                }
+                lower[start[i] + number[otherRow] - first[i]] +=
+                        rows.through(row, k, otherRow, other % NeutralRows.BODIES);
             }
+        }
+        pivot[i] = rows.response[row] * (1 + regular) + rows.give[row];
+    }
+
+    /** Lists a row with its bodies, for the rows after it. */
+    private void link(int i) {
+        int row = set[i];
+        for (int k = 0; k < rows.bodies[row]; k++) {
+            int at = row * NeutralRows.BODIES + k;
+            int entry = rows.body[at] / Motions.STRIDE;
             before[at] = lastOf[entry];
             lastOf[entry] = at;
         }
-        pivot[i] = rows.response[row] * (1 + regular) + rows.give[row];
     }
 
     /** With c = L·D of the row: cⱼ = Kⱼ − Σ cₖ·Lⱼₖ, then Lⱼ = cⱼ/Dⱼ and D = K − Σ cⱼ·Lⱼ. */

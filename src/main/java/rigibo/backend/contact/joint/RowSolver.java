@@ -107,24 +107,41 @@ final class RowSolver {
     void beginAsBefore(PackedJoints packed, double share) {
         start();
         boolean isIndeterminate = nearness > 0 && mayBeIndeterminate();
+        remember(packed, share);
+        for (int i = 0; isIndeterminate && i < boundedCount; i++) {
+            rows.keepNear(bounded[i], nearness);
+        }
+        carry(1);
         for (int i = 0; i < boundedCount; i++) {
-            int row = bounded[i];
-            boolean isOfJoint = rows.joint[row] != NeutralRows.NONE;
-            double before = isOfJoint ? packed.impulseOf(rows.joint[row], rows.part[row]) : 0;
-            // What contacts carried tells less than how they close: a gap of round-off is open
-            // after the last kick.
-            if (isIndeterminate) {
-                keepNear(row, isOfJoint ? share * before : rows.impulse[row]);
+            if (rows.joint[bounded[i]] == NeutralRows.NONE) {
+                // What contacts carried tells less than how they close beside what joints carried:
+                // a gap of round-off is open after the last kick.
+                place(bounded[i]);
             }
-            placeAsBefore(row, share * before);
+        }
+        carry(-1);
+        for (int i = 0; i < boundedCount; i++) {
+            if (rows.joint[bounded[i]] != NeutralRows.NONE) {
+                placeAsBefore(bounded[i], rows.before[bounded[i]]);
+            }
         }
     }
 
-    /** Lets a row carry another impulse than in the kick before only as far as it must. */
-    private void keepNear(int row, double before) {
-        double give = nearness * rows.response[row];
-        rows.give[row] += give;
-        rows.target[row] += give * before;
+    private void remember(PackedJoints packed, double share) {
+        for (int row = 0; row < rows.count; row++) {
+            boolean isOfJoint = rows.joint[row] != NeutralRows.NONE;
+            double carried = isOfJoint ? packed.impulseOf(rows.joint[row], rows.part[row]) : 0;
+            rows.before[row] = isOfJoint ? share * carried : rows.impulse[row];
+        }
+    }
+
+    /** Gives bodies so many times what joints carried before, within bounds of now. */
+    private void carry(int times) {
+        for (int row = 0; row < rows.count; row++) {
+            if (rows.joint[row] != NeutralRows.NONE) {
+                rows.apply(row, times * within(row, rows.before[row]));
+            }
+        }
     }
 
     /**

@@ -27,11 +27,17 @@ final class TautSubsteps {
     private static final int MOST_MORE_IF_TOUCHED = 4;
 
     /**
-     * Times as many substeps as usual that are worth following where something touches and accuracy
-     * is that of a game. What would take more, as a straight bridge, whose tension no force bounds,
-     * may just as well be still.
+     * Times as many substeps as usual that are worth following at the accuracy of a game where
+     * something touches, where no load explains the tension, as of a straight bridge, and in
+     * islands of many bodies. What would take more may just as well be still.
      */
     private static final int MOST_FOLLOWED = 2;
+
+    /**
+     * Times that the loads of all bodies together may pull at a joint where they explain it: a bob
+     * that goes full circle pulls by six times its weight.
+     */
+    private static final double MOST_LOADS = 8;
 
     /** Bodies of the largest island that is given more: one wild joint of a crowd costs all. */
     private static final int MOST_BODIES = 64;
@@ -60,8 +66,45 @@ final class TautSubsteps {
 
     /** Whether an island trembles faster than is worth following. */
     boolean isBeyond(int island, double dt, int usual) {
-        int most = meetsOthers(island) ? MOST_FOLLOWED : MOST_MORE;
-        return !areMany(island) && wanted(island, dt) > most * usual;
+        double wanted = wanted(island, dt);
+        if (wanted <= MOST_FOLLOWED * usual) {
+            return false;
+        }
+        boolean isFollowed = !areMany(island) && !meetsOthers(island) && !isWedged(island);
+        return !isFollowed || wanted > MOST_MORE * usual;
+    }
+
+    /**
+     * Whether an island is tauter than its loads explain: what pulls at its bodies, and what keeps
+     * them on their way round, which turns no sharper than by their own width. Then it is as long
+     * as its span, and whatever it does is what its joints are off by.
+     */
+    private boolean isWedged(int island) {
+        double strongest = 0;
+        for (int i = islands.jointStart[island]; i < islands.jointStart[island + 1]; i++) {
+            int joint = islands.joints[i];
+            if (joints.stiffness[joint] > 0 || joints.motorMost[joint] > 0) {
+                return false;
+            }
+            double force = length(joints.reactionX[joint], joints.reactionY[joint]);
+            strongest = Math.max(strongest, force);
+        }
+        double loads = 0;
+        for (int i = islands.bodyStart[island]; i < islands.bodyStart[island + 1]; i++) {
+            loads += load(islands.bodies[i]);
+        }
+        return strongest > MOST_LOADS * loads;
+    }
+
+    /** The most that pulls at a body or bends its way, N. */
+    private double load(int slot) {
+        if (!(bodies.inverseMass[slot] > 0)) {
+            return 0;
+        }
+        double x = bodies.velocityX[slot];
+        double y = bodies.velocityY[slot];
+        double pull = length(bodies.accelerationX[slot], bodies.accelerationY[slot]);
+        return (pull + (x * x + y * y) / bodies.smallestWidth[slot]) / bodies.inverseMass[slot];
     }
 
     /** Substeps that follow what trembles. */

@@ -1,0 +1,142 @@
+package rigibo.backend.contact.joint;
+
+import rigibo.backend.setup.Accuracy;
+import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.Islands;
+import rigibo.backend.storage.JointStore;
+
+/**
+ * What an island with joints is worth: whether all of its rows are eliminated and how much that may
+ * take, how many impacts are at their time, how many passes stand in where elimination fails.
+ */
+final class JointBudget {
+
+    /** Multiplications that one elimination is worth, and from EXACT on. */
+    private static final double WORTH = 1e6;
+
+    private static final double WORTH_IF_EXACT = 1e8;
+
+    /**
+     * Eliminations of all rows that an island is worth in a substep, and of the largest size in a
+     * step; what takes more is left to passes. Newton's steps take some ten; what takes fifty tries
+     * sets of rows that contradict each other.
+     */
+    private static final double ELIMINATIONS = 64;
+
+    private static final double LARGEST_ELIMINATIONS = 32;
+
+    /** Multiplications in a step that a small island is worth, whatever one elimination takes. */
+    private static final double LEAST_WORTH = 1e6;
+
+    /** Rows that passes solve in a step, unless that leaves a substep fewer than so many passes. */
+    private static final int SOLVES = 1_000_000;
+
+    private static final int LEAST_PASSES = 8;
+
+    /** Passes over rows in a substep for each substep of a step. */
+    private static final int PASSES_PER_SUBSTEP = 20;
+
+    /** Rows up to which an island whose contacts may open and close is eliminated. */
+    private static final int MOST_ROWS = 400;
+
+    /** Rows with bounds up to which it is: more of them enter and leave the set without an end. */
+    private static final int MOST_BOUNDED = 60;
+
+    /** Rows of a contact or a joint, at least, as a rule. */
+    private static final int LEAST_ROWS = 2;
+
+    /**
+     * Rows of an island that is small: its impacts are at their time, and what its equations do in
+     * a kick is not held against it. In larger ones rows that contradict each other are common.
+     */
+    private static final int FEW_ROWS = 150;
+
+    /** Rows times impacts that an island is worth in a substep. */
+    private static final int STRUCK_ROWS = 1000;
+
+    private final Islands islands;
+    private final JointStore joints;
+    private final NeutralRows rows;
+    private final RowElimination elimination;
+    private final int substeps;
+    private final double worth;
+
+    private boolean isSmall;
+    private boolean isWhole;
+    private int mostStrikes;
+    private int mostPasses;
+
+    JointBudget(DataStorage data, NeutralRows rows, RowElimination elimination, Accuracy accuracy) {
+        islands = data.islands;
+        joints = data.jointsOrNone();
+        this.rows = rows;
+        this.elimination = elimination;
+        substeps = accuracy.substeps();
+        worth = substeps < Accuracy.EXACT.substeps() ? WORTH : WORTH_IF_EXACT;
+    }
+
+    /** Whether an island is too large for its contacts and limits to be eliminated. */
+    boolean areCrowd(int island) {
+        int contactCount = islands.pairStart[island + 1] - islands.pairStart[island];
+        int jointCount = islands.jointStart[island + 1] - islands.jointStart[island];
+        int bounded = LEAST_ROWS * contactCount;
+        for (int i = islands.jointStart[island]; i < islands.jointStart[island + 1]; i++) {
+            int slot = islands.joints[i];
+            boolean isLimited =
+                    joints.lower[slot] > Double.NEGATIVE_INFINITY
+                            || joints.upper[slot] < Double.POSITIVE_INFINITY;
+            bounded += (isLimited ? 1 : 0) + (joints.motorMost[slot] > 0 ? 1 : 0);
+        }
+        boolean areMany = LEAST_ROWS * (contactCount + jointCount) > MOST_ROWS;
+        return contactCount > 0 && (areMany || bounded > MOST_BOUNDED);
+    }
+
+    /** Begins an island whose rows are written, a crowd or not, for so many substeps of its own. */
+    void begin(boolean areMany, int substepsOfIsland) {
+        isSmall = rows.count <= FEW_ROWS;
+        mostStrikes = isSmall ? STRUCK_ROWS / Math.max(1, rows.count) : 0;
+        double one = isTiny(substepsOfIsland) ? 0 : elimination.workOfAll();
+        isWhole = !areMany && one <= worth;
+        double eliminations = ELIMINATIONS * one * substepsOfIsland;
+        double least = isSmall ? LEAST_WORTH : 0;
+        double most = Math.min(LARGEST_ELIMINATIONS * worth, Math.max(least, eliminations));
+        elimination.beginIsland(most);
+        int affordable = SOLVES / (substepsOfIsland * Math.max(1, rows.count));
+        mostPasses = Math.max(LEAST_PASSES, Math.min(PASSES_PER_SUBSTEP * substeps, affordable));
+    }
+
+    /**
+     * Whether the island is worth more than all of its eliminations could take, however its rows
+     * are ordered: then that need not be known.
+     */
+    private boolean isTiny(int substepsOfIsland) {
+        double n = rows.count;
+        double most = n * (n + 1) * (2 * n + 1) / 12;
+        return isSmall && ELIMINATIONS * most * substepsOfIsland <= LEAST_WORTH;
+    }
+
+    /** Gives an elimination up that has taken all that the island is worth. */
+    void review() {
+        isWhole &= !elimination.isSpent();
+    }
+
+    /** Whether the island is small enough to be eliminated, and was as of the last review. */
+    boolean isWhole() {
+        return isWhole;
+    }
+
+    /** Whether its impacts may be at their time, and its equations do work in a kick. */
+    boolean isSmall() {
+        return isSmall;
+    }
+
+    /** Impacts in a substep that are at their time. */
+    int mostStrikes() {
+        return mostStrikes;
+    }
+
+    /** Passes over the island's rows in a substep. */
+    int mostPasses() {
+        return mostPasses;
+    }
+}
