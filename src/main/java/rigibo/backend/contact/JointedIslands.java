@@ -113,7 +113,7 @@ final class JointedIslands {
         advance(island, dt, substeps);
         joints.tell(dt);
         int wanted = substepsFor(island, dt);
-        if (wanted > MORE * substeps || joints.needed.isTaut() && !wasTaut) {
+        if (wanted > MORE * substeps || joints.needed.isWedged() && !wasTaut) {
             // An island that became taut within the step oscillates faster than its substeps
             // resolve.
             advance(island, dt, wanted);

@@ -93,22 +93,6 @@ final class Bystanders {
         return leavesPath(slot, way) ? WEDGED * way : 0;
     }
 
-    /**
-     * How far, m, a body of a pile that moves away from a flyer stays behind its path in dt seconds
-     * if the pile stops it against what moves at (u, v) m/s; 0 within the allowance. The direction
-     * is that between the centres of mass.
-     */
-    double staysBehind(int ahead, int flyer, double u, double v, double dt) {
-        double x = bodies.x[flyer] - bodies.x[ahead];
-        double y = bodies.y[flyer] - bodies.y[ahead];
-        double recedes = (u - bodies.velocityX[ahead]) * x + (v - bodies.velocityY[ahead]) * y;
-        if (recedes <= 0) {
-            return 0;
-        }
-        double way = recedes / length(x, y) * dt;
-        return leavesPath(ahead, way) ? way : 0;
-    }
-
     private static double length(double x, double y) {
         return Math.sqrt(x * x + y * y);
     }

@@ -34,7 +34,6 @@ final class Disturbance {
     private final Pairs pairs;
     private final Trajectories paths;
     private final Bystanders bystanders;
-    private final Carriers carriers;
     private final Joining joining;
 
     /**
@@ -45,23 +44,14 @@ final class Disturbance {
     private final Found present = new Found();
     private boolean[] isWaiting = new boolean[16];
 
-    /** Flyers that have joined because they follow a body, and whose followers are yet to join. */
-    private final Found followed = new Found();
-
     /** By body: its reach in this step, m. */
     private double[] reachOf = new double[16];
 
-    Disturbance(
-            DataStorage data,
-            Trajectories paths,
-            Bystanders bystanders,
-            Carriers carriers,
-            Joining joining) {
+    Disturbance(DataStorage data, Trajectories paths, Bystanders bystanders, Joining joining) {
         bodies = data.bodies;
         pairs = data.pairs;
         this.paths = paths;
         this.bystanders = bystanders;
-        this.carriers = carriers;
         this.joining = joining;
     }
 
@@ -75,59 +65,6 @@ final class Disturbance {
         waiting.reserve(capacity);
         present.reserve(capacity);
         Arrays.fill(reachOf, 0, bodies.slots.high, 0);
-    }
-
-    /**
-     * Lets flyers join, as the step begins, that follow a body of a pile so closely that they would
-     * strike it if the pile stopped it, and then those that follow these. The path of such a flyer
-     * is free only as long as the body goes on, which the pile's solver decides.
-     */
-    void joinFollowers(double dt) {
-        followed.clear();
-        for (int i = 0; i < pairs.activeCount; i++) {
-            joinIfFollowing(pairs.active[i], dt);
-        }
-        while (followed.count > 0) {
-            int slot = followed.numbers[--followed.count];
-            for (int p = bodies.firstPair[slot]; p != Pairs.NONE; p = pairs.nextOf(p, slot)) {
-                joinIfFollowing(p, dt);
-            }
-        }
-    }
-
-    private void joinIfFollowing(int pair, double dt) {
-        int a = pairs.bodyA[pair];
-        int b = pairs.bodyB[pair];
-        if (paths.isFlyer(a) == paths.isFlyer(b)) {
-            return;
-        }
-        int flyer = paths.isFlyer(a) ? a : b;
-        int ahead = flyer == a ? b : a;
-        if (isAwakeInPile(ahead)) {
-            double u = carriers.velocityX(ahead);
-            double v = carriers.velocityY(ahead);
-            double reach = bystanders.staysBehind(ahead, flyer, u, v, dt);
-            if (reach > 0 && mayBeStopped(ahead) && bystanders.isWithinReach(pair, reach, 0, dt)) {
-                joining.join(flyer, ahead, 0, dt);
-                // Joining measures the pair again, for the paths that both are expected to take.
-                bystanders.isWithinReach(pair, reach, 0, dt);
-                followed.add(flyer);
-            }
-        }
-    }
-
-    /** Whether a body touches, or comes upon within the step, anything but flyers. */
-    private boolean mayBeStopped(int slot) {
-        for (int p = bodies.firstPair[slot]; p != Pairs.NONE; p = pairs.nextOf(p, slot)) {
-            if (pairs.points[p] > 0 && !paths.isFlyer(pairs.other(p, slot))) {
-                return true;
-            }
-        }
-        return false;
-    }
-
-    private boolean isAwakeInPile(int slot) {
-        return bodies.isDynamic(slot) && bodies.awake[slot] && !paths.isFlyer(slot);
     }
 
     /** Spreads from all contacts of piles whose bodies strike each other in a step. */
@@ -156,7 +93,8 @@ final class Disturbance {
 
     /** Records a reach (m) of a body of a pile, if it is larger than the known one. */
     void note(int slot, double reach) {
-        if (isAwakeInPile(slot) && reach > GROWN * reachOf[slot]) {
+        boolean isPiled = bodies.isDynamic(slot) && bodies.awake[slot] && !paths.isFlyer(slot);
+        if (isPiled && reach > GROWN * reachOf[slot]) {
             reachOf[slot] = reach;
             if (!isWaiting[slot]) {
                 isWaiting[slot] = true;

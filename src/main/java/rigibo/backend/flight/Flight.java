@@ -87,7 +87,7 @@ public final class Flight {
         bystanders =
                 new Bystanders(data, narrowphase, broadphase, paths, accuracy.impactTolerance());
         carriers = new Carriers(data);
-        disturbance = new Disturbance(data, paths, bystanders, carriers, this::join);
+        disturbance = new Disturbance(data, paths, bystanders, this::join);
     }
 
     /** Moves every flyer to the end of a step of {@code dt} seconds, impact by impact. */
@@ -104,7 +104,6 @@ public final class Flight {
                 predict(pair, 0, dt);
             }
         }
-        disturbance.joinFollowers(dt);
         disturbance.spreadBouncers(dt);
         while (!queue.isEmpty()) {
             double time = queue.firstTime();

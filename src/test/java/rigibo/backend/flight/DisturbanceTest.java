@@ -33,12 +33,7 @@ class DisturbanceTest {
                     Accuracy.GAME.impactTolerance());
     private final List<Integer> joined = new ArrayList<>();
     private final Disturbance disturbance =
-            new Disturbance(
-                    air.storage.data,
-                    paths,
-                    bystanders,
-                    new Carriers(air.storage.data),
-                    this::join);
+            new Disturbance(air.storage.data, paths, bystanders, this::join);
 
     private void join(int flyer, int pileBody, double time, double dt) {
         paths.land(flyer, time);

@@ -449,7 +449,7 @@ public final class JointSolver {
             crowd.correctOverlap(h);
             return;
         }
-        if (needed.isTaut()) {
+        if (needed.isWedged()) {
             recovery.correctTaut(h);
         } else {
             recovery.correct(h);

@@ -22,6 +22,9 @@ public final class JointSubsteps {
     /** Whether the island trembles faster than its substeps follow. */
     private boolean isTaut;
 
+    /** Whether it is so without a load that explains it. */
+    private boolean isWedged;
+
     JointSubsteps(
             DataStorage data,
             Motions motions,
@@ -45,6 +48,7 @@ public final class JointSubsteps {
      */
     public int of(int island, double dt, int usual) {
         isTaut = mayStiffen && taut.isBeyond(island, dt, usual);
+        isWedged = isTaut && taut.isWedged(island);
         return isTaut ? usual : taut.count(island, dt, usual);
     }
 
@@ -72,6 +76,11 @@ public final class JointSubsteps {
     /** Whether the island that was asked for last is too taut for any number of substeps. */
     public boolean isTaut() {
         return isTaut;
+    }
+
+    /** Whether it is, and no load explains that. */
+    public boolean isWedged() {
+        return isTaut && isWedged;
     }
 
     /** Begins an island that is packed; one of a crowd is passed over, however taut it is. */

@@ -111,18 +111,14 @@ final class RowSolver {
         for (int i = 0; isIndeterminate && i < boundedCount; i++) {
             rows.keepNear(bounded[i], nearness);
         }
-        carry(1);
         for (int i = 0; i < boundedCount; i++) {
-            if (rows.joint[bounded[i]] == NeutralRows.NONE) {
-                // What contacts carried tells less than how they close beside what joints carried:
-                // a gap of round-off is open after the last kick.
-                place(bounded[i]);
-            }
-        }
-        carry(-1);
-        for (int i = 0; i < boundedCount; i++) {
-            if (rows.joint[bounded[i]] != NeutralRows.NONE) {
-                placeAsBefore(bounded[i], rows.before[bounded[i]]);
+            int row = bounded[i];
+            if (rows.joint[row] == NeutralRows.NONE) {
+                // The load before tells less of a contact than how it closes: after the last kick
+                // its gap is open by round-off.
+                place(row);
+            } else {
+                placeAsBefore(row, rows.before[row]);
             }
         }
     }
@@ -132,15 +128,6 @@ final class RowSolver {
             boolean isOfJoint = rows.joint[row] != NeutralRows.NONE;
             double carried = isOfJoint ? packed.impulseOf(rows.joint[row], rows.part[row]) : 0;
             rows.before[row] = isOfJoint ? share * carried : rows.impulse[row];
-        }
-    }
-
-    /** Gives bodies so many times what joints carried before, within bounds of now. */
-    private void carry(int times) {
-        for (int row = 0; row < rows.count; row++) {
-            if (rows.joint[row] != NeutralRows.NONE) {
-                rows.apply(row, times * within(row, rows.before[row]));
-            }
         }
     }
 

@@ -79,7 +79,7 @@ final class TautSubsteps {
      * them on their way round, which turns no sharper than by their own width. Then it is as long
      * as its span, and whatever it does is what its joints are off by.
      */
-    private boolean isWedged(int island) {
+    boolean isWedged(int island) {
         double strongest = 0;
         for (int i = islands.jointStart[island]; i < islands.jointStart[island + 1]; i++) {
             int joint = islands.joints[i];
