@@ -36,8 +36,8 @@ final class FarPiles implements HardCase {
 
     @Override
     public String finding() {
-        return "A pyramid that falls together is pushed out of overlap with energy from nothing, at"
-                + " EXACT more than its limit, where it stands as well as far away.";
+        return "Far away places are coarser, so that a pyramid settles in another way and may take"
+                + " more work until it rests; why twice as much is not known.";
     }
 
     @Override

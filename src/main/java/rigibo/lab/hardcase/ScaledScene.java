@@ -36,12 +36,6 @@ final class ScaledScene implements HardCase {
     }
 
     @Override
-    public String finding() {
-        return "A pyramid that falls together gains more energy in a step at EXACT than its limit,"
-                + " at every scale.";
-    }
-
-    @Override
     public void run(Trial trial) {
         scenes(trial.sampling())
                 .forEach(

@@ -79,8 +79,8 @@ final class SettlingPyramid implements HardCase {
 
     @Override
     public String finding() {
-        return "Storeys that land at the same time are pushed out of overlap, and the"
-                + " pushes of many storeys add up to a throw.";
+        return "When a pyramid that calms down goes from several substeps to one, its kick begins"
+                + " with longer impulses than the last one had, and passes leave part of them.";
     }
 
     @Override
