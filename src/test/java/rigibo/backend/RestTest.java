@@ -326,9 +326,9 @@ class RestTest {
     }
 
     /**
-     * What is left of an overlap goes down by a share in each step, without an end. Once so little
-     * of it is taken back in a step that the box counts as still, nothing is solved any more,
-     * however long the step is.
+     * Each step removes a share of an overlap, so that some of it always remains. Once a step
+     * removes so little that the box counts as still, the island is not solved any more, whatever
+     * the length of the step.
      */
     @ParameterizedTest
     @ValueSource(ints = {15, 30, 60, 120, 240, 1000})

@@ -5,13 +5,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-import rigibo.backend.effect.Contacts;
-import rigibo.backend.effect.ContinuousImpacts;
-import rigibo.backend.effect.Effects;
-import rigibo.backend.effect.Friction;
-import rigibo.backend.effect.Gravity;
-import rigibo.backend.effect.Restitution;
-import rigibo.backend.effect.Rotation;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.BodyDefinition;
@@ -19,15 +12,6 @@ import rigibo.backend.setup.Material;
 
 /** Pyramids built with equal vertical gaps, whose storeys land on each other. */
 class SettlingPyramidTest {
-
-    private static final Effects EFFECTS =
-            Effects.of(
-                    new Gravity(0, -9.81),
-                    new Contacts(),
-                    new Rotation(),
-                    new Friction(),
-                    new Restitution(),
-                    new ContinuousImpacts());
 
     /**
      * Share of the energy at the start that a step may gain at {@code EXACT}: what is lifted out of
@@ -39,7 +23,7 @@ class SettlingPyramidTest {
     @ParameterizedTest
     @CsvSource({"4, 0.01", "5, 0.003", "6, 0.01", "6, 0.005", "6, 0.015", "6, 0.02"})
     void storeysThatLandGainNoEnergy(int base, double gap) {
-        Pool pool = new Pool(EFFECTS, Accuracy.EXACT);
+        Pool pool = new Pool(Scenes.usualWithoutSleep(), Accuracy.EXACT);
         Material stone = new Material(1, 0.6, 0.1);
         pool.add(BodyDefinition.fixed(Polygon.box(40, 2)).at(0, -1).material(stone));
         for (int row = 0; row < base; row++) {

@@ -368,7 +368,7 @@ public final class Rounds {
     void takeOverlapBack(double h, int substep) {
         if (isCorrecting && overlap.isJammed()) {
             overlap.partJammed(h, substep);
-        } else if (isCorrecting && overlap.isAnyDeep(substep)) {
+        } else if (isCorrecting && overlap.findDeep(substep)) {
             overlap.begin();
             direct.correct(h, substep);
             overlap.correct(h, substep);

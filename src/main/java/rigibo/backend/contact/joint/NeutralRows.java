@@ -49,9 +49,6 @@ final class NeutralRows {
     /** N·s, or N·m·s. */
     double[] impulse = new double[32];
 
-    /** What it carried in the kick before, for as long as this one is, N·s or N·m·s. */
-    double[] before = new double[32];
-
     double[] lower = new double[32];
     double[] upper = new double[32];
 
@@ -120,7 +117,6 @@ final class NeutralRows {
         int row = count++;
         bodies[row] = 0;
         impulse[row] = 0;
-        before[row] = 0;
         lower[row] = Double.NEGATIVE_INFINITY;
         upper[row] = Double.POSITIVE_INFINITY;
         target[row] = 0;
@@ -144,7 +140,6 @@ final class NeutralRows {
         body = Arrays.copyOf(body, capacity * BODIES);
         derivative = Arrays.copyOf(derivative, capacity * DERIVATIVES);
         impulse = Arrays.copyOf(impulse, capacity);
-        before = Arrays.copyOf(before, capacity);
         lower = Arrays.copyOf(lower, capacity);
         upper = Arrays.copyOf(upper, capacity);
         target = Arrays.copyOf(target, capacity);
@@ -273,16 +268,6 @@ final class NeutralRows {
     /** How far a row is from what it asks for, m/s or rad/s. */
     double residual(int row) {
         return speed(row) + give[row] * impulse[row] - target[row];
-    }
-
-    /**
-     * Lets a row carry another impulse than in the kick before only as far as it must: for a share
-     * of the speed that the change would give it.
-     */
-    void keepNear(int row, double nearness) {
-        double slow = nearness * response[row];
-        give[row] += slow;
-        target[row] += slow * before[row];
     }
 
     /** Adds to a row's impulse, and gives its bodies the change. */

@@ -107,28 +107,31 @@ final class RowSolver {
     void beginAsBefore(PackedJoints packed, double share) {
         start();
         boolean isIndeterminate = nearness > 0 && mayBeIndeterminate();
-        remember(packed, share);
-        for (int i = 0; isIndeterminate && i < boundedCount; i++) {
-            rows.keepNear(bounded[i], nearness);
-        }
         for (int i = 0; i < boundedCount; i++) {
             int row = bounded[i];
-            if (rows.joint[row] == NeutralRows.NONE) {
+            boolean isOfJoint = rows.joint[row] != NeutralRows.NONE;
+            double before =
+                    isOfJoint
+                            ? share * packed.impulseOf(rows.joint[row], rows.part[row])
+                            : rows.impulse[row];
+            if (isIndeterminate) {
+                keepNear(row, before);
+            }
+            if (isOfJoint) {
+                placeAsBefore(row, before);
+            } else {
                 // The load before tells less of a contact than how it closes: after the last kick
                 // its gap is open by round-off.
                 place(row);
-            } else {
-                placeAsBefore(row, rows.before[row]);
             }
         }
     }
 
-    private void remember(PackedJoints packed, double share) {
-        for (int row = 0; row < rows.count; row++) {
-            boolean isOfJoint = rows.joint[row] != NeutralRows.NONE;
-            double carried = isOfJoint ? packed.impulseOf(rows.joint[row], rows.part[row]) : 0;
-            rows.before[row] = isOfJoint ? share * carried : rows.impulse[row];
-        }
+    /** Lets the impulse of a row differ from that of the kick before only as far as it must. */
+    private void keepNear(int row, double before) {
+        double give = nearness * rows.response[row];
+        rows.give[row] += give;
+        rows.target[row] += give * before;
     }
 
     /**

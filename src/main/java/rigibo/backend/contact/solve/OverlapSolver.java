@@ -103,8 +103,7 @@ public final class OverlapSolver {
      * and back. Together they part two bodies no faster than a single pass may.
      */
     public void correctInPasses(double h, int substep, int passes) {
-        findDeep(substep);
-        if (deepCount > 0) {
+        if (findDeep(substep)) {
             limit.begin();
             pass(h, passes);
             endWithin(h);
@@ -117,8 +116,7 @@ public final class OverlapSolver {
             partJammed(h, substep);
             return;
         }
-        findDeep(substep);
-        if (deepCount > 0) {
+        if (findDeep(substep)) {
             begin();
             noteGround(h);
             if (raises) {
@@ -139,8 +137,7 @@ public final class OverlapSolver {
 
     /** Removes overlap in a jammed island, in a substep of h seconds. */
     public void partJammed(double h, int substep) {
-        findDeep(substep);
-        if (deepCount > 0) {
+        if (findDeep(substep)) {
             ground.begin();
             noteGround(h);
             jam.part(deep, deepCount, kept, h, substep);
@@ -166,23 +163,14 @@ public final class OverlapSolver {
         }
     }
 
-    /** Whether anything overlaps by more than may stay, of what is there in a substep. */
-    public boolean isAnyDeep(int substep) {
-        for (int row = 0; row < contacts.count; row++) {
-            if (isDeep(row) && contacts.firstSubstep[row] <= substep) {
-                return true;
-            }
-        }
-        return false;
-    }
-
     private boolean isDeep(int row) {
         double least = -kept * contacts.data[row * PackedContacts.STRIDE + PackedContacts.WIDTH];
         return motions.gap(contacts, row, 0) < least
                 || contacts.points[row] == 2 && motions.gap(contacts, row, 1) < least;
     }
 
-    private void findDeep(int substep) {
+    /** Finds the contacts that overlap by more than may stay; whether there are any. */
+    public boolean findDeep(int substep) {
         if (deep.length < contacts.count) {
             deep = new int[contacts.pair.length];
         }
@@ -192,6 +180,7 @@ public final class OverlapSolver {
                 deep[deepCount++] = row;
             }
         }
+        return deepCount > 0;
     }
 
     /**
