@@ -47,6 +47,13 @@ public final class OverlapSolver {
     /** Kept overlap in the packed island, in widths. */
     private double kept;
 
+    /**
+     * Overlap beyond it that is removed at once in the packed island, in widths. A share per
+     * substep would take dozens of steps until the rest of it is round-off, and until then the
+     * island would be solved in each of them.
+     */
+    private double last;
+
     /** Whether the packed island is jammed: calm, and with crushed bodies. */
     private boolean isJammed;
 
@@ -77,6 +84,7 @@ public final class OverlapSolver {
         raises = isCalm && isCrowd && !isJammed;
         jam.reserve();
         kept = isCalm ? Recovery.keptIfCalm(isCrowd, accuracy) : Recovery.kept(isCrowd, accuracy);
+        last = isCalm && !isCrowd ? Recovery.kept(true, accuracy) : 0;
     }
 
     /** Starts the removal of overlap in an island without joints. */
@@ -233,9 +241,9 @@ public final class OverlapSolver {
         int at = row * PackedContacts.STRIDE;
         double width = contacts.data[at + PackedContacts.WIDTH];
         double overlap = -motions.gap(contacts, row, point) - kept * width;
-        double rate = contacts.data[at + PackedContacts.RECOVERY];
-        double most = speed * width * h;
-        return overlap > 0 ? Math.min(overlap * rate * h / (1 + rate * h), most) : 0;
+        double rate = contacts.data[at + PackedContacts.RECOVERY] * h;
+        double share = overlap <= last * width ? 1 : rate / (1 + rate);
+        return overlap > 0 ? Math.min(share * overlap, speed * width * h) : 0;
     }
 
     private void correct(int row, double h, double speed) {

@@ -40,6 +40,16 @@ class OverlapSolverTest {
         assertThat(left).isCloseTo(truth, within(1e-15));
     }
 
+    /** What is left of a small pile's overlap goes at once, so that the pile rests. */
+    @Test
+    void calmFewLoseTheLastAtOnce() {
+        double kept = Recovery.KEPT_OVERLAP;
+        assertThat(left(FEW, 0.9e-3, Accuracy.GAME, true)).isCloseTo(kept, within(1e-15));
+        assertThat(left(FEW, 0.9e-3, Accuracy.FINE, true)).isGreaterThan(kept + 1e-4);
+        double more = kept + (1.1e-3 - kept) / (1 + Recovery.RATE * H);
+        assertThat(left(FEW, 1.1e-3, Accuracy.GAME, true)).isCloseTo(more, within(1e-15));
+    }
+
     /** Ten times the tolerance of impacts, as finely as that asks for, and a thousandth at most. */
     @Test
     void crowdKeepsWhatDoesNotShow() {
