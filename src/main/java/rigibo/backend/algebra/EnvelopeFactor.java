@@ -13,6 +13,9 @@ public final class EnvelopeFactor {
     /** Rows for which there is room at first. */
     private static final int ROWS = 64;
 
+    /** Entries for which there is room at first. */
+    private static final int ENTRIES = 512;
+
     /** By row: the first column of its envelope. The caller writes it before {@link #lay}. */
     public int[] first = new int[ROWS];
 
@@ -22,9 +25,9 @@ public final class EnvelopeFactor {
     private int[] start = new int[ROWS + 1];
 
     /** L by rows and U by columns, each from its first entry to the diagonal. */
-    private double[] lower = new double[0];
+    private double[] lower = new double[ENTRIES];
 
-    private double[] upper = new double[0];
+    private double[] upper = new double[ENTRIES];
 
     /** Reciprocals of the diagonal of U. */
     private double[] inverse = new double[ROWS];
@@ -45,9 +48,8 @@ public final class EnvelopeFactor {
      * factored.
      *
      * @param rows number of rows
-     * @param entries capacity to which the arrays grow at least, if they are too short
      */
-    public void lay(int rows, int entries) {
+    public void lay(int rows) {
         size = rows;
         int length = 0;
         for (int i = 0; i < rows; i++) {
@@ -56,9 +58,8 @@ public final class EnvelopeFactor {
         }
         start[rows] = length;
         if (lower.length < length) {
-            int capacity = Math.max(entries, 2 * length);
-            lower = Arrays.copyOf(lower, capacity);
-            upper = Arrays.copyOf(upper, capacity);
+            lower = Arrays.copyOf(lower, 2 * length);
+            upper = Arrays.copyOf(upper, 2 * length);
         }
     }
 

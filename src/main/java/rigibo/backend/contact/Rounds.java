@@ -67,7 +67,7 @@ public final class Rounds {
     private static final double MOST_WORTH = 100;
 
     /** That multiple in a calm island, which rests once it is solved and then costs nothing. */
-    private static final double WORTH_IF_CALM = 24;
+    private static final double WORTH_IF_CALM = 12;
 
     /** Speed up to which contacts count as steady, as a share of a free body's gain in a step. */
     private static final double STEADY = 1e-3;

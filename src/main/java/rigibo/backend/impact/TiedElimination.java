@@ -123,7 +123,7 @@ final class TiedElimination {
 
     /** Factors the equations in the order of the rows, without using sparsity. */
     private void factorize() {
-        factor.lay(size, MOST_ROWS * (MOST_ROWS + 1) / 2);
+        factor.lay(size);
         for (int i = 0; i < size; i++) {
             for (int j = 0; j < i; j++) {
                 factor.writeLower(i, j, answer(set[i], set[j]));

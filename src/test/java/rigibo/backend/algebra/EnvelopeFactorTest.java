@@ -70,7 +70,7 @@ class EnvelopeFactorTest {
 
     private void factorize(double[][] matrix, int from, boolean isSymmetric) {
         factor.reserve(matrix.length);
-        factor.lay(matrix.length, 1);
+        factor.lay(matrix.length);
         for (int i = from; i < matrix.length; i++) {
             factor.clear(i);
             for (int j = factor.first[i]; j < i; j++) {

@@ -3,7 +3,6 @@ package rigibo.backend.contact.solve;
 import rigibo.backend.algebra.EnvelopeFactor;
 import rigibo.backend.contact.row.Motions;
 import rigibo.backend.contact.row.PackedContacts;
-import rigibo.backend.contact.row.SingleRows;
 
 import java.util.Arrays;
 
@@ -14,10 +13,6 @@ import java.util.Arrays;
  * half the work.
  */
 final class RowFactor {
-
-    /** Initial capacity for any small moving island, so that nothing grows after the first one. */
-    private static final int FULL =
-            SingleRows.MOST_ELIMINATED * (SingleRows.MOST_ELIMINATED + 1) / 2;
 
     /** Work of solving a row of a set besides factoring, in multiplications. */
     private static final int WORK_OF_ROW = 60;
@@ -78,7 +73,7 @@ final class RowFactor {
 
     void forget() {
         size = 0;
-        factor.lay(0, 0);
+        factor.lay(0);
     }
 
     /** Number of factored rows; 0 without a factor. */
@@ -156,7 +151,7 @@ final class RowFactor {
         for (int i = 0; i < size; i++) {
             factor.first[i] = firstInSet[order.firstNeighbour[factored[i] / FlatRows.KINDS]];
         }
-        factor.lay(size, FULL);
+        factor.lay(size);
     }
 
     /** Writes the responses between a row and those before it that share a body with it. */
