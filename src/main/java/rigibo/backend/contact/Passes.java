@@ -267,12 +267,14 @@ public final class Passes {
     private void sweepCrowd(double h, double length, int substep, double fastest) {
         boolean isCalm = fastest < CALM * kick.strongest() * step;
         double quiet = quietOfCrowd(fastest);
-        int passes = isCalm ? mostIfCalm : most;
-        double share = MISSED_IN_A_CROWD * missed;
+        // The half kicks at both ends of a step bring half the load.
+        double share = Math.min(1, length / h);
+        int passes = (int) Math.ceil(share * (isCalm ? mostIfCalm : most));
+        double error = MISSED_IN_A_CROWD * missed;
         double least = isCalm ? quiet : OF_THE_FASTEST * quiet;
-        sweep.run(h, length, substep, share, quiet, least, passes);
+        sweep.run(h, length, substep, error, quiet, least, passes);
         int affordable = Math.min(longer, MOST_SOLVES / (passes * contacts.count));
-        for (int i = 0; i < affordable && sweep.isSinking(h, substep, SUNK * share); i++) {
+        for (int i = 0; i < affordable && sweep.isSinking(h, substep, SUNK * error); i++) {
             sweep.goOn(passes);
         }
     }
