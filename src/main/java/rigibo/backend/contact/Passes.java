@@ -267,9 +267,7 @@ public final class Passes {
     private void sweepCrowd(double h, double length, int substep, double fastest) {
         boolean isCalm = fastest < CALM * kick.strongest() * step;
         double quiet = quietOfCrowd(fastest);
-        // The half kicks at both ends of a step bring half the load.
-        double share = Math.min(1, length / h);
-        int passes = (int) Math.ceil(share * (isCalm ? mostIfCalm : most));
+        int passes = isCalm ? mostIfCalmAfter(length / h) : most;
         double error = MISSED_IN_A_CROWD * missed;
         double least = isCalm ? quiet : OF_THE_FASTEST * quiet;
         sweep.run(h, length, substep, error, quiet, least, passes);
@@ -277,6 +275,14 @@ public final class Passes {
         for (int i = 0; i < affordable && sweep.isSinking(h, substep, SUNK * error); i++) {
             sweep.goOn(passes);
         }
+    }
+
+    /**
+     * Most passes in a calm crowd after a kick of so many substeps' length: the half kicks at both
+     * ends of a step bring half the load.
+     */
+    private int mostIfCalmAfter(double length) {
+        return (int) Math.ceil(Math.min(1, length) * mostIfCalm);
     }
 
     /** Change of speed that is neglected in a crowd, m/s. */
