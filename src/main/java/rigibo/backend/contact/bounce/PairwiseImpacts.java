@@ -291,7 +291,7 @@ final class PairwiseImpacts {
         impact.normalY = d[at + PackedContacts.NY];
         impact.friction = d[at + PackedContacts.FRICTION];
         impact.elasticity = d[at + PackedContacts.ELASTICITY];
-        impact.surfaceSpeed = contacts.surface[row];
+        impact.surfaceSpeed = contacts.running[row];
         impact.inverseMassA = m[a + INVERSE_MASS];
         impact.inverseInertiaA = m[a + INVERSE_INERTIA];
         impact.inverseMassB = m[b + INVERSE_MASS];

@@ -138,7 +138,7 @@ public final class PackedContacts {
     public double[] surface = new double[16];
 
     /** The part of that speed that is due to running surfaces, m/s. */
-    double[] running = new double[16];
+    public double[] running = new double[16];
 
     /** Whether a contact was measured again within the substep. */
     public boolean[] isNew = new boolean[16];
