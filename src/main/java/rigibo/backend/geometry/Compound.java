@@ -38,6 +38,7 @@ public final class Compound implements Shape {
                 parts.stream()
                         .map(part -> part.outlineFrom(plate.centroidX(), plate.centroidY()))
                         .toArray(Outline[]::new);
+        InnerEdges.note(parts, outlines);
         double reach = 0;
         double narrowest = Double.POSITIVE_INFINITY;
         double covered = 0;
