@@ -577,6 +577,7 @@ public final class Pool {
      */
     public void overlapping(Aabb box, Consumer<RigidBody> visitor) {
         Require.present("Pool.overlapping box", box);
+        Require.present("Pool.overlapping visitor", visitor);
         queries().overlapping(box).forEach(visitor);
     }
 

@@ -26,13 +26,17 @@ import rigibo.backend.effect.RollingResistance;
 import rigibo.backend.effect.Sleep;
 import rigibo.backend.effect.SurfaceSpeed;
 import rigibo.backend.effect.Wind;
+import rigibo.backend.geometry.Aabb;
 import rigibo.backend.geometry.Circle;
+import rigibo.backend.geometry.Compound;
+import rigibo.backend.geometry.Part;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.BodyType;
 import rigibo.backend.setup.Material;
 
+import java.util.List;
 import java.util.stream.Stream;
 
 /** What is refused at the door, and in which words. */
@@ -67,6 +71,22 @@ class DoorTest {
                 refusal(() -> new Wind(2e4, 0), "Wind.x", "20000.0", "(m/s)", "-10000.0 to 1"),
                 refusal(() -> new Wind(0, 0, null), "Wind.gusts", "null"),
                 refusal(() -> new Field(null), "Field.function", "null"),
+                refusal(() -> Polygon.of((double[]) null), "Polygon.of xy", "null"),
+                refusal(() -> Polygon.hull((double[]) null), "Polygon.hull xy", "null"),
+                refusal(() -> Compound.of((Part[]) null), "Compound.of parts", "null"),
+                refusal(() -> Compound.of((List<Part>) null), "Compound.of parts", "null"),
+                refusal(
+                        () -> Compound.of(Part.of(new Circle(1)), null),
+                        "Compound.of part 1",
+                        "null"),
+                refusal(() -> Compound.ofOutline((double[]) null), "ofOutline xy", "null"),
+                refusal(() -> Effects.of((Effect[]) null), "Effects.of effects", "null"),
+                refusal(() -> Effects.usual().with(null), "Effects.with effect", "null"),
+                refusal(() -> Effects.usual().without(null), "Effects.without kind", "null"),
+                refusal(
+                        () -> new Pool().overlapping(new Aabb(0, 0, 1, 1), null),
+                        "Pool.overlapping visitor",
+                        "null"),
                 refusal(() -> new CentralForce(NAN, 0, 1, 1), "CentralForce.x", "NaN", "(m)"),
                 refusal(() -> new CentralForce(0, 0, 1, 9), "power", "9.0", "-8.0 to 8.0"),
                 refusal(() -> new Buoyancy(NAN, 1, 0), "Buoyancy.level", "NaN", "(m)", "finite"),

@@ -7,7 +7,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
+import rigibo.backend.ContactEvent.Phase;
 import rigibo.backend.effect.Effects;
+import rigibo.backend.effect.Gravity;
 import rigibo.backend.effect.Sleep;
 import rigibo.backend.geometry.Capsule;
 import rigibo.backend.geometry.Circle;
@@ -21,6 +23,7 @@ import rigibo.backend.setup.Material;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.SplittableRandom;
 
 /** What is put together of parts does what the same outline does in one piece. */
 class OnePieceTest {
@@ -132,6 +135,127 @@ class OnePieceTest {
                         .isLessThan(1e-6);
             }
         }
+    }
+
+    /**
+     * Boxes of 1 m set down up to 5 mm beside each other and 1 mm above: each lies on up to six
+     * points, of which the outer two carry it, as they do the box in one piece. It may move by what
+     * it lands askew; 2 mm is the limit of the stack in one piece.
+     */
+    @ParameterizedTest
+    @ValueSource(ints = {3, 8, 12})
+    void aStackOfPartsSetDownCarelesslyStands(int count) {
+        Compound halves =
+                Compound.of(
+                        Part.of(Polygon.box(0.5, 1)).at(-0.25, 0),
+                        Part.of(Polygon.box(0.5, 1)).at(0.25, 0));
+        Compound quarters =
+                Compound.of(
+                        Part.of(Polygon.box(0.5, 0.5)).at(-0.25, -0.25),
+                        Part.of(Polygon.box(0.5, 0.5)).at(0.25, -0.25),
+                        Part.of(Polygon.box(0.5, 0.5)).at(0.25, 0.25),
+                        Part.of(Polygon.box(0.5, 0.5)).at(-0.25, 0.25));
+        for (Compound shape : new Compound[] {halves, quarters}) {
+            SplittableRandom random = new SplittableRandom(count);
+            Pool pool = new Pool(AWAKE, Accuracy.GAME);
+            pool.add(BodyDefinition.fixed(Polygon.box(60, 1)).at(0, -0.5));
+            List<RigidBody> stack = new ArrayList<>();
+            double[] x = new double[count];
+            double top = 0;
+            for (int i = 0; i < count; i++) {
+                x[i] = random.nextDouble(-5e-3, 5e-3);
+                top += 1 + random.nextDouble(1e-3);
+                stack.add(pool.add(BodyDefinition.dynamic(shape).at(x[i], top - 0.5)));
+            }
+            for (int step = 0; step < 300; step++) {
+                pool.step(DT);
+            }
+            for (int i = 0; i < count; i++) {
+                RigidBody box = stack.get(i);
+                assertThat(box.x()).as("%s, %s", shape, box).isEqualTo(x[i], within(2e-3));
+                assertThat(box.y()).isEqualTo(i + 0.5, within(6e-3 * (i + 1)));
+                assertThat(Math.hypot(box.velocityX(), box.velocityY())).isLessThan(1e-5);
+            }
+        }
+    }
+
+    /**
+     * Bodies that begin at nearly one spot, without weight: no part leaves another through a face
+     * behind which the next one begins, so that all part, no faster than three widths a second.
+     */
+    @ParameterizedTest
+    @ValueSource(doubles = {0, 1e-3, 0.1})
+    void partsThatOverlapDeeplyLeaveEachOther(double off) {
+        Compound angle =
+                Compound.of(
+                        Part.of(Polygon.box(0.8, 0.2)),
+                        Part.of(Polygon.box(0.2, 0.5)).at(-0.3, 0.35));
+        Compound cross =
+                Compound.of(
+                        Part.of(Polygon.box(0.3, 0.3)),
+                        Part.of(Polygon.box(0.3, 0.2)).at(-0.3, 0),
+                        Part.of(Polygon.box(0.3, 0.2)).at(0.3, 0),
+                        Part.of(Polygon.box(0.2, 0.3)).at(0, -0.3),
+                        Part.of(Polygon.box(0.2, 0.3)).at(0, 0.3));
+        Compound cut = Compound.ofOutline(0, 0, 1, 0, 1, 0.3, 0.3, 0.3, 0.3, 1, 0, 1);
+        for (Compound shape : new Compound[] {FOUR_BOXES, angle, cross, cut}) {
+            SplittableRandom random = new SplittableRandom(1);
+            Pool pool = new Pool(AWAKE.without(Gravity.class), Accuracy.GAME);
+            for (int i = 0; i < 4; i++) {
+                double x = off * random.nextDouble(-1, 1);
+                double y = off * random.nextDouble(-1, 1);
+                pool.add(BodyDefinition.dynamic(shape).at(x, y).angle(0.3));
+            }
+            double most = 3 * shape.smallestWidth() * DT;
+            for (int step = 0; step < 600; step++) {
+                double[] x = pool.bodies().stream().mapToDouble(RigidBody::x).toArray();
+                double[] y = pool.bodies().stream().mapToDouble(RigidBody::y).toArray();
+                pool.step(DT);
+                for (int i = 0; i < x.length; i++) {
+                    RigidBody body = pool.bodies().get(i);
+                    assertThat(Math.hypot(body.x() - x[i], body.y() - y[i]))
+                            .as("%s, step %d", shape, step)
+                            .isLessThan(most);
+                }
+            }
+            assertThat(pool.report().deepestOverlap())
+                    .as("%s", shape)
+                    .isLessThan(0.005 * shape.smallestWidth());
+            assertThat(pool.kineticEnergy()).isLessThan(1e-9);
+        }
+    }
+
+    /** Every part that stands on the floor is told to touch it, also one that carries nothing. */
+    @Test
+    void partsBetweenTwoOthersAreToldToTouch() {
+        Pool pool = new Pool(AWAKE, Accuracy.GAME);
+        RigidBody floor = pool.add(BodyDefinition.fixed(Polygon.box(60, 1)).at(0, -0.5));
+        Compound row =
+                Compound.of(
+                        Part.of(Polygon.box(0.5, 0.4)).at(-1, 0),
+                        Part.of(Polygon.box(0.5, 0.4)),
+                        Part.of(Polygon.box(0.5, 0.4)).at(1, 0));
+        RigidBody body = pool.add(BodyDefinition.dynamic(row).at(0, 0.2));
+        double[] carried = new double[1];
+        for (int step = 0; step < 60; step++) {
+            pool.step(DT);
+            List<Integer> parts = new ArrayList<>();
+            carried[0] = 0;
+            pool.forEachContact(
+                    contact -> {
+                        parts.add(contact.partB);
+                        assertThat(contact.phase == Phase.BEGIN).isEqualTo(pool.time() < 1.5 * DT);
+                        assertThat(contact.y).isEqualTo(0, within(1e-3));
+                        assertThat(contact.x).isEqualTo(contact.partB - 1, within(0.3));
+                        for (int i = 0; i < contact.points; i++) {
+                            carried[0] += contact.force[i];
+                        }
+                    });
+            assertThat(parts).containsExactlyInAnyOrder(0, 1, 2);
+            assertThat(pool.touching(floor, body)).isTrue();
+        }
+        double weight = body.mass() * 9.81;
+        assertThat(carried[0]).isEqualTo(weight, within(1e-3 * weight));
     }
 
     /** The smaller ones lie within: they touch nothing, and weigh nothing here. */

@@ -71,6 +71,18 @@ public final class Collider {
         assert points == out.count;
     }
 
+    /**
+     * Replaces the manifold of two polygons that overlap deeply by one that leads out of both
+     * bodies, where other parts of a body cover faces. To be called after {@link #collide} with the
+     * same arguments.
+     */
+    void leave(Outline a, Pose poseA, Outline b, Pose poseB, double reach, Manifold out) {
+        boolean arePolygons = !a.isDisc() && !b.isDisc() && !a.isEdge() && !b.isEdge();
+        if (arePolygons && (a.hasInner() || b.hasInner())) {
+            polygons.leave(a, poseA, b, poseB, reach, out);
+        }
+    }
+
     private void collideEdge(
             Outline edge, Pose poseE, Outline other, Pose poseO, double reach, Manifold out) {
         edges = edges == null ? new EdgeContact() : edges;

@@ -8,6 +8,11 @@ import rigibo.backend.geometry.Outline;
  */
 final class FaceSearch {
 
+    /**
+     * Cosine from which on a face looks against a direction: half a right angle, between two faces.
+     */
+    private static final double AGAINST = Math.sqrt(0.5);
+
     /** The face found, its separation in m, and the corner of the other polygon nearest to it. */
     int face;
 
@@ -48,6 +53,51 @@ final class FaceSearch {
             }
         }
         return false;
+    }
+
+    /**
+     * Finds the face with the greatest separation through which the other polygon leaves: no other
+     * part covers it, nor the face of the other polygon that leaves last. Returns that separation,
+     * −∞ if there is none. Of faces that are nearly equal, it takes the one whose normal is nearest
+     * to a direction: {@code weight} m are added along it.
+     */
+    double findOuter(
+            Outline polygon, Outline other, Pose place, double x, double y, double weight) {
+        double best = Double.NEGATIVE_INFINITY;
+        int nearest = 0;
+        for (int i = 0; i < polygon.edges(); i++) {
+            double nx = polygon.normalX(i);
+            double ny = polygon.normalY(i);
+            double localX = place.cos * nx + place.sin * ny;
+            double localY = place.cos * ny - place.sin * nx;
+            if (polygon.isInner(i) || isLastInner(other, localX, localY)) {
+                continue;
+            }
+            nearest = nearestTo(other, localX, localY, nearest);
+            double gap =
+                    nx * (place.x - polygon.cornerX(i))
+                            + ny * (place.y - polygon.cornerY(i))
+                            + (localX * other.cornerX(nearest) + localY * other.cornerY(nearest));
+            if (gap + weight * (x * nx + y * ny) > best) {
+                best = gap + weight * (x * nx + y * ny);
+                separation = gap;
+                face = i;
+                corner = nearest;
+            }
+        }
+        return best;
+    }
+
+    /**
+     * Whether another part covers the face that looks against a direction in the polygon's frame.
+     */
+    private static boolean isLastInner(Outline polygon, double x, double y) {
+        boolean isInner = false;
+        for (int i = 0; polygon.hasInner() && i < polygon.edges(); i++) {
+            double along = x * polygon.normalX(i) + y * polygon.normalY(i);
+            isInner |= polygon.isInner(i) && along < -AGAINST;
+        }
+        return isInner;
     }
 
     /**

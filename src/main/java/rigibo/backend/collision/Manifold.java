@@ -45,6 +45,11 @@ public final class Manifold {
         beside = Pairs.NOT_AWAITED;
     }
 
+    /** The smallest separation of the points, of which there is at least one, m. */
+    double deepest() {
+        return count == 1 ? separation[0] : Math.min(separation[0], separation[1]);
+    }
+
     /** Sets the normal. */
     void normal(double x, double y, NormalSource from) {
         normalX = x;

@@ -20,9 +20,6 @@ public final class Narrowphase {
     /** Smallest displacement that can be seen, per metre of body. */
     private static final double SHOWS = 0.02;
 
-    /** Distance between two points up to which they count as the same place, per metre of body. */
-    private static final double SAME_PLACE = 1e-2;
-
     private final Bodies bodies;
     private final Pairs pairs;
     private final PairOrder order;
@@ -32,11 +29,15 @@ public final class Narrowphase {
     private final Collider collider = new Collider();
     private final Seams seams;
 
+    /** Made with the first body that has several parts. */
+    private InnerPoints inner;
+
     /** Made with the first shape that is solid on one side only. */
     private Passages passages;
 
     private final DataStorage data;
     private final Manifold manifold = new Manifold();
+    private final FormerPoints former;
     private final Whereabouts whereabouts = new Whereabouts();
     private final Pose poseA = new Pose();
     private final Pose poseB = new Pose();
@@ -50,6 +51,7 @@ public final class Narrowphase {
         counters = data.counters;
         still = data.stillContacts;
         seams = new Seams(data);
+        former = new FormerPoints(data, manifold);
         this.data = data;
     }
 
@@ -76,6 +78,20 @@ public final class Narrowphase {
         measureActive(dt);
         for (int i = 0; i < pairs.activeCount; i++) {
             finish(pairs.active[i]);
+        }
+        if (bodies.mayHaveParts()) {
+            inner = inner == null ? new InnerPoints(data) : inner;
+            inner.leaveOut(dt);
+        }
+    }
+
+    /**
+     * Leaves out the inner points of a body that has joined a pile, when its contacts there have
+     * been measured; {@code left} s of the step remain.
+     */
+    public void leaveOutInner(int body, double left) {
+        if (inner != null) {
+            inner.leaveOut(body, left);
         }
     }
 
@@ -161,6 +177,9 @@ public final class Narrowphase {
             Outline outlineA = bodies.outline[pairs.shapeA(pair)];
             Outline outlineB = bodies.outline[pairs.shapeB(pair)];
             collider.collide(outlineA, atA, outlineB, atB, reach, manifold);
+            if (outlineA.hasInner() || outlineB.hasInner()) {
+                leaveIfDeep(pair, outlineA, atA, outlineB, atB, reach);
+            }
         }
         double x = middle(pair, atA.x, atB.x);
         double y = middle(pair, atA.y, atB.y);
@@ -168,6 +187,14 @@ public final class Narrowphase {
         pairs.middleX[pair] = x;
         pairs.middleY[pair] = y;
         pairs.reach[pair] = Double.NaN;
+    }
+
+    private void leaveIfDeep(
+            int pair, Outline outlineA, Pose atA, Outline outlineB, Pose atB, double reach) {
+        double width = PairTolerances.width(bodies, pairs.bodyA[pair], pairs.bodyB[pair]);
+        if (manifold.count > 0 && manifold.deepest() < -Seams.DEEP * width) {
+            collider.leave(outlineA, atA, outlineB, atB, reach, manifold);
+        }
     }
 
     /**
@@ -293,8 +320,8 @@ public final class Narrowphase {
      */
     private void keep(int pair, double wayX, double wayY) {
         int first = 2 * pair;
-        int from0 = manifold.count > 0 ? predecessor(pair, 0, wayX, wayY) : Pairs.NONE;
-        int from1 = manifold.count > 1 ? predecessor(pair, 1, wayX, wayY) : Pairs.NONE;
+        int from0 = manifold.count > 0 ? former.of(pair, 0, wayX, wayY) : Pairs.NONE;
+        int from1 = manifold.count > 1 ? former.of(pair, 1, wayX, wayY) : Pairs.NONE;
         inherit(pairs.normalForce, first, from0, from1);
         inherit(pairs.load, first, from0, from1);
         pairs.former[first] = from0 == Pairs.NONE ? Pairs.NONE : from0 - first;
@@ -328,62 +355,6 @@ public final class Narrowphase {
         double value1 = from1 == Pairs.NONE ? 0 : column[from1];
         column[first] = value0;
         column[first + 1] = value1;
-    }
-
-    /**
-     * The old point that a new one continues, or {@link Pairs#NONE}. Two points continue two points
-     * in their order along the surface, whatever their features. Otherwise two equal boxes on each
-     * other would lose their warm start whenever round-off makes the other box's corner stand out.
-     */
-    private int predecessor(int pair, int i, double wayX, double wayY) {
-        int first = 2 * pair;
-        int old = pairs.points[pair];
-        if (old == 2 && manifold.count == 2) {
-            double ahead =
-                    along(
-                            manifold.pointX[i] - manifold.pointX[1 - i],
-                            manifold.pointY[i] - manifold.pointY[1 - i]);
-            double oldAhead =
-                    along(
-                            pairs.pointX[first] - pairs.pointX[first + 1],
-                            pairs.pointY[first] - pairs.pointY[first + 1]);
-            return ahead > 0 == oldAhead > 0 ? first : first + 1;
-        }
-        for (int point = first; point < first + old; point++) {
-            if (pairs.feature[point] == manifold.feature[i]) {
-                return point;
-            }
-        }
-        return samePlace(pair, i, wayX, wayY);
-    }
-
-    /**
-     * The old point at the place of a new one, relative to the bodies. A corner gets a new feature
-     * id when a face comes to lie in front of it, or when a seam has turned its normal.
-     */
-    private int samePlace(int pair, int i, double wayX, double wayY) {
-        double width = PairTolerances.width(bodies, pairs.bodyA[pair], pairs.bodyB[pair]);
-        double least = SAME_PLACE * width;
-        int nearest = Pairs.NONE;
-        for (int point = 2 * pair; point < 2 * pair + pairs.points[pair]; point++) {
-            double away = away(point, i, wayX, wayY);
-            boolean isOthers = manifold.count == 2 && away(point, 1 - i, wayX, wayY) < away;
-            if (away < least && !isOthers) {
-                least = away;
-                nearest = point;
-            }
-        }
-        return nearest;
-    }
-
-    private double away(int point, int i, double wayX, double wayY) {
-        double x = manifold.pointX[i] - pairs.pointX[point] - wayX;
-        double y = manifold.pointY[i] - pairs.pointY[point] - wayY;
-        return length(x, y);
-    }
-
-    private double along(double x, double y) {
-        return y * manifold.normalX - x * manifold.normalY;
     }
 
     private void noteTouch(int pair) {

@@ -38,6 +38,15 @@ final class PolygonPolygon {
      */
     private static final double WELL_OVER = 4;
 
+    /** Distance of the centres, in widths, up to which two bodies are at one spot. */
+    private static final double ONE_SPOT = 1e-6;
+
+    /** Cosine of the direction in A's frame along which bodies at one spot leave. */
+    private static final double AT_ONE_SPOT = 0.8;
+
+    /** Difference in widths up to which two ways out count as equally long. */
+    private static final double EQUAL = 1e-3;
+
     private final double bias;
     private final FaceSearch facesA = new FaceSearch();
     private final FaceSearch facesB = new FaceSearch();
@@ -80,6 +89,41 @@ final class PolygonPolygon {
             clip.write(poseB, NormalSource.FACE_B, coreReach, out);
         }
         if (radii > 0) {
+            out.round(a.radius(), b.radius());
+        }
+        return out.count;
+    }
+
+    /**
+     * Writes the manifold of two parts that overlap deeply, after {@link #collide} at the same
+     * poses: the way out leads through a face that no other part of its body covers, so that
+     * whatever leaves one part does not enter the next. Of ways of equal length it takes the one
+     * along which the bodies' centres lie apart, or along one that no face is likely to have where
+     * they lie at one spot: all parts of two bodies then agree.
+     */
+    int leave(Outline a, Pose poseA, Outline b, Pose poseB, double reach, Manifold out) {
+        double width = Math.min(a.smallestWidth(), b.smallestWidth());
+        double apart = Math.sqrt(placeB.x * placeB.x + placeB.y * placeB.y);
+        boolean isApart = apart > ONE_SPOT * width;
+        double x = isApart ? placeB.x / apart : AT_ONE_SPOT;
+        double y = isApart ? placeB.y / apart : Math.sqrt(1 - AT_ONE_SPOT * AT_ONE_SPOT);
+        double backX = -(placeB.cos * x + placeB.sin * y);
+        double backY = placeB.sin * x - placeB.cos * y;
+        double bestA = facesA.findOuter(a, b, placeB, x, y, EQUAL * width);
+        double bestB = facesB.findOuter(b, a, placeA, backX, backY, EQUAL * width);
+        if (Math.max(bestA, bestB) == Double.NEGATIVE_INFINITY) {
+            return out.count;
+        }
+        out.clear();
+        double coreReach = reach + a.radius() + b.radius();
+        if (bestA >= bestB) {
+            clip.reference(a, facesA, b, placeB, width);
+            clip.write(poseA, NormalSource.FACE_A, coreReach, out);
+        } else {
+            clip.reference(b, facesB, a, placeA, width);
+            clip.write(poseB, NormalSource.FACE_B, coreReach, out);
+        }
+        if (a.radius() + b.radius() > 0) {
             out.round(a.radius(), b.radius());
         }
         return out.count;

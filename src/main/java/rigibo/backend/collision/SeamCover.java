@@ -108,12 +108,17 @@ final class SeamCover {
             if (s != at.fixedShape) {
                 int lower = Math.min(s, at.moverShape);
                 int p = pairs.index.find(lower, Math.max(s, at.moverShape));
-                if (p != PairIndex.ABSENT && pairs.gap(p) <= near) {
+                if (p != PairIndex.ABSENT && isNear(p)) {
                     return p;
                 }
             }
         }
         return Pairs.NONE;
+    }
+
+    /** Whether the two are near; points that lie between others may have been left out. */
+    private boolean isNear(int pair) {
+        return pairs.gap(pair) <= near || pairs.points[pair] == 0 && pairs.touching[pair];
     }
 
     /** Whether both are edges of one chain, whose edges know their neighbours. */

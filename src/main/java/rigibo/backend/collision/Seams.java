@@ -17,7 +17,7 @@ final class Seams {
      * Overlap, in widths, beyond which any way out of a body with several parts is accepted; so
      * deep a body did not come over a seam.
      */
-    private static final double DEEP = 0.05;
+    static final double DEEP = 0.05;
 
     private final Bodies bodies;
     private final Pairs pairs;

@@ -35,6 +35,7 @@ public final class Effects {
      *     that is not declared, naming both
      */
     public static Effects of(Effect... effects) {
+        Require.present("Effects.of effects", effects);
         List<Effect> once = new ArrayList<>();
         for (Effect effect : effects) {
             Require.present("Effects.of effect", effect);
@@ -85,6 +86,7 @@ public final class Effects {
      * @throws IllegalArgumentException when the effect needs another one that is not declared
      */
     public Effects with(Effect effect) {
+        Require.present("Effects.with effect", effect);
         List<Effect> next = new ArrayList<>(declared);
         next.removeIf(other -> other.getClass() == effect.getClass());
         next.add(effect);
@@ -97,6 +99,7 @@ public final class Effects {
      * @throws IllegalArgumentException when another declared effect needs it
      */
     public Effects without(Class<? extends Effect> kind) {
+        Require.present("Effects.without kind", kind);
         List<Effect> next = new ArrayList<>(declared);
         next.removeIf(kind::isInstance);
         return new Effects(next);

@@ -25,6 +25,14 @@ final class Deviation {
     /** Share of a path's length after which a rate is evaluated again to find how it changes. */
     private static final double SMALL_CHANGE = 1e-3;
 
+    /**
+     * Share of the force itself that counts as round-off, and of the torque that it has at the
+     * body's rim. A torque whose terms cancel, such as that of a floating body that does not list,
+     * is nothing but round-off: it changes by as much as it is from one evaluation to the next, and
+     * would be taken for the stiffest of forces. Sums over 256 parts stay below.
+     */
+    private static final double ROUND_OFF = 1e-12;
+
     /** Most substeps of a path; stiffer forces are integrated implicitly, without overshooting. */
     private static final int MOST_SUBSTEPS = 1024;
 
@@ -62,6 +70,11 @@ final class Deviation {
     private double steadyY;
     private double steadyTurn;
     private double drag;
+
+    /** Changes of the rates that count as round-off, squared: (m/s²)² and (rad/s²)². */
+    private double noise;
+
+    private double turningNoise;
 
     /** Start of the path, s since the pool was made. */
     private double start;
@@ -118,6 +131,12 @@ final class Deviation {
         moved.clear();
         gained.clear();
         lookHere(0);
+        double pulls =
+                instant.accelerationX * instant.accelerationX
+                        + instant.accelerationY * instant.accelerationY;
+        noise = square(ROUND_OFF) * pulls;
+        turningNoise =
+                noise * square(instant.boundingRadius * instant.mass * instant.inverseInertia);
     }
 
     /**
@@ -132,16 +151,17 @@ final class Deviation {
         }
         goAhead(SMALL_CHANGE * length, first, 0, first);
         look(0, second);
-        double squared = shareOf(second.squaredChange(first), first.squaredPlace());
+        double squared = shareOf(second.squaredChange(first) - noise, first.squaredPlace());
         if (turns) {
-            double turning = shareOf(square(second.turn - first.turn), square(first.turn));
+            double change = square(second.turn - first.turn) - turningNoise;
+            double turning = shareOf(change, square(first.turn));
             squared = Math.max(squared, turning);
         }
         return (int) Math.min(MOST_SUBSTEPS, Math.ceil(Math.sqrt(squared) / SMALL_CHANGE));
     }
 
     private static double shareOf(double changes, double rates) {
-        return rates > 0 ? changes / rates : 0;
+        return changes > 0 && rates > 0 ? changes / rates : 0;
     }
 
     /**
@@ -221,10 +241,10 @@ final class Deviation {
     private boolean isShortEnough() {
         double most = square(MOST_CHANGE);
         double rates = Math.max(first.squaredPlace(), second.squaredPlace());
-        boolean isTooLong = third.squaredChange(second) > most * rates;
+        boolean isTooLong = third.squaredChange(second) > most * rates + noise;
         if (turns) {
             double turning = Math.max(square(first.turn), square(second.turn));
-            isTooLong |= square(third.turn - second.turn) > most * turning;
+            isTooLong |= square(third.turn - second.turn) > most * turning + turningNoise;
         }
         return !isTooLong;
     }

@@ -331,6 +331,9 @@ public final class Flight {
                 predict(p, time, dt);
             }
         }
+        if (!paths.isFlyer(slot)) {
+            narrowphase.leaveOutInner(slot, dt - time);
+        }
     }
 
     /** Measures a pair of two piled bodies at their poses at a time, for the solver of piles. */

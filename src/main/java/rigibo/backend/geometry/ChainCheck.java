@@ -25,9 +25,7 @@ final class ChainCheck {
     }
 
     static void require(String maker, double[] xy, boolean isLoop) {
-        if (xy == null) {
-            throw new IllegalArgumentException(maker + " xy must be present, was null");
-        }
+        PolygonCheck.requirePresent(maker + " xy", xy);
         ChainCheck check = new ChainCheck(maker, xy, isLoop);
         check.requireCount();
         PolygonCheck.requireFinite(maker, xy);

@@ -1,5 +1,6 @@
 package rigibo.backend.geometry;
 
+import java.util.Arrays;
 import java.util.List;
 
 /**
@@ -37,6 +38,7 @@ public final class Compound implements Shape {
                 parts.stream()
                         .map(part -> part.outlineFrom(plate.centroidX(), plate.centroidY()))
                         .toArray(Outline[]::new);
+        InnerEdges.note(parts, outlines);
         double reach = 0;
         double narrowest = Double.POSITIVE_INFINITY;
         double covered = 0;
@@ -55,18 +57,25 @@ public final class Compound implements Shape {
     /**
      * A compound of these parts.
      *
-     * @throws IllegalArgumentException when there are none or more than 256, or they weigh nothing
+     * @throws IllegalArgumentException when there are none or more than 256, one is null, or they
+     *     weigh nothing
      */
     public static Compound of(Part... parts) {
-        return of(List.of(parts));
+        PolygonCheck.requirePresent("Compound.of parts", parts);
+        return of(Arrays.asList(parts));
     }
 
     /**
      * A compound of these parts.
      *
-     * @throws IllegalArgumentException when there are none or more than 256, or they weigh nothing
+     * @throws IllegalArgumentException when there are none or more than 256, one is null, or they
+     *     weigh nothing
      */
     public static Compound of(List<Part> parts) {
+        PolygonCheck.requirePresent("Compound.of parts", parts);
+        for (int i = 0; i < parts.size(); i++) {
+            PolygonCheck.requirePresent("Compound.of part " + i, parts.get(i));
+        }
         if (parts.isEmpty() || parts.size() > MAX_PARTS) {
             throw new IllegalArgumentException(
                     "Compound.of takes 1 to " + MAX_PARTS + " parts, was " + parts.size());

@@ -180,6 +180,7 @@ final class Decomposition {
     }
 
     private static void requireSimple(double[] xy) {
+        PolygonCheck.requirePresent(MAKER + " xy", xy);
         PolygonCheck.requireCount(MAKER, xy);
         PolygonCheck.requireFinite(MAKER, xy);
         int count = xy.length / 2;

@@ -22,6 +22,7 @@ final class Hull {
      * The corners of the hull, counter-clockwise; fewer than three if all points lie on one line.
      */
     static double[] of(double[] xy) {
+        PolygonCheck.requirePresent("Polygon.hull xy", xy);
         if (xy.length % 2 != 0) {
             throw new IllegalArgumentException(
                     "Polygon.hull takes x, y pairs, was " + xy.length + " numbers");

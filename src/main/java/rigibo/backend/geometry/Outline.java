@@ -39,6 +39,9 @@ public final class Outline {
 
     private final EdgeEnd after;
 
+    /** By edge: whether other parts of the body cover it; null if they cover none. */
+    private boolean[] inner;
+
     /** A disc centred on the centre of mass. */
     static Outline ofDisc(double radius) {
         return new Outline(CENTRE, CENTRE, NOTHING, NOTHING, radius, null, null);
@@ -177,6 +180,23 @@ public final class Outline {
      */
     public boolean isEdge() {
         return before != null;
+    }
+
+    /** Whether other parts of the body cover any edge. */
+    public boolean hasInner() {
+        return inner != null;
+    }
+
+    /**
+     * Whether other parts of the body cover an edge all along, so that nothing leaves through it.
+     */
+    public boolean isInner(int edge) {
+        return inner != null && inner[edge];
+    }
+
+    /** Notes, once and before the outline is shared, which edges other parts cover. */
+    void noteInner(boolean[] edges) {
+        inner = edges;
     }
 
     /** Half the length of a chain's edge, m. */

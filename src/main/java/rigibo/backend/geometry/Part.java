@@ -34,9 +34,7 @@ public final class Part {
 
     /** A shape with its centre of mass at the origin of the compound's frame. */
     public static Part of(Convex shape) {
-        if (shape == null) {
-            throw new IllegalArgumentException("Part.shape must be present, was null");
-        }
+        PolygonCheck.requirePresent("Part.shape", shape);
         return new Part(shape, 0, 0, 0, 1, false);
     }
 

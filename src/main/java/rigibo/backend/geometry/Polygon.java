@@ -114,6 +114,7 @@ public final class Polygon implements Convex {
      *     reflex, or the count that is out of range
      */
     public static Polygon of(double... xy) {
+        PolygonCheck.requirePresent("Polygon.of xy", xy);
         double[] stated = xy.clone();
         PolygonCheck.requireConvex(stated);
         return new Polygon(stated, 0);

@@ -36,6 +36,12 @@ final class PolygonCheck {
         }
     }
 
+    static void requirePresent(String argument, Object value) {
+        if (value == null) {
+            throw new IllegalArgumentException(argument + " must be present, was null");
+        }
+    }
+
     static void requireCount(String maker, double[] xy) {
         if (xy.length % 2 != 0 || xy.length < 6 || xy.length > 2 * Polygon.MAX_CORNERS) {
             throw new IllegalArgumentException(

@@ -18,9 +18,6 @@ import java.util.function.LongFunction;
  */
 class DressLawTest {
 
-    /** Parts that lie in each other's gaps are lifted out of them. */
-    private static final Seeds SUNK_AT_DRAFT = Seeds.of(91L);
-
     /** The scene of locked bodies that gains more than it may. */
     private static final Seeds LOCKED_AT_EXACT = Seeds.of(120L);
 
@@ -72,18 +69,10 @@ class DressLawTest {
     })
     void pilesGainNoEnergy(Dress dress, Preset preset, double limit, long scenes, long least) {
         Seeds seeds = Seeds.upTo(scenes);
-        if (dress == Dress.IN_PARTS && preset == Preset.DRAFT) {
-            seeds = seeds.without(SUNK_AT_DRAFT);
-        } else if (dress == Dress.LOCKED && preset == Preset.EXACT) {
+        if (dress == Dress.LOCKED && preset == Preset.EXACT) {
             seeds = seeds.without(LOCKED_AT_EXACT);
         }
         holdPiles(dress, preset, limit, seeds, least);
-    }
-
-    @Disabled("at DRAFT beyond it in one of 150 scenes, by 4 %")
-    @Test
-    void pilesOfPartsThatSankInDeepGainNoEnergy() {
-        holdPiles(Dress.IN_PARTS, Preset.DRAFT, 1e-2, SUNK_AT_DRAFT, 1);
     }
 
     @Disabled("at EXACT one of 150 scenes gains 1.15e-4 in a step")

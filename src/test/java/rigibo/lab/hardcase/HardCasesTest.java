@@ -44,8 +44,8 @@ class HardCasesTest {
     }
 
     /**
-     * Rows that stand for stacks, ratios of masses, bullets, bounces, jams, seams and speed: the
-     * whole list takes minutes, and asks the same of bodies in parts.
+     * Rows that stand for stacks, ratios of masses, bullets, bounces, jams, seams, water and speed:
+     * the whole list takes minutes, and asks the same of bodies in parts.
      */
     private static final Set<String> IN_PARTS =
             Set.of(
@@ -53,6 +53,7 @@ class HardCasesTest {
                     "15",
                     "20/10",
                     "20/20",
+                    "20/untidy",
                     "21/large",
                     "23",
                     "26",
@@ -66,7 +67,9 @@ class HardCasesTest {
                     "58",
                     "60/arch",
                     "64",
-                    "M11/fast");
+                    "M9/few-boxes",
+                    "M11/fast",
+                    "origin/bobbing");
 
     static Stream<Arguments> casesInParts() {
         return HardCases.held().stream()

@@ -1,0 +1,273 @@
+package rigibo.backend.collision;
+
+import rigibo.backend.storage.Bodies;
+import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.PairTolerances;
+import rigibo.backend.storage.Pairs;
+
+import java.util.Arrays;
+
+/**
+ * Leaves out contact points of bodies with several parts that lie between two others on one line.
+ * Where the two outer points do not overlap, the ones between them do not either, and whatever
+ * forces all of them can exert together, the two outer ones can: the inner rows are redundant. A
+ * box made of two halves then stands on two points, as the box does; with six, passes leave a load
+ * that the rows share in no unique way, and a landing is answered part by part.
+ */
+final class InnerPoints {
+
+    /** Sine of the largest angle between the normals of points on one line. */
+    private static final double PARALLEL = 1e-3;
+
+    private static final int FEWEST = 64;
+
+    private final Bodies bodies;
+    private final Pairs pairs;
+
+    /**
+     * By hash of two bodies: the first and the last pair found between them, {@link Pairs#NONE}
+     * where there is none.
+     */
+    private int[] firstOf = new int[0];
+
+    private int[] lastOf;
+    private int mask;
+
+    /** By pair: the next one between the two bodies. */
+    private int[] after = new int[0];
+
+    /** The first pair of each two bodies with several pairs, in the order of the active pairs. */
+    private int[] groups = new int[FEWEST];
+
+    private int groupCount;
+
+    /** The outer points of the line on which a point lies, and their distances from it, m. */
+    private int below;
+
+    private int above;
+    private double toBelow;
+    private double toAbove;
+
+    InnerPoints(DataStorage data) {
+        bodies = data.bodies;
+        pairs = data.pairs;
+    }
+
+    /** Leaves out the inner points of all active pairs at the start of a step of {@code dt} s. */
+    void leaveOut(double dt) {
+        begin(pairs.activeCount);
+        for (int i = 0; i < pairs.activeCount; i++) {
+            consider(pairs.active[i]);
+        }
+        leaveOutOfGroups(dt);
+    }
+
+    /**
+     * Leaves out the inner points of a body that joins a pile, whose pairs in that pile were
+     * measured at one time; {@code left} s of the step remain.
+     */
+    void leaveOut(int body, double left) {
+        int count = 0;
+        for (int p = bodies.firstPair[body]; p != Pairs.NONE; p = pairs.nextOf(p, body)) {
+            count++;
+        }
+        begin(count);
+        for (int p = bodies.firstPair[body]; p != Pairs.NONE; p = pairs.nextOf(p, body)) {
+            int other = pairs.other(p, body);
+            if (!bodies.isDynamic(other) || bodies.piled[other]) {
+                consider(p);
+            }
+        }
+        leaveOutOfGroups(left);
+    }
+
+    private void leaveOutOfGroups(double dt) {
+        for (int i = 0; i < groupCount; i++) {
+            leaveOutOfGroup(groups[i], dt);
+        }
+    }
+
+    private void consider(int pair) {
+        if (pairs.points[pair] > 0 && isOfParts(pair)) {
+            chain(pair);
+        }
+    }
+
+    private void begin(int count) {
+        groupCount = 0;
+        int size = Integer.highestOneBit(Math.max(FEWEST, 2 * count) - 1) * 2;
+        mask = size - 1;
+        if (firstOf.length < size) {
+            firstOf = new int[size];
+            lastOf = new int[size];
+        }
+        if (after.length < pairs.room()) {
+            after = new int[pairs.room()];
+        }
+        Arrays.fill(firstOf, 0, size, Pairs.NONE);
+    }
+
+    /** Whether one of the bodies moves and has several parts; edges know their neighbours. */
+    private boolean isOfParts(int pair) {
+        int a = pairs.shapeA(pair);
+        int b = pairs.shapeB(pair);
+        return (hasParts(pairs.bodyA[pair]) || hasParts(pairs.bodyB[pair]))
+                && !bodies.outline[a].isEdge()
+                && !bodies.outline[b].isEdge();
+    }
+
+    private boolean hasParts(int body) {
+        return bodies.isDynamic(body) && bodies.nextShapeOf(body) != Pairs.NONE;
+    }
+
+    private void chain(int pair) {
+        int at = hash(pairs.bodyA[pair], pairs.bodyB[pair]) & mask;
+        while (firstOf[at] != Pairs.NONE && !areOfTheSame(firstOf[at], pair)) {
+            at = at + 1 & mask;
+        }
+        after[pair] = Pairs.NONE;
+        if (firstOf[at] == Pairs.NONE) {
+            firstOf[at] = pair;
+        } else {
+            if (lastOf[at] == firstOf[at]) {
+                addGroup(firstOf[at]);
+            }
+            after[lastOf[at]] = pair;
+        }
+        lastOf[at] = pair;
+    }
+
+    private static int hash(int a, int b) {
+        int mixed = a * 0x9E3779B1 + b * 0x85EBCA77;
+        return mixed ^ mixed >>> 15;
+    }
+
+    private boolean areOfTheSame(int pair, int other) {
+        return pairs.bodyA[pair] == pairs.bodyA[other] && pairs.bodyB[pair] == pairs.bodyB[other];
+    }
+
+    private void addGroup(int first) {
+        if (groupCount == groups.length) {
+            groups = Arrays.copyOf(groups, 2 * groupCount);
+        }
+        groups[groupCount++] = first;
+    }
+
+    private void leaveOutOfGroup(int first, double dt) {
+        double width = PairTolerances.width(bodies, pairs.bodyA[first], pairs.bodyB[first]);
+        for (int pair = first; pair != Pairs.NONE; pair = after[pair]) {
+            for (int i = pairs.points[pair] - 1; i >= 0; i--) {
+                if (isInner(first, pair, 2 * pair + i, width, dt)) {
+                    remove(pair, i);
+                }
+            }
+        }
+    }
+
+    /**
+     * Whether a point lies between two others, farther from both than it may slide in the step, and
+     * is not deeper than the line through them.
+     */
+    private boolean isInner(int first, int pair, int point, double width, double dt) {
+        findOuter(first, pair, point);
+        if (below == Pairs.NONE || above == Pairs.NONE) {
+            return false;
+        }
+        double away = SeamPoint.FLUSH * width + slide(pair, toBelow + toAbove, dt);
+        if (!(Math.min(toBelow, toAbove) > away)) {
+            return false;
+        }
+        double share = toBelow / (toBelow + toAbove);
+        double between = pairs.separation[below];
+        between += share * (pairs.separation[above] - between);
+        double deeper = between - pairs.separation[point];
+        double height = height(pair, point, below);
+        height += share * (height(pair, point, above) - height);
+        return deeper <= SeamPoint.FLUSH * width
+                && Math.abs(height) <= SeamPoint.FLUSH * width + Math.abs(deeper);
+    }
+
+    /** Finds the points farthest from a point in both directions along its surface. */
+    private void findOuter(int first, int pair, int point) {
+        below = Pairs.NONE;
+        above = Pairs.NONE;
+        toBelow = 0;
+        toAbove = 0;
+        for (int other = first; other != Pairs.NONE; other = after[other]) {
+            for (int q = 2 * other; q < 2 * other + pairs.points[other]; q++) {
+                double along = along(pair, point, q);
+                if (along < -toBelow && isLike(pair, other)) {
+                    toBelow = -along;
+                    below = q;
+                } else if (along > toAbove && isLike(pair, other)) {
+                    toAbove = along;
+                    above = q;
+                }
+            }
+        }
+    }
+
+    private double along(int pair, int from, int to) {
+        return pairs.normalX[pair] * (pairs.pointY[to] - pairs.pointY[from])
+                - pairs.normalY[pair] * (pairs.pointX[to] - pairs.pointX[from]);
+    }
+
+    private double height(int pair, int from, int to) {
+        return pairs.normalX[pair] * (pairs.pointX[to] - pairs.pointX[from])
+                + pairs.normalY[pair] * (pairs.pointY[to] - pairs.pointY[from]);
+    }
+
+    /** Whether two pairs push along one normal, and their surfaces rub and bounce alike. */
+    private boolean isLike(int pair, int other) {
+        double nx = pairs.normalX[pair];
+        double ny = pairs.normalY[pair];
+        double mx = pairs.normalX[other];
+        double my = pairs.normalY[other];
+        return nx * mx + ny * my > 0
+                && Math.abs(nx * my - ny * mx) <= PARALLEL
+                && pairs.frictionOf(pair) == pairs.frictionOf(other)
+                && pairs.elasticityOf(pair) == pairs.elasticityOf(other)
+                && runAlike(pair, other);
+    }
+
+    private boolean runAlike(int pair, int other) {
+        return (bodies.surfaceSpeed == null
+                        || pairs.surfaceSpeed(bodies, pair) == pairs.surfaceSpeed(bodies, other))
+                && (bodies.rollingResistance == null
+                        || pairs.rollingLever(bodies, pair) == pairs.rollingLever(bodies, other));
+    }
+
+    /** Distance in m by which the bodies may slide over each other in the step. */
+    private double slide(int pair, double span, double dt) {
+        int a = pairs.bodyA[pair];
+        int b = pairs.bodyB[pair];
+        double nx = pairs.normalX[pair];
+        double ny = pairs.normalY[pair];
+        double speed =
+                nx * (bodies.velocityY[b] - bodies.velocityY[a])
+                        - ny * (bodies.velocityX[b] - bodies.velocityX[a]);
+        double turning = bodies.turns() ? Math.abs(bodies.spin[b]) + Math.abs(bodies.spin[a]) : 0;
+        return (Math.abs(speed) + turning * span) * dt;
+    }
+
+    /** Removes a point; what it carried passes to the two outer ones by the law of the lever. */
+    private void remove(int pair, int i) {
+        int point = 2 * pair + i;
+        double share = toBelow / (toBelow + toAbove);
+        handOver(pairs.normalForce, point, share);
+        handOver(pairs.load, point, share);
+        double x = pairs.pointX[point];
+        double y = pairs.pointY[point];
+        pairs.removePoint(pair, i);
+        if (pairs.points[pair] == 0) {
+            // The contact is told of at this place.
+            pairs.pointX[2 * pair] = x;
+            pairs.pointY[2 * pair] = y;
+        }
+    }
+
+    private void handOver(double[] carried, int point, double share) {
+        carried[above] += share * carried[point];
+        carried[below] += (1 - share) * carried[point];
+    }
+}

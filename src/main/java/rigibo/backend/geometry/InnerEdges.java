@@ -1,0 +1,71 @@
+package rigibo.backend.geometry;
+
+import java.util.List;
+
+/**
+ * Finds which edges of a compound's parts are inside of it, covered by other parts: what is deep in
+ * a part does not leave through such an edge, since the next part begins there.
+ */
+final class InnerEdges {
+
+    /** Number of places along an edge, evenly spread, that must be covered. */
+    private static final int PLACES = 16;
+
+    /** Distance before the edge at which they are, in widths of the part. */
+    private static final double BEFORE = 1e-3;
+
+    private final List<Part> parts;
+    private final Outline[] outlines;
+
+    private InnerEdges(List<Part> parts, Outline[] outlines) {
+        this.parts = parts;
+        this.outlines = outlines;
+    }
+
+    static void note(List<Part> parts, Outline[] outlines) {
+        InnerEdges edges = new InnerEdges(parts, outlines);
+        for (int i = 0; i < outlines.length; i++) {
+            edges.note(i);
+        }
+    }
+
+    private void note(int part) {
+        Outline outline = outlines[part];
+        boolean[] inner = new boolean[outline.edges()];
+        boolean isAny = false;
+        for (int i = 0; i < inner.length; i++) {
+            inner[i] = isCovered(part, i);
+            isAny |= inner[i];
+        }
+        if (isAny) {
+            outline.noteInner(inner);
+        }
+    }
+
+    private boolean isCovered(int part, int edge) {
+        Outline outline = outlines[part];
+        int next = (edge + 1) % outline.corners();
+        double before = outline.radius() + BEFORE * outline.smallestWidth();
+        for (int i = 0; i < PLACES; i++) {
+            double along = (i + 0.5) / PLACES;
+            double x = outline.cornerX(edge);
+            double y = outline.cornerY(edge);
+            x += along * (outline.cornerX(next) - x) + before * outline.normalX(edge);
+            y += along * (outline.cornerY(next) - y) + before * outline.normalY(edge);
+            if (!isInAnother(part, x, y)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private boolean isInAnother(int part, double x, double y) {
+        for (int other = 0; other < outlines.length; other++) {
+            boolean isSolid = other != part && !parts.get(other).isSensor();
+            if (isSolid && outlines[other].depth(x, y) > 0) {
+                return true;
+            }
+        }
+        return false;
+    }
+}
