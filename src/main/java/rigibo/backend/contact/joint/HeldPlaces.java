@@ -141,7 +141,7 @@ final class HeldPlaces {
             if (isStop && !elimination.isIn(row)) {
                 double beyond = Math.min(0, rows.place[row]) - jointRows.place(row);
                 if (rows.inMetres(row, beyond) > allowed() && beyond > 0) {
-                    elimination.put(row, true);
+                    solver.letIn(row);
                     isFactored = false;
                 }
             }

@@ -225,6 +225,24 @@ final class NeutralRows {
         return most > 0 ? most : 1;
     }
 
+    /** 1 or −1 where two rows have the same derivatives, or opposite ones; else 0. */
+    int parallel(int row, int other) {
+        return areAlike(row, other, 1) ? 1 : areAlike(row, other, -1) ? -1 : 0;
+    }
+
+    private boolean areAlike(int row, int other, int sign) {
+        boolean areAlike = bodies[row] == bodies[other];
+        for (int i = 0; areAlike && i < bodies[row]; i++) {
+            areAlike = body[row * BODIES + i] == body[other * BODIES + i];
+            for (int k = 3 * i; areAlike && k < 3 * i + 3; k++) {
+                areAlike =
+                        derivative[row * DERIVATIVES + k]
+                                == sign * derivative[other * DERIVATIVES + k];
+            }
+        }
+        return areAlike;
+    }
+
     /** A change of a row's coordinate as a length, or of its speed in m/s. */
     double inMetres(int row, double change) {
         return Math.abs(change) * unit[row];

@@ -47,6 +47,9 @@ final class RowSolver {
     /** Share of a bound from which on what was carried counts as at it. */
     private static final double AT_BOUND = 1 - 1e-9;
 
+    /** Rows of a joint along one coordinate, two limits and a motor, besides one of them. */
+    private static final int MOST_RIVALS = 2;
+
     private final Motions motions;
     private final NeutralRows rows;
     private final RowElimination elimination;
@@ -65,6 +68,9 @@ final class RowSolver {
 
     /** What rows with bounds give way by for what they carry else than in the kick before. */
     private final double nearness;
+
+    /** Whether rows are kept near what they carried. */
+    private boolean areNear;
 
     /** Rows to be exchanged, and the last of them. */
     private int wrong;
@@ -95,6 +101,7 @@ final class RowSolver {
      */
     void begin() {
         start();
+        areNear = false;
         for (int i = 0; i < boundedCount; i++) {
             place(bounded[i]);
         }
@@ -106,7 +113,7 @@ final class RowSolver {
      */
     void beginAsBefore(PackedJoints packed, double share) {
         start();
-        boolean isIndeterminate = nearness > 0 && mayBeIndeterminate();
+        areNear = nearness > 0 && mayBeIndeterminate();
         for (int i = 0; i < boundedCount; i++) {
             int row = bounded[i];
             boolean isOfJoint = rows.joint[row] != NeutralRows.NONE;
@@ -114,7 +121,7 @@ final class RowSolver {
                     isOfJoint
                             ? share * packed.impulseOf(rows.joint[row], rows.part[row])
                             : rows.impulse[row];
-            if (isIndeterminate) {
+            if (areNear) {
                 keepNear(row, before);
             }
             if (isOfJoint) {
@@ -192,7 +199,7 @@ final class RowSolver {
         if (carried == 0) {
             place(row);
         } else if (isWithin) {
-            elimination.put(row, true);
+            enter(row);
         } else {
             side[row] = carried > 0 ? 1 : -1;
             elimination.put(row, false);
@@ -204,10 +211,50 @@ final class RowSolver {
     private void place(int row) {
         double wish = rows.wish(row);
         side[row] = wish >= rows.upper[row] ? 1 : -1;
-        elimination.put(row, wish > rows.lower[row] && wish < rows.upper[row]);
-        if (!elimination.isIn(row)) {
+        if (wish > rows.lower[row] && wish < rows.upper[row]) {
+            enter(row);
+        } else {
+            elimination.put(row, false);
             toBound(row);
         }
+    }
+
+    /** Takes a row with bounds into the set; a rival of it goes to its bound. */
+    private void enter(int row) {
+        int rival = takeRivalOut(row);
+        if (rival != NeutralRows.NONE) {
+            toBound(rival);
+        }
+        elimination.put(row, true);
+    }
+
+    /** Takes a row with bounds into the set; whatever a rival of it carries it goes on carrying. */
+    void letIn(int row) {
+        takeRivalOut(row);
+        elimination.put(row, true);
+    }
+
+    /**
+     * Takes the row of a joint out of the set that is along the same coordinate as another of its
+     * rows; which one that is. A limit and a brake that both hold ask for one speed each: their
+     * difference, however small, drove them against each other by 10¹² N·s. Rows that are kept near
+     * what they carried share what there is to carry.
+     */
+    private int takeRivalOut(int row) {
+        int joint = areNear ? NeutralRows.NONE : rows.joint[row];
+        for (int i = row - MOST_RIVALS; joint != NeutralRows.NONE && i <= row + MOST_RIVALS; i++) {
+            boolean isOfJoint = i >= 0 && i < rows.count && i != row && rows.joint[i] == joint;
+            if (isOfJoint && elimination.isIn(i) && !rows.isEquation(i)) {
+                double sign = rows.parallel(row, i);
+                if (sign != 0) {
+                    boolean isBack = sign * rows.target[row] > rows.target[i];
+                    side[i] = isBack || rows.upper[i] == Double.POSITIVE_INFINITY ? -1 : 1;
+                    elimination.put(i, false);
+                    return i;
+                }
+            }
+        }
+        return NeutralRows.NONE;
     }
 
     private void clampAll() {
@@ -379,7 +426,7 @@ final class RowSolver {
             elimination.put(row, false);
             toBound(row);
         } else {
-            elimination.put(row, true);
+            enter(row);
         }
     }
 
@@ -417,6 +464,9 @@ final class RowSolver {
         for (int row = 0; row < rows.count; row++) {
             elimination.put(row, rows.isEquation(row));
         }
+        // What counted as solved may have been measured at impulses beyond all bounds.
+        settled = ROUND_OFF * strongest();
+        isNear = false;
         eliminate();
     }
 }

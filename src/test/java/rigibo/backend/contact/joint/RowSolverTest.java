@@ -1,0 +1,89 @@
+package rigibo.backend.contact.joint;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+import rigibo.backend.contact.row.Motions;
+import rigibo.backend.setup.Accuracy;
+
+/** Rows of a joint with bounds, of a body of 1 kg and 1 kg·m². */
+class RowSolverTest {
+
+    private static final int BODY = Motions.STRIDE;
+
+    private final Motions motions = new Motions(true);
+    private final NeutralRows rows = new NeutralRows(motions, null);
+    private final RowElimination elimination = new RowElimination(motions, rows);
+    private final RowSolver solver = new RowSolver(motions, rows, elimination, Accuracy.GAME);
+
+    @BeforeEach
+    void addBody() {
+        motions.data = new double[2 * Motions.STRIDE];
+        motions.slots = new int[2];
+        motions.reach = new double[] {1, 1};
+        motions.count = 2;
+        motions.data[BODY + Motions.INVERSE_MASS] = 1;
+        motions.data[BODY + Motions.INVERSE_INERTIA] = 1;
+        elimination.beginIsland(1e6);
+    }
+
+    private int turning(double target, double lower, double upper) {
+        int row = rows.add();
+        rows.derive(row, BODY, 0, 0, 1);
+        rows.joint[row] = 0;
+        rows.target[row] = target;
+        rows.lower[row] = lower;
+        rows.upper[row] = upper;
+        rows.finish(row);
+        return row;
+    }
+
+    /**
+     * A body turns at w towards its limit, which it may come to at −0.01 rad/s, and a brake of up
+     * to b N·m·s is on the same hinge. The brake alone stops it where it can; otherwise it gives
+     * all that it has, and the limit the rest: w + b + limit = −0.01, if that leaves anything.
+     */
+    @ParameterizedTest
+    @CsvSource({
+        "-1, 2, -0, 1, 0",
+        "-1, 0.5, -0.01, 0.5, 0.49",
+        "-1, 0.995, -0.005, 0.995, 0",
+        "-1, 0.98, -0.01, 0.98, 0.01",
+        "1, 0.5, 0.5, -0.5, 0",
+    })
+    void aLimitAndABrakeOfOneHingeDoNotOpposeEachOther(
+            double speed, double brake, double after, double braked, double limited) {
+        motions.data[BODY + Motions.SPIN] = speed;
+        int limit = turning(-0.01, 0, Double.POSITIVE_INFINITY);
+        rows.holdsPlace[limit] = true;
+        int motor = turning(0, -brake, brake);
+        solver.begin();
+        boolean isSolved = solver.solve(1e-9);
+        assertThat(isSolved).isTrue();
+        assertThat(motions.data[BODY + Motions.SPIN]).isCloseTo(after, within(1e-9));
+        assertThat(rows.impulse[motor]).isCloseTo(braked, within(1e-9));
+        assertThat(rows.impulse[limit]).isCloseTo(limited, within(1e-9));
+    }
+
+    /** After passes that ran away an equation is to be held to round-off of what bodies do. */
+    @Test
+    void whatRanAwayDoesNotTellWhatCountsAsSolved() {
+        int equation = rows.add();
+        rows.derive(equation, BODY, 1, 0, 0);
+        rows.finish(equation);
+        int limit = turning(0, 0, Double.POSITIVE_INFINITY);
+        rows.impulse[limit] = 1e15;
+        motions.data[BODY + Motions.VX] = 1;
+        solver.begin();
+        solver.solve(1e-9);
+        rows.push(equation, 1 - motions.data[BODY + Motions.VX]);
+        rows.impulse[limit] = 0;
+        solver.holdEquations();
+        assertThat(motions.data[BODY + Motions.VX]).isCloseTo(0, within(1e-12));
+    }
+}
