@@ -249,11 +249,11 @@ final class CarDemo implements Demo {
     }
 
     private static String metresPerSecond(double value) {
-        return String.format(Locale.ROOT, "%.2f m/s", value);
+        return Fixed.words("%.2f m/s", value);
     }
 
     private String pull() {
-        return track.isWhole() ? String.format(Locale.ROOT, "%.0f N", track.pull()) : NOTHING;
+        return track.isWhole() ? Fixed.words("%.0f N", track.pull()) : NOTHING;
     }
 
     /** Joints that were switched off come back with the effect. */

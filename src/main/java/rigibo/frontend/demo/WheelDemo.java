@@ -314,10 +314,10 @@ final class WheelDemo implements Demo {
     }
 
     private static String metres(double speed) {
-        return String.format(Locale.ROOT, "%.3f m/s", speed);
+        return Fixed.words("%.3f m/s", speed);
     }
 
     private static String acceleration(double value) {
-        return String.format(Locale.ROOT, "%.3f m/s²", value);
+        return Fixed.words("%.3f m/s²", value);
     }
 }
