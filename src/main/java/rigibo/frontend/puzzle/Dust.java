@@ -23,7 +23,10 @@ final class Dust {
     private static final int MOST_PER_BLOW = 9;
     private static final int MOST = 160;
 
-    /** Speed of puffs per m/s of the impact, their highest speed, m/s, and the rate at which air slows them down, 1/s. */
+    /**
+     * Speed of puffs per m/s of the impact, their highest speed, m/s, and the rate at which air
+     * slows them down, 1/s.
+     */
     private static final double SPEED = 0.35;
 
     private static final double MOST_SPEED = 1.6;
