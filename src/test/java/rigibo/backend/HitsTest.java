@@ -187,11 +187,11 @@ class HitsTest {
     }
 
     /**
-     * In a row of discs that touch at rest nothing is in flight but the first; the blow goes on to
-     * the last within the instant.
+     * In a row of discs that touch at rest nothing is in flight but the first; the impact goes on
+     * to the last within the instant.
      */
     @Test
-    void tellsABlowThatGoesThroughARow() {
+    void tellsAnImpactThatGoesThroughARow() {
         Pool pool = new Pool(WEIGHTLESS, Accuracy.GAME);
         BodyDefinition disc = BodyDefinition.dynamic(new Circle(0.5)).material(elastic(1));
         RigidBody first = pool.add(disc.at(-2, 0).velocity(2, 0));

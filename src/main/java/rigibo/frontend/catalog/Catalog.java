@@ -38,12 +38,12 @@ public final class Catalog {
         return entries;
     }
 
-    /** What hangs in the gallery, in its order. */
+    /** The gallery's exhibits, in its order. */
     public static List<SceneEntry> exhibits() {
         return Gallery.exhibits();
     }
 
-    /** The scene of a name, for the command line; of the gallery's, too. */
+    /** Finds a scene by the name that the command line uses, among the gallery's exhibits too. */
     public static Optional<SceneEntry> find(String name) {
         return Stream.concat(entries().stream(), exhibits().stream())
                 .filter(entry -> entry.name().equals(name))
@@ -51,7 +51,7 @@ public final class Catalog {
     }
 
     /**
-     * The editor with a level file, or with a new level where there is none.
+     * Opens the editor with a level file, or with a new level if the file does not exist.
      *
      * @throws IllegalArgumentException when it is no level that can be edited, saying why
      */
@@ -59,14 +59,14 @@ public final class Catalog {
         return Editor.of(file);
     }
 
-    /** What each demo declares, by its title, in the order of the menu. */
+    /** The effects that each demo declares, by its title, in the order of the menu. */
     public static Map<String, Effects> demoEffects() {
         return Demos.effects();
     }
 
     /**
-     * The scene of files that the player names: a level to be played or a replay to be watched,
-     * with its level where that is none of the game's own.
+     * The scene for files that the player names: a level to play, or a replay to watch, together
+     * with its level if that is not one of the game's own.
      *
      * @throws IllegalArgumentException with all that is wrong with the files, a line each
      */
@@ -75,8 +75,8 @@ public final class Catalog {
     }
 
     /**
-     * What is filmed: a level of the game by its name, or a level or replay by its file, as it
-     * plays by itself.
+     * The scene to be filmed, which plays by itself: a level of the game by its name, or a level or
+     * replay by its file.
      *
      * @throws IllegalArgumentException when there is no such level, or with all that is wrong with
      *     the file
@@ -87,7 +87,7 @@ public final class Catalog {
                 : Films.of(levelOrFile);
     }
 
-    /** The scene of files that were dropped on a window; what is wrong with them is shown. */
+    /** The scene for files that were dropped on a window; if they have errors, it shows them. */
     public static Scene dropped(Director director, List<Path> files) {
         return PlayerFiles.read(files).scene(director);
     }

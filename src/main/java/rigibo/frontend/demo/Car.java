@@ -24,18 +24,20 @@ final class Car {
     private static final double WHEEL_MASS = 15;
     private static final double AXLE = 0.85;
 
-    /** Of the axles under the middle of the chassis, m. */
+    /** Height of the axles below the middle of the chassis, m. */
     private static final double CLEARANCE = 0.34;
 
     private static final double GRIP = 0.9;
 
-    /** Loads are the mean over so many steps: a rolling wheel on a bridge trembles. */
+    /**
+     * Steps over which wheel loads are averaged, because a wheel that rolls on a bridge trembles.
+     */
     private static final int STEPS = 12;
 
     private static final int REAR = 0;
     private static final int FRONT = 1;
 
-    /** What is set by the controls. */
+    /** Values that the controls set. */
     static final class Settings {
         double speed = 12;
         double torque = 500;
@@ -124,7 +126,7 @@ final class Car {
         }
     }
 
-    /** Notes what the ground pressed on the wheels in the last step. */
+    /** Stores the forces with which the ground pressed on the wheels in the last step. */
     void afterStep() {
         step = (step + 1) % STEPS;
         impulses[REAR][step] = 0;
@@ -140,7 +142,7 @@ final class Car {
         }
     }
 
-    /** What presses on a wheel, N, mean of the last fifth of a second. */
+    /** Load on a wheel, N, averaged over the last fifth of a second. */
     private double measured(int wheel) {
         double sum = 0;
         for (double impulse : impulses[wheel]) {
@@ -158,8 +160,9 @@ final class Car {
     }
 
     /**
-     * By the moments about the other wheel's contact, N: whatever the ground does along the line
-     * through both contacts has none, so that m·g·(its lever) is N·(the wheels' distance).
+     * Load on a wheel by the moments about the other wheel's contact, N. Forces along the line
+     * through both contacts have no moment, so that N times the distance of the wheels is m·g times
+     * the weight's lever.
      */
     double predictedRear() {
         return weight() * (wheels[FRONT].x() + contactX() - centreX()) / base();
@@ -188,7 +191,7 @@ final class Car {
         return (sum + WHEEL_MASS * (wheels[REAR].x() + wheels[FRONT].x())) * G / weight();
     }
 
-    /** The slope it is on, rad, uphill positive. */
+    /** Slope of the ground under the car, rad; positive uphill. */
     double slope() {
         return Math.atan2(
                 wheels[FRONT].y() - wheels[REAR].y(), wheels[FRONT].x() - wheels[REAR].x());
@@ -199,7 +202,7 @@ final class Car {
         return chassis.velocityX();
     }
 
-    /** How much faster the driven wheel's rim is than the car, m/s. */
+    /** Speed of the driven wheel's rim minus that of the car, m/s. */
     double slip() {
         return -wheels[REAR].angularVelocity() * WHEEL
                 - Math.copySign(

@@ -31,18 +31,20 @@ final class CarDemo implements Demo {
 
     private static final String NOTHING = "–";
 
-    /** Where the car is in the window, m from the middle at the first scale. */
+    /** Position of the car in the window, m from the middle at the first scale. */
     private static final double AHEAD = 2.6;
 
     private static final double BELOW = 1.6;
     private static final double SCALE = 52;
 
-    /** A key's worth of speed, and the fastest, rad/s. */
+    /** Speed that one key press adds, and the highest speed, rad/s. */
     private static final double NOTCH = 2;
 
     private static final double FASTEST = 20;
 
-    /** An arrow is so long for each N, px, and so far beside the other. */
+    /**
+     * Length of an arrow per newton, px, and the distance between the two arrows of a wheel, px.
+     */
     private static final double PX_PER_NEWTON = 0.03;
 
     private static final double BESIDE = 5;
@@ -225,12 +227,12 @@ final class CarDemo implements Demo {
         again();
     }
 
-    /** On the rear wheel by statics and as measured, N. */
+    /** Load on the rear wheel, N: by statics, and as measured. */
     double[] rear() {
         return new double[] {car.predictedRear(), car.measuredRear()};
     }
 
-    /** On the front wheel, N. */
+    /** Load on the front wheel, N: by statics, and as measured. */
     double[] front() {
         return new double[] {car.predictedFront(), car.measuredFront()};
     }
@@ -249,14 +251,17 @@ final class CarDemo implements Demo {
     }
 
     private static String metresPerSecond(double value) {
-        return String.format(Locale.ROOT, "%.2f m/s", value);
+        return Fixed.words("%.2f m/s", value);
     }
 
     private String pull() {
-        return track.isWhole() ? String.format(Locale.ROOT, "%.0f N", track.pull()) : NOTHING;
+        return track.isWhole() ? Fixed.words("%.0f N", track.pull()) : NOTHING;
     }
 
-    /** Joints that were switched off come back with the effect. */
+    /**
+     * Rebuilds the car and the track once joints are declared again, because undeclaring them
+     * removed all joints.
+     */
     @Override
     public void beforeStep(Workbench on) {
         boolean isWhole = car.isWhole() && track.isWhole();
@@ -293,7 +298,9 @@ final class CarDemo implements Demo {
         draw(on.camera(), canvas, car.wheels[1], front());
     }
 
-    /** From under the ground upwards: what statics says in brass, what is measured in green. */
+    /**
+     * Draws the loads as arrows that point up to the wheels: brass by statics, green as measured.
+     */
     private void draw(Camera camera, Canvas canvas, RigidBody wheel, double[] loads) {
         double angle = car.slope();
         for (int i = 0; i < 2; i++) {

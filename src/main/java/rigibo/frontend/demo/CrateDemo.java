@@ -39,12 +39,12 @@ final class CrateDemo implements Demo {
     private static final double BLAST_RADIUS = 4;
     private static final double LEDGE_X = 6.2;
 
-    /** Of the floor where surfaces run, m/s; negative carries to the right. */
+    /** Speed of the floor where surfaces run, m/s; a negative one carries bodies to the right. */
     private static final double BELT_SPEED = -0.8;
 
     private Workbench bench;
 
-    /** Where the crates of the stack were put, x in m. */
+    /** By crate of the stack: the x at which it was placed, m. */
     private final Map<RigidBody, Double> stack = new HashMap<>();
 
     private RigidBody edgeBox;
@@ -139,7 +139,7 @@ final class CrateDemo implements Demo {
         stack.clear();
     }
 
-    /** A box of 1 m whose share beyond the ledge's left edge is set by the slider. */
+    /** Places a box 1 m long on the ledge; the slider sets the share of it beyond the left edge. */
     private void placeOnEdge() {
         if (edgeBox != null && edgeBox.isAlive()) {
             bench.remove(edgeBox);
@@ -221,7 +221,7 @@ final class CrateDemo implements Demo {
         return "" + count;
     }
 
-    /** The farthest that a crate of the stack is to the side of where it was put, m. */
+    /** Largest distance that a crate of the stack has moved sideways from its place, m. */
     private double lean() {
         return stack.entrySet().stream()
                 .filter(crate -> crate.getKey().isAlive())
@@ -230,7 +230,7 @@ final class CrateDemo implements Demo {
                 .orElse(0);
     }
 
-    /** Of motion and of height over the floor. */
+    /** Energy of motion and of height above the floor. */
     private String energy() {
         double joules = bench.pool().kineticEnergy() + bench.pool().potentialEnergy();
         return String.format(Locale.ROOT, "%.2f J", joules);
@@ -252,7 +252,7 @@ final class CrateDemo implements Demo {
         }
     }
 
-    /** Drives everything near a point away from it, m. */
+    /** Drives everything near a point, in m, away from it. */
     private void blast(double x, double y) {
         for (RigidBody any : bench.pool().bodies()) {
             bench.act(any, body -> blast(body, x, y));

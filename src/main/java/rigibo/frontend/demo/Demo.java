@@ -15,22 +15,28 @@ interface Demo {
     /** The window's title and the name on the screen. */
     String title();
 
-    /** What the scene calls for. */
+    /** The effects that the scene declares. */
     Effects effects();
 
-    /** What each of them is for here, and what others would do that it has numbers for. */
+    /**
+     * Why the scene declares each effect, and what some others would add, with numbers where it has
+     * any.
+     */
     List<EffectReason> reasons();
 
-    /** Where to look. */
+    /** The initial view. */
     Camera camera();
 
     /** Puts the bodies on a fresh workbench. */
     void build(Workbench bench);
 
-    /** Controls and readouts, from above. */
+    /** Controls and readouts, from top to bottom. */
     List<Widget> widgets();
 
-    /** Whether its point is how it differs at another accuracy: then the ghost's side turns up. */
+    /**
+     * Whether its point is how it differs at another accuracy; if so, the side plate shows the
+     * ghost.
+     */
     default boolean wantsGhost() {
         return false;
     }
@@ -41,15 +47,15 @@ interface Demo {
     /** After each step. */
     default void afterStep(Workbench bench) {}
 
-    /** Draws what is special about it, above the bodies. */
+    /** Draws what only this demo shows, above the bodies. */
     default void draw(Workbench bench, Canvas canvas) {}
 
-    /** The last frame took this long to draw, ns. */
+    /** Reports the time that the last frame took to draw, ns. */
     default void drawn(long nanos) {}
 
-    /** The right button went down, world m. */
+    /** Reports a press of the right button at a point of the world, m. */
     default void rightClick(Workbench bench, double x, double y) {}
 
-    /** A key that is not shared. */
+    /** Handles a key that is not one of the shared keys. */
     default void key(Workbench bench, Key key) {}
 }

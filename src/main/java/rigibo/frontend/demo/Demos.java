@@ -15,7 +15,7 @@ public final class Demos {
 
     private Demos() {}
 
-    /** An entry each. */
+    /** One menu entry per demo. */
     public static List<SceneEntry> entries() {
         return List.of(
                 CrateDemo.entry(),
@@ -26,7 +26,7 @@ public final class Demos {
                 CarDemo.entry());
     }
 
-    /** What each of them declares, by its English name. */
+    /** The effects that each demo declares, by its English name. */
     public static Map<String, Effects> effects() {
         Map<String, Effects> effects = new LinkedHashMap<>();
         Words words = new Words("en");
@@ -43,7 +43,10 @@ public final class Demos {
         return effects;
     }
 
-    /** The demo before (−1) or after (1) the one whose window has a title, round and round. */
+    /**
+     * Returns the demo before (−1) or after (1) the one whose window has a title; after the last
+     * comes the first.
+     */
     static Scene beside(String title, int direction, Director director) {
         List<SceneEntry> all = entries();
         int at = 0;

@@ -41,7 +41,7 @@ final class FloodDemo implements Demo {
 
     private final Words words;
 
-    /** The trough's inner sides, m; right of it the reference ball has a shaft of its own. */
+    /** Inner sides of the trough, m; to its right the reference ball has a shaft of its own. */
     private static final double LEFT = -11;
 
     private static final double RIGHT = 8;
@@ -50,7 +50,7 @@ final class FloodDemo implements Demo {
     private static final int MOST_BODIES = 8000;
     private static final Skin[] SKINS = {Skin.BALL, Skin.RUBBER, Skin.ICE, Skin.RIGIBO};
 
-    /** The hatch in the floor that a drain opens, m. */
+    /** The hatch in the floor, through which the trough drains, m. */
     private static final double HATCH_LEFT = -4;
 
     private static final double HATCH_RIGHT = 1;
@@ -91,7 +91,7 @@ final class FloodDemo implements Demo {
         return words.of("scene.flood");
     }
 
-    /** Rotation only while something would turn: discs without friction do not. */
+    /** Declares rotation only if something would turn; discs without friction do not. */
     @Override
     public Effects effects() {
         Effects effects =
@@ -199,7 +199,7 @@ final class FloodDemo implements Demo {
                 new Readout("  " + words.of("flood.seen"), reference::seenWords));
     }
 
-    /** The toggles change what is simulated; the pool takes it from the next step on. */
+    /** Changes the declared effects; the pool uses them from the next step on. */
     private void switchTo(boolean ignored) {
         bench.pool().effects(effects());
     }
@@ -214,7 +214,10 @@ final class FloodDemo implements Demo {
         }
     }
 
-    /** Pours until the step alone no longer fits into a frame; with drawing it is so earlier. */
+    /**
+     * Pours until a step alone no longer fits into a frame; with drawing, the limit is reached
+     * earlier.
+     */
     private void search() {
         isSearching = true;
         heldDrawn = 0;
@@ -249,7 +252,7 @@ final class FloodDemo implements Demo {
                 });
     }
 
-    /** A drop from above or out of the hose; none where it would come to lie in another body. */
+    /** Adds a body from above or from the hose, unless it would overlap another one. */
     private void pour() {
         double middle = isHosing ? bench.pointerX() : (LEFT + RIGHT) / 2;
         double width = isHosing ? HOSE_WIDTH : RIGHT - LEFT;

@@ -10,12 +10,12 @@ import java.util.Arrays;
  */
 final class FrameTimes {
 
-    /** What a step and its drawing may take together. */
+    /** Longest time of a step and its drawing together. */
     static final double BUDGET_MILLIS = 1000.0 / 60;
 
     private static final int WINDOW = 120;
 
-    /** A rate is held when so many of a hundred frames come in time. */
+    /** Number of frames in a hundred that must be in time for a rate to count as held. */
     private static final int HELD = 95;
 
     private final double[] steps = new double[WINDOW];
@@ -23,7 +23,7 @@ final class FrameTimes {
     private int turn;
     private double drawing;
 
-    /** Takes the times of a step. */
+    /** Records the times of a step. */
     void step(StepReport report) {
         long nanos = 0;
         for (StepStage stage : StepStage.values()) {
@@ -34,7 +34,7 @@ final class FrameTimes {
         turn++;
     }
 
-    /** Takes the time that drawing took, ns. */
+    /** Records the time that drawing took, ns. */
     void drawing(long nanos) {
         drawing = nanos / 1e6;
     }
@@ -44,7 +44,7 @@ final class FrameTimes {
         turn = 0;
     }
 
-    /** The time that a share of the steps stay below, ms. */
+    /** The time below which a percentage of the steps stay, ms. */
     double step(int percent) {
         return percentile(steps, percent);
     }

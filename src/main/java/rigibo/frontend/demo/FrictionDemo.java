@@ -154,13 +154,16 @@ final class FrictionDemo implements Demo {
                 : words.of("friction.going");
     }
 
-    /** What friction has taken out of the launch. */
+    /** Energy that friction has taken out of the launches. */
     private String heat() {
         double joules = lanes.stream().mapToDouble(Lane::heat).sum();
         return String.format(Locale.ROOT, "%.1f J", joules);
     }
 
-    /** The flag where each box should stop or turn, and a tick below it, lit when it stands. */
+    /**
+     * Draws a flag where each box should stop or turn, and below it a dot that lights up when the
+     * box stands.
+     */
     @Override
     public void draw(Workbench on, Canvas canvas) {
         for (Lane lane : lanes) {
@@ -179,7 +182,7 @@ final class FrictionDemo implements Demo {
         canvas.panel(x, y - FLAG, 26, 16, 3, Color.BRASS);
     }
 
-    /** The lane's name below its start, and what the ramp does to a box that stopped. */
+    /** Draws the lane's name below its start, and whether its ramp holds a box that has stopped. */
     private void drawSign(Camera camera, Canvas canvas, Lane lane) {
         String key = lane.holds() ? "friction.holds" : "friction.slides";
         String sign = words.of(key, name(lane));

@@ -13,13 +13,13 @@ import java.util.List;
 
 /**
  * Pendulums hung from a pin at the origin: bobs on stiff massless rods, or a chain of light links
- * with a weight at its end; straight, and at rest at an angle.
+ * with a weight at its end. They start straight, at rest, at an angle.
  */
 final class Hang {
 
     static final double G = 9.81;
 
-    /** What is in the chain. */
+    /** Number of links of the chain. */
     static final int LINKS = 30;
 
     private static final double LINK_MASS = 0.02;
@@ -27,10 +27,10 @@ final class Hang {
     private static final double BOB_MASS = 1;
     private static final double BOB_RADIUS = 0.14;
 
-    /** Heavier weights are larger by so much for each power of ten, m. */
+    /** Radius that a weight gains per power of ten of its mass, m. */
     private static final double LARGER = 0.035;
 
-    /** Nothing of it meets anything else of it. */
+    /** Group in which bodies of the pendulum do not collide with each other. */
     private static final int GROUP = 1;
 
     /** The three kinds, in the order of the control. */
@@ -49,7 +49,7 @@ final class Hang {
     final Kind kind;
     final double length;
 
-    /** From the pin down. */
+    /** The bodies, from the pin down. */
     final List<RigidBody> bodies = new ArrayList<>();
 
     final List<Joint> joints = new ArrayList<>();
@@ -59,7 +59,7 @@ final class Hang {
     private RigidBody pin;
 
     /**
-     * Hangs it up.
+     * Hangs the pendulum up.
      *
      * @param length from the pin to the middle of the last bob, m
      * @param angle from the vertical, rad, to the right
@@ -139,12 +139,12 @@ final class Hang {
         return bodies.get(bodies.size() - 1);
     }
 
-    /** Whether it still hangs: switching the effect off ends all joints. */
+    /** Whether the pendulum still hangs; undeclaring joints removes all of them. */
     boolean isWhole() {
         return joints.stream().allMatch(Joint::isAlive);
     }
 
-    /** Of motion, and of height over where it would hang straight down, J. */
+    /** Energy of motion, and of height above the position in which it hangs straight down, J. */
     double energy() {
         double sum = 0;
         for (RigidBody body : bodies) {
@@ -166,17 +166,17 @@ final class Hang {
         return sum;
     }
 
-    /** All that hangs, N. */
+    /** Weight of all that hangs, N. */
     double weight() {
         return G * bodies.stream().mapToDouble(RigidBody::mass).sum();
     }
 
-    /** How far its joints gape in all, as a share of its length. */
+    /** Sum of the gaps at all joints, as a share of the pendulum's length. */
     double stretch() {
         return joints.stream().mapToDouble(Joint::error).sum() / length;
     }
 
-    /** What the pin carries, N, mean of the last step. */
+    /** Force that the pin carries, N, as the mean over the last step. */
     double tension() {
         return joints.get(0).reactionForce();
     }

@@ -11,7 +11,7 @@ import java.util.List;
 /** The keys of a demo, and the stages into which its step was compiled. */
 final class HelpSheet {
 
-    /** Lines of keys, each with words of its own. */
+    /** Number of lines with keys. */
     private static final int KEYS = 7;
 
     private static final double TOP = 60;
@@ -27,9 +27,9 @@ final class HelpSheet {
 
     private HelpSheet() {}
 
-    /** Draws the keys and a plan of lines. */
+    /** Draws the keys and the lines of a plan. */
     static void draw(Words words, String plan, Canvas canvas) {
-        // A veil over everything: words would shine through a panel.
+        // Covers everything with a veil, since words would shine through a panel.
         canvas.panel(0, 0, Scene.WIDTH, Scene.HEIGHT, 0, Color.DUSK_TOP.alpha(0.96));
         for (int i = 0; i < KEYS; i++) {
             centred(words.of("help.keys." + i), TOP + KEY_HEIGHT * i, Color.TEXT, canvas);
@@ -54,7 +54,7 @@ final class HelpSheet {
                 color);
     }
 
-    /** The lines of a plan, each broken between words where the window ends. */
+    /** Wraps the lines of a plan at the edge of the window, between words. */
     private static List<String> wrapped(String plan, Canvas canvas) {
         List<String> lines = new ArrayList<>();
         for (String line : plan.lines().toList()) {

@@ -17,20 +17,25 @@ final class Lane {
 
     private static final double GRAVITY = 9.81;
 
-    /** Longer than the way of the fastest launch on ice: 8²/(2·0.03·g) = 109 m. */
+    /**
+     * Length of the floor, m. It exceeds the way of the fastest launch on ice, 8²/(2·0.03·g) = 109
+     * m.
+     */
     private static final double LENGTH = 120;
 
     private static final double THICKNESS = 0.4;
 
-    /** The floor behind the start, m; a block at its end catches what slides back. */
+    /**
+     * Length of the floor behind the start, m; a block at its end catches boxes that slide back.
+     */
     private static final double RUN_OUT = 2;
 
     private static final double BLOCK = 0.3;
 
-    /** What is slower stands, m/s. */
+    /** Speed below which a box counts as standing, m/s. */
     private static final double STILL = 1e-6;
 
-    /** Lower than wide, or rubber would tumble it instead of stopping it. */
+    /** Width of the box, m, more than its height, since rubber would otherwise tumble the box. */
     private static final double BOX_WIDTH = 0.9;
 
     private static final double HALF_HEIGHT = 0.3;
@@ -50,7 +55,7 @@ final class Lane {
     private double farthest;
     private boolean hasTurned;
 
-    /** A lane of a friction that starts at (x, y), m. */
+    /** Makes a lane with a coefficient of friction that starts at (x, y), m. */
     Lane(String name, double friction, double x, double y, Skin skin) {
         this.name = name;
         this.friction = friction;
@@ -59,7 +64,7 @@ final class Lane {
         this.skin = skin;
     }
 
-    /** Lays the floor at an angle in rad and launches a box up it, m/s and kg. */
+    /** Lays the floor at an angle, rad, and launches a box of a mass, kg, up it at a speed, m/s. */
     void launch(Workbench bench, double angle, double speed, double mass) {
         parts.forEach(bench::remove);
         parts.clear();
@@ -90,8 +95,8 @@ final class Lane {
     }
 
     /**
-     * Follows the box. Where it slides back it turns within a step, later than the step before by
-     * its speed over what slowed it.
+     * Follows the box. A box that slides back has turned within the step; its farthest point
+     * follows from its last speed and deceleration.
      */
     void afterStep() {
         double speed = speed();
@@ -106,33 +111,33 @@ final class Lane {
         lastSpeed = speed;
     }
 
-    /** Up the floor, m/s. */
+    /** Speed of the box up the floor, m/s. */
     private double speed() {
         return box.velocityX() * Math.cos(slope) + box.velocityY() * Math.sin(slope);
     }
 
-    /** How far the box is up the floor from where it was launched, m. */
+    /** Distance of the box up the floor from where it was launched, m. */
     double gone() {
         return (box.x() - x) * Math.cos(slope) + (box.y() - y) * Math.sin(slope);
     }
 
-    /** How far the box should come: v²/(2g(μ·cos + sin)), m. */
+    /** Distance that the box should reach, v²/(2g(μ·cos + sin)), m. */
     double predicted() {
         double held = GRAVITY * (friction * Math.cos(slope) + Math.sin(slope));
         return launched * launched / (2 * held);
     }
 
-    /** How far it came, so far, m. */
+    /** Largest distance that the box has reached so far, m. */
     double farthest() {
         return farthest;
     }
 
-    /** Whether it has come as far as it will. */
+    /** Whether the box has reached its largest distance. */
     boolean hasTurned() {
         return hasTurned;
     }
 
-    /** Whether friction holds the box where it stops: up to the angle arctan μ. */
+    /** Whether friction holds the box where it stops, which it does up to the angle arctan μ. */
     boolean holds() {
         return Math.tan(slope) <= friction;
     }
@@ -141,19 +146,19 @@ final class Lane {
         return Math.abs(speed()) <= STILL;
     }
 
-    /** What the floor has taken from the launch, J. */
+    /** Energy that the floor has taken from the launch, J. */
     double heat() {
         double given = box.mass() * launched * launched / 2;
         double risen = box.mass() * GRAVITY * (box.y() - y - HALF_HEIGHT * Math.cos(slope));
         return given - box.kineticEnergy() - risen;
     }
 
-    /** World x of a place on the floor, m from the start. */
+    /** World x of a position on the floor, given in m from the start. */
     double floorX(double along) {
         return x + along * Math.cos(slope);
     }
 
-    /** World y of a place on the floor, m from the start. */
+    /** World y of a position on the floor, given in m from the start. */
     double floorY(double along) {
         return y + along * Math.sin(slope);
     }

@@ -32,16 +32,22 @@ final class PendulumDemo implements Demo {
 
     private static final String NOTHING = "–";
 
-    /** Slower than this a chain hangs at rest, J for each J of its weight times its length. */
+    /**
+     * Energy, per joule of the chain's weight times its length, below which the chain hangs at
+     * rest.
+     */
     private static final double STILL = 1e-6;
 
-    /** Of the arc that the bob is expected to reach, px and pieces. */
+    /** Number of straight pieces of the arc that the bob is expected to swing along. */
     private static final int ARC_PIECES = 48;
 
-    /** A chain begins with a weight of 10³ links, two bobs are alike. */
+    /**
+     * Initial mass ratio of a chain, as a power of ten: the weight equals 10³ links. Two bobs begin
+     * equal.
+     */
     private static final double HEAVY = 3;
 
-    /** Radius of what ends a rod, m. */
+    /** Radius of the pins at both ends of a rod, m. */
     private static final double PIN = 0.06;
 
     private final Words words;
@@ -179,18 +185,21 @@ final class PendulumDemo implements Demo {
         return kind == Hang.Kind.SINGLE && isFree();
     }
 
-    /** By the elliptic integral, s, where there is one pendulum and nothing holds it. */
+    /** Period by the elliptic integral, s, if there is a single pendulum and nobody holds it. */
     OptionalDouble predicted() {
         boolean moves = isSwing() && swing.share() > 0 && swing.share() != 1;
         return moves ? OptionalDouble.of(swing.predicted()) : OptionalDouble.empty();
     }
 
-    /** Between two passages, s. */
+    /** Measured time between two passages, s. */
     OptionalDouble measured() {
         return isSwing() ? swing.measured() : OptionalDouble.empty();
     }
 
-    /** What the pin must carry, N: a swinging bob's pull, or all that hangs at rest. */
+    /**
+     * Force that the pin must carry, N: the pull of a swinging bob, or the weight of all that hangs
+     * at rest.
+     */
     OptionalDouble pull() {
         if (isSwing()) {
             return OptionalDouble.of(swing.pull());
@@ -211,7 +220,7 @@ final class PendulumDemo implements Demo {
         return hang;
     }
 
-    /** Of the energy at first, relative to it. */
+    /** Change of the energy, relative to the initial energy. */
     double energyDrift() {
         double least = STILL * hang.weight() * hang.length;
         return (hang.energy() - energyAtFirst) / Math.max(least, energyAtFirst);
@@ -256,7 +265,10 @@ final class PendulumDemo implements Demo {
         return hang.isWhole() ? Metres.words(hang.stretch() * hang.length) : NOTHING;
     }
 
-    /** Joints that were switched off come back with the effect. */
+    /**
+     * Hangs the pendulum up again once joints are declared again, because undeclaring them removed
+     * all joints.
+     */
     @Override
     public void beforeStep(Workbench on) {
         if (!hang.isWhole() && on.pool().effects().declares(Joints.class)) {
@@ -294,7 +306,7 @@ final class PendulumDemo implements Demo {
         }
     }
 
-    /** What is stiff between a hinge and a bob has no body of its own. */
+    /** Draws the rods, which are no bodies. */
     private void drawRods(JointPen pen) {
         for (int i = 0; i < hang.bodies.size(); i++) {
             RigidBody bob = hang.bodies.get(i);
@@ -309,7 +321,7 @@ final class PendulumDemo implements Demo {
         }
     }
 
-    /** How far the bob will come, by its energy. */
+    /** Draws how far the bob will swing, by its energy. */
     private void drawReach(Camera camera, Canvas canvas) {
         double reach = swing.amplitude();
         double radius = hang.length;

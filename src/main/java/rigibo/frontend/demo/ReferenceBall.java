@@ -22,7 +22,7 @@ final class ReferenceBall {
     private static final double RADIUS = 0.4;
     private static final double HEIGHT = 8;
 
-    /** A rise of less is not seen; the ball is dropped anew. */
+    /** Rise below which the ball is dropped anew, m, since it cannot be seen. */
     private static final double LEAST_RISE = 0.02;
 
     private final double x;
@@ -33,7 +33,7 @@ final class ReferenceBall {
     private boolean wasFalling;
     private double risen;
 
-    /** A ball over a floor at y = 0 at a place x in m, as elastic as is said at every drop. */
+    /** Makes a ball above a floor at y = 0, at a given x in m; every drop states its elasticity. */
     ReferenceBall(double x, DoubleSupplier elasticity) {
         this.x = x;
         this.elasticity = elasticity;
@@ -56,7 +56,7 @@ final class ReferenceBall {
                         Skin.BALL);
     }
 
-    /** Counts bounces; how high the ball will rise follows from its speed on the way up. */
+    /** Counts bounces, and predicts the height of the rise from the speed on the way up. */
     void afterStep(Workbench bench) {
         boolean isFalling = ball.velocityY() <= 0;
         if (wasFalling && !isFalling) {
@@ -75,12 +75,12 @@ final class ReferenceBall {
         return Math.pow(dropped, 2 * bounces) * HEIGHT;
     }
 
-    /** The height of the present rise by the formula. */
+    /** Height of the present rise by the formula. */
     String predictedWords() {
         return String.format(Locale.ROOT, "%.4f m", predicted());
     }
 
-    /** The height of the present rise in the pool. */
+    /** Height of the present rise in the pool. */
     String seenWords() {
         return String.format(Locale.ROOT, "%.4f m", risen);
     }

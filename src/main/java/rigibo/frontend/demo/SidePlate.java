@@ -16,12 +16,12 @@ final class SidePlate {
 
     private static final double TAB_HEIGHT = 24;
 
-    /** From tab to tab, and from the tabs to the side they turn up, px. */
+    /** Distance between two tabs, and between the tabs and what they show, px. */
     private static final double GAP = 4;
 
     private static final double TAB_WIDTH = (WIDTH - 2 * GAP) / 3;
 
-    /** The sides by the keys of the words on their tabs. */
+    /** The sides, by the keys of the words on their tabs. */
     private enum Side {
         FRAME("side.frame"),
         ENERGY("side.energy"),
@@ -44,7 +44,7 @@ final class SidePlate {
     private Side shown = Side.FRAME;
     private boolean wasWanted;
 
-    /** A plate with its upper left corner at (x, y), px, its first side up. */
+    /** Makes a plate with its upper left corner at (x, y), px, that shows its first side. */
     SidePlate(Workbench bench, Words words, double x, double y) {
         this.bench = bench;
         this.x = x;
@@ -71,7 +71,7 @@ final class SidePlate {
         profile.step(bench.pool().report());
     }
 
-    /** Takes the time that drawing took, ns. */
+    /** Records the time that drawing took, ns. */
     void drawn(long nanos) {
         profile.drawing(nanos);
     }
@@ -111,7 +111,7 @@ final class SidePlate {
         show(Side.values()[(shown.ordinal() + 1) % Side.values().length]);
     }
 
-    /** Shows the ghost's side, or the first where that is up. */
+    /** Shows the ghost's side, or the first side if the ghost's is shown. */
     void turnToGhost() {
         show(shown == Side.GHOST ? Side.FRAME : Side.GHOST);
     }
@@ -122,7 +122,8 @@ final class SidePlate {
     }
 
     /**
-     * Turns up the ghost's side when the demo begins to want it, and away when it no longer does.
+     * Shows the ghost's side when the demo begins to want it, and the first one when it no longer
+     * does.
      */
     void keepGhost(boolean isWanted) {
         if (isWanted != wasWanted) {
@@ -132,14 +133,12 @@ final class SidePlate {
         keepGhost();
     }
 
-    /**
-     * Sees to it that there is a ghost while its side is up, and that it is not the scene's like.
-     */
+    /** Makes a ghost while its side is shown, at another accuracy than the scene's. */
     private void keepGhost() {
         bench.haunt(shown == Side.GHOST);
     }
 
-    /** The pointer went down; returns whether on a tab. */
+    /** Handles a press of the pointer; returns whether it was on a tab. */
     boolean pointerPressed(double px, double py) {
         for (Side side : Side.values()) {
             boolean isBeside = px < left(side) || px > left(side) + TAB_WIDTH;

@@ -19,10 +19,10 @@ final class StageProfile {
 
     private static final double BAR_WIDTH = WIDTH - 24;
 
-    /** Frames over which a time is smoothed. */
+    /** Number of frames over which times are smoothed. */
     private static final double SMOOTHING = 15;
 
-    /** What is shown as one: drawing last, which no stage of the step counts. */
+    /** The parts that are shown. The last one is drawing, which is no stage of a step. */
     private enum Part {
         BROADPHASE("profile.broadphase", Color.ICE),
         COLLISION("profile.collision", Color.RIGIBO),
@@ -55,7 +55,7 @@ final class StageProfile {
         this.words = words;
     }
 
-    /** Takes the times of a step. */
+    /** Records the times of a step. */
     void step(StepReport report) {
         double[] now = new double[millis.length];
         for (StepStage stage : StepStage.values()) {
@@ -66,7 +66,7 @@ final class StageProfile {
         }
     }
 
-    /** Takes the time that drawing took, ns. */
+    /** Records the time that drawing took, ns. */
     void drawing(long nanos) {
         int i = Part.DRAWING.ordinal();
         millis[i] += (nanos / 1e6 - millis[i]) / SMOOTHING;
@@ -90,7 +90,7 @@ final class StageProfile {
         }
     }
 
-    /** The parts side by side; what is over the budget does not fit and turns the frame red. */
+    /** Draws the parts side by side; a frame over the budget gets a red border. */
     private void bar(Canvas canvas, double x, double y, double total) {
         canvas.panel(x, y, BAR_WIDTH, 12, 4, Color.PANEL_LIT);
         double scale = BAR_WIDTH / Math.max(FrameTimes.BUDGET_MILLIS, total);

@@ -11,7 +11,7 @@ import java.util.OptionalDouble;
  */
 final class Swing {
 
-    /** The mean of two numbers is nearer than this after some turns, relative. */
+    /** Relative difference at which the arithmetic–geometric mean has converged. */
     private static final double MEAN_TOLERANCE = 1e-15;
 
     private static final int BISECTIONS = 50;
@@ -23,7 +23,10 @@ final class Swing {
     private double lastRate;
     private double lastPull;
 
-    /** When it last passed below to the left and to the right, s; NaN before. */
+    /**
+     * Times of the last passages below the pin to the left and to the right, s; NaN before the
+     * first.
+     */
     private final double[] passed = {Double.NaN, Double.NaN};
 
     private double measured = Double.NaN;
@@ -35,7 +38,7 @@ final class Swing {
         begin();
     }
 
-    /** Forgets what was measured. */
+    /** Discards the measurements. */
     void begin() {
         passed[0] = Double.NaN;
         passed[1] = Double.NaN;
@@ -46,7 +49,7 @@ final class Swing {
         pull = lastPull;
     }
 
-    /** From the vertical, rad, to the right. */
+    /** Angle from the vertical, rad, positive to the right. */
     private double angle() {
         return Math.atan2(bob.x(), -bob.y());
     }
@@ -61,7 +64,7 @@ final class Swing {
         return bob.inertia() + bob.mass() * length * length;
     }
 
-    /** E/(2·m·g·L): below 1 it swings to and fro, above it goes round. */
+    /** E/(2·m·g·L): the pendulum swings to and fro below 1, and goes round above. */
     double share() {
         double rate = rate();
         double motion = inertia() * rate * rate / 2;
@@ -100,19 +103,19 @@ final class Swing {
         return a;
     }
 
-    /** Between the last two passages in one direction, s. */
+    /** Measured time between the last two passages in one direction, s. */
     OptionalDouble measured() {
         return Double.isNaN(measured) ? OptionalDouble.empty() : OptionalDouble.of(measured);
     }
 
-    /** What the pin must bear, N, as the mean over the last step. */
+    /** Force that the pin must bear, N, as the mean over the last step. */
     double pull() {
         return pull;
     }
 
     /**
-     * Along the rod m·(g·cos θ + L·θ̇²); across it what of the weight turns the bob itself, m·g·sin
-     * θ·(I − m·L²)/I.
+     * Force along the rod, m·(g·cos θ + L·θ̇²), and across it, m·g·sin θ·(I − m·L²)/I: the part of
+     * the weight that turns the bob itself.
      */
     private double pullNow() {
         double rate = rate();
@@ -143,8 +146,8 @@ final class Swing {
     }
 
     /**
-     * When within the last step it passed, 0 to 1: where the cubic through both angles with both
-     * rates is 0. It is off by some 1e-8 of a step.
+     * Time of the passage within the last step, 0 to 1: the zero of the cubic through both angles
+     * and both rates. Its error is about 1e-8 of a step.
      */
     private double passage(double angle, double rate) {
         double low = 0;

@@ -27,7 +27,10 @@ final class Track {
     private static final double GAP_DEPTH = 4;
     private static final int PLANKS = 20;
 
-    /** Of the bridge to its gap: what is longer hangs through, and bears more with less. */
+    /**
+     * Ratio of the bridge's length to its gap; a longer bridge sags more and bears more with less
+     * tension.
+     */
     private static final double SLACK = 1.02;
 
     private static final double PLANK_MASS = 25;
@@ -54,7 +57,7 @@ final class Track {
         laySeesaw();
     }
 
-    /** From right to left, for the matter lies to the left of the way. */
+    /** Corners from right to left, since the ground lies to the left of a chain's direction. */
     private static Chain outline() {
         List<Double> xy = new ArrayList<>();
         corner(xy, END, 3);
@@ -79,8 +82,9 @@ final class Track {
     }
 
     /**
-     * In the funicular polygon of its own weight, so that it begins at rest: plank k of n leans by
-     * tan θ = (2k − n − 1)·w/(2H), where H is such that it spans the gap.
+     * Lays the planks along the funicular polygon of their own weight, so that the bridge begins at
+     * rest: plank k of n leans by tan θ = (2k − n − 1)·w/(2H), where H is such that it spans the
+     * gap.
      */
     private void layBridge() {
         double length = SLACK * (GAP_TO - GAP_FROM) / PLANKS;
@@ -172,13 +176,13 @@ final class Track {
         parts.forEach(bench::remove);
     }
 
-    /** How far the bridge's lowest plank is under the road, m. */
+    /** Depth of the bridge's lowest plank below the road, m. */
     double sag() {
         double lowest = planks.stream().mapToDouble(RigidBody::y).min().orElseThrow();
         return -lowest - PLANK_THICKNESS / 2;
     }
 
-    /** The strongest pull in the bridge, N, mean of the last step. */
+    /** Largest tension in the bridge, N, as the mean over the last step. */
     double pull() {
         double most = 0;
         for (int i = 0; i <= PLANKS && isWhole(); i++) {

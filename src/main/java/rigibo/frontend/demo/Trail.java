@@ -9,7 +9,7 @@ final class Trail {
 
     private static final int KEPT = 240;
 
-    /** One curve has one colour: so many fade in steps. */
+    /** Number of curves in which the path fades, since a curve has one colour. */
     private static final int CURVES = 8;
 
     private final double[] xy = new double[2 * KEPT];

@@ -41,10 +41,10 @@ final class WheelDemo implements Demo {
     private static final double RAMP_LENGTH = 18;
     private static final double MASS = 10;
 
-    /** What a strong hand holds, N·m. */
+    /** Largest torque of the hand that brakes, N·m. */
     private static final double MOST_BRAKE = 40;
 
-    /** A rim that is slower or faster than the ramp by so much slips, m/s. */
+    /** Difference of speed between rim and ramp from which on the wheel slips, m/s. */
     private static final double SLIPS = 1e-4;
 
     private Workbench bench;
@@ -199,7 +199,7 @@ final class WheelDemo implements Demo {
         lay();
     }
 
-    /** Down the ramp, m/s. */
+    /** Speed down the ramp, m/s. */
     private double speed() {
         double angle = ramp.angle();
         return wheel.velocityX() * Math.cos(angle) + wheel.velocityY() * Math.sin(angle);
@@ -214,12 +214,12 @@ final class WheelDemo implements Demo {
         return isHoop ? 1 : 0.5;
     }
 
-    /** What pulls the wheel down the ramp beside friction, m/s². */
+    /** Acceleration down the ramp by everything but friction, m/s². */
     private double pull() {
         return GRAVITY * Math.sin(Math.toRadians(slope)) + thrust / MASS;
     }
 
-    /** What friction can hold, m/s². */
+    /** Largest acceleration by friction, m/s². */
     private double grip() {
         return friction * GRAVITY * Math.cos(Math.toRadians(slope));
     }
@@ -229,15 +229,15 @@ final class WheelDemo implements Demo {
     }
 
     /**
-     * The torque that turns the wheel faster, N·m: while it rolls, about the point it rolls on;
-     * while it slips, about its centre, where friction turns it.
+     * Torque that accelerates the wheel's turning, N·m: about the contact while it rolls, and about
+     * the centre, where friction turns it, while it slips.
      */
     private double turning() {
         double byRamp = slips() ? Math.signum(speed() - rim()) * grip() : pull();
         return torque + byRamp * MASS * RADIUS;
     }
 
-    /** As much as stops the wheel within a step, and no more than a strong hand's worth. */
+    /** Torque that stops the wheel within a step, at most that of a strong hand. */
     private double brake() {
         double inertia = (slips() ? k() : 1 + k()) * MASS * RADIUS * RADIUS;
         double stop = -turning() - rim() / RADIUS * inertia / Scene.STEP;
@@ -245,9 +245,9 @@ final class WheelDemo implements Demo {
     }
 
     /**
-     * Down the ramp, m/s²: τ/(m·r·(1 + k)) of the torque about the point the wheel rolls on, less
-     * the rolling resistance c·N, while the friction that takes is no more than μ·g·cos; slipping
-     * otherwise.
+     * Acceleration down the ramp, m/s². A rolling wheel has τ/(m·r·(1 + k)), with τ the torque
+     * about the contact less the rolling resistance c·N, if the friction for that is no more than
+     * μ·g·cos; otherwise the wheel slips.
      */
     private double predicted() {
         double grip = grip();
@@ -269,7 +269,7 @@ final class WheelDemo implements Demo {
         return String.format(Locale.ROOT, "%.0f %%", 100 * used);
     }
 
-    /** The acceleration down the ramp in the last step, m/s²: by the formula and as it was. */
+    /** Acceleration down the ramp in the last step, m/s²: by the formula, and as measured. */
     double[] accelerations() {
         return new double[] {predicted, measured};
     }
@@ -314,10 +314,10 @@ final class WheelDemo implements Demo {
     }
 
     private static String metres(double speed) {
-        return String.format(Locale.ROOT, "%.3f m/s", speed);
+        return Fixed.words("%.3f m/s", speed);
     }
 
     private static String acceleration(double value) {
-        return String.format(Locale.ROOT, "%.3f m/s²", value);
+        return Fixed.words("%.3f m/s²", value);
     }
 }

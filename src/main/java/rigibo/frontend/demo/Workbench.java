@@ -31,7 +31,10 @@ final class Workbench implements Bench {
 
     private static final double NORMAL_LENGTH_PX = 22;
 
-    /** A force is drawn as long as its square root tells, so that weak ones show beside strong. */
+    /**
+     * Length of an arrow per square root of its force, px, so that weak forces show beside strong
+     * ones.
+     */
     private static final double FORCE_LENGTH_PX = 8;
 
     private static final double LONGEST_FORCE_PX = 120;
@@ -42,7 +45,9 @@ final class Workbench implements Bench {
     private final Impacts impacts = new Impacts();
     private final Grip grip = new Grip();
 
-    /** A copy of the scene at another accuracy, or null; the scene's accuracy when it was made. */
+    /**
+     * A copy of the scene at another accuracy, or null; and the scene's accuracy when it was made.
+     */
     private Ghost ghost;
 
     private Accuracy hauntedAt;
@@ -72,7 +77,7 @@ final class Workbench implements Bench {
         return body;
     }
 
-    /** Does something to a body, and to its ghost, if there is one. */
+    /** Acts on a body, and on its ghost if there is one. */
     @Override
     public void act(RigidBody body, Consumer<RigidBody> verb) {
         verb.accept(body);
@@ -81,7 +86,7 @@ final class Workbench implements Bench {
         }
     }
 
-    /** Does something to a joint, and to its ghost, if there is one. */
+    /** Acts on a joint, and on its ghost if there is one. */
     @Override
     public void act(Joint joint, Consumer<Joint> verb) {
         verb.accept(joint);
@@ -115,7 +120,7 @@ final class Workbench implements Bench {
         }
     }
 
-    /** Takes out what fell far below everything. */
+    /** Removes bodies that fell below a height, m. */
     void removeBelow(double y) {
         for (RigidBody body : pool.bodies().toArray(new RigidBody[0])) {
             if (body.y() < y) {
@@ -138,7 +143,7 @@ final class Workbench implements Bench {
         return grip.held().isPresent();
     }
 
-    /** Where the pointer is, world m. */
+    /** Sets the position of the pointer in the world, m. */
     void point(double x, double y) {
         grip.point(x, y);
     }
@@ -151,7 +156,7 @@ final class Workbench implements Bench {
         return grip.pointerY();
     }
 
-    /** Pulls what is held towards the pointer: it keeps its speed when it is let go. */
+    /** Pulls the held body towards the pointer; once released, it keeps its speed. */
     void pull() {
         grip.pull();
     }
@@ -165,7 +170,8 @@ final class Workbench implements Bench {
     }
 
     /**
-     * Has the impacts of the last step heard, if anybody listens: a flood has thousands of them.
+     * Reports the impacts of the last step as sounds, unless nobody listens: a flood has thousands
+     * of them.
      */
     void tell(Sounds sounds) {
         if (sounds.isHeard()) {
@@ -174,8 +180,8 @@ final class Workbench implements Bench {
     }
 
     /**
-     * Has a ghost from where the scene is now, or none. At another accuracy of the scene another
-     * one is asked for, from where the scene is by then.
+     * Makes or removes the ghost, a copy of the scene as it is now. When the scene's accuracy
+     * changes, a new ghost is made.
      */
     void haunt(boolean isHaunted) {
         boolean isStale = ghost != null && !pool.accuracy().equals(hauntedAt);
@@ -187,13 +193,13 @@ final class Workbench implements Bench {
         }
     }
 
-    /** Has a certain ghost of the scene as it is now. */
+    /** Makes a ghost of the scene as it is now, at a given accuracy. */
     void haunt(Ghost certain) {
         ghost = certain;
         hauntedAt = pool.accuracy();
     }
 
-    /** Null where there is none. */
+    /** The ghost, or null if there is none. */
     Ghost ghost() {
         return ghost;
     }
@@ -225,7 +231,10 @@ final class Workbench implements Bench {
         return x > -radius && x < Scene.WIDTH + radius && y > -radius && y < Scene.HEIGHT + radius;
     }
 
-    /** Size fixtures, contacts with their normals and forces, centres, who is asleep. */
+    /**
+     * Draws fixtures, contacts with their normals and forces, centres of mass, and which bodies
+     * sleep.
+     */
     void drawDebug(Canvas canvas, double step) {
         for (RigidBody body : pool.bodies()) {
             if (isInView(body)) {

@@ -46,12 +46,12 @@ public final class Display implements Director {
     private boolean isOver;
     private Optional<Companion> companion = Optional.empty();
 
-    /** Someone who sits beside the loop, as the tour does. */
+    /** Takes part in every turn of the loop, as the tour does. */
     interface Companion {
 
         /**
-         * How many steps a turn may hold, 1 to {@link FrameClock#MOST_STEPS}. Whoever acts once in
-         * a turn does the same in every run only where each turn holds one.
+         * Most steps of a turn, 1 to {@link FrameClock#MOST_STEPS}. A guest that acts once per turn
+         * does the same in every run only if each turn makes one step.
          */
         default int mostSteps() {
             return 1;
@@ -64,17 +64,17 @@ public final class Display implements Director {
         default void afterDrawing(Display display, Scene scene) {}
     }
 
-    /** A display that a guest sits at, who speaks English; with vsync, or without for measuring. */
+    /** A display with a guest, in English; with vsync, or without it for measurements. */
     public Display(Function<Director, Scene> menu, boolean vsync) {
         this(menu, menu, new Guest(Settings.initial("en")), vsync, new FrameClock());
     }
 
-    /** A display for tests, which bring the clock; a guest sits at it, without vsync. */
+    /** A display with a guest for tests, which bring their own clock; without vsync. */
     Display(Function<Director, Scene> menu, FrameClock clock) {
         this(menu, menu, new Guest(Settings.initial("en")), false, clock);
     }
 
-    /** A display that a player sits at, and that goes back to a menu or the list of levels. */
+    /** A display for a player, who can go back to the menu or to the list of levels. */
     public Display(
             Function<Director, Scene> menu, Function<Director, Scene> levels, Player player) {
         this(menu, levels, player, true, new FrameClock());
@@ -95,13 +95,13 @@ public final class Display implements Director {
         speaker.settings(player.settings());
     }
 
-    /** Has the scenes heard, where the machine can; without it they are silent. */
+    /** Turns sound on if the machine has any; without it scenes are silent. */
     public void plugIn() {
         speaker.plugIn();
     }
 
     /**
-     * Opens a scene, or the menu where none is given, and loops until the player leaves.
+     * Opens a scene, or the menu if none is given, and loops until the player leaves.
      *
      * @throws DisplayException when no window can be opened, saying why
      */
@@ -122,12 +122,12 @@ public final class Display implements Director {
         }
     }
 
-    /** What GLFW and OpenGL complained about. */
+    /** Complaints of GLFW and OpenGL. */
     public List<String> troubles() {
         return troubles.all();
     }
 
-    /** Share of real time the loop runs at. */
+    /** Share of real time at which the loop runs. */
     public double pace() {
         return clock.pace();
     }
@@ -169,12 +169,12 @@ public final class Display implements Director {
         }
     }
 
-    /** Fills the screen, or no longer. */
+    /** Switches full screen on or off. */
     void toggleFullScreen() {
         settings(settings().withFullScreen(!settings().isFullScreen()));
     }
 
-    /** Has sound, or none, and says so: silence could be anything. */
+    /** Switches sound on or off, and shows a message, since silence could have any cause. */
     void toggleMute() {
         settings(settings().withMuted(!settings().isMuted()));
         toast.say(words.of(settings().isMuted() ? "toast.muted" : "toast.sounding"));
@@ -194,7 +194,7 @@ public final class Display implements Director {
         return speaker;
     }
 
-    /** Shows what this makes of files that are dropped on a window. */
+    /** Sets the function that makes a scene of files which are dropped on a window. */
     public void opensFilesBy(BiFunction<Director, List<Path>, Scene> opening) {
         opener = Optional.of(opening);
     }
@@ -225,7 +225,9 @@ public final class Display implements Director {
         change();
     }
 
-    /** What came in is told before the first step; a scene that is to be left makes no other. */
+    /**
+     * Input is delivered before the first step. A scene that is to be left makes no further step.
+     */
     private void turn() {
         inputListener();
         do {
@@ -269,7 +271,7 @@ public final class Display implements Director {
         scene.paced(clock.pace());
     }
 
-    /** Destroys the present window and opens the next, where another scene is wanted. */
+    /** Destroys the present window and opens the next one, if another scene was chosen. */
     private void change() {
         if (wanted != null && !isOver) {
             boolean fades = settings().motion() == Settings.Motion.FULL;

@@ -15,8 +15,8 @@ import rigibo.frontend.scene.Skin;
 import java.util.Arrays;
 
 /**
- * Measures what drawing costs in a real window: a frame of bodies of every skin in rows, boxes and
- * discs alternating, with a bar of words and numbers and a graph. Nothing is simulated.
+ * Measures the time of drawing in a real window. Each frame shows rows of bodies of every skin,
+ * boxes and discs alternating, a bar of words and numbers, and a graph. Nothing is simulated.
  */
 public final class DrawingTiming {
 
@@ -33,7 +33,7 @@ public final class DrawingTiming {
     }
 
     /**
-     * Draws some hundred frames with so many bodies of a width in px, in so much detail.
+     * Draws some hundred frames with a number of bodies of a given width, px, in a given detail.
      *
      * @return the time that half of the frames stayed below, and 99 % of them, ms
      * @throws DisplayException when no window can be opened
@@ -49,7 +49,7 @@ public final class DrawingTiming {
         };
     }
 
-    /** The picture that is drawn. */
+    /** The measured picture. */
     private final class Rows implements Scene {
 
         private final Director director;

@@ -14,34 +14,37 @@ import java.util.function.LongSupplier;
  */
 final class FrameClock {
 
-    /** Steps per second, and turns where pictures are in time. */
+    /** Steps per second; also turns per second while no frame is late. */
     static final int RATE = 60;
 
-    /** Steps in a turn at most: with more, what is clicked would be answered too late. */
+    /** Most steps of a turn; with more, clicks would be answered too late. */
     static final int MOST_STEPS = 4;
 
     private static final long SECOND = 1_000_000_000;
     private static final double PERIOD_NANOS = (double) SECOND / RATE;
 
-    /** What sleeping may overshoot by, ns; the rest is waited awake. */
+    /** Time by which sleeping may overshoot, ns; the clock spins for that rest. */
     private static final long SLEEP_SLACK = 1_500_000;
 
     /**
-     * How late a turn may come without its lateness being made up for, as a share of a step: 0.5 %.
-     * A monitor of 59.94 Hz would else be given two steps in one picture every 16 seconds, a jolt.
+     * Lateness of a turn that is not made up for, as a share of a step: 0.5 %. Otherwise a monitor
+     * of 59.94 Hz would show two steps in one frame every 16 seconds, which is seen as a jolt.
      */
     private static final long FORGIVEN = SECOND / RATE / 200;
 
-    /** Over how many turns the rate is averaged. */
+    /** Number of turns over which the rate is averaged. */
     private static final double SMOOTHING = 30;
 
-    /** What one turn counts for in the average at most, ns: a game that was stopped is not slow. */
+    /** Longest time of one turn in the average, ns: a game that was stopped is not slow. */
     private static final double LONGEST = SECOND;
 
     private final LongSupplier nanoseconds;
     private final LongConsumer sleep;
 
-    /** Steps are due from here on, ns; counted, not added up, so that nothing drifts. */
+    /**
+     * Time from which steps are due, ns. Due times are multiples of a step after it, so that no
+     * error adds up.
+     */
     private long origin;
 
     private long stepsSinceOrigin;
@@ -51,18 +54,18 @@ final class FrameClock {
 
     private int stepsInTurn;
 
-    /** Real time that the world was not given in this turn, ns. */
+    /** Real time that this turn did not simulate, ns. */
     private long dropped;
 
     private double meanDropped;
     private double meanTurn;
 
-    /** A clock on the system's time. */
+    /** A clock that uses the system's time. */
     FrameClock() {
         this(System::nanoTime, LockSupport::parkNanos);
     }
 
-    /** A clock on any time in ns, with a way to sleep some ns. */
+    /** A clock that uses a given time, ns, and a way to sleep for some ns. */
     FrameClock(LongSupplier nanoseconds, LongConsumer sleep) {
         this.nanoseconds = nanoseconds;
         this.sleep = sleep;
@@ -70,7 +73,7 @@ final class FrameClock {
         restart();
     }
 
-    /** Begins anew: a step is due now, and what was due before is forgotten. */
+    /** Begins anew: one step is due now, and the backlog is forgotten. */
     void restart() {
         turn = nanoseconds.getAsLong();
         origin = turn;
@@ -105,7 +108,7 @@ final class FrameClock {
         return origin + stepsSinceOrigin * SECOND / RATE;
     }
 
-    /** A monitor that is a hair slower than we are sets the pace. */
+    /** Lets a monitor that is slightly slower than the clock set the pace. */
     private void forgive(long late) {
         if (late < PERIOD_NANOS) {
             postpone(Math.min(late, FORGIVEN));
@@ -124,8 +127,8 @@ final class FrameClock {
     }
 
     /**
-     * Counts a step that was made, and tells whether this turn is to make another. What is due and
-     * does not fit is left to the next turn where that could make up for it, and else dropped.
+     * Counts a step that was made, and returns whether this turn is to make another. Due steps that
+     * do not fit are left to the next turn if that can catch up, and are dropped otherwise.
      *
      * @param most steps in a turn, 1 to {@link #MOST_STEPS}
      */
@@ -144,12 +147,12 @@ final class FrameClock {
         return isAnother;
     }
 
-    /** Whether the steps of this turn took less time than they stand for. */
+    /** Whether the steps of this turn took less time than they simulate. */
     private boolean keepsUp() {
         return nanoseconds.getAsLong() - turn <= stepsInTurn * PERIOD_NANOS;
     }
 
-    /** Share of real time the game runs at: 1, or less where time was dropped. */
+    /** Share of real time at which the game runs: 1, or less if time was dropped. */
     double pace() {
         return 1 - meanDropped / meanTurn;
     }

@@ -12,12 +12,14 @@ import java.util.function.Consumer;
  */
 final class Gamepad {
 
-    /** Share of its way at which the stick counts, and from which on it no longer does. */
+    /** Deflection of the stick from which on it counts, and below which it no longer does. */
     private static final double PUSHED = 0.6;
 
     private static final double LET_GO = 0.4;
 
-    /** Until a held direction repeats itself the first time, and again, in turns of 1/60 s. */
+    /**
+     * Turns of 1/60 s until a held direction repeats for the first time, and between repetitions.
+     */
     private static final int FIRST_REPEAT = 24;
 
     private static final int NEXT_REPEAT = 7;
@@ -27,7 +29,7 @@ final class Gamepad {
     private Optional<GamepadButton> stick = Optional.empty();
     private int turnsHeld;
 
-    /** Tells every press. */
+    /** Reports every press. */
     Gamepad(Consumer<GamepadButton> presses) {
         this.presses = presses;
     }
@@ -57,7 +59,10 @@ final class Gamepad {
         return turnsHeld >= FIRST_REPEAT && (turnsHeld - FIRST_REPEAT) % NEXT_REPEAT == 0;
     }
 
-    /** Where the stick points, by its longer way; between two thresholds it stays as it was. */
+    /**
+     * Direction of the stick along its larger deflection; between the two thresholds it stays as it
+     * was.
+     */
     private Optional<GamepadButton> pushed(double x, double y) {
         double way = Math.max(Math.abs(x), Math.abs(y));
         if (way < LET_GO) {

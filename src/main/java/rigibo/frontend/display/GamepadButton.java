@@ -2,7 +2,7 @@ package rigibo.frontend.display;
 
 import static org.lwjgl.glfw.GLFW.*;
 
-/** The buttons of a gamepad, by the names of GLFW's mapping, and the keys for which they stand. */
+/** The buttons of a gamepad, named as in GLFW's mapping, with the keys for which they stand. */
 enum GamepadButton {
     UP(GLFW_GAMEPAD_BUTTON_DPAD_UP, GLFW_KEY_UP),
     DOWN(GLFW_GAMEPAD_BUTTON_DPAD_DOWN, GLFW_KEY_DOWN),
@@ -16,9 +16,9 @@ enum GamepadButton {
     Y(GLFW_GAMEPAD_BUTTON_Y, GLFW_KEY_BACKSPACE),
     /** Pauses. */
     START(GLFW_GAMEPAD_BUTTON_START, GLFW_KEY_P),
-    /** To the next box. */
+    /** Selects the next box. */
     RIGHT_BUMPER(GLFW_GAMEPAD_BUTTON_RIGHT_BUMPER, GLFW_KEY_TAB),
-    /** To the previous box. */
+    /** Selects the previous box. */
     LEFT_BUMPER(GLFW_GAMEPAD_BUTTON_LEFT_BUMPER, GLFW_KEY_TAB);
 
     private final int number;
@@ -39,12 +39,12 @@ enum GamepadButton {
         return key;
     }
 
-    /** What is held together with the key, in GLFW's bits. */
+    /** Modifiers held together with the key, in GLFW's bits. */
     int modifiers() {
         return this == LEFT_BUMPER ? GLFW_MOD_SHIFT : 0;
     }
 
-    /** Whether holding it repeats it. */
+    /** Whether the button repeats while it is held. */
     boolean isDirection() {
         return ordinal() <= RIGHT.ordinal();
     }

@@ -13,7 +13,7 @@ final class GamepadDevices {
 
     private GamepadDevices() {}
 
-    /** Hands a gamepad what all devices together are at. */
+    /** Passes on the state of all devices together. */
     static void poll(Gamepad gamepad) {
         Set<GamepadButton> pressed = EnumSet.noneOf(GamepadButton.class);
         double x = 0;

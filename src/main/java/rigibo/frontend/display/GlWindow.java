@@ -10,7 +10,7 @@ final class GlWindow {
     private GlWindow() {}
 
     /**
-     * A window of a size in px.
+     * Makes a window of a size in px.
      *
      * @return GLFW's handle
      * @throws DisplayException when there is no window or no OpenGL 3.3 to be had

@@ -50,7 +50,7 @@ final class Input {
         scene.pointerMoved(x, y);
     }
 
-    /** As if the cursor were where this is in the logical window. */
+    /** Moves the cursor to a point of the logical window. */
     void point(double logicalX, double logicalY) {
         Letterbox box = Letterbox.of(windowWidth, windowHeight);
         cursor(box.framebufferX(logicalX), box.framebufferY(logicalY, windowHeight));
@@ -74,7 +74,7 @@ final class Input {
         scene.scrolled(notches, x, y);
     }
 
-    /** What is held with the event that follows, in GLFW's bits. */
+    /** Modifiers that are held with the next event, in GLFW's bits. */
     void modifiers(int held) {
         Set<Modifier> modifiers = EnumSet.noneOf(Modifier.class);
         if ((held & GLFW_MOD_SHIFT) != 0) {
@@ -126,21 +126,21 @@ final class Input {
         }
     }
 
-    /** A key that is held switches no further. */
+    /** Ignores repetitions of held keys that switch something. */
     private static void once(Runnable toggle, int action) {
         if (action == GLFW_PRESS) {
             toggle.run();
         }
     }
 
-    /** A gamepad's button went down, or repeats. */
+    /** Handles a gamepad's button that was pressed or repeats. */
     void gamepad(GamepadButton button) {
         modifiers(button.modifiers());
         key(button.key(), GLFW_PRESS);
         modifiers(0);
     }
 
-    /** Presses and lets go of the key that means something to scenes. */
+    /** Presses and releases the key of a command. */
     void press(Key meant) {
         KEYS.forEach(
                 (code, key) -> {

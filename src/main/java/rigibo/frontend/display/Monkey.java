@@ -20,10 +20,10 @@ import java.util.stream.Stream;
  */
 public final class Monkey implements Display.Companion {
 
-    /** Turns in a window at most before it is left for another. */
+    /** Most turns in one window. */
     private static final int MOST_TURNS = 4 * FrameClock.RATE;
 
-    /** One turn in so many something rare happens: a new size, the focus lost. */
+    /** Average number of turns between rare events: a new size, or a lost focus. */
     private static final int SELDOM = 120;
 
     private static final int[] KEYS =
@@ -48,7 +48,7 @@ public final class Monkey implements Display.Companion {
     }
 
     /**
-     * What came of it; exceptions are thrown.
+     * What a run did; exceptions are thrown.
      *
      * @param turns of the loop, each 1/60 s
      * @param windows that were opened
@@ -57,7 +57,7 @@ public final class Monkey implements Display.Companion {
     public record Report(int turns, int windows, List<String> troubles) {}
 
     /**
-     * Lets it play for so many turns; the same seed does the same. The player is a guest, whose
+     * Plays for a number of turns; the input depends only on the seed. The player is a guest, whose
      * files are not touched.
      *
      * @throws DisplayException when no window can be opened

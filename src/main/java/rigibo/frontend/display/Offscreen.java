@@ -34,7 +34,7 @@ public final class Offscreen implements AutoCloseable {
     private boolean isBaked;
 
     /**
-     * Pictures of a size in px.
+     * Makes pictures of a size in px.
      *
      * @throws DisplayException when there is no OpenGL 3.3 to be had, or no display
      */
@@ -71,13 +71,13 @@ public final class Offscreen implements AutoCloseable {
         return width;
     }
 
-    /** Height in px. */
+    /** Height of the pictures in px. */
     public int height() {
         return height;
     }
 
     /**
-     * A scene as it is now.
+     * Draws a scene as it is now.
      *
      * @param seconds since it began, for what moves beside the physics, such as eyes that blink
      * @return its colours 0xRRGGBB, row by row from the top
@@ -115,7 +115,7 @@ public final class Offscreen implements AutoCloseable {
         glFinish();
     }
 
-    /** What GLFW and OpenGL complained about. */
+    /** Complaints of GLFW and OpenGL. */
     public List<String> troubles() {
         return troubles.all();
     }

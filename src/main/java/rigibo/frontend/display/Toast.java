@@ -7,7 +7,7 @@ import rigibo.frontend.scene.Scene;
 /** A short message about the window itself, shown for a moment over any scene. */
 final class Toast {
 
-    /** How long it stands, in frames of 1/60 s. */
+    /** Time for which it is shown, in frames of 1/60 s. */
     private static final int FRAMES = 90;
 
     private static final double SIZE = 18;
@@ -18,7 +18,7 @@ final class Toast {
     private String words = "";
     private int left;
 
-    /** Says something instead of what it said before. */
+    /** Shows a message in place of the last one. */
     void say(String now) {
         words = now;
         left = FRAMES;

@@ -25,16 +25,18 @@ import java.util.function.Function;
  */
 public final class Tour implements Display.Companion {
 
-    /** How long a scene that cannot play itself is watched, turns of 1/60 s. */
+    /** Turns of 1/60 s for which a scene that cannot play itself is watched. */
     private static final int WATCHED_TURNS = 6 * FrameClock.RATE;
 
-    /** How long is watched what only waits for a choice. */
+    /** Turns for which a scene that only waits for a choice is watched. */
     private static final int WAITING_TURNS = 2 * FrameClock.RATE;
 
-    /** A level that is not over by then is lost. */
+    /** Turns after which a level that is not over counts as lost. */
     private static final int MOST_TURNS = 60 * FrameClock.RATE;
 
-    /** How long the end of a demonstration is watched, so that its last picture is at rest. */
+    /**
+     * Turns for which the end of a demonstration is watched, so that its last picture is at rest.
+     */
     private static final int CURTAIN_TURNS = FrameClock.RATE;
 
     private final List<Stop> stops;
@@ -50,7 +52,7 @@ public final class Tour implements Display.Companion {
     private Optional<Demonstration> demonstration = Optional.empty();
 
     /**
-     * A scene to be seen.
+     * A scene of the tour.
      *
      * @param name of its pictures
      * @param open makes it

@@ -20,12 +20,12 @@ final class Troubles {
                                             "GLFW 0x%X: %s",
                                             code, GLFWErrorCallback.getDescription(words))));
 
-    /** Listens to GLFW from now on. */
+    /** Collects GLFW's errors from now on. */
     void listen() {
         listener.set();
     }
 
-    /** Asks OpenGL for errors since it was last asked. */
+    /** Collects the errors of OpenGL since the last call. */
     void askOpenGl(String when) {
         for (int error = glGetError(); error != GL_NO_ERROR; error = glGetError()) {
             list.add(String.format("OpenGL 0x%X %s", error, when));
@@ -36,7 +36,7 @@ final class Troubles {
         return List.copyOf(list);
     }
 
-    /** The last complaint, or a plain word where there is none. */
+    /** The last complaint, or a general message if there is none. */
     String last() {
         return list.isEmpty() ? "no reason given" : list.get(list.size() - 1);
     }

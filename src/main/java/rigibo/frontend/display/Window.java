@@ -109,7 +109,10 @@ final class Window {
         }
     }
 
-    /** A letter by what is printed on its key: Z and Y change places between layouts. */
+    /**
+     * Translates a letter key to what is printed on it, since Z and Y change places between
+     * keyboard layouts.
+     */
     private static int asLabelled(int key, int code) {
         String label = key >= GLFW_KEY_A && key <= GLFW_KEY_Z ? glfwGetKeyName(key, code) : null;
         boolean isLetter = label != null && label.matches("[a-z]");
@@ -129,8 +132,8 @@ final class Window {
     }
 
     /**
-     * Draws the scene into the back buffer. OpenGL is waited for: nothing else is to be done until
-     * the frame is shown, and only so is it known what it cost.
+     * Draws the scene into the back buffer and waits for OpenGL: nothing else is to be done until
+     * the frame is shown, and only then is its cost known.
      *
      * @param chosen how much the player wants to be drawn
      * @param darkness from 0, none, to 1, black
@@ -149,23 +152,23 @@ final class Window {
         troubles.askOpenGl("while drawing " + scene.title());
     }
 
-    /** As if the player had drawn at the window's edge; in screen coordinates. */
+    /** Resizes the window as the player would by dragging its edge; in screen coordinates. */
     void resize(int newWidth, int newHeight) {
         glfwSetWindowSize(handle, newWidth, newHeight);
     }
 
-    /** As if the player had put it away and come back: the focus goes and comes. */
+    /** Takes the focus away and gives it back, as if the player had switched windows. */
     void hideAndShow() {
         glfwHideWindow(handle);
         glfwShowWindow(handle);
     }
 
-    /** Shows what was drawn. */
+    /** Shows the frame that was drawn. */
     void swap() {
         glfwSwapBuffers(handle);
     }
 
-    /** Writes what was drawn and not yet shown to a PNG file. */
+    /** Writes the frame that was drawn, but not yet shown, to a PNG file. */
     void picture(Path file) {
         glfwGetFramebufferSize(handle, width, height);
         int row = width[0] * BYTES_PER_PIXEL;
@@ -191,7 +194,7 @@ final class Window {
         glfwDestroyWindow(handle);
     }
 
-    /** Fills the screen or not; where there is no screen to be asked, the window stays. */
+    /** Switches full screen on or off; without a monitor the window stays as it is. */
     void fill(boolean wanted) {
         long monitor = glfwGetPrimaryMonitor();
         GLFWVidMode mode = monitor == 0 ? null : glfwGetVideoMode(monitor);

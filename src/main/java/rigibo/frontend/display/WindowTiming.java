@@ -26,7 +26,7 @@ public final class WindowTiming implements Display.Companion {
     }
 
     /**
-     * What was measured.
+     * The measured times.
      *
      * @param startMillis from Java's start to the first picture of the menu, ms
      * @param medianMillis of all changes from the menu to a scene and back, from the wish to the
@@ -51,7 +51,7 @@ public final class WindowTiming implements Display.Companion {
         return new Result(timing.startMillis, timing.changes[count / 2], timing.changes[count - 1]);
     }
 
-    /** A turn in each window, then the next is asked for. */
+    /** Lets each window make one turn, then asks for the next scene. */
     @Override
     public void beforeTurn(Display display, Scene scene) {
         boolean isSeen = startMillis >= 0 && left == null;
@@ -71,7 +71,7 @@ public final class WindowTiming implements Display.Companion {
     @Override
     public void afterDrawing(Display display, Scene scene) {
         if (startMillis < 0) {
-            // The system's word for when a process began may be a second off.
+            // Corrects the system's start time of the process, which may be a second off.
             startMillis = ManagementFactory.getRuntimeMXBean().getUptime();
             entries = scenes.get();
             changes = new double[2 * entries.size()];

@@ -25,7 +25,9 @@ public final class Document {
         this.problems = problems;
     }
 
-    /** The document in a file, or nothing after telling why there is none. */
+    /**
+     * Reads the document in a file; returns nothing, after reporting the problem, if there is none.
+     */
     public static Optional<Document> read(Path file, Problems problems) {
         return FileText.read(file, problems).flatMap(text -> parse(text, problems));
     }
@@ -42,7 +44,10 @@ public final class Document {
         }
     }
 
-    /** The document of a text, or nothing after telling why the text is no JSON. */
+    /**
+     * Reads the document of a text; returns nothing, after reporting the problem, if the text is no
+     * JSON.
+     */
     public static Optional<Document> parse(String text, Problems problems) {
         return JsonParsing.parse(text, problems).map(root -> new Document(text, root, problems));
     }
@@ -52,27 +57,30 @@ public final class Document {
         return root;
     }
 
-    /** The outermost value, to be asked for what it should be. */
+    /** The outermost value, for reading it as an expected type. */
     public Value value() {
         return new Value(this);
     }
 
-    /** The value at a pointer; a missing node where there is none. */
+    /** The value at a pointer, or a missing node if there is none. */
     public JsonNode node(String pointer) {
         return root.at(pointer);
     }
 
-    /** Where a value begins; that of the nearest value around it when there is none. */
+    /**
+     * Position at which a value begins; if there is no such value, that of the nearest one around
+     * it.
+     */
     public Place at(String pointer) {
         return PlaceSearch.of(text, pointer).value();
     }
 
-    /** Tells an error at a pointer; the words are asked for only where they are told. */
+    /** Reports an error at a pointer; the message is made only if it is reported. */
     public void error(String pointer, Supplier<String> message) {
         tell(Problem.Severity.ERROR, pointer, message);
     }
 
-    /** Tells something at a pointer that is probably not meant. */
+    /** Reports a warning at a pointer. */
     public void warning(String pointer, Supplier<String> message) {
         tell(Problem.Severity.WARNING, pointer, message);
     }
@@ -90,22 +98,25 @@ public final class Document {
         }
     }
 
-    /** Whether anything was told that keeps the file from being used. */
+    /** Whether an error was reported, so that the file cannot be used. */
     public boolean hasErrors() {
         return problems.hasErrors();
     }
 
-    /** The pointers of what was told by now. */
+    /** The pointers of the problems reported so far. */
     Set<String> faults() {
         return problems.pointers();
     }
 
-    /** Whether there was more to tell than is told, so that {@link #isSpoilt} knows not all. */
+    /**
+     * Whether there were more problems than are reported, so that {@link #isSpoilt} does not know
+     * all of them.
+     */
     public boolean hasUntold() {
         return problems.hasUntold();
     }
 
-    /** Whether an error that was told lies at this pointer or below it. */
+    /** Whether an error was reported at this pointer or below it. */
     public boolean isSpoilt(String pointer) {
         return problems.spoil(pointer);
     }

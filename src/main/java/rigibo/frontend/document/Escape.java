@@ -7,13 +7,14 @@ import java.util.Locale;
 /** Makes any text of a file safe to show in one line of a terminal or a window. */
 final class Escape {
 
-    /** Characters of a value that a message shows; more would bury the message. */
+    /** Most characters of a value in a message; more would bury the message. */
     private static final int SHOWN = 60;
 
     private Escape() {}
 
     /**
-     * The words with line breaks and all else that does not print as {@code \n} or {@code \u001b}.
+     * Replaces line breaks and everything else that does not print by escapes such as {@code \n} or
+     * {@code \u001b}.
      */
     static String controls(String words) {
         if (words.codePoints().allMatch(Escape::prints)) {
@@ -24,7 +25,7 @@ final class Escape {
         return shown.toString();
     }
 
-    /** The beginning of what is too long to be shown. */
+    /** Shortens a text that is too long to be shown. */
     static String shortened(String words) {
         return words.length() <= SHOWN
                 ? words
@@ -35,7 +36,7 @@ final class Escape {
         return "\"" + shortened(words) + "\"";
     }
 
-    /** A value as a file states it, as far as it is short. */
+    /** A value as the file states it, shortened if it is long. */
     static String shown(JsonNode node) {
         return switch (node.getNodeType()) {
             case OBJECT -> "an object";
@@ -45,7 +46,9 @@ final class Escape {
         };
     }
 
-    /** Also not what turns the direction of writing, or half of a character. */
+    /**
+     * Also excludes characters that change the direction of writing, and halves of surrogate pairs.
+     */
     private static boolean prints(int letter) {
         return switch (Character.getType(letter)) {
             case Character.CONTROL,

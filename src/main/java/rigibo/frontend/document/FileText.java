@@ -18,7 +18,7 @@ public final class FileText {
 
     private FileText() {}
 
-    /** The text, or nothing after telling why there is none. */
+    /** Reads the text; returns nothing, after reporting the problem, if there is none. */
     public static Optional<String> read(Path file, Problems problems) {
         try {
             return decode(bytes(file), problems);
@@ -49,7 +49,9 @@ public final class FileText {
         }
     }
 
-    /** The text of bytes, or nothing after telling why there is none. */
+    /**
+     * Decodes the text of bytes; returns nothing, after reporting the problem, if they are no text.
+     */
     public static Optional<String> decode(byte[] bytes, Problems problems) {
         if (bytes.length > Bounds.BYTES) {
             return refused(problems, "is larger than " + Bounds.BYTES + " bytes, the most we read");

@@ -5,12 +5,12 @@ import tools.jackson.databind.JsonNode;
 /** Rejects a file of an unknown format; further messages about it would mislead. */
 public final class FormatRule {
 
-    /** Formats that there may ever be; a larger number is damage. */
+    /** Largest format number that is believed; a larger number is damage. */
     private static final int LAST = 999;
 
     private FormatRule() {}
 
-    /** Whether a file is of a later format than the one known; then a problem says so. */
+    /** Whether a file has a later format than the known one; if so, reports it. */
     public static boolean isNewer(Document document, int known) {
         String pointer = "/format";
         JsonNode format = document.node(pointer);

@@ -31,7 +31,7 @@ final class JsonParsing {
     private final JsonParser parser;
     private final Problems problems;
 
-    /** The names and indices that lead to the present value, the innermost first. */
+    /** The names and indices that lead to the present value, innermost first. */
     private final Deque<Object> path = new ArrayDeque<>();
 
     private JsonParsing(String text, JsonParser parser, Problems problems) {
@@ -44,7 +44,10 @@ final class JsonParsing {
         return FACTORY.createParser(ObjectReadContext.empty(), text);
     }
 
-    /** The outermost value, or nothing after telling why the text is no JSON. */
+    /**
+     * Reads the outermost value; returns nothing, after reporting the problem, if the text is no
+     * JSON.
+     */
     static Optional<JsonNode> parse(String text, Problems problems) {
         try (JsonParser parser = parser(text)) {
             return new JsonParsing(text, parser, problems).document();
@@ -131,7 +134,9 @@ final class JsonParsing {
         return array;
     }
 
-    /** Between two elements the path still leads to the first: the author looks there. */
+    /**
+     * Between two elements the path still leads to the first, since that is where the author looks.
+     */
     private void leaveTo(int length) {
         while (path.size() > length) {
             path.pop();
@@ -163,7 +168,7 @@ final class JsonParsing {
         return Place.of(parser.currentTokenLocation());
     }
 
-    /** What the parser says, without where it thinks the text came from, or which option it has. */
+    /** The parser's message, without the source and the option that the parser adds. */
     private static String words(JacksonException broken) {
         return broken.getOriginalMessage()
                 .replaceFirst(" *\\([^()]*\\[Source: .*", "")

@@ -24,7 +24,7 @@ public final class JsonSchema {
 
     private final Schema schema;
 
-    /** The schema of a name among the class path's resources. */
+    /** Loads a schema by its name from the class path's resources. */
     public JsonSchema(String resource) {
         schema =
                 SchemaRegistry.withDefaultDialect(SpecificationVersion.DRAFT_2020_12)
@@ -43,7 +43,7 @@ public final class JsonSchema {
     }
 
     /**
-     * Tells everything that the schema forbids.
+     * Reports every violation of the schema.
      *
      * @return whether what it leaves can be looked at any further: nothing is too long, and each
      *     value at fault is told
@@ -62,7 +62,8 @@ public final class JsonSchema {
                         document.root(),
                         context ->
                                 context.executionConfig(config -> config.locale(Locale.ENGLISH)));
-        // What could not even be read has been told, and something else stands in its place.
+        // Ignores values that could not be read: they were reported, and something else stands in
+        // their place.
         Set<String> unread = document.faults();
         for (Error error : errors) {
             if (unread.isEmpty() || !unread.contains(pointer(error))) {
@@ -72,7 +73,8 @@ public final class JsonSchema {
     }
 
     /**
-     * The value at fault; for an unknown member that member, which the library does not point at.
+     * The value at fault; for an unknown member it is the member itself, to which the library does
+     * not point.
      */
     private static String pointer(Error error) {
         String pointer = pointer(error.getInstanceLocation());

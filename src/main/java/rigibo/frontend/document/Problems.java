@@ -10,7 +10,10 @@ import java.util.stream.Collectors;
 /** Collects the problems of one file: the first hundred are reported, the others counted. */
 public final class Problems {
 
-    /** Nobody mends more at once, and each that is told is looked up in the file. */
+    /**
+     * Most problems that are reported: nobody mends more at once, and each is looked up in the
+     * file.
+     */
     static final int MOST_TOLD = 100;
 
     private static final Comparator<Problem> IN_READING_ORDER =
@@ -23,7 +26,7 @@ public final class Problems {
     private int errors;
 
     /**
-     * None yet.
+     * Makes an empty list.
      *
      * @param file what messages call it
      */
@@ -31,7 +34,7 @@ public final class Problems {
         this.file = file;
     }
 
-    /** Something that keeps the file from being used. */
+    /** Reports an error, which keeps the file from being used. */
     public void error(Place place, String pointer, String message) {
         tell(Problem.Severity.ERROR, place, pointer, message);
     }
@@ -45,7 +48,7 @@ public final class Problems {
         }
     }
 
-    /** One more that is not told. */
+    /** Counts a problem that is not reported. */
     void count(Problem.Severity severity) {
         untold++;
         errors += severity == Problem.Severity.ERROR ? 1 : 0;
@@ -64,7 +67,7 @@ public final class Problems {
         return errors > 0;
     }
 
-    /** How many of them are errors. */
+    /** Number of errors. */
     public int errors() {
         return errors;
     }
@@ -80,7 +83,10 @@ public final class Problems {
                 .anyMatch(at -> at.equals(pointer) || at.startsWith(pointer + "/"));
     }
 
-    /** In the order in which a reader of the file meets them; at last, how many are not told. */
+    /**
+     * The problems in the order in which they stand in the file, followed by how many are not
+     * reported.
+     */
     public List<Problem> inOrder() {
         List<Problem> ordered = new ArrayList<>(told);
         ordered.sort(IN_READING_ORDER);

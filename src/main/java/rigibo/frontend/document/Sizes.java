@@ -19,7 +19,7 @@ final class Sizes {
         this.document = document;
     }
 
-    /** Whether nothing in a document is longer than its schema allows; else it is told. */
+    /** Whether nothing in a document is longer than its schema allows; otherwise reports it. */
     static boolean areKept(JsonNode schema, Document document) {
         Sizes sizes = new Sizes(schema, document);
         sizes.check(schema, document.root(), "");

@@ -9,9 +9,9 @@ public final class Suggestion {
 
     private Suggestion() {}
 
-    /** {@code , did you mean "legL"?}, or nothing where no known word is near. */
+    /** Returns {@code , did you mean "legL"?}, or nothing if no known word is near. */
     public static String among(Collection<String> known, String word) {
-        // A third of the letters wrong is still a slip; more is another word.
+        // Largest share of wrong letters in a slip; with more it is another word.
         int most = Math.max(1, (word.length() + 1) / 3);
         String meant = word.toLowerCase(Locale.ROOT);
         String nearest = "";
@@ -26,7 +26,7 @@ public final class Suggestion {
         return nearest.isEmpty() ? "" : ", did you mean \"" + nearest + "\"?";
     }
 
-    /** The known words in a row, for messages. */
+    /** Lists the known words, for messages. */
     public static String list(Collection<String> known) {
         return known.stream().collect(Collectors.joining(", "));
     }

@@ -20,7 +20,7 @@ public final class Value {
     private final Document document;
     private final JsonNode node;
 
-    /** Made only where a problem is told. */
+    /** Makes the pointer, which is needed only if a problem is reported. */
     private final Supplier<String> pointer;
 
     Value(Document document) {
@@ -33,18 +33,18 @@ public final class Value {
         this.pointer = pointer;
     }
 
-    /** A member, which need not be there: what is asked of it then gives what is given instead. */
+    /** An optional member; if it is missing, every question about it returns the given default. */
     public Value optional(String member) {
         return new Value(document, node.path(member), () -> Pointer.member(pointer.get(), member));
     }
 
-    /** This, which must be an object; nothing else has members. */
+    /** This value, which must be an object, since nothing else has members. */
     public Value object() {
         is("an object", JsonNode::isObject, any -> any, node);
         return this;
     }
 
-    /** A member that an object must have. */
+    /** A required member of an object. */
     public Value required(String member) {
         if (node.isObject() && !node.has(member)) {
             error(() -> Escape.quoted(member) + " is missing");
@@ -52,7 +52,7 @@ public final class Value {
         return optional(member);
     }
 
-    /** The names of the members; none of what is no object. */
+    /** The names of the members; none if this is no object. */
     public Collection<String> members() {
         return node.propertyNames();
     }
@@ -68,7 +68,7 @@ public final class Value {
     }
 
     /**
-     * A text of some shape.
+     * A text of a required form.
      *
      * @param shape what it must be, in words
      */
@@ -80,7 +80,7 @@ public final class Value {
                 instead);
     }
 
-    /** Whether something is so. */
+    /** Reads true or false. */
     public boolean truth(boolean instead) {
         return is("true or false", JsonNode::isBoolean, JsonNode::booleanValue, instead);
     }
@@ -94,7 +94,7 @@ public final class Value {
                 instead);
     }
 
-    /** A whole number from {@code least} to {@code most}; 2.0 is one as well. */
+    /** A whole number from {@code least} to {@code most}; 2.0 counts as one. */
     public int whole(int least, int most, int instead) {
         return is(
                 "a whole number from " + least + " to " + most,
@@ -107,7 +107,7 @@ public final class Value {
                 instead);
     }
 
-    /** One of some words. */
+    /** One of the given words. */
     public String word(Collection<String> words, String instead) {
         return is(
                 "one of " + Suggestion.list(words.stream().sorted().toList()),
@@ -116,7 +116,7 @@ public final class Value {
                 instead);
     }
 
-    /** A constant by its name in small letters. */
+    /** An enum constant by its name in lower case. */
     public <E extends Enum<E>> E word(Class<E> kind, E instead) {
         Map<String, E> constants = new LinkedHashMap<>();
         for (E constant : kind.getEnumConstants()) {
@@ -137,7 +137,7 @@ public final class Value {
         return instead;
     }
 
-    /** Tells what this must be, and what it is instead. */
+    /** Reports what this must be, and what it is instead. */
     public void wrong(String must) {
         error(() -> must + ", was " + Escape.shown(node));
     }

@@ -14,7 +14,7 @@ final class Assets {
     private Assets() {}
 
     /**
-     * An asset that is there.
+     * The path of an existing asset.
      *
      * @throws DisplayException naming the file when it cannot be read
      */
@@ -46,7 +46,7 @@ final class Assets {
     }
 
     /**
-     * Where a sound font lies.
+     * The path of a sound font.
      *
      * @throws DisplayException naming the file when it cannot be read, or is not as it was made
      */
@@ -62,7 +62,7 @@ final class Assets {
         }
     }
 
-    /** What an asset that cannot be used is told by, in one line, whatever a driver says of it. */
+    /** Message for an asset that cannot be used, in one line, whatever a driver says. */
     static DisplayException broken(String name, String why) {
         String line = why.strip().replaceAll("\\s*\\R\\s*", "; ");
         return new DisplayException("RigiBo cannot draw: " + place(name) + " " + line);

@@ -15,8 +15,8 @@ final class Baked {
     private final int height;
 
     /**
-     * Runs a shader over each layer, which it is told by its uniform {@code layer}; in {@code
-     * detailed} it is told whether everything is to be drawn.
+     * Runs a shader over each layer. The uniform {@code layer} is the layer's number, and {@code
+     * detailed} says whether everything is to be drawn.
      */
     Baked(String shader, int width, int height, int layers, Detail detail) {
         this.width = width;
@@ -45,7 +45,7 @@ final class Baked {
         program.free();
     }
 
-    /** Adds smaller sizes, for bodies that are small in the window. Costs more than the baking. */
+    /** Adds mipmaps, for bodies that are small in the window; that costs more than baking. */
     void shrink() {
         glBindTexture(GL_TEXTURE_2D_ARRAY, texture);
         glGenerateMipmap(GL_TEXTURE_2D_ARRAY);
@@ -62,7 +62,7 @@ final class Baked {
         glBindFramebuffer(GL_FRAMEBUFFER, 0);
     }
 
-    /** Makes it the texture that shaders read, in all its sizes. */
+    /** Binds the texture, with all its sizes, for shaders to read. */
     void bind() {
         glBindTexture(GL_TEXTURE_2D_ARRAY, texture);
     }

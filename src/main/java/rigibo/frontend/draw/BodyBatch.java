@@ -23,7 +23,10 @@ final class BodyBatch {
 
     private static final int TEXELS = 512;
 
-    /** What is lifted is so much larger, px higher, and its shadow falls so much farther. */
+    /**
+     * Factor by which a lifted body is larger, its height, px, and the factor on the distance of
+     * its shadow.
+     */
     private static final double LIFTED = 1.05;
 
     private static final double LIFT = 2;
@@ -48,7 +51,7 @@ final class BodyBatch {
     private Baked skins;
     private double veil;
 
-    /** Begins a frame so many seconds after the window opened. */
+    /** Begins a frame a number of seconds after the window opened. */
     void begin(double seconds, Detail wanted) {
         gaze.seconds = seconds;
         veil = 0;
@@ -69,7 +72,7 @@ final class BodyBatch {
         gaze.y = worldY;
     }
 
-    /** Greys out the world, 0 not at all to 1. */
+    /** Greys out the world by a share from 0, not at all, to 1. */
     void veil(double share) {
         veil = share;
     }

@@ -4,6 +4,6 @@ package rigibo.frontend.draw;
 public enum Detail {
     /** Everything. */
     FULL,
-    /** No shadows, no grain, no background but its colours: for OpenGL without a graphics card. */
+    /** Without shadows, grain and the background's details: for OpenGL without a graphics card. */
     LITE
 }

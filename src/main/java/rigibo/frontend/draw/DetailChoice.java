@@ -11,10 +11,10 @@ import java.util.Locale;
  */
 public final class DetailChoice {
 
-    /** A frame that takes longer leaves a step of many bodies too little of 16.7 ms, ns. */
+    /** Frame time, ns, above which a step of many bodies has too little left of 16.7 ms. */
     private static final long LATE = 12_000_000;
 
-    /** So many frames are looked at before it is decided, and if half of them are late, it is. */
+    /** Number of frames after which detail is chosen; it becomes low if half of them are late. */
     private static final int FRAMES = 120;
 
     private static final String[] SOFTWARE = {"llvmpipe", "softpipe", "swrast", "swiftshader"};
@@ -24,7 +24,7 @@ public final class DetailChoice {
     private int frames;
     private int late;
 
-    /** What draws, as OpenGL names it in {@code GL_RENDERER}; told for every window. */
+    /** Sets the name of the renderer, {@code GL_RENDERER}; called for every window. */
     public void renderer(String name) {
         String lower = name.toLowerCase(Locale.ROOT);
         isSoftware = false;
@@ -33,7 +33,7 @@ public final class DetailChoice {
         }
     }
 
-    /** A frame took so long to draw, ns. */
+    /** Records the time that a frame took to draw, ns. */
     public void drawn(long nanos) {
         frames++;
         late += nanos > LATE ? 1 : 0;
@@ -44,7 +44,7 @@ public final class DetailChoice {
         }
     }
 
-    /** How much to draw in the next frame. */
+    /** The detail of the next frame. */
     public Detail detail(Settings.Detail chosen) {
         return switch (chosen) {
             case AUTOMATIC -> isSlow ? Detail.LITE : Detail.FULL;

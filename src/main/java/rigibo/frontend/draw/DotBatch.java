@@ -12,7 +12,7 @@ final class DotBatch {
     private static final double RIVET_INSET = 0.11;
     private static final double RIVET_IN_DISC = 0.25;
 
-    /** A rivet that is smaller is a stray pixel, px. */
+    /** Radius below which a rivet is a stray pixel and left out, px. */
     private static final double LEAST_RIVET = 1.5;
 
     private static final Color RIVET_SHADE = Color.of(0x1E232D);
@@ -21,10 +21,10 @@ final class DotBatch {
 
     private final Triangles triangles = Plates.triangles();
 
-    /** A disc about a point of a body, m. */
+    /** Adds a disc about a point of a body, m. */
     void add(OnScreen at, double localX, double localY, double radius, Color color) {
         double scale = at.scale();
-        // A pixel more than the disc, for its smooth edge.
+        // Draws one pixel more than the disc, for its smooth edge.
         double drawn = radius + 1 / scale;
         double reach = radius * scale;
         for (int i = 0; i < Triangles.SQUARE.length; i += 2) {

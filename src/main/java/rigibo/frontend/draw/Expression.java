@@ -13,12 +13,14 @@ enum Expression {
 
     private static final double GOLDEN = 0.6180339887498949;
 
-    /** A face blinks every so many seconds, one more often than another. */
+    /** Shortest time between two blinks, s; other faces take up to {@link #PERIODS} longer. */
     private static final double LEAST_PERIOD = 2.8;
 
     private static final double PERIODS = 2.9;
 
-    /** How long the lids stay down, s; those that blink twice do so again after as long. */
+    /**
+     * Time for which the lids stay down, s; a face that blinks twice does so again after as long.
+     */
     private static final double BLINK = 0.12;
 
     private static final double TWICE = 0.6;
@@ -39,7 +41,7 @@ enum Expression {
         };
     }
 
-    /** Whether the eyes are open, and pupils are to be seen. */
+    /** Whether the eyes are open, so that pupils can be seen. */
     boolean isOpen() {
         return this == CALM || this == WORRIED;
     }

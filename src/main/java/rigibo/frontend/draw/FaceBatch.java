@@ -11,19 +11,25 @@ final class FaceBatch {
 
     private static final int TEXELS = 128;
 
-    /** A face that is smaller does not show, px to its unit. */
+    /** Scale below which a face does not show, px per unit. */
     private static final double LEAST = 6.5;
 
-    /** The unit is half of a square body's side, a little more on long ones, and no more, m. */
+    /**
+     * Largest unit of a face, m; the unit is half a square body's side, and a little more for long
+     * bodies.
+     */
     private static final double MOST = 0.46;
 
     private static final double OF_WIDTH = 1.2;
     private static final double OF_HEIGHT = 1.9;
 
-    /** How far the sheet reaches from a face's middle; the shader that bakes it agrees. */
+    /**
+     * Half the width of the sheet about a face's middle; the shader that bakes it uses the same
+     * number.
+     */
     private static final double REACH = 0.7;
 
-    /** Where the eyes are, and how far the pupils wander. */
+    /** Position of the eyes, and the distance by which pupils move. */
     private static final double EYE_X = 0.36;
 
     private static final double EYE_Y = 0.14;

@@ -12,13 +12,13 @@ import java.util.WeakHashMap;
 /** A shape for drawing: a disc, a box or another polygon, and its bounding radius, m. */
 final class Figure {
 
-    /** Rounded shapes as polygons of many corners, which are made once. */
+    /** Polygons with many corners for rounded shapes; each is made once. */
     private final Map<Convex, Polygon> polygons = new WeakHashMap<>();
 
     private final Aabb bounds = new Aabb();
     Shape shape;
 
-    /** From the centre to the farther side. */
+    /** Distance from the centre to the farther side. */
     double halfWidth;
 
     double halfHeight;
@@ -36,7 +36,7 @@ final class Figure {
         isBox = drawn instanceof Polygon polygon && isBox(polygon);
     }
 
-    /** Half the smaller side of what encloses it, m. */
+    /** Half the smaller side of the bounding rectangle, m. */
     double halfSize() {
         return Math.min(halfWidth, halfHeight);
     }

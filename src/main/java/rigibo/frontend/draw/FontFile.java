@@ -10,8 +10,8 @@ import java.util.Arrays;
 final class FontFile {
 
     /**
-     * What all 32-bit words of a font add up to (OpenType specification 1.9, "Calculating
-     * Checksums": its head table holds the number that makes up the difference).
+     * Sum of all 32-bit words of an unaltered font (OpenType specification 1.9, "Calculating
+     * Checksums": the head table holds the number that makes up the difference).
      */
     private static final int SUM = 0xB1B0AFBA;
 

@@ -17,7 +17,7 @@ final class Gathered {
     private final int buffer = glGenBuffers();
     private FloatBuffer records = MemoryUtil.memAllocFloat(FIRST_CAPACITY);
 
-    /** Records whose attributes have so many floats each, at locations 0, 1, … */
+    /** Records with attributes of the given numbers of floats, at locations 0, 1, … */
     Gathered(int... sizes) {
         this.sizes = sizes.clone();
         int sum = 0;
@@ -36,7 +36,7 @@ final class Gathered {
         glBindVertexArray(0);
     }
 
-    /** A record is for a whole instance, not for a vertex. */
+    /** Lets each record count for a whole instance rather than a vertex. */
     void onePerInstance() {
         glBindVertexArray(array);
         for (int i = 0; i < sizes.length; i++) {
@@ -45,7 +45,7 @@ final class Gathered {
         glBindVertexArray(0);
     }
 
-    /** Makes room for one more record; the caller puts all its floats. */
+    /** Makes room for one more record; the caller then puts all of its floats. */
     FloatBuffer next() {
         if (records.remaining() < floatsPerRecord) {
             records = MemoryUtil.memRealloc(records, 2 * records.capacity());
@@ -57,20 +57,21 @@ final class Gathered {
         return records.position() == 0;
     }
 
-    /** Brings everything to OpenGL, bound for drawing; tells how many records there are. */
+    /** Sends everything to OpenGL and binds it for drawing; returns the number of records. */
     int upload() {
         int count = records.position() / floatsPerRecord;
         records.flip();
         glBindVertexArray(array);
         glBindBuffer(GL_ARRAY_BUFFER, buffer);
         glBufferData(GL_ARRAY_BUFFER, records, GL_STREAM_DRAW);
-        // Every shader multiplies its colour by its cover, so that light can also be added.
+        // Blends premultiplied colours: every shader multiplies its colour by its cover, so that
+        // light can also be added.
         glEnable(GL_BLEND);
         glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
         return count;
     }
 
-    /** Empty again, after drawing. */
+    /** Empties the collection after drawing. */
     void clear() {
         glBindVertexArray(0);
         records.clear();

@@ -8,6 +8,6 @@ final class Gaze {
 
     double y;
 
-    /** Since the window opened. */
+    /** Seconds since the window opened. */
     double seconds;
 }

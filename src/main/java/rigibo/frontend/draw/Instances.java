@@ -14,19 +14,22 @@ final class Instances {
     private final int corners;
     private final Gathered gathered;
 
-    /** Instances of a strip of so many corners, whose attributes have so many floats each. */
+    /**
+     * Instances of a strip with a number of corners, with attributes of the given numbers of
+     * floats.
+     */
     Instances(int corners, int... sizes) {
         this.corners = corners;
         gathered = new Gathered(sizes);
         gathered.onePerInstance();
     }
 
-    /** Makes room for one more; the caller puts all its floats. */
+    /** Makes room for one more instance; the caller then puts all of its floats. */
     FloatBuffer next() {
         return gathered.next();
     }
 
-    /** Draws what was gathered, if anything, and is empty again. */
+    /** Draws the collected instances, if there are any, and empties the collection. */
     void draw(Program program) {
         if (gathered.isEmpty()) {
             return;

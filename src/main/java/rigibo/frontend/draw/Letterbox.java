@@ -12,7 +12,7 @@ import rigibo.frontend.scene.Scene;
  */
 public record Letterbox(int x, int y, int width, int height) {
 
-    /** The largest box of the window's proportions in a framebuffer. */
+    /** The largest box with the proportions of the window that fits into a framebuffer. */
     public static Letterbox of(int framebufferWidth, int framebufferHeight) {
         double scale =
                 Math.min(
@@ -24,22 +24,28 @@ public record Letterbox(int x, int y, int width, int height) {
                 (framebufferWidth - width) / 2, (framebufferHeight - height) / 2, width, height);
     }
 
-    /** Logical x of a framebuffer x. */
+    /** Converts a framebuffer x to logical px. */
     public double logicalX(double framebufferX) {
         return (framebufferX - x) * Scene.WIDTH / width;
     }
 
-    /** Logical y of a framebuffer y that counts from the top, in a framebuffer of a height. */
+    /**
+     * Converts a framebuffer y, counted from the top of a framebuffer of a given height, to logical
+     * px.
+     */
     public double logicalY(double framebufferY, int framebufferHeight) {
         return (framebufferY - top(framebufferHeight)) * Scene.HEIGHT / height;
     }
 
-    /** The framebuffer x of a logical x. */
+    /** Converts a logical x to framebuffer pixels. */
     public double framebufferX(double logicalX) {
         return x + logicalX * width / Scene.WIDTH;
     }
 
-    /** The framebuffer y, counted from the top of a framebuffer of a height, of a logical y. */
+    /**
+     * Converts a logical y to framebuffer pixels, counted from the top of a framebuffer of a given
+     * height.
+     */
     public double framebufferY(double logicalY, int framebufferHeight) {
         return top(framebufferHeight) + logicalY * height / Scene.HEIGHT;
     }

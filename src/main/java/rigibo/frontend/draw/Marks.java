@@ -7,7 +7,7 @@ final class Marks {
 
     private static final int SIDES = 4;
 
-    /** Left, top, right, bottom of each. */
+    /** Left, top, right and bottom edge of each rectangle. */
     private double[] sides = new double[64 * SIDES];
 
     private int used;

@@ -15,7 +15,7 @@ final class OnScreen {
     private double sin;
     private double scale;
 
-    /** A body at a pose in the world (m, rad), swollen by a factor about its centre. */
+    /** Takes a body at a pose in the world (m, rad), enlarged by a factor about its centre. */
     void place(Camera camera, double atX, double atY, double angle, double swell) {
         worldX = atX;
         worldY = atY;
@@ -26,7 +26,7 @@ final class OnScreen {
         scale = swell * camera.scale();
     }
 
-    /** Moves it on the screen, px. */
+    /** Moves the body on the screen, px. */
     void shift(double dx, double dy) {
         x += dx;
         y += dy;
@@ -47,17 +47,17 @@ final class OnScreen {
         return scale;
     }
 
-    /** A direction of the world in the body's frame: its part along the body's x. */
+    /** Component of a direction of the world along the body's x axis. */
     double alongX(double worldX, double worldY) {
         return cos * worldX + sin * worldY;
     }
 
-    /** A direction of the world in the body's frame: its part along the body's y. */
+    /** Component of a direction of the world along the body's y axis. */
     double alongY(double worldX, double worldY) {
         return cos * worldY - sin * worldX;
     }
 
-    /** Begins a vertex with its place on the screen; m in the body's frame. */
+    /** Begins a vertex at a point of the body's frame, m, with its position on the screen. */
     FloatBuffer vertex(Triangles triangles, double localX, double localY) {
         return triangles
                 .vertex()

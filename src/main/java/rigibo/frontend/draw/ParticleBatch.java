@@ -7,7 +7,7 @@ import java.nio.FloatBuffer;
 /** Particles such as splinters, dust and glows, drawn by one call with an instance each. */
 final class ParticleBatch {
 
-    /** What a particle is; the shader has them in this order. */
+    /** The kinds of particles, in the shader's order. */
     enum Kind {
         /** A square that turns. */
         SPLINTER,
@@ -24,7 +24,7 @@ final class ParticleBatch {
     /** Place and half extents, cosine and sine, colour, kind. */
     private final Instances instances = new Instances(CORNERS, 4, 2, 4, 1);
 
-    /** A particle on the screen, px and rad. */
+    /** Adds a particle at a position on the screen, px and rad. */
     void add(Kind kind, double x, double y, double halfSize, double angle, Color color) {
         FloatBuffer to = instances.next();
         to.put((float) x).put((float) y).put((float) halfSize).put((float) halfSize);

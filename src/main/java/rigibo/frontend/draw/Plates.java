@@ -50,7 +50,7 @@ final class Plates {
         }
     }
 
-    /** Draws what was added since. */
+    /** Draws the plates that were added since the last call. */
     void draw(float pixelRatio) {
         triangles.draw(program, pixelRatio);
     }

@@ -10,17 +10,19 @@ import java.nio.FloatBuffer;
  */
 final class ShadowBatch {
 
-    /** What is smaller throws none that could be seen, m. */
+    /** Radius below which a body throws no visible shadow, m. */
     private static final double LEAST = 0.09;
 
-    /** How far the edge of a shadow is smeared to either side, and how far it falls, m. */
+    /**
+     * Width by which the edge of a shadow is smeared to either side, and the shadow's offset, m.
+     */
     private static final double SMEAR = 0.085;
 
     private static final double FALL_X = 0.07;
     private static final double FALL_Y = 0.10;
     private static final float DARKNESS = 0.5f;
 
-    /** In place of the reach upwards: the body reaches equally far all round. */
+    /** Stands for the reach upwards if the body reaches equally far all round. */
     private static final double ROUND = -1;
 
     /** Position, way from the centre (px), how far it reaches there, smear and darkness. */
@@ -28,7 +30,10 @@ final class ShadowBatch {
 
     private OnScreen at = new OnScreen();
 
-    /** The shadow of something so many times as far from the wall as what lies on it. */
+    /**
+     * Adds the shadow of a body that is a number of times as far from the wall as one that lies on
+     * it.
+     */
     void add(Figure figure, OnScreen place, double height) {
         if (figure.halfSize() < LEAST) {
             return;
@@ -64,7 +69,7 @@ final class ShadowBatch {
         }
     }
 
-    /** A fan about the centre whose sides lie a smear outside the polygon's. */
+    /** Adds a fan about the centre whose sides lie one smear outside those of the polygon. */
     private void fan(Polygon polygon) {
         double scale = at.scale();
         double reach = polygon.boundingRadius() * scale;
@@ -79,7 +84,8 @@ final class ShadowBatch {
     }
 
     /**
-     * Where the sides that meet in a corner do so when moved outwards: c + s·(n₁ + n₂)/(1 + n₁·n₂).
+     * Intersection of the two sides that meet in a corner, after both were moved outwards by s: c +
+     * s·(n₁ + n₂)/(1 + n₁·n₂).
      */
     private void corner(Polygon polygon, int i, double reach) {
         int before = (i + polygon.corners() - 1) % polygon.corners();

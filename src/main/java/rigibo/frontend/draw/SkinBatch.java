@@ -13,20 +13,25 @@ import java.nio.FloatBuffer;
  */
 final class SkinBatch {
 
-    /** A skin's texture covers so many metres, again and again; the shader that bakes it agrees. */
+    /**
+     * Size of a skin's texture, m, after which it repeats; the shader that bakes it uses the same
+     * number.
+     */
     private static final double TILE = 4;
 
-    /** Towards the lamp, in the world. */
+    /** Direction towards the lamp, in the world. */
     private static final double LIGHT_X = -0.45;
 
     private static final double LIGHT_Y = 0.89;
 
-    /** In place of the reach upwards: the body reaches equally far all round, flat or as a dome. */
+    /**
+     * Stands for the reach upwards if the body reaches equally far all round, flat or as a dome.
+     */
     private static final double ROUND = -1;
 
     private static final double DOME = -2;
 
-    /** Corners are rounded for the eye by no more than this share of a side. */
+    /** Largest share of a side by which corners are drawn rounded. */
     private static final double MOST_ROUNDED = 0.3;
 
     /** Position, texture, way from the centre (px), how far it reaches there, light, kind. */
@@ -50,7 +55,7 @@ final class SkinBatch {
         corner = (float) Math.min(most, rounding(of) * at.scale());
         lightX = at.alongX(LIGHT_X, LIGHT_Y);
         lightY = at.alongY(LIGHT_X, LIGHT_Y);
-        // A ball's stripes fit the ball; everything else is cut from an endless sheet.
+        // Fits a ball's stripes to the ball; all other textures are cut from an endless sheet.
         boolean isBall = of == Skin.BALL;
         double reach = Math.max(figure.halfWidth, figure.halfHeight);
         textureScale = isBall ? 0.5 / reach : 1 / TILE;
@@ -58,7 +63,7 @@ final class SkinBatch {
         isUpright = of == Skin.WOOD && figure.halfHeight > figure.halfWidth;
         double scale = at.scale();
         if (figure.isDisc) {
-            // A pixel more than the disc, for its smooth edge.
+            // Draws one pixel more than the disc, for its smooth edge.
             double drawn = figure.halfWidth + 1 / scale;
             square(drawn, drawn, figure.halfWidth * scale, DOME);
         } else if (figure.isBox) {
@@ -70,7 +75,7 @@ final class SkinBatch {
         }
     }
 
-    /** How round the corners of a box look, m. */
+    /** Radius of the corners that a box is drawn with, m. */
     private static double rounding(Skin of) {
         return switch (of) {
             case RIGIBO -> 0.075;

@@ -14,18 +14,20 @@ final class Triangles {
 
     private final Gathered gathered;
 
-    /** Triangles whose vertices have attributes of so many floats each, at locations 0, 1, … */
+    /**
+     * Triangles whose vertices have attributes of the given numbers of floats, at locations 0, 1, …
+     */
     Triangles(int... sizes) {
         gathered = new Gathered(sizes);
     }
 
-    /** Makes room for one more vertex; the caller puts all its floats. */
+    /** Makes room for one more vertex; the caller then puts all of its floats. */
     FloatBuffer vertex() {
         return gathered.next();
     }
 
     /**
-     * Draws what was gathered, if anything, and is empty again.
+     * Draws the collected triangles, if there are any, and empties the collection.
      *
      * @param ratio framebuffer pixels per logical one, for smooth edges
      */

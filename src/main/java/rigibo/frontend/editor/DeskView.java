@@ -28,13 +28,15 @@ import java.util.Map;
 /** Draws the draft: its world, its items, the selection and the problems. */
 final class DeskView {
 
-    /** Lines nearer than this on the screen would hide the world, px. */
+    /** Distance on the screen below which grid lines would hide the world, px. */
     private static final double LEAST_PITCH = 14;
 
-    /** Pitches that lines may have, m: the finest that is not too near is drawn. */
+    /**
+     * Possible distances of grid lines, m; the finest that is wide enough on the screen is drawn.
+     */
     private static final double[] PITCHES = {0.05, 0.25, 0.5, 1, 5};
 
-    /** Round an anchor, and the icon above it, px. */
+    /** Radius of the ring around an anchor, and of the icon above it, px. */
     private static final double RING = 9;
 
     private static final double ICON = 10;
@@ -131,7 +133,10 @@ final class DeskView {
         return PITCHES[PITCHES.length - 1];
     }
 
-    /** The outline of what is chosen; above it an outline and an icon where something is wrong. */
+    /**
+     * Draws the outline of the selection, and above it an outline and an icon on items with
+     * problems.
+     */
     private void drawMarks(List<Finding> findings) {
         desk.item().ifPresent(item -> Outlines.draw(canvas, camera, item, Color.TEXT));
         Map<String, Finding> worst = new HashMap<>();

@@ -14,10 +14,10 @@ import java.util.Optional;
 /** The file of the present draft, and drafts that were left unsaved earlier. */
 final class Drawer {
 
-    /** Where a player without files of their own saves: nowhere. */
+    /** Where drafts of a player without files are saved: nowhere. */
     private final Optional<Path> folder;
 
-    /** What the file holds; nothing where that is not known. */
+    /** The content of the file; empty if it is not known. */
     private Optional<Draft> written;
 
     private Optional<Path> file;
@@ -50,7 +50,7 @@ final class Drawer {
         return new DraftFiles(folder);
     }
 
-    /** What went wrong at the start. */
+    /** Message about what went wrong at the start. */
     Optional<String> trouble() {
         return trouble;
     }
@@ -84,7 +84,7 @@ final class Drawer {
         return saved;
     }
 
-    /** Keeps a draft that is not saved; returns what keeps it from that. */
+    /** Keeps an unsaved draft; returns a message if that fails. */
     Optional<String> put(Draft draft) {
         if (folder.isEmpty() || isSaved(draft)) {
             return Optional.empty();
@@ -97,14 +97,14 @@ final class Drawer {
         }
     }
 
-    /** Another draft lies on the desk. */
+    /** Notes that another draft lies on the desk. */
     void take(DraftFile other) {
         written = Optional.of(other.draft());
         file = other.file();
         kept = Optional.empty();
     }
 
-    /** The draft that was left lies on the desk; what its file holds is another matter. */
+    /** Notes that the draft left unsaved lies on the desk, which need not agree with its file. */
     void takeUp() {
         offered.ifPresent(
                 left -> {
@@ -115,7 +115,7 @@ final class Drawer {
         offered = Optional.empty();
     }
 
-    /** The draft that was left is not wanted. */
+    /** Discards the draft that was left unsaved. */
     Optional<String> refuse() {
         Optional<Path> old = offered.map(Unsaved.Left::kept);
         offered = Optional.empty();

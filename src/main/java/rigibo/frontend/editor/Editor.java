@@ -17,7 +17,7 @@ public final class Editor {
 
     private Editor() {}
 
-    /** The editor among the game's scenes, with a new level. */
+    /** Menu entry of the editor, which opens it with a new level. */
     public static SceneEntry entry() {
         return SceneEntry.of(
                 "editor",
@@ -27,7 +27,8 @@ public final class Editor {
     }
 
     /**
-     * An editor with the level of a file; where there is none, with a new one that is saved there.
+     * Opens the editor with the level of a file; if the file does not exist, with a new level that
+     * will be saved there.
      *
      * @throws IllegalArgumentException when it is no level that can be edited, saying why
      */

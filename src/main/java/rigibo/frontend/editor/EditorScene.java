@@ -37,12 +37,12 @@ final class EditorScene implements Scene {
         shop.turn();
     }
 
-    /** The draft as it stands. */
+    /** The present draft. */
     Draft draft() {
         return shop.desk().draft();
     }
 
-    /** The level as it is played, while it is. */
+    /** The level that is being played, if there is one. */
     private Optional<Scene> played() {
         return shop.test().map(TestRun::scene);
     }
@@ -185,7 +185,8 @@ final class EditorScene implements Scene {
     }
 
     /**
-     * Leaves what is nearest: a text, what is half drawn, a list, what is chosen; then the scene.
+     * Leaves the innermost state: a text, a half-drawn shape, a list, the selection, and at last
+     * the scene.
      */
     @Override
     public boolean escaped() {

@@ -24,7 +24,7 @@ final class Panes {
 
     private static final double ROW = 22;
 
-    /** Two rows of chips, px. */
+    /** Height of two rows of chips, px. */
     private static final double CHIPS = 58;
 
     private final Workshop shop;
@@ -80,7 +80,7 @@ final class Panes {
         return new Area(inner.x(), inner.y() + CHIPS + i * ROW, inner.width(), ROW);
     }
 
-    /** A question to the author, or what was last done. */
+    /** Shows a question to the author, or the last action. */
     private void status(Area line) {
         if (shop.drawer().offered().isPresent()) {
             Bar bar = new Bar(pane, line);
@@ -108,7 +108,7 @@ final class Panes {
         };
     }
 
-    /** What is told of the thing under the pointer: a button, or a body with something wrong. */
+    /** The note on what is under the pointer: a button, or an item with a problem. */
     private Optional<String> told() {
         Optional<Spots.Spot> spot = pane.spots().at(pane.pointerX(), pane.pointerY());
         if (spot.isPresent()) {
@@ -130,7 +130,7 @@ final class Panes {
                 .map(finding -> ProblemPane.name(pane, finding) + ": " + finding.words());
     }
 
-    /** In two lines where it is too long for one. */
+    /** Breaks the text into two lines if it is too long for one. */
     private void sentence(Area first, Area second, String words) {
         double room = first.width() - ROW;
         int end = words.length();

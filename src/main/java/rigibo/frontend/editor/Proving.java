@@ -41,7 +41,7 @@ final class Proving {
         return task != null;
     }
 
-    /** Hands over what was found, as soon as there is something; returns whether there was. */
+    /** Hands over the findings as soon as there are any; returns whether there were. */
     boolean tell(Inspection inspection) {
         boolean isDone = task != null && task.isDone();
         if (isDone) {

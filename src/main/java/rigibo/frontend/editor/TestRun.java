@@ -68,13 +68,13 @@ final class TestRun implements Director {
         director.quit();
     }
 
-    /** Whose progress is forgotten with the try. */
+    /** A player whose progress is forgotten after the try. */
     @Override
     public Player player() {
         return guest;
     }
 
-    /** Those of the editor's player, who may change them meanwhile. */
+    /** The settings of the editor's player, who may change them meanwhile. */
     @Override
     public Settings settings() {
         return director.settings();

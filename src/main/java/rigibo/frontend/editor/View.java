@@ -15,7 +15,7 @@ final class View {
     static final Area PROBLEMS = new Area(486, 518, 230, 138);
     static final Area FOOT = new Area(4, 662, 712, 134);
 
-    /** What the panes leave to the draft. */
+    /** The part of the window that the panes leave to the draft. */
     static final Area DRAFT = new Area(104, 54, 378, 602);
 
     private static final double MARGIN = 8;
@@ -28,7 +28,7 @@ final class View {
         return camera;
     }
 
-    /** The whole world in the middle of what the panes leave. */
+    /** A camera that shows the whole world in the middle of that part. */
     static void home(Camera camera, Draft draft) {
         double width = Math.max(1, Decimal.read(draft.at("/world/width"), 1));
         double height = Math.max(1, Decimal.read(draft.at("/world/height"), 1));

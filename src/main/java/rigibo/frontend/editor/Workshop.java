@@ -115,7 +115,7 @@ final class Workshop {
                 };
     }
 
-    /** One turn: looks at what has changed, and listens for what was played. */
+    /** Makes one turn: checks the draft if it changed, and takes over what playing it found. */
     void turn() {
         if (!desk.history().isGesture()) {
             inspection.look(desk.draft());
@@ -128,7 +128,7 @@ final class Workshop {
         }
     }
 
-    /** Plays the draft, or says why that cannot be. */
+    /** Plays the draft, or shows why it cannot be played. */
     void startTest() {
         typing.end();
         inspection.look(desk.draft());
@@ -142,7 +142,7 @@ final class Workshop {
         }
     }
 
-    /** Back to the draft, as it was left. */
+    /** Returns to the draft as it was left. */
     void endTest() {
         won = test.flatMap(TestRun::solution);
         test.ifPresent(run -> run.scene().closed());
@@ -200,7 +200,7 @@ final class Workshop {
         }
     }
 
-    /** Begins another level; what was not saved is kept for later. */
+    /** Begins another level; unsaved changes are kept for later. */
     void begin(DraftFile other) {
         typing.cancel();
         drawer.put(desk.draft()).ifPresent(this::trouble);
@@ -217,7 +217,7 @@ final class Workshop {
         remark = "";
     }
 
-    /** Takes up the draft that was left, in place of this one. */
+    /** Opens the draft that was left unsaved, in place of this one. */
     void takeUp() {
         Draft present = desk.draft();
         drawer.offered()
@@ -230,7 +230,7 @@ final class Workshop {
                         });
     }
 
-    /** The draft that was left is not wanted. */
+    /** Discards the draft that was left unsaved. */
     void refuse() {
         drawer.refuse().ifPresent(this::trouble);
     }
@@ -262,7 +262,7 @@ final class Workshop {
         list = Optional.empty();
     }
 
-    /** The scene is left: what is not saved is kept. */
+    /** Leaves the scene; unsaved changes are kept. */
     void close() {
         typing.end();
         test.ifPresent(run -> run.scene().closed());

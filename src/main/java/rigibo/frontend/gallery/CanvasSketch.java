@@ -19,14 +19,14 @@ final class CanvasSketch implements Sketch {
     private final double boldness;
     private String figure = "";
 
-    /** With lines and points so many times as bold as usual. */
+    /** A sketch whose lines and points are a number of times as bold as usual. */
     CanvasSketch(Canvas canvas, Camera camera, double boldness) {
         this.canvas = canvas;
         this.camera = camera;
         this.boldness = boldness;
     }
 
-    /** The number beside the title; empty where there is none. */
+    /** The number shown beside the title; empty if there is none. */
     String figure() {
         return figure;
     }

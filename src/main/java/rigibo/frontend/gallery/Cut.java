@@ -13,16 +13,16 @@ import java.util.Optional;
  */
 final class Cut {
 
-    /** Directions in which the outline is asked for its farthest point. */
+    /** Number of directions in which the outline's farthest point is computed. */
     private static final int DIRECTIONS = 48;
 
-    /** A piece smaller than so many m² is not drawn. */
+    /** Area below which a piece is not drawn, m². */
     private static final double SMALLEST = 1e-7;
 
     private double[] xy;
     private int count;
 
-    /** An outline at a place of the world. */
+    /** Takes an outline at a position in the world. */
     Cut(Outline outline, Placement at) {
         double cos = Math.cos(at.angle());
         double sin = Math.sin(at.angle());
@@ -58,7 +58,7 @@ final class Cut {
         }
     }
 
-    /** Corners x₀, y₀, x₁, y₁, … of what lies in a window, m; nothing where that is too small. */
+    /** Corners x₀, y₀, x₁, y₁, … of the part within a window, m; empty if that is too small. */
     Optional<double[]> inside(Aabb window) {
         keep(1, 0, window.maxX);
         keep(-1, 0, -window.minX);
@@ -68,7 +68,7 @@ final class Cut {
         return count > 2 && area() > SMALLEST ? Optional.of(piece) : Optional.empty();
     }
 
-    /** Keeps what lies at n·p ≤ most. */
+    /** Keeps the part with n·p ≤ most. */
     private void keep(double nx, double ny, double most) {
         double[] from = xy;
         int corners = count;

@@ -17,36 +17,36 @@ import rigibo.frontend.scene.Scene;
  */
 public interface Exhibit {
 
-    /** What the scene calls for. */
+    /** The effects that the scene declares. */
     default Effects effects() {
         return Effects.usual();
     }
 
-    /** Adds the bodies to a pool that has none. */
+    /** Adds the bodies to an empty pool. */
     void build(Pool pool);
 
-    /** Before each step; what the last one did can be read here. */
+    /** Called before each step; the results of the last step can be read here. */
     default void beforeStep(Pool pool) {}
 
-    /** The right button went down at a point of the world, m. */
+    /** Handles a press of the right button at a point of the world, m. */
     default void act(Pool pool, double x, double y) {}
 
-    /** Draws over the bodies what they do not show by themselves. */
+    /** Draws above the bodies what they do not show by themselves. */
     default void sketch(Pool pool, Sketch sketch) {}
 
-    /** What to look at. */
+    /** The initial view. */
     default View view() {
         return new View(0, 4, 10);
     }
 
-    /** A pool with the bodies in it. */
+    /** Makes a pool with the bodies in it. */
     default Pool open() {
         Pool pool = new Pool(effects(), Accuracy.GAME);
         build(pool);
         return pool;
     }
 
-    /** Lets a pool of this exhibit run so many seconds. */
+    /** Runs a pool of this exhibit for some seconds. */
     default void run(Pool pool, double seconds) {
         long steps = Math.round(seconds / Scene.STEP);
         for (long i = 0; i < steps; i++) {

@@ -14,10 +14,10 @@ import rigibo.frontend.scene.joint.JointPicture;
 /** An exhibit at the size of a card; bodies that extend beyond the card are clipped at its edge. */
 final class ExhibitPicture {
 
-    /** Share of a view that a running exhibit's plates leave free. */
+    /** Share of a view that the plates around a running exhibit leave free. */
     private static final double FREE = 0.8;
 
-    /** Of lines and points, as a share of those of a running exhibit. */
+    /** Boldness of lines and points, as a share of that in a running exhibit. */
     private static final double FINE = 0.5;
 
     private final Camera camera;

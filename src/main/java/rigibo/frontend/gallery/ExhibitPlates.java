@@ -24,7 +24,7 @@ final class ExhibitPlates {
     private static final double INDENT = LEFT + 14;
     private static final double SIZE = 16;
 
-    /** Room beside the source for the accuracy, px. */
+    /** Width beside the source that is left for the accuracy, px. */
     private static final double BADGE = 60;
 
     private static final double INNER = WIDTH - 28;
@@ -71,7 +71,7 @@ final class ExhibitPlates {
         Print.left(canvas, fitting, INDENT, y, SIZE, color);
     }
 
-    /** What the pool simulates. */
+    /** The effects that the pool simulates. */
     private String effects(Pool pool) {
         return pool.effects().all().stream()
                 .map(effect -> words.of("effect." + effect.title()))

@@ -149,7 +149,7 @@ final class ExhibitScene implements Scene {
         showing.pool().accuracy(Preset.values()[preset].accuracy());
     }
 
-    /** Goes back to where it was chosen. */
+    /** Returns to the scene from which it was opened. */
     @Override
     public boolean escaped() {
         director.show(new GalleryScene(director, Optional.of(found)));

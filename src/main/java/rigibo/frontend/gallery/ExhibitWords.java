@@ -23,7 +23,7 @@ final class ExhibitWords {
         return find(found.name(), found.type().getSimpleName());
     }
 
-    /** A sentence on what there is to see; empty where nobody wrote one. */
+    /** A sentence about what there is to see; empty if there is none. */
     String about(Found found) {
         return find(found.name() + ".words", "");
     }

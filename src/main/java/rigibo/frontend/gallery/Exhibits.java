@@ -22,7 +22,7 @@ final class Exhibits {
         return all().stream().filter(found -> found.name().equals(name)).findFirst();
     }
 
-    /** By section; the sections in the order in which they first occur. */
+    /** The exhibits by section, with the sections in the order of their first exhibits. */
     static Map<String, List<Found>> bySection() {
         return all().stream()
                 .collect(
@@ -30,7 +30,7 @@ final class Exhibits {
                                 Found::section, LinkedHashMap::new, Collectors.toList()));
     }
 
-    /** The one before (−1) or after (1) another, round and round. */
+    /** Returns the exhibit before (−1) or after (1) another one; after the last comes the first. */
     static Found beside(Found found, int direction) {
         List<Found> all = all();
         int at = all.stream().map(Found::type).toList().indexOf(found.type());

@@ -13,7 +13,7 @@ record Found(Class<? extends Exhibit> type, Supplier<? extends Exhibit> make) {
 
     private static final String SOURCES = "src/examples/java/";
 
-    /** Its class's name as the command line has it: {@code card-house}. */
+    /** Name of its class in the form of the command line, such as {@code card-house}. */
     String name() {
         return type.getSimpleName()
                 .replaceAll("(?<=[a-z0-9])(?=[A-Z])", "-")
@@ -26,7 +26,7 @@ record Found(Class<? extends Exhibit> type, Supplier<? extends Exhibit> make) {
         return whole.substring(whole.lastIndexOf('.') + 1);
     }
 
-    /** The file that it is written in. */
+    /** The source file. */
     String source() {
         return SOURCES + type.getName().replace('.', '/') + ".java";
     }

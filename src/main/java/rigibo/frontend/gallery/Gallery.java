@@ -10,12 +10,12 @@ public final class Gallery {
 
     private Gallery() {}
 
-    /** How the menu lists it. */
+    /** Menu entry of the gallery. */
     public static SceneEntry entry() {
         return SceneEntry.of("gallery", director -> new GalleryScene(director, Optional.empty()));
     }
 
-    /** An entry for each exhibit, for the command line. */
+    /** One entry per exhibit, for the command line. */
     public static List<SceneEntry> exhibits() {
         return Exhibits.all().stream().map(Gallery::entry).toList();
     }

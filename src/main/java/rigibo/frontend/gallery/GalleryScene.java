@@ -48,7 +48,7 @@ final class GalleryScene implements Scene {
     private Tiles tiles;
     private int firstCard;
 
-    /** The gallery, with a certain exhibit chosen, or the first. */
+    /** Opens the gallery with a given exhibit selected, or the first one. */
     GalleryScene(Director director, Optional<Found> chosen) {
         this.director = director;
         words = director.words();
@@ -82,7 +82,10 @@ final class GalleryScene implements Scene {
         return (ofSection().size() + PAGE - 1) / PAGE;
     }
 
-    /** The way back, the sections, the cards of this page, and the ways to other pages. */
+    /**
+     * Everything that can be clicked: the way back, the sections, the cards of this page, and the
+     * other pages.
+     */
     private void layOut(int card) {
         List<Tile> laid = new ArrayList<>();
         laid.add(new Tile(EDGE, 20, 130, 42, this::drawBack, director::showMenu));

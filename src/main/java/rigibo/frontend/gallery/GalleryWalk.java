@@ -11,13 +11,13 @@ import java.util.Optional;
  */
 final class GalleryWalk implements Demonstration {
 
-    /** How long a page is looked at, turns; its picture is kept at the end of it. */
+    /** Turns for which a page is shown; its picture is saved at the end of them. */
     private static final int LOOK = 60;
 
     private final List<Click> ways;
     private int turn;
 
-    /** A walk that goes on by clicks, from a first page that needs none. */
+    /** A walk that goes from page to page by clicks; the first page needs none. */
     GalleryWalk(List<Click> ways) {
         this.ways = List.copyOf(ways);
     }

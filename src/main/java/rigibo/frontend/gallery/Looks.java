@@ -11,13 +11,16 @@ import rigibo.frontend.scene.Skin;
 /** Derives the skin of an exhibit's body from its material, since exhibits know no skins. */
 final class Looks {
 
-    /** What is so elastic is rubber, what so slippery ice, what so dense iron. */
+    /**
+     * Elasticity from which on a body is rubber, friction below which it is ice, density from which
+     * on it is iron.
+     */
     private static final double RUBBER_ELASTICITY = 0.6;
 
     private static final double ICE_FRICTION = 0.05;
     private static final double IRON_DENSITY = 5000;
 
-    /** A box longer than so many times its width is a plank. */
+    /** Ratio of length to width from which on a box is a plank. */
     private static final double PLANK_RATIO = 2.5;
 
     private Looks() {}

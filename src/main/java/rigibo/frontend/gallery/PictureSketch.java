@@ -11,7 +11,7 @@ final class PictureSketch implements Sketch {
     private final Aabb window;
     private final Aabb own = new Aabb();
 
-    /** Hands on to another sketch what lies in a window of the world, m. */
+    /** Passes on to another sketch what lies within a window of the world, m. */
     PictureSketch(Sketch beyond, Aabb window) {
         this.beyond = beyond;
         this.window = window;

@@ -32,7 +32,7 @@ final class Showing implements Bench {
         pool.step(Scene.STEP);
     }
 
-    /** What touches nothing is an outline, what sleeps is dimmed. */
+    /** Bodies that touch nothing are drawn as outlines, sleeping ones dimmed. */
     static Canvas.Mood mood(RigidBody body) {
         if (!body.isEnabled() || body.isSensor()) {
             return Canvas.Mood.GHOST;

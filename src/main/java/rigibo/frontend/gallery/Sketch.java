@@ -6,7 +6,7 @@ import rigibo.backend.geometry.Shape;
 /** The means by which an exhibit draws over its bodies. World coordinates in m, y up. */
 public interface Sketch {
 
-    /** What a line or a point tells. */
+    /** The meaning of a line or a point. */
     enum Tone {
         PLAIN,
         GOOD,
@@ -16,13 +16,16 @@ public interface Sketch {
     /** A straight line. */
     void line(double x1, double y1, double x2, double y2, Tone tone);
 
-    /** A point, as large on the screen at every scale. */
+    /** A point of the same size on the screen at every scale. */
     void point(double x, double y, Tone tone);
 
-    /** A shape as an outline that one sees through. */
+    /** A shape as a transparent outline. */
     void shape(Shape shape, Placement at);
 
-    /** Numbers and signs, no words: the gallery speaks several languages. Centred at a point. */
+    /**
+     * A text centred at a point: numbers and signs without words, since the gallery has several
+     * languages.
+     */
     void number(double x, double y, String figure);
 
     /** The one number that the scene is about, shown beside its title. */

@@ -29,7 +29,7 @@ final class Experiments {
     private static final int BOXES = 20;
     private static final double BOX = 0.4;
 
-    /** kg; the heavy bodies have a thousand times this. */
+    /** Mass of the light bodies, kg; heavy ones have a thousand times as much. */
     private static final double LIGHT = 1;
 
     private static final double HEAVY = 1000;
@@ -37,7 +37,10 @@ final class Experiments {
     private static final double BILLIARD_RADIUS = 0.22;
     private static final int RACK_ROWS = 5;
 
-    /** Between the balls of the rack, m: they are struck one after the other, not all at once. */
+    /**
+     * Gap between the balls of the rack, m, so that they are struck one after the other rather than
+     * all at once.
+     */
     private static final double RACK_GAP = 0.004;
 
     /** m/s. */
@@ -45,7 +48,7 @@ final class Experiments {
 
     private Experiments() {}
 
-    /** In the order of their buttons. */
+    /** The experiments in the order of their buttons. */
     static List<Experiment> all() {
         return List.of(elasticBalls(), stack(), heavyOnLight(), billiard());
     }

@@ -19,7 +19,7 @@ final class Half {
         this.preset = preset;
     }
 
-    /** Goes on with a pool that begins now. */
+    /** Continues with a pool that begins now. */
     void begin(Pool fresh) {
         pool = fresh;
         pool.accuracy(preset.accuracy());
@@ -28,7 +28,7 @@ final class Half {
         times.forget();
     }
 
-    /** Goes on at another accuracy from where it is. */
+    /** Continues at another accuracy from the present state. */
     void choose(Preset chosen) {
         preset = chosen;
         pool.accuracy(preset.accuracy());
@@ -47,12 +47,12 @@ final class Half {
         return preset;
     }
 
-    /** Of a step, ms; 0 before the first. */
+    /** Time of a step, ms; 0 before the first. */
     double medianMillis() {
         return times.median() / NANOS_PER_MILLI;
     }
 
-    /** Of motion and of height over the floor, as a share of that at the start. */
+    /** Energy of motion and of height above the floor, as a share of the initial energy. */
     double energyShare() {
         return energy() / energyAtStart;
     }

@@ -14,12 +14,12 @@ import java.util.Locale;
 /** Draws a half: a plate with its switch and readouts, and the room below. */
 final class HalfView {
 
-    /** Of plate and room, px. */
+    /** Width of plate and room, px. */
     static final double WIDTH = 348;
 
     static final double PLATE_HEIGHT = 68;
 
-    /** The room's upper edge below that of the plate, px. */
+    /** Distance from the plate's upper edge to the room's, px. */
     private static final double ROOM_TOP = PLATE_HEIGHT + 6;
 
     /** Pixels per metre at which the room with its walls is as wide as the plate. */
@@ -122,7 +122,7 @@ final class HalfView {
                         && py <= y + PADDING + SWITCH_HEIGHT;
     }
 
-    /** The pointer went down: on the switch it turns it. */
+    /** Handles a press of the pointer, which turns the switch if it is on it. */
     void pointerPressed(double px, double py) {
         pointerMoved(px, py);
         if (isHot) {

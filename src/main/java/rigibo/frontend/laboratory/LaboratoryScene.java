@@ -38,7 +38,7 @@ final class LaboratoryScene implements Scene {
     private Divergence divergence;
     private int chosen;
 
-    /** Share of real time that the loop runs at. */
+    /** Share of real time at which the loop runs. */
     private double pace = 1;
 
     private int turn;
@@ -96,7 +96,7 @@ final class LaboratoryScene implements Scene {
         }
     }
 
-    /** Whoever goes second finds warm caches: they take turns. */
+    /** The two halves take turns in going first, since the second one finds warm caches. */
     private void advance() {
         boolean isLeftFirst = turn++ % 2 == 0;
         (isLeftFirst ? left : right).step();

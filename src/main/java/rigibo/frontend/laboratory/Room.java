@@ -17,13 +17,13 @@ import java.util.List;
  */
 final class Room {
 
-    /** Half its width inside, m. */
+    /** Half the inner width, m. */
     static final double REACH = 3.5;
 
-    /** Its height inside, m. */
+    /** Inner height, m. */
     static final double HEIGHT = 8.4;
 
-    /** Of the walls, m. */
+    /** Thickness of the walls, m. */
     static final double WALL = 0.2;
 
     private final Pool pool;
@@ -35,14 +35,14 @@ final class Room {
         pool = new Pool(effects, Accuracy.GAME);
     }
 
-    /** A room with the bodies of an experiment as they begin. */
+    /** A room with the initial bodies of an experiment. */
     static Room of(Experiment experiment) {
         Room room = new Room(experiment.effects());
         experiment.build().accept(room);
         return room;
     }
 
-    /** The four walls, as rough and elastic as a material. */
+    /** Adds the four walls, with the friction and elasticity of a material. */
     void walls(Material material) {
         wall(2 * (REACH + WALL), WALL, 0, -WALL / 2, material);
         wall(2 * (REACH + WALL), WALL, 0, HEIGHT + WALL / 2, material);
@@ -61,7 +61,7 @@ final class Room {
         skins.add(skin);
     }
 
-    /** A pool that begins as this room stands; two of them are equal to the last bit. */
+    /** Makes a pool in the room's initial state; two of them are equal to the last bit. */
     Pool copy() {
         return Pool.restore(pool.snapshot(), effects);
     }

@@ -27,7 +27,7 @@ record LevelCard(LevelList levels, int level, Words words) {
     private static final double STRIP = 30;
     private static final double PICTURE = HEIGHT - STRIP;
 
-    /** Round the picture, px. */
+    /** Margin around the picture, px. */
     private static final double MARGIN = 10;
 
     void draw(Canvas canvas, Tile tile, boolean isChosen) {
@@ -66,7 +66,7 @@ record LevelCard(LevelList levels, int level, Words words) {
                 canvas, String.valueOf(level + 1), tile.x() + 21, tile.y() + 18, 16, Color.TEXT);
     }
 
-    /** A veil over the picture with a padlock on it. */
+    /** Draws a veil over the picture with a padlock on it. */
     private static void drawLock(Canvas canvas, Tile tile) {
         canvas.panel(tile.x(), tile.y(), WIDTH, PICTURE, 10, Color.PANEL);
         double x = tile.middleX();
@@ -77,7 +77,10 @@ record LevelCard(LevelList levels, int level, Words words) {
         canvas.line(x, y + 3, x, y + 11, 3, Color.DUSK_TOP);
     }
 
-    /** With its rank, as at the end of a level; a tick where it was solved as it was before. */
+    /**
+     * Draws the medal with its rank, as at the end of a level; a tick if an earlier version of the
+     * level was solved.
+     */
     private void drawPrize(Canvas canvas, Tile tile) {
         double x = tile.x() + WIDTH - 21;
         double y = tile.y() + 18;

@@ -17,10 +17,10 @@ import java.util.stream.IntStream;
  */
 record LevelList(List<SceneEntry> levels, Progress progress) {
 
-    /** So many levels are open from the start. */
+    /** Number of levels that are open from the start. */
     private static final int OPEN_AT_FIRST = 3;
 
-    /** The levels among some entries. */
+    /** Selects the levels among some entries. */
     static LevelList of(List<SceneEntry> entries, Progress progress) {
         return new LevelList(entries.stream().filter(SceneEntry::isLevel).toList(), progress);
     }
@@ -37,7 +37,7 @@ record LevelList(List<SceneEntry> levels, Progress progress) {
         return done(level).isSolved();
     }
 
-    /** What was solved once stays open, whatever levels came between. */
+    /** A level that was solved stays open, even if levels were added before it. */
     boolean isOpen(int level) {
         return level < OPEN_AT_FIRST || isSolved(level - 1) || isSolved(level);
     }
@@ -54,7 +54,10 @@ record LevelList(List<SceneEntry> levels, Progress progress) {
         return !levels.isEmpty() && solved() == levels.size();
     }
 
-    /** The first open level that is not solved, else the first without gold, else the first. */
+    /**
+     * The first open level that is not solved; otherwise the first without gold; otherwise the
+     * first.
+     */
     int next() {
         return IntStream.range(0, levels.size())
                 .filter(level -> isOpen(level) && !isSolved(level))

@@ -44,12 +44,12 @@ public final class LevelsScene implements Scene {
                     this::watch);
     private int firstRow;
 
-    /** Whether the level's best run was asked for, and there is none. */
+    /** Whether the level's best run was asked for, but none was kept. */
     private boolean isMissed;
 
     private Tiles tiles;
 
-    /** A list of the levels among some entries; the one to go on with is chosen. */
+    /** A list of the levels among some entries, with the next one to play selected. */
     public LevelsScene(Director director, List<SceneEntry> entries) {
         this.director = director;
         words = director.words();
@@ -58,7 +58,7 @@ public final class LevelsScene implements Scene {
         bringIntoSight();
     }
 
-    /** The way back is the first tile, the levels follow; rows out of sight have none. */
+    /** The tiles: first the way back, then the levels; rows out of sight have none. */
     private void layOut(int chosen) {
         List<Tile> laid = new ArrayList<>();
         laid.add(new Tile(EDGE, 22, 130, 42, this::drawBack, director::showMenu));

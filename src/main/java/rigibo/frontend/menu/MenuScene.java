@@ -45,7 +45,7 @@ public final class MenuScene implements Scene {
     private final Playground playground = new Playground();
     private final String tagline;
 
-    /** A menu of some entries: levels, and what else there is. */
+    /** A menu of entries: the levels, and all other scenes. */
     public MenuScene(Director director, List<SceneEntry> entries) {
         this.director = director;
         words = director.words();

@@ -22,7 +22,7 @@ final class NoticePlate {
 
     private final Director director;
 
-    /** What was read and still holds. */
+    /** The notices that were read and still hold. */
     private List<String> read = List.of();
 
     NoticePlate(Director director) {

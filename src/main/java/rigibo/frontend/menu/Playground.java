@@ -52,7 +52,7 @@ final class Playground {
         pool.step(Scene.STEP);
     }
 
-    /** Where the pointer is from now on, px. */
+    /** Moves the pointer, px. */
     void pointerMoved(double x, double y) {
         watchedX = x;
         watchedY = y;

@@ -20,7 +20,7 @@ final class ButtonRow {
     private final List<Command> commands;
     private int chosen;
 
-    /** Buttons of the same width from (left, top), px. */
+    /** Buttons of equal width from (left, top), px. */
     ButtonRow(double left, double top, double width, List<Command> commands) {
         this.left = left;
         this.top = top;
@@ -61,17 +61,20 @@ final class ButtonRow {
         return Optional.of(commands.get(under));
     }
 
-    /** Chooses the next (+1) or the one before (−1), round and round; the first where none was. */
+    /**
+     * Selects the next button (+1) or the previous one (−1), from the last on to the first; the
+     * first if none was selected.
+     */
     void move(int direction) {
         chosen = chosen == NONE ? 0 : Math.floorMod(chosen + direction, commands.size());
     }
 
-    /** Chooses the first. */
+    /** Selects the first button. */
     void begin() {
         chosen = 0;
     }
 
-    /** Chooses none: something else was chosen. */
+    /** Selects no button, since something else was selected. */
     void letGo() {
         chosen = NONE;
     }

@@ -15,7 +15,7 @@ enum Command {
     HINT,
     /** Shows a stored solution. */
     SOLUTION,
-    /** Shows the player's own solved try once more. */
+    /** Shows the player's own winning try again. */
     REPLAY,
     /** Ends what is being shown. */
     STOP,
@@ -23,17 +23,17 @@ enum Command {
     LEVELS,
     MENU;
 
-    /** What a button for it says. */
+    /** The label of its button. */
     String words(Words words) {
         return words.of("puzzle.command." + key(this));
     }
 
-    /** The key that does the same, for those that have one. */
+    /** Its key, if it has one. */
     String keyWords(Words words) {
         return words.of("puzzle.key." + key(this));
     }
 
-    /** The last part of the key of a constant's words. */
+    /** The last part of the key under which its words are found. */
     static String key(Enum<?> constant) {
         return constant.name().toLowerCase(Locale.ROOT).replace('_', '-');
     }

@@ -15,7 +15,7 @@ final class CooldownRing {
 
     private CooldownRing() {}
 
-    /** At the pointer, while it runs; px. */
+    /** Draws the ring at the pointer while the cooldown runs; px. */
     static void drawAtPointer(
             Canvas canvas, double x, double y, PuzzleGame game, Refusal refusal, Motion motion) {
         if (game.cooldownLeft() > 0) {
@@ -23,7 +23,7 @@ final class CooldownRing {
         }
     }
 
-    /** In the bar, with a tick when the next click is allowed; px. */
+    /** Draws the ring in the bar, with a tick once the next click is allowed; px. */
     static void drawInBar(
             Canvas canvas, double x, double y, PuzzleGame game, Refusal refusal, Motion motion) {
         draw(canvas, x + aside(refusal, motion), y, BAR_RADIUS, game);
@@ -32,7 +32,7 @@ final class CooldownRing {
         }
     }
 
-    /** It shakes under a click that comes too early. */
+    /** Sideways displacement of the ring, which shakes when a click comes too early, px. */
     private static double aside(Refusal refusal, Motion motion) {
         return refusal.is(Refusal.Reason.COOLING_DOWN) ? refusal.shake(motion) : 0;
     }

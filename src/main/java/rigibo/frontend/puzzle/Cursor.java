@@ -14,7 +14,7 @@ final class Cursor {
 
     private static final int NONE = -1;
 
-    /** How much a way across counts beside one along the arrow. */
+    /** Weight of a distance across the arrow's direction, relative to one along it. */
     private static final double ACROSS = 2;
 
     private final Camera camera;
@@ -26,7 +26,7 @@ final class Cursor {
         this.camera = camera;
     }
 
-    /** The pointer moved, px: what keys chose is let go. */
+    /** Moves the pointer, px, which drops the selection by keys. */
     void point(double toX, double toY) {
         x = toX;
         y = toY;
@@ -37,7 +37,7 @@ final class Cursor {
         chosen = NONE;
     }
 
-    /** Screen px: of the pointer, or of the chosen box. */
+    /** Position on the screen, px: that of the pointer, or of the selected box. */
     double x(PuzzleGame game) {
         return chosen(game).map(piece -> camera.screenX(piece.body().x())).orElse(x);
     }
@@ -47,20 +47,21 @@ final class Cursor {
         return chosen(game).map(piece -> camera.screenY(piece.body().y())).orElse(y);
     }
 
-    /** The box that keys chose and that can still be deleted. */
+    /** The box selected by keys, if it can still be deleted. */
     Optional<Piece> chosen(PuzzleGame game) {
         return chosen == NONE
                 ? Optional.empty()
                 : Optional.of(game.pieces().get(chosen)).filter(Piece::isDeletable);
     }
 
-    /** The body that keys chose, or under the pointer. */
+    /** The body that is selected by keys, or lies under the pointer. */
     Optional<Piece> under(PuzzleGame game) {
         return chosen(game).or(() -> game.pieceAt(camera.worldX(x), camera.worldY(y)));
     }
 
     /**
-     * Chooses the next box that can be deleted (+1), or the one before (−1), in the file's order.
+     * Selects the next box that can be deleted (+1), or the previous one (−1), in the order of the
+     * file.
      */
     void cycle(PuzzleGame game, int direction) {
         List<Piece> pieces = game.pieces();
@@ -74,7 +75,7 @@ final class Cursor {
         }
     }
 
-    /** Chooses the nearest box in an arrow's direction; the first where none was chosen. */
+    /** Selects the nearest box in an arrow's direction; the first box if none was selected. */
     void move(PuzzleGame game, Key arrow) {
         Optional<Piece> from = chosen(game);
         if (from.isEmpty()) {
@@ -92,7 +93,7 @@ final class Cursor {
         }
     }
 
-    /** How far it seems, m; never reached where it lies to another side. */
+    /** Weighted distance of a box, m; infinite if it lies in another direction. */
     private static double way(Piece from, Piece to, Key arrow) {
         double right = to.body().x() - from.body().x();
         double up = to.body().y() - from.body().y();

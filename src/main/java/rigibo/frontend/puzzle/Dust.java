@@ -14,22 +14,25 @@ import java.util.SplittableRandom;
 /** Dust where bodies strike each other, more of it for harder impacts. For display only. */
 final class Dust {
 
-    /** A blow that changes a body's speed by less raises none, m/s. */
+    /** Change of a body's speed below which an impact raises no dust, m/s. */
     private static final double LEAST_BLOW = 0.8;
 
-    /** A blow of so many N·s raises a puff more than one of a quarter of it. */
+    /** Impulse of an impact, N·s, that raises one puff; four times the impulse raises one more. */
     private static final double PER_PUFF = 22;
 
     private static final int MOST_PER_BLOW = 9;
     private static final int MOST = 160;
 
-    /** How fast puffs leave the contact at a blow of 1 m/s, m/s, and how air brakes them, 1/s. */
+    /**
+     * Speed of puffs per m/s of the impact, their highest speed, m/s, and the rate at which air
+     * slows them down, 1/s.
+     */
     private static final double SPEED = 0.35;
 
     private static final double MOST_SPEED = 1.6;
     private static final double DRAG = 4;
 
-    /** How fast they rise, m/s, and grow, m/s. */
+    /** Speed at which they rise, and at which they grow, m/s. */
     private static final double RISE = 0.25;
 
     private static final double GROWTH = 0.45;
@@ -67,7 +70,8 @@ final class Dust {
         int count = (int) Math.min(MOST_PER_BLOW, 2 + Math.sqrt(contact.impulse / PER_PUFF));
         double speed = Math.min(MOST_SPEED, SPEED * blow);
         for (int i = 0; i < count; i++) {
-            // To either side along the surface, for the normal leads into one of the bodies.
+            // Puffs go to both sides along the surface, since the normal leads into one of the
+            // bodies.
             double aside = (i % 2 == 0 ? 1 : -1) * between(0.3, 1) * speed;
             Puff puff = new Puff();
             puff.life = between(0.35, 0.8);

@@ -12,7 +12,7 @@ final class EffectsDrawer {
     /** Upper edge of the open bar, px: below the bar with title and clicks. */
     private static final double TOP = View.BAR_FOOT + 6;
 
-    /** Where the play begins while the bar is open, px. */
+    /** Upper edge of the play while the bar is open, px. */
     static final double FOOT = TOP + EffectsBar.HEIGHT + 8;
 
     private final Trials trials = Trials.inBackground();
@@ -26,7 +26,7 @@ final class EffectsDrawer {
         bar.draw(canvas, TOP);
     }
 
-    /** After each frame that shows it. */
+    /** Called after each frame that shows it. */
     void drawn() {
         bar.turn();
     }

@@ -23,13 +23,13 @@ final class EndPanel {
     private static final double PADDING = 20;
     private static final double MIDDLE = Scene.WIDTH / 2.0;
 
-    /** Below what is drawn above the play, px. */
+    /** Distance below what is drawn above the play, px. */
     private static final double GAP = 12;
 
     private static final double HEADLINE = 42;
     private static final double HEADLINE_SIZE = 34;
 
-    /** From the panel's upper edge to the middle of what is between headline and buttons, px. */
+    /** Distance from the panel's upper edge to the middle between headline and buttons, px. */
     private static final double MEDALS = 104;
 
     private static final double REASON = 84;
@@ -41,7 +41,7 @@ final class EndPanel {
     private double top;
     private ButtonRow buttons;
 
-    /** The end of a game. */
+    /** The panel at the end of a game. */
     EndPanel(PuzzleGame game, boolean hasNext) {
         this.game = game;
         int par = game.level().limits().par();
@@ -53,13 +53,13 @@ final class EndPanel {
         height = buttonsBelow() + ButtonRow.HEIGHT + PADDING;
     }
 
-    /** From the panel's upper edge to its buttons, px. */
+    /** Distance from the panel's upper edge to its buttons, px. */
     private double buttonsBelow() {
         return stamps.isPresent() ? MEDALS + 60 : REASON + 24;
     }
 
     /**
-     * Stands where the play begins, or above the keys where it would cover a ball.
+     * Places the panel where the play begins, or above the keys if it would cover a ball.
      *
      * @param foot where the play begins, px
      * @param highestBall on the screen, px
@@ -98,7 +98,7 @@ final class EndPanel {
         return x >= LEFT && x <= LEFT + WIDTH && y >= top && y <= top + height;
     }
 
-    /** After each frame. */
+    /** Called after each frame. */
     void turn() {
         stamps.ifPresent(MedalStamps::turn);
     }
@@ -117,7 +117,7 @@ final class EndPanel {
         buttons.draw(canvas, words);
     }
 
-    /** Why it is lost, or why a win counts for nothing. */
+    /** The reason for a loss, or for a win that does not count. */
     private String reason() {
         return game.loss().map(EndPanel::key).orElse("puzzle.experiment.end");
     }

@@ -12,13 +12,13 @@ import java.util.function.Function;
 /** Scenes that play by themselves, without input. */
 public final class Films {
 
-    /** No solution takes longer. */
+    /** Longest film: no solution takes longer. */
     private static final int MOST_STEPS = Steps.of(120);
 
     private Films() {}
 
     /**
-     * How a level of the game can be solved.
+     * Shows how a level of the game can be solved.
      *
      * @throws IllegalArgumentException when there is no such level, or no solution of it
      */

@@ -3,10 +3,10 @@ package rigibo.frontend.puzzle;
 /** Who makes the clicks. */
 enum Hand {
     PLAYER,
-    /** A stored solution's: earns nothing. */
+    /** A stored solution, which earns nothing. */
     SOLUTION,
-    /** The player's of a try that is over. */
+    /** The player's try that is over, shown again. */
     REPLAY,
-    /** Those of a recording that is watched from its start to its end. */
+    /** A recording, watched from its start to its end. */
     RECORDING
 }

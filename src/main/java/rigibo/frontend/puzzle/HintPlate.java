@@ -15,7 +15,7 @@ final class HintPlate {
     private static final double TOP = View.BAR_FOOT + 6;
     private static final double HEIGHT = 56;
 
-    /** Where the play begins while the plate is shown, px. */
+    /** Upper edge of the play while the plate is shown, px. */
     static final double FOOT = TOP + HEIGHT + 6;
 
     private static final double TEXT_LEFT = EDGE + 52;

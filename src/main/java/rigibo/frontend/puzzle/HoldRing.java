@@ -14,12 +14,15 @@ final class HoldRing {
 
     private static final int LOST_TURNS = Steps.of(0.6);
 
-    /** How long the ring is wider after each full second, s. */
+    /** Time for which the ring is wider after each full second, s. */
     private static final double TICK = 0.12;
 
     private static final double WIDTH = 6;
 
-    /** What is lost is drawn in as many pieces as a full ring has, so that its shape tells too. */
+    /**
+     * Number of pieces of a full ring; the lost part is drawn in as many per angle, so that its
+     * shape tells as well as its colour.
+     */
     private static final int PIECES = 24;
 
     private final double holdSeconds;
@@ -31,7 +34,7 @@ final class HoldRing {
         this.holdSeconds = holdSeconds;
     }
 
-    /** After each step. */
+    /** Called after each step. */
     void observe(PuzzleGame game) {
         double now = game.held();
         if (now < held) {
@@ -41,18 +44,18 @@ final class HoldRing {
         held = now;
     }
 
-    /** After each frame. */
+    /** Called after each frame. */
     void turn() {
         lostTurns = Math.max(0, lostTurns - 1);
     }
 
-    /** Another game begins, or the same one earlier. */
+    /** Begins with another game, or with an earlier state of the same one. */
     void reset(PuzzleGame game) {
         held = game.held();
         lostTurns = 0;
     }
 
-    /** Draws it round a place of the screen, px. */
+    /** Draws the ring around a point of the screen, px. */
     void draw(Canvas canvas, double x, double y, double radius, Motion motion) {
         if (lostTurns > 0) {
             drawLost(canvas, x, y, radius, motion);
@@ -81,7 +84,7 @@ final class HoldRing {
         }
     }
 
-    /** A short line across the ring, at a share of it clockwise from the top. */
+    /** Draws a short line across the ring, at a share of it clockwise from the top. */
     private static void spoke(
             Canvas canvas, double x, double y, double radius, double share, Color color) {
         double angle = 2 * Math.PI * share;

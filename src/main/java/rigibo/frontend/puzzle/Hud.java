@@ -27,14 +27,14 @@ final class Hud {
     private static final double RING_X = Scene.WIDTH - 38;
     private static final double COUNTS_RIGHT = Scene.WIDTH - 64;
 
-    /** Where buttons begin in the bar, and how much room there is for each, px. */
+    /** Left edge of the buttons in the bar, and the width of each, px. */
     private static final double BUTTONS_LEFT = EDGE + 40;
 
     private static final double BUTTON_WIDTH = 96;
 
     private final Level level;
 
-    /** Share of real time that the world runs at. */
+    /** Share of real time at which the world runs. */
     private double pace = 1;
 
     Hud(Level level) {
@@ -45,13 +45,13 @@ final class Hud {
         pace = share;
     }
 
-    /** Buttons in the bar, in place of the title. */
+    /** Puts buttons into the bar, in place of the title. */
     static ButtonRow buttons(Command... commands) {
         double top = MIDDLE - ButtonRow.HEIGHT / 2;
         return new ButtonRow(BUTTONS_LEFT, top, commands.length * BUTTON_WIDTH, List.of(commands));
     }
 
-    /** The bar with the title and what is the matter. */
+    /** Draws the bar with the title and the state of the game. */
     void draw(Canvas canvas, Words words, Session session, Refusal refusal, Motion motion) {
         double right = drawRight(canvas, words, session, refusal, motion);
         String title = level.title().in(words.locale());
@@ -60,7 +60,7 @@ final class Hud {
         state(words, session, refusal).ifPresent(state -> drawBetween(canvas, state, left, right));
     }
 
-    /** The bar with buttons in place of the title, for a pause. */
+    /** Draws the bar with buttons in place of the title, during a pause. */
     void drawPaused(
             Canvas canvas,
             Words words,
@@ -75,7 +75,7 @@ final class Hud {
         buttons.draw(canvas, words);
     }
 
-    /** The bar while something is shown. */
+    /** Draws the bar while something is shown. */
     void drawShow(Canvas canvas, Words words, Session session, ButtonRow buttons, Motion motion) {
         double right = drawRight(canvas, words, session, new Refusal(), motion);
         canvas.line(LEFT - 6, MIDDLE - 9, LEFT + 8, MIDDLE, 3, Color.BRASS);
@@ -86,7 +86,7 @@ final class Hud {
         drawBetween(canvas, what, BUTTONS_LEFT + BUTTON_WIDTH + GAP, right);
     }
 
-    /** Words between two places of the bar, where there is room for them. */
+    /** Draws words between two positions of the bar, if they fit. */
     private static void drawBetween(Canvas canvas, String state, double left, double right) {
         double width = canvas.textWidth(state, WORDS_SIZE, Canvas.Font.WORDS);
         if (left + width + GAP <= right) {
@@ -94,7 +94,7 @@ final class Hud {
         }
     }
 
-    /** The plate, and on its right the counts and the ring; returns where they begin, px. */
+    /** Draws the plate, with the counts and the ring on its right; returns their left edge, px. */
     private double drawRight(
             Canvas canvas, Words words, Session session, Refusal refusal, Motion motion) {
         PuzzleGame game = session.game();
@@ -115,7 +115,7 @@ final class Hud {
         return COUNTS_RIGHT - canvas.textWidth(counts, WORDS_SIZE, Canvas.Font.NUMBERS);
     }
 
-    /** What is the matter; the most urgent alone. */
+    /** The state of the game; of several messages only the most urgent one. */
     private Optional<String> state(Words words, Session session, Refusal refusal) {
         Optional<String> refused =
                 refusal.reason().map(why -> words.of("puzzle.refused." + key(why)));

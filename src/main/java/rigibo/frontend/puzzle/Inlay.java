@@ -9,10 +9,10 @@ import rigibo.frontend.scene.Color;
 /** Diamonds of brass in the platform, which distinguish it from other wood. */
 final class Inlay {
 
-    /** From one diamond to the next, m. */
+    /** Distance between two diamonds, m. */
     private static final double APART = 0.45;
 
-    /** How large they are, of the platform's height, and how much larger with their edge. */
+    /** Size of a diamond, as a share of the platform's height, and a factor for its edge. */
     private static final double SIZE = 0.36;
 
     private static final double WITH_EDGE = 1.35;
@@ -20,7 +20,10 @@ final class Inlay {
 
     private Inlay() {}
 
-    /** As many as fit, about the platform's middle; without their shine once all is lost. */
+    /**
+     * Draws as many diamonds as fit about the platform's middle; once the game is lost they do not
+     * shine.
+     */
     static void draw(Canvas canvas, PuzzleGame game) {
         Platform platform = game.level().platform();
         int count = Math.max(1, (int) Math.round(platform.width() / APART) - 1);

@@ -10,12 +10,12 @@ public final class JointSketch {
 
     private static final double PIN = 0.06;
 
-    /** How far the strut of a wheel and a rail reach, m. */
+    /** Length of the drawn strut of a wheel, and of a rail, m. */
     private static final double REACH = 0.5;
 
     private JointSketch() {}
 
-    /** Draws it where the level puts it. */
+    /** Draws a joint where the level places it. */
     public static void draw(JointPen pen, LevelJoint joint) {
         double x = joint.x();
         double y = joint.y();

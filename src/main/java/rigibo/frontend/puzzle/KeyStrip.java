@@ -18,7 +18,7 @@ final class KeyStrip {
     private static final double PADDING = 7;
     private static final double BETWEEN = 5;
 
-    /** Where the buttons of the last picture are: their widths are those of their words. */
+    /** Positions of the buttons in the last frame; their widths depend on their words. */
     private final List<Place> places = new ArrayList<>();
 
     private double pointerX = -1;
@@ -31,7 +31,7 @@ final class KeyStrip {
         }
     }
 
-    /** Some commands, evenly apart; one that is switched on is lit. */
+    /** Draws commands at equal distances; one that is switched on is lit. */
     void draw(Canvas canvas, Words words, List<Command> commands, List<Command> lit) {
         double taken = 0;
         for (Command command : commands) {

@@ -14,7 +14,7 @@ import java.util.List;
 /** The effects bar's view of the running game, with words general enough for every level. */
 final class LevelEffects implements SceneEffects {
 
-    /** Boxes are heavy: nothing less than a storm moves them, m/s. */
+    /** Wind speed, m/s: boxes are heavy, and only a storm moves them. */
     private static final double STORM = 30;
 
     private final Level level;

@@ -20,16 +20,16 @@ import java.util.List;
 /** A picture of a level at its start, as large as fits. */
 final class LevelPicture implements SceneEntry.Picture {
 
-    /** A level of few and small bodies is not blown up further, px per m. */
+    /** Largest scale, px per m; a level of few and small bodies is not enlarged further. */
     private static final double MOST_SCALE = 22;
 
     private final List<Part> parts = new ArrayList<>();
     private final List<LevelJoint> joints;
 
-    /** Whom the faces look at. */
+    /** The ball at which the faces look. */
     private final Ball first;
 
-    /** What the parts fill, m. */
+    /** The rectangle that the parts fill, m. */
     private final Aabb whole = new Aabb();
 
     private record Part(Shape shape, double x, double y, double angle, Skin skin) {
@@ -85,7 +85,7 @@ final class LevelPicture implements SceneEntry.Picture {
         joints.forEach(joint -> JointSketch.draw(pen, joint));
     }
 
-    /** Has the middle of the level in the middle of a rectangle, px. */
+    /** Places the middle of the level in the middle of a rectangle, px. */
     private Camera camera(double x, double y, double width, double height) {
         double fitting =
                 Math.min(width / (whole.maxX - whole.minX), height / (whole.maxY - whole.minY));

@@ -35,7 +35,10 @@ public final class Levels {
         return OfTheGame.LEVELS;
     }
 
-    /** Read once, when they are first asked for: validating them all takes longer than a frame. */
+    /**
+     * The levels, read when they are first asked for, since validating them takes longer than a
+     * frame.
+     */
     private static final class OfTheGame {
 
         static final List<Level> LEVELS = read();
@@ -45,7 +48,9 @@ public final class Levels {
             return LevelShelf.files().stream().flatMap(file -> read(loader, file)).toList();
         }
 
-        /** A level that is missing from the list would else be missed without a word. */
+        /**
+         * Reports levels that cannot be played, which would otherwise be missing without a word.
+         */
         private static Stream<Level> read(LevelLoader loader, Path file) {
             LoadedLevel loaded = loader.load(file);
             loaded.problems().stream()

@@ -13,19 +13,19 @@ import rigibo.frontend.scene.Words;
  */
 final class MedalStamps {
 
-    /** From one stamp to the next. */
+    /** Time between two stamps. */
     private static final int APART = Steps.of(0.25);
 
-    /** How long a stamp falls. */
+    /** Time for which a stamp falls. */
     private static final int FALL = Steps.of(0.15);
 
     private static final double RADIUS = 24;
     private static final double COLUMN = 150;
 
-    /** From a medal's middle to the middle of its words, px. */
+    /** Distance from a medal's middle to that of its words, px. */
     private static final double WORDS_BELOW = 46;
 
-    /** How much larger a stamp is when it begins to fall. */
+    /** Factor by which a stamp is larger when it begins to fall. */
     private static final double HEIGHT = 1.5;
 
     private final Medal earned;
@@ -81,7 +81,7 @@ final class MedalStamps {
                 Color.DUSK_TOP);
     }
 
-    /** The better, the more rays. */
+    /** Better medals have more rays. */
     private static void drawRays(
             Canvas canvas, double x, double y, double radius, Color metal, int rays) {
         for (int ray = 0; ray < rays; ray++) {

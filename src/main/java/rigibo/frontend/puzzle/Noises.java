@@ -18,7 +18,10 @@ import java.util.Map;
  */
 final class Noises {
 
-    /** Ticks of a hold, the last of which is the chord: one each half second of the usual 3 s. */
+    /**
+     * Number of ticks during a hold, one each half second of the usual 3 s; the last one is the
+     * chord.
+     */
     private static final int TICKS = 6;
 
     private final Sounds sounds;
@@ -28,13 +31,13 @@ final class Noises {
     private Outcome outcome;
     private int ticks;
 
-    /** Of a game from where it is. */
+    /** The sounds of a game from its present state on. */
     Noises(Sounds sounds, PuzzleGame game) {
         this.sounds = sounds;
         listenTo(game);
     }
 
-    /** What was before is not heard again: a game may be another try, or one taken back. */
+    /** Skips what happened before: the game may be another try, or one that was taken back. */
     private void listenTo(PuzzleGame other) {
         game = other;
         impacts = new Impacts();
@@ -51,7 +54,7 @@ final class Noises {
         return (int) (TICKS * game.held());
     }
 
-    /** The game that is played went on by a step. */
+    /** Called when the player's game made a step. */
     void stepped(PuzzleGame played) {
         if (played != game) {
             listenTo(played);
@@ -95,12 +98,12 @@ final class Noises {
         }
     }
 
-    /** A box is gone. */
+    /** Called when a box was deleted. */
     void deleted() {
         sounds.pop();
     }
 
-    /** What the player asked for is not to be had now. */
+    /** Called when something that the player asked for is not possible now. */
     void refused() {
         sounds.refuse();
     }

@@ -27,7 +27,7 @@ enum Pace {
         return values()[Math.max(ordinal() - 1, 0)];
     }
 
-    /** For a button: slower and slower, then full again. */
+    /** The next speed for a button: slower and slower, then full speed again. */
     Pace next() {
         return values()[(ordinal() + 1) % values().length];
     }

@@ -32,13 +32,13 @@ final class Panels {
     private Drawer open = Drawer.NONE;
     private Optional<EndPanel> end = Optional.empty();
 
-    /** What is open between the bar and the play. */
+    /** The panels of which one may be open between the bar and the play. */
     enum Drawer {
         NONE(View.BAR_FOOT),
         EFFECTS(EffectsDrawer.FOOT),
         HINT(HintPlate.FOOT);
 
-        /** Where the play begins, px. */
+        /** Upper edge of the play, px. */
         private final double foot;
 
         Drawer(double foot) {
@@ -55,7 +55,7 @@ final class Panels {
         hint = new HintPlate(level.hint().in(words.locale()), !level.solutions().isEmpty());
     }
 
-    /** Opens a drawer, or shuts it where it is open. */
+    /** Opens a drawer, or closes it if it is open. */
     void toggle(Drawer drawer) {
         open = open == drawer ? Drawer.NONE : drawer;
         view.fitBelow(open.foot);
@@ -81,13 +81,15 @@ final class Panels {
         return open == drawer;
     }
 
-    /** Says how a game ended, for as long as it is on the screen. */
+    /** Shows how a game ended, as long as that game is on the screen. */
     void end(PuzzleGame game, boolean hasNext) {
         end = Optional.of(new EndPanel(game, hasNext));
         end.ifPresent(this::place);
     }
 
-    /** The bar tells when the world cannot keep real time. */
+    /**
+     * Takes the share of real time at which the world runs; the bar shows when it cannot keep up.
+     */
     void paced(double share) {
         hud.paced(share);
     }
@@ -101,7 +103,7 @@ final class Panels {
         return end.filter(panel -> panel.isOf(session.game()));
     }
 
-    /** The buttons that keys choose from now, where there are any. */
+    /** The buttons among which keys now select, if there are any. */
     Optional<ButtonRow> buttons() {
         if (session.isShowing()) {
             return Optional.of(stop);
@@ -173,14 +175,14 @@ final class Panels {
         return command.or(() -> keys.at(x, y));
     }
 
-    /** Whether a point lies on a panel, so that a click there is none on the play. */
+    /** Whether a point lies on a panel, so that a click there does not go to the play. */
     boolean cover(double x, double y) {
         return y < open.foot
                 || KeyStrip.contains(y)
                 || end().filter(p -> p.contains(x, y)).isPresent();
     }
 
-    /** A click on a panel where no button is. */
+    /** Handles a click on a panel outside its buttons. */
     void press(double x, double y) {
         if (open == Drawer.EFFECTS) {
             effects.pointerPressed(x, y);
@@ -193,7 +195,7 @@ final class Panels {
         effects.pointerMoved(x, y);
     }
 
-    /** After each frame that was drawn. */
+    /** Called after each frame that was drawn. */
     void drawn() {
         if (open == Drawer.EFFECTS) {
             effects.drawn();

@@ -27,7 +27,7 @@ public final class PlayerFiles {
 
     private PlayerFiles() {}
 
-    /** Reads the files; a replay may come with its level, and of several one is watched. */
+    /** Reads the files. A replay may come with its level; of several replays one is watched. */
     public static PlayerFiles read(List<Path> files) {
         PlayerFiles read = new PlayerFiles();
         LevelLoader loader = new LevelLoader();
@@ -59,7 +59,7 @@ public final class PlayerFiles {
     }
 
     /**
-     * What they are for.
+     * The scene for the files.
      *
      * @throws IllegalArgumentException with all that is wrong with them, a line each
      */
@@ -81,7 +81,7 @@ public final class PlayerFiles {
         return recording.map(Films::of).orElseGet(() -> Films.of(levels.get(0)));
     }
 
-    /** What they are for, or what is wrong with them. */
+    /** The scene for the files, or one that shows their errors. */
     public Scene scene(Director director) {
         if (!errors.isEmpty()) {
             return new ProblemsScene(director, errors);

@@ -15,7 +15,7 @@ record Pose(double x, double y, double angle) {
         return new Pose(body.x(), body.y(), body.angle());
     }
 
-    /** Part of the way to another one, 0 to 1. */
+    /** The pose at a share, 0 to 1, of the way to another one. */
     Pose towards(Pose other, double share) {
         return new Pose(
                 x + share * (other.x - x),

@@ -11,7 +11,7 @@ final class Poses {
 
     private final Map<RigidBody, Pose> before = new IdentityHashMap<>();
 
-    /** To be called before each step. */
+    /** Called before each step. */
     void remember(Pool pool) {
         before.clear();
         for (RigidBody body : pool.bodies()) {
@@ -19,13 +19,13 @@ final class Poses {
         }
     }
 
-    /** Of another game from now on. */
+    /** Continues with another game. */
     void forget() {
         before.clear();
     }
 
     /**
-     * Where a body is seen.
+     * The pose at which a body is drawn.
      *
      * @param share of the way from the last step's beginning to its end, 0 to 1
      */
@@ -34,7 +34,7 @@ final class Poses {
         return before.getOrDefault(body, now).towards(now, share);
     }
 
-    /** Where a body was that the last step deleted. */
+    /** The pose of a body that the last step deleted. */
     Pose last(RigidBody deleted) {
         return before.get(deleted);
     }

@@ -24,7 +24,7 @@ final class ProblemsScene implements Scene {
     private static final double SIZE = 16;
     private static final double LINE = 22;
 
-    /** Between two problems, px. */
+    /** Distance between two problems, px. */
     private static final double GAP = 8;
 
     private final Director director;

@@ -33,7 +33,7 @@ public final class PuzzleScene implements Scene {
     private Optional<Solution> solution = Optional.empty();
     private boolean isShiftHeld;
 
-    /** One of some levels, to be played in their order. */
+    /** One of several levels, which are played in their order. */
     public PuzzleScene(Director director, List<Level> levels, int number) {
         this.director = director;
         this.levels = levels;
@@ -147,13 +147,13 @@ public final class PuzzleScene implements Scene {
         }
     }
 
-    /** Chooses a box, and no button. */
+    /** Selects a box, and no button. */
     private void cycle(int direction) {
         panels.buttons().ifPresent(ButtonRow::letGo);
         table.cycle(direction);
     }
 
-    /** Where there are buttons, left and right choose among them; else arrows choose boxes. */
+    /** Lets left and right select a button if there are any; otherwise arrows select boxes. */
     private void arrow(Key key) {
         Optional<ButtonRow> buttons = panels.buttons();
         boolean isAcross = key == Key.LEFT || key == Key.RIGHT;
@@ -166,7 +166,7 @@ public final class PuzzleScene implements Scene {
         }
     }
 
-    /** Deletes the box that keys chose, or does what the chosen button says. */
+    /** Deletes the selected box, or presses the selected button. */
     private void enter() {
         if (!table.deleteChosen()) {
             panels.buttons().flatMap(ButtonRow::chosen).ifPresent(this::run);
@@ -216,7 +216,7 @@ public final class PuzzleScene implements Scene {
         }
     }
 
-    /** An experiment is the player's own: what is shown meets the level's effects. */
+    /** An experiment is the player's own, so what is shown uses the level's effects. */
     private void effects() {
         if (session.isShowing()) {
             table.refuse(Refusal.Reason.SHOWING);
@@ -233,7 +233,7 @@ public final class PuzzleScene implements Scene {
         }
     }
 
-    /** Asked for beside the hint only, and never while a show runs. */
+    /** Available only beside the hint, and not while something is shown. */
     private void showSolution() {
         if (panels.isOpen(Panels.Drawer.HINT) && !level.solutions().isEmpty()) {
             tally.givenUp(session.game());
@@ -242,12 +242,12 @@ public final class PuzzleScene implements Scene {
         }
     }
 
-    /** The clicks by which the player solved the level last; nothing before. */
+    /** The clicks with which the player last solved the level; empty before that. */
     public Optional<Solution> solution() {
         return solution;
     }
 
-    /** The first level is shown in all its states. */
+    /** Shows the first level in all its states. */
     @Override
     public Optional<Demonstration> demonstration() {
         if (level.solutions().isEmpty()) {

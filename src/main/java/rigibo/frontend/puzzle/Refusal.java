@@ -12,10 +12,10 @@ import java.util.Optional;
 /** Shows that a click was refused, and why; no click is lost silently. */
 final class Refusal {
 
-    /** How long something shakes. */
+    /** Time for which something shakes. */
     private static final int SHAKING_TURNS = Steps.of(0.3);
 
-    /** How long a refusal is seen: long enough to read its words. */
+    /** Time for which a refusal is shown: long enough to read its words. */
     private static final int SEEN_TURNS = Steps.of(1.2);
 
     private static final double SWING = 5;
@@ -23,28 +23,28 @@ final class Refusal {
     /** Half the width of the cross, px. */
     private static final double CROSS = 9;
 
-    /** Why, if anything is refused. */
+    /** The reason, if something is being refused. */
     private Optional<Reason> reason = Optional.empty();
 
     private double x;
     private double y;
     private int turnsLeft;
 
-    /** Why nothing is deleted. */
+    /** Reasons for a refusal. */
     enum Reason {
         COOLING_DOWN,
         NOT_DELETABLE,
         NO_CLICKS_LEFT,
         NOTHING_THERE,
-        /** Nothing is left to undo. */
+        /** There is nothing to undo. */
         NO_UNDO,
         NO_HINT_YET,
-        /** What is shown is not the player's. */
+        /** The game on the screen is not the player's own. */
         SHOWING,
         OVER
     }
 
-    /** Refuses something at a place of the screen, px. */
+    /** Refuses something at a point of the screen, px. */
     void refuse(Reason why, double atX, double atY) {
         reason = Optional.of(why);
         x = atX;
@@ -52,7 +52,7 @@ final class Refusal {
         turnsLeft = SEEN_TURNS;
     }
 
-    /** Tells what became of a click at a place of the screen, px. */
+    /** Shows the result of a click at a point of the screen, px. */
     void answer(ClickResult result, double atX, double atY) {
         switch (result) {
             case DELETED -> forget();
@@ -76,7 +76,7 @@ final class Refusal {
         }
     }
 
-    /** What is refused now. */
+    /** The present refusal. */
     Optional<Reason> reason() {
         return reason;
     }
@@ -85,14 +85,14 @@ final class Refusal {
         return reason.filter(why::equals).isPresent();
     }
 
-    /** How far aside that stands which is refused, px; never, where motion is reduced. */
+    /** Sideways displacement of what is refused, px; 0 if the player wants less motion. */
     double shake(Motion motion) {
         int shaking = turnsLeft - (SEEN_TURNS - SHAKING_TURNS);
         boolean isStill = motion == Motion.REDUCED || reason.isEmpty() || shaking <= 0;
         return isStill ? 0 : SWING * Math.sin(1.4 * shaking);
     }
 
-    /** A small cross where it was refused. */
+    /** Draws a small cross at the refused point. */
     void draw(Canvas canvas) {
         if (reason.isPresent()) {
             Sign.cross(canvas, x, y, CROSS + 2, 6, Color.DUSK_TOP);

@@ -24,7 +24,7 @@ import java.util.List;
  */
 record Remains(Shape shape, Pose pose, Skin skin) {
 
-    /** How flat it gets, and how much wider. */
+    /** Factors by which it becomes flatter, and wider. */
     private static final double FLATTER = 0.7;
 
     private static final double WIDER = 0.3;
@@ -45,7 +45,7 @@ record Remains(Shape shape, Pose pose, Skin skin) {
         return bounds;
     }
 
-    /** Draws it squashed towards what is below it, from 0, not yet, to 1. */
+    /** Draws it squashed towards its support, by a share from 0, not yet, to 1. */
     void draw(Canvas canvas, double squashed) {
         boolean isUpright = Math.abs(Math.cos(pose.angle())) > Math.abs(Math.sin(pose.angle()));
         double flat = 1 - FLATTER * squashed;
@@ -61,13 +61,12 @@ record Remains(Shape shape, Pose pose, Skin skin) {
         if (shape instanceof Compound compound) {
             return scaled(compound, across, along);
         }
-        // A landscape as it is: it has no middle to be squashed towards.
+        // A chain is drawn unchanged, since it has no middle to be squashed towards.
         return shape instanceof Convex convex ? scaled(convex, across, along) : shape;
     }
 
     /**
-     * Parts that lie askew are squashed along their own axes: nobody sees it in a tenth of a
-     * second.
+     * Oblique parts are squashed along their own axes, which nobody notices in a tenth of a second.
      */
     private static Shape scaled(Compound compound, double across, double along) {
         List<Part> parts = new ArrayList<>();

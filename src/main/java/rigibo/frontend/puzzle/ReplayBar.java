@@ -21,7 +21,7 @@ final class ReplayBar {
     private static final double WORDS_SIZE = 17;
     private static final double GAP = 14;
 
-    /** The line of time, px. */
+    /** Position of the time line, y in px. */
     private static final double TIME_Y = View.BAR_FOOT - 9;
 
     private static final double KEYS_Y = (View.KEYS_TOP + Scene.HEIGHT) / 2;
@@ -32,7 +32,7 @@ final class ReplayBar {
         this.recording = recording;
     }
 
-    /** The bar; {@code state} is how it is being watched. */
+    /** Draws the bar; {@code state} says how the replay is being watched. */
     void draw(Canvas canvas, Words words, PuzzleGame game, String state) {
         canvas.panel(EDGE, EDGE, INNER, HEIGHT, 14, Color.PANEL);
         String title = recording.level().title().in(words.locale());
@@ -64,7 +64,7 @@ final class ReplayBar {
         return LEFT + share * (RIGHT - LEFT);
     }
 
-    /** The keys, below the play. */
+    /** Draws the keys below the play. */
     void drawKeys(Canvas canvas, Words words) {
         canvas.text(
                 words.of("replay.keys"),

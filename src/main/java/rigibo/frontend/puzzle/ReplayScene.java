@@ -25,10 +25,10 @@ final class ReplayScene implements Scene {
     private ReplaySpeed speed = ReplaySpeed.FULL;
     private boolean isPaused;
 
-    /** For whom a recording is shown. */
+    /** The audience for which a recording is shown. */
     enum Audience {
         PLAYER,
-        /** Nobody is there to press a key: none is named. */
+        /** A film: nobody can press a key, so none is shown. */
         FILM
     }
 
@@ -106,7 +106,7 @@ final class ReplayScene implements Scene {
         return Optional.of(new Performance());
     }
 
-    /** Plays by itself; over when there is a verdict, and as it should be when that is good. */
+    /** Plays by itself until there is a verdict, and succeeds if the verdict is good. */
     private final class Performance implements Demonstration {
 
         @Override

@@ -28,7 +28,7 @@ enum ReplaySpeed {
         return framesPerTurn;
     }
 
-    /** In any language. */
+    /** Label, the same in every language. */
     String words() {
         return words;
     }

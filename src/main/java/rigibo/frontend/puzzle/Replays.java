@@ -21,13 +21,13 @@ public final class Replays {
         loader = new ReplayLoader(levels);
     }
 
-    /** Those of the levels that come with the game. */
+    /** Replays of the game's own levels. */
     public static Replays ofGame() {
         return new Replays(Levels.all());
     }
 
     /**
-     * Those of the level in a file.
+     * Replays of the level in a file.
      *
      * @throws IllegalArgumentException with all that is wrong with the level, a line each
      */
@@ -36,8 +36,8 @@ public final class Replays {
     }
 
     /**
-     * The player's best run of a level, as it is watched, or what is told of runs that cannot be
-     * played any more; nothing where none was kept.
+     * Shows the player's best run of a level, or a message about runs that cannot be played any
+     * more; empty if none was kept.
      */
     static Optional<Scene> best(Director director, Level level) {
         return director.replays()
@@ -55,7 +55,7 @@ public final class Replays {
         return told.isEmpty() ? Optional.empty() : Optional.of(new ProblemsScene(director, told));
     }
 
-    /** Reads a replay file; what is wrong with it is told all at once. */
+    /** Reads a replay file and reports all of its errors at once. */
     public LoadedReplay load(Path file) {
         return loader.load(file);
     }

@@ -22,7 +22,7 @@ final class Screening {
         table = new Table(session, camera, new Noises(sounds, session.game()));
     }
 
-    /** A turn of 1/60 s at a speed. */
+    /** Makes a turn of 1/60 s at a speed. */
     void turn(ReplaySpeed speed, Motion motion) {
         if (session.pace() != speed.pace()) {
             session.pace(speed.pace());

@@ -21,7 +21,7 @@ import java.util.Optional;
  */
 final class Session {
 
-    /** How long the end of a show stays on the screen, frames. */
+    /** Frames for which the end of a show stays on the screen. */
     private static final int CURTAIN = Steps.of(2);
 
     private final Level level;
@@ -44,20 +44,20 @@ final class Session {
         own = timed(new PuzzleGame(level, accuracy));
     }
 
-    /** What only watches a recording, and stays at its end. */
+    /** A session that only watches a recording, and stops at its end. */
     static Session watching(Recording recording) {
         Session session = new Session(recording.level(), recording.replay().accuracy());
         session.show(Hand.RECORDING, recording);
         return session;
     }
 
-    /** The effects bar tells how long a step takes. */
+    /** Gives a game a clock, since the effects bar shows how long a step takes. */
     private static PuzzleGame timed(PuzzleGame made) {
         made.pool().clock(System::nanoTime);
         return made;
     }
 
-    /** One frame of 1/60 s; whether it advanced the game. */
+    /** Makes one frame of 1/60 s; returns whether the game advanced. */
     boolean frame() {
         if (isPaused) {
             return false;
@@ -80,12 +80,12 @@ final class Session {
         }
     }
 
-    /** Where a body is seen, between two steps in slow motion. */
+    /** The pose at which a body is drawn; in slow motion between two steps. */
     Pose pose(RigidBody body) {
         return poses.of(body, (frame + 1.0) / pace.framesPerStep());
     }
 
-    /** Where a body was that the last step of a show deleted. */
+    /** The pose of a body that the last step of a show deleted. */
     Pose lastPose(RigidBody deleted) {
         return poses.last(deleted);
     }
@@ -96,9 +96,9 @@ final class Session {
     }
 
     /**
-     * Back to just before the last click, by playing again from the start: a few hundred steps cost
-     * less than a frame or two, and nothing has to be kept that could differ. Played again are the
-     * level's own effects, so that an experiment is taken back with the click.
+     * Goes back to just before the last click by playing again from the start. A few hundred steps
+     * cost no more than a frame or two, and no state has to be kept that could differ. The level's
+     * own effects are used, so that an experiment is undone with the click.
      *
      * @return whether there was a click to take back
      */
@@ -120,7 +120,7 @@ final class Session {
         show(Hand.SOLUTION, Replay.of(level, solution, accuracy));
     }
 
-    /** Shows the game that is over once more; afterwards it is over as before. */
+    /** Shows again the game that is over; afterwards it is over as before. */
     void showAgain() {
         show(Hand.REPLAY, Recording.of(own));
     }
@@ -143,7 +143,9 @@ final class Session {
         show.ifPresent(playback -> proof.ifPresent(one -> one.observe(playback)));
     }
 
-    /** Whether what is shown once more goes the same; nothing before its end while it does. */
+    /**
+     * Whether the game shown again runs as before; empty until it ends, unless it differs earlier.
+     */
     Optional<Verdict> verdict() {
         return proof.flatMap(Proof::verdict);
     }
@@ -166,7 +168,7 @@ final class Session {
         toLastStep();
     }
 
-    /** Shows the last step's end until there is another step. */
+    /** Shows the end of the last step until the next step. */
     private void toLastStep() {
         poses.forget();
         frame = pace.framesPerStep() - 1;
@@ -181,7 +183,7 @@ final class Session {
         return hand;
     }
 
-    /** What is shown in place of the player's own game. */
+    /** The game that is shown in place of the player's own. */
     Optional<Playback> show() {
         return show;
     }

@@ -15,10 +15,10 @@ import java.util.Optional;
 /** The pointer of a shown solution or replay: it moves to each box in time for its deletion. */
 final class ShownPointer {
 
-    /** How long it is on its way. */
+    /** Time that the pointer takes to reach a box. */
     private static final int WAY = Steps.of(0.7);
 
-    /** How long a click is seen. */
+    /** Time for which a click is visible. */
     private static final int RIPPLE = Steps.of(0.4);
 
     private final Camera camera;
@@ -30,7 +30,7 @@ final class ShownPointer {
         this.camera = camera;
     }
 
-    /** A box was deleted at a place of the world, m. */
+    /** Called when a box was deleted at a point of the world, m. */
     void clicked(double worldX, double worldY) {
         fromX = camera.screenX(worldX);
         fromY = camera.screenY(worldY);
@@ -67,7 +67,7 @@ final class ShownPointer {
         return from + (to - from) * share;
     }
 
-    /** An arrow as pointers are, bright with a dark edge. */
+    /** Draws a bright arrow with a dark edge. */
     private static void drawArrow(Canvas canvas, double x, double y) {
         drawArrow(canvas, x, y, 8, Color.DUSK_TOP);
         drawArrow(canvas, x, y, 4, Color.BRASS);

@@ -20,19 +20,19 @@ import java.util.Optional;
  */
 final class Spectacle {
 
-    /** How long a deleted box is seen to be squashed, in turns: 80 ms. */
+    /** Turns for which a deleted box is squashed: 80 ms. */
     private static final int SQUASH_TURNS = 5;
 
-    /** How long a lost world takes to turn grey, in turns. */
+    /** Turns in which a lost world becomes grey. */
     private static final int GREYING_TURNS = 36;
 
-    /** How long the ball flashes when the level is solved, in turns. */
+    /** Turns for which the ball flashes when the level is solved. */
     private static final int FLASH_TURNS = 40;
 
-    /** How wide the glow is, in radii of the ball. */
+    /** Width of the glow, in radii of the ball. */
     private static final double GLOW = 4.6;
 
-    /** A RigiBo that falls faster is afraid, m/s. */
+    /** Speed of falling above which a RigiBo is afraid, m/s. */
     private static final double FEARED = 2.0;
 
     private final Splinters splinters = new Splinters();
@@ -45,7 +45,7 @@ final class Spectacle {
     private int grey;
     private int flash;
 
-    /** A body on its way out. */
+    /** A body that is disappearing. */
     private static final class Squashed {
         final Remains remains;
         int turns;
@@ -60,7 +60,7 @@ final class Spectacle {
         begin(session.game());
     }
 
-    /** One frame of 1/60 s, after the session's. */
+    /** Makes one frame of 1/60 s, after the session has. */
     void frame() {
         PuzzleGame game = session.game();
         if (game != watched) {
@@ -79,7 +79,7 @@ final class Spectacle {
         flash = Math.max(0, flash - 1);
     }
 
-    /** A new attempt, or one taken back: nothing of the old one is left in the air. */
+    /** Removes all effects of the old attempt when a new one begins or a click is undone. */
     private void begin(PuzzleGame game) {
         watched = game;
         steps = game.steps();
@@ -132,7 +132,7 @@ final class Spectacle {
         watched.balls().forEach(ball -> splinters.celebrate(ball.x(), ball.y()));
     }
 
-    /** How a piece looks that nobody points at. */
+    /** The mood of a piece that is not under the pointer. */
     Canvas.Mood mood(Piece piece) {
         return switch (watched.outcome()) {
             case WON -> Canvas.Mood.CHEERING;
@@ -154,7 +154,7 @@ final class Spectacle {
         splinters.draw(canvas);
     }
 
-    /** Every ball glows the more the longer it is held, and flashes when that is done. */
+    /** Draws the glow of every ball, which grows while the ball is held and flashes at the end. */
     private void glow(Canvas canvas, double flashing) {
         double held = watched.held();
         if (held > 0 && watched.outcome() != Outcome.LOST) {

@@ -13,12 +13,12 @@ final class Splinters {
 
     private static final double GRAVITY = -9.81;
 
-    /** Of paper, which air holds up: it falls more slowly and slows down, 1/s. */
+    /** Acceleration of falling paper, m/s², and the rate at which air slows it down, 1/s. */
     private static final double PAPER_GRAVITY = -3.5;
 
     private static final double PAPER_DRAG = 1.6;
 
-    /** Splinters per m² of a box, and how many there are at least and at most. */
+    /** Splinters per m² of a box, and the smallest and largest number of them. */
     private static final double PER_AREA = 55;
 
     private static final int LEAST = 14;
@@ -46,7 +46,7 @@ final class Splinters {
         Color color;
     }
 
-    /** A body bursts where it was, in its own colour. */
+    /** Makes a body burst in its own colour. */
     void burst(Remains remains) {
         Pose from = remains.pose();
         double width = remains.width();
@@ -67,7 +67,7 @@ final class Splinters {
         }
     }
 
-    /** Confetti from a place, m. */
+    /** Throws confetti from a point, m. */
     void celebrate(double x, double y) {
         for (int i = 0; i < PER_WIN; i++) {
             Splinter splinter = fly(x, y);

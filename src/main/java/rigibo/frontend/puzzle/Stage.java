@@ -20,23 +20,26 @@ import java.util.Optional;
 /** Draws the bodies of a level and marks the target of the pointer. */
 final class Stage {
 
-    /** Between a chosen box and the corners round it, px. */
+    /** Distance between a selected box and the corners drawn around it, px. */
     private static final double CORNER_GAP = 6;
 
     private static final double CORNER_LENGTH = 12;
 
-    /** How much water hides, and how much its surface. */
+    /** Opacity of water, and of its surface. */
     private static final double WATER = 0.22;
 
     private static final double SURFACE = 0.7;
 
-    /** Of the track that a driven body follows: its dots, the way between two, a stop, px. */
+    /**
+     * Radius of the dots along a driven body's path, the distance between two, and the radius of a
+     * stop, px.
+     */
     private static final double DOT = 2;
 
     private static final double DOT_PITCH = 12;
     private static final double STOP = 5;
 
-    /** Half the width of a chevron on a shelf, and from one to the next, px. */
+    /** Half the width of a chevron on a one-way shelf, and the distance between two, px. */
     private static final double CHEVRON = 5;
 
     private static final double CHEVRON_PITCH = 22;
@@ -51,7 +54,7 @@ final class Stage {
         this.camera = camera;
     }
 
-    /** All bodies; the one that is meant is lifted where a click would delete it. */
+    /** Draws all bodies; the one under the pointer is lifted if a click would delete it. */
     void draw(Canvas canvas, Optional<Piece> meant, Spectacle spectacle) {
         PuzzleGame game = session.game();
         Pose ball = session.pose(game.balls().get(0));
@@ -84,7 +87,7 @@ final class Stage {
         return new Placement(pose.x(), pose.y(), pose.angle());
     }
 
-    /** Dots along the way of a driven body, and a ring at each of its stops. */
+    /** Draws dots along the path of a driven body, and a ring at each of its stops. */
     private void drawPath(Canvas canvas, Piece piece, LevelPath path) {
         double x = piece.definition().x();
         double y = piece.definition().y();
@@ -100,7 +103,7 @@ final class Stage {
         }
     }
 
-    /** Chevrons over a shelf, in the direction in which it lets through. */
+    /** Draws chevrons over a one-way shelf, in the direction that it lets bodies pass. */
     private void drawWayThrough(Canvas canvas, Piece piece) {
         Material material = piece.definition().material();
         if (material.isOneWay()) {
@@ -142,7 +145,7 @@ final class Stage {
         }
     }
 
-    /** Over the bodies, so that what is under water looks it. */
+    /** Draws the water above the bodies, so that they look submerged. */
     private void drawWater(Canvas canvas, double level) {
         double y = camera.screenY(level);
         canvas.panel(0, y, Scene.WIDTH, Scene.HEIGHT - y, 0, Color.ICE.alpha(WATER));
@@ -154,7 +157,7 @@ final class Stage {
         canvas.body(body.shape(), pose.x(), pose.y(), pose.angle(), skin, mood);
     }
 
-    /** The outline of a body a little aside, px. */
+    /** Draws the outline of a body shifted a little, px. */
     void drawOutline(Canvas canvas, Piece piece, double aside) {
         Pose pose = session.pose(piece.body());
         canvas.body(
@@ -166,7 +169,7 @@ final class Stage {
                 Canvas.Mood.GHOST);
     }
 
-    /** Four corners round a box that keys have chosen. */
+    /** Draws four corners around a box that was selected by keys. */
     void drawChosen(Canvas canvas, Piece piece) {
         Pose pose = session.pose(piece.body());
         Shape shape = piece.body().shape();

@@ -23,13 +23,13 @@ final class StatesShow implements Demonstration {
     private static final int PAUSED = 80;
     private static final int RESUME = 90;
 
-    /** From the end of the try that is lost to its picture, and to the next try. */
+    /** Turns from the end of the lost try to its picture, and on to the next try. */
     private static final int LOST_SEEN = 40;
 
-    /** From the victory to its picture: by then every medal is stamped. */
+    /** Turns from the victory to its picture; by then every medal is stamped. */
     private static final int WON_SEEN = 57;
 
-    /** What is left of the cooldown in its picture. */
+    /** Rest of the cooldown in its picture. */
     private static final double COOLING = 0.6;
 
     private static final double HELD = 0.5;

@@ -16,7 +16,7 @@ import java.util.Optional;
 /** The play area: the bodies, the rings, the particles, and the pointer over them. */
 final class Table {
 
-    /** From the ball to its ring, px. */
+    /** Distance between the ball and its ring, px. */
     private static final double RING_GAP = 8;
 
     private final Session session;
@@ -63,7 +63,7 @@ final class Table {
         shownPointer.turn();
     }
 
-    /** Another game is on the screen. */
+    /** Called when another game is on the screen. */
     private void begin() {
         seen = session.game();
         ring.reset(seen);
@@ -72,7 +72,7 @@ final class Table {
         shownPointer = new ShownPointer(camera);
     }
 
-    /** What a show has deleted in the last step. */
+    /** Handles what a show deleted in the last step. */
     private void showDeletions(int clicksBefore) {
         List<Deletion> deletions = seen.replay().deletions();
         for (Deletion deletion : deletions.subList(clicksBefore, deletions.size())) {
@@ -87,7 +87,7 @@ final class Table {
         }
     }
 
-    /** Confetti, where nothing is against it. */
+    /** Throws confetti, unless the player wants less motion. */
     void celebrate(Motion motion) {
         if (motion == Motion.FULL) {
             spectacle.celebrate();
@@ -111,7 +111,7 @@ final class Table {
         ring.draw(canvas, camera.screenX(pose.x()), camera.screenY(pose.y()), radius, motion);
     }
 
-    /** The outline of what cannot be deleted shakes where the click was. */
+    /** Shakes the outline of a body that cannot be deleted, where the click was. */
     private void drawRefused(Canvas canvas, PuzzleGame game, Motion motion) {
         if (refusal.is(Refusal.Reason.NOT_DELETABLE)) {
             double aside = refusal.shake(motion);
@@ -119,7 +119,7 @@ final class Table {
         }
     }
 
-    /** What is drawn at the pointer, above everything else: the cooldown and the cross. */
+    /** Draws what belongs to the pointer, above everything else: the cooldown and the cross. */
     void drawPointer(Canvas canvas, Motion motion) {
         PuzzleGame game = session.game();
         if (!session.isShowing()) {
@@ -129,7 +129,7 @@ final class Table {
         refusal.draw(canvas);
     }
 
-    /** A click at a place of the screen, px. */
+    /** Handles a click at a point of the screen, px. */
     void click(double x, double y) {
         PuzzleGame game = session.game();
         if (session.isShowing()) {
@@ -145,7 +145,7 @@ final class Table {
         }
     }
 
-    /** Deletes the box that keys chose; returns whether there is one. */
+    /** Deletes the selected box; returns whether there is one. */
     boolean deleteChosen() {
         Optional<Piece> chosen = cursor.chosen(session.game());
         if (session.isShowing() || chosen.isEmpty()) {
@@ -162,7 +162,7 @@ final class Table {
         return true;
     }
 
-    /** Refuses what keys asked for, at the pointer. */
+    /** Refuses a command by key, at the pointer. */
     void refuse(Refusal.Reason why) {
         refuse(why, cursor.x(session.game()), cursor.y(session.game()));
     }

@@ -13,7 +13,7 @@ import java.util.Optional;
 /** Reports the end of each try to the player's progress; an experiment does not count. */
 final class Tally {
 
-    /** After so many failures there is a hint. */
+    /** Number of failures after which the hint is offered. */
     static final int PATIENCE = 3;
 
     private final Director director;
@@ -28,7 +28,7 @@ final class Tally {
         shelf = director.replays().map(folder -> new ReplayShelf(folder, level));
     }
 
-    /** A try is won or lost. */
+    /** Records a try that was won or lost. */
     void ended(PuzzleGame game) {
         if (game.isSolved()) {
             director.progress(director.progress().solved(level.id(), hash, game.clicks()));
@@ -47,7 +47,7 @@ final class Tally {
         }
     }
 
-    /** A try is left before its end: a failure, unless nothing was tried. */
+    /** Records a try that was left before its end: a failure, unless nothing was tried. */
     void givenUp(PuzzleGame game) {
         if (game.outcome() == Outcome.RUNNING && game.clicks() > 0) {
             failed(game);
@@ -60,7 +60,7 @@ final class Tally {
         }
     }
 
-    /** Failures that are still missing before there is a hint, 0 when it may be shown. */
+    /** Failures still missing before the hint is offered; 0 if it may be shown. */
     int failuresToHint() {
         return Math.max(0, PATIENCE - director.progress().of(level.id(), hash).failures());
     }

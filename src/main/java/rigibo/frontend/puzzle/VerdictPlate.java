@@ -18,7 +18,7 @@ final class VerdictPlate {
     private static final double SIZE = 17;
     private static final double LINE = 22;
 
-    /** Room for the sign on the left, and free on the right, px. */
+    /** Width of the sign on the left, and of the free space on the right, px. */
     private static final double ICON = 46;
 
     private static final double GAP = 14;

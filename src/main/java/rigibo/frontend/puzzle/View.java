@@ -10,13 +10,13 @@ import rigibo.frontend.scene.Scene;
  */
 final class View {
 
-    /** Below the bar with title and clicks, px. */
+    /** Lower edge of the bar with title and clicks, px. */
     static final double BAR_FOOT = 56;
 
-    /** Above the keys, px. */
+    /** Upper edge of the keys, px. */
     static final double KEYS_TOP = Scene.HEIGHT - 32;
 
-    /** What levels keep free at their upper and lower edges, m. */
+    /** Margin that levels leave free at their upper and lower edges, m. */
     private static final double SKY = 0.7;
 
     private static final double GROUND = 0.4;
@@ -34,7 +34,7 @@ final class View {
         return camera;
     }
 
-    /** Has the play begin at a height of the window, px. */
+    /** Sets the height of the window at which the play begins, px. */
     void fitBelow(double foot) {
         double room = KEYS_TOP - foot;
         double scale =

@@ -19,14 +19,14 @@ import java.util.concurrent.locks.LockSupport;
  */
 public final class FolderLock {
 
-    /** From one try to the next, ns. */
+    /** Time between two tries, ns. */
     private static final long PAUSE = 2_000_000;
 
     private final Path folder;
     private final Duration patience;
     private final Locking locking;
 
-    /** What is done under the lock. */
+    /** The work done under the lock. */
     public interface Work {
         void run() throws IOException;
     }
@@ -52,8 +52,8 @@ public final class FolderLock {
     }
 
     /**
-     * Works while no other game does. Where no lock is to be had, because the file system knows
-     * none or another game was stopped while it held it, works all the same.
+     * Works while no other game does. If no lock can be had, because the file system has none or
+     * another game was stopped while it held it, works all the same.
      *
      * @return whether the lock was held
      * @throws IOException what the work throws

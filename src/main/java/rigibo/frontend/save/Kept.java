@@ -15,7 +15,9 @@ import java.util.Optional;
  */
 final class Kept<T> {
 
-    /** How long another game that writes is waited for: a slow disk has done by then. */
+    /**
+     * Time for which another game that is writing is waited for; even a slow disk is done by then.
+     */
     private static final Duration PATIENCE = Duration.ofSeconds(2);
 
     private final SafeFile file;
@@ -24,18 +26,18 @@ final class Kept<T> {
     private final List<Notice> notices = new ArrayList<>();
     private T value;
 
-    /** What the file tells, as far as we know. */
+    /** The content of the file, as far as we know. */
     private T saved;
 
     private boolean isUnwritable;
     private boolean isForeign;
 
-    /** Whether a damaged file is still where it was. */
+    /** Whether a damaged file is still in its place. */
     private boolean isStuck;
 
     private boolean wasUnlocked;
 
-    /** Reads a value from its file, or what can be had instead. */
+    /** Reads a value from its file, or from its backup. */
     Kept(Path path, Format<T> format) {
         this(path, format, new FolderLock(path.getParent(), PATIENCE));
     }
@@ -87,7 +89,7 @@ final class Kept<T> {
         return reading;
     }
 
-    /** The file before, put aside where it is damaged. */
+    /** Reads the backup, and sets it aside if it is damaged. */
     private Reading<T> backup() {
         Reading<T> reading = read(file.backup());
         if (reading.state() == Reading.State.DAMAGED) {
@@ -119,7 +121,7 @@ final class Kept<T> {
         value = changed;
     }
 
-    /** What the player should know of this file, the present state last. */
+    /** The notices about this file, with the present state last. */
     synchronized List<Notice> notices() {
         List<Notice> all = new ArrayList<>(notices);
         if (isUnwritable) {
@@ -128,13 +130,13 @@ final class Kept<T> {
         return all;
     }
 
-    /** The player knows all but what still holds. */
+    /** Removes the notices, since the player has read them; one that still holds is made anew. */
     synchronized void forgetNotices() {
         notices.clear();
     }
 
     /**
-     * Writes the value where it is not in the file yet.
+     * Writes the value if the file does not have it yet.
      *
      * @return whether there is nothing left to try
      */

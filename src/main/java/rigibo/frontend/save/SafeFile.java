@@ -51,7 +51,7 @@ public record SafeFile(Path file) {
         return file.resolveSibling(file.getFileName() + "." + ProcessHandle.current().pid());
     }
 
-    /** Writes bytes beside the file, down to the disk; what was written by halves is taken away. */
+    /** Writes bytes to a file beside this one and syncs it to disk; removes it if that fails. */
     void prepare(byte[] bytes) throws IOException {
         fill(bytes, channel -> channel.force(true));
     }
@@ -78,12 +78,12 @@ public record SafeFile(Path file) {
         }
     }
 
-    /** Makes the file that is there its own backup. */
+    /** Makes the present file its backup. */
     void keep() throws IOException {
         Files.move(file, backup(), ATOMIC_MOVE, REPLACE_EXISTING);
     }
 
-    /** Puts what was prepared in the file's place. */
+    /** Moves the prepared file into place. */
     void replace() throws IOException {
         move();
         if (!System.getProperty("os.name").startsWith("Windows")) {

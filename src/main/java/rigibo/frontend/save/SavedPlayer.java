@@ -22,10 +22,13 @@ import java.util.stream.Stream;
  */
 public final class SavedPlayer implements Player, AutoCloseable {
 
-    /** From a change until it is written, ms: a slider that is dragged is not written each turn. */
+    /**
+     * Time from a change until it is written, ms, so that a slider being dragged is not written
+     * each turn.
+     */
     private static final long SOON = 300;
 
-    /** From a failure to the next try, ms. */
+    /** Time from a failure to the next try, ms. */
     private static final long LATER = 10_000;
 
     private final Kept<Settings> settings;
@@ -114,7 +117,7 @@ public final class SavedPlayer implements Player, AutoCloseable {
         }
     }
 
-    /** Writes what is not written yet, now. */
+    /** Writes what has not been written yet. */
     synchronized void save() {
         isDue.set(false);
         // Both, whatever becomes of the first.

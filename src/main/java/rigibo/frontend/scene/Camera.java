@@ -38,7 +38,7 @@ public final class Camera {
                 Scene.WIDTH / 2 / DEFAULT_SCALE, Scene.HEIGHT / 2 / DEFAULT_SCALE, DEFAULT_SCALE);
     }
 
-    /** Back to where it began. */
+    /** Returns to the initial view. */
     public void home() {
         look(homeX, homeY, homeScale);
     }
@@ -59,7 +59,7 @@ public final class Camera {
         centreY += worldY - worldY(screenY);
     }
 
-    /** Moves the picture by a way on the screen, px. */
+    /** Moves the view by a distance on the screen, px. */
     public void pan(double screenDx, double screenDy) {
         centreX -= screenDx / scale;
         centreY += screenDy / scale;

@@ -8,7 +8,7 @@ import rigibo.backend.geometry.Shape;
  */
 public interface Canvas {
 
-    /** Where a text stands to its point. */
+    /** Position of a text relative to its point. */
     enum Align {
         LEFT,
         CENTRE,
@@ -36,7 +36,7 @@ public interface Canvas {
         CHEERING
     }
 
-    /** Looks at the world through a camera from now on. */
+    /** Draws the world through a camera from now on. */
     void camera(Camera camera);
 
     /** Where RigiBo faces look, world m. */
@@ -45,13 +45,13 @@ public interface Canvas {
     /** A body at a pose in the world: m, rad. */
     void body(Shape shape, double x, double y, double angle, Skin skin, Mood mood);
 
-    /** A small square particle in the world: m, its size in m, rad. */
+    /** A small square particle in the world: position in m, size in m, angle in rad. */
     void particle(double x, double y, double size, double angle, Color color);
 
-    /** A soft, round particle in the world, such as dust: m, how wide it is in m. */
+    /** A soft, round particle in the world, such as dust: position in m, width in m. */
     void puff(double x, double y, double size, Color color);
 
-    /** Light about a point of the world, added to what is there: m, how wide it is in m. */
+    /** Light about a point of the world, added to what is there: position in m, width in m. */
     void glow(double x, double y, double size, Color color);
 
     /** Greys out the world in this frame, 0 not at all to 1. */
@@ -60,7 +60,7 @@ public interface Canvas {
     /** A straight line on the screen. */
     void line(double x1, double y1, double x2, double y2, double width, Color color);
 
-    /** A line through so many points x₀, y₀, x₁, y₁, … of the screen, round at its corners. */
+    /** A line through a number of points x₀, y₀, x₁, y₁, … of the screen, round at its corners. */
     void curve(double[] xy, int points, double width, Color color);
 
     /** A filled disc on the screen. */
@@ -78,7 +78,7 @@ public interface Canvas {
     /** Text with its middle height at y; sizes of 16 px or more. */
     void text(String words, double x, double y, double size, Font font, Align align, Color color);
 
-    /** How wide a text is, px. */
+    /** Width of a text, px. */
     double textWidth(String words, double size, Font font);
 
     /** A curve through values from 0 (bottom) to 1 (top), evenly spaced over a rectangle. */

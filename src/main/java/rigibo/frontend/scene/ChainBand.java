@@ -13,13 +13,13 @@ import java.util.List;
  */
 public final class ChainBand {
 
-    /** Thickness of the band, a share of how far the chain reaches, and its bounds, m. */
+    /** Thickness of the band, as a share of the chain's extent, and its bounds, m. */
     private static final double SHARE = 0.04;
 
     private static final double THINNEST = 0.04;
     private static final double THICKEST = 0.35;
 
-    /** A mitre reaches no farther into the matter than so many thicknesses. */
+    /** Longest mitre, in thicknesses of the band. */
     private static final double LONGEST_MITRE = 2;
 
     /**

@@ -18,17 +18,15 @@ public interface Demonstration {
     /** The click to make before the next turn, in logical pixels; none on most turns. */
     Optional<Click> click();
 
-    /**
-     * The name of the state that a picture is to be kept of after this turn; none on most turns.
-     */
+    /** Name of the picture to be saved after this turn; empty on most turns. */
     default Optional<String> picture() {
         return Optional.empty();
     }
 
-    /** Whether there is nothing more to show. */
+    /** Whether everything has been shown. */
     boolean isOver();
 
-    /** Whether what was to be shown came about: a level was won. */
+    /** Whether it showed what it was to show, such as a level being won. */
     boolean hasSucceeded();
 
     /**

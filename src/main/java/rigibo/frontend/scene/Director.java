@@ -22,48 +22,48 @@ public interface Director {
     /** Ends the game. */
     void quit();
 
-    /** Who plays, and what is remembered of it. */
+    /** The player, and what is remembered of him or her. */
     Player player();
 
-    /** What the player has chosen. */
+    /** The player's settings. */
     default Settings settings() {
         return player().settings();
     }
 
-    /** Changes what the player has chosen, from now on and for the next time. */
+    /** Changes the player's settings, now and for the next time. */
     void settings(Settings changed);
 
-    /** What the player has done so far. */
+    /** The player's progress. */
     default Progress progress() {
         return player().progress();
     }
 
-    /** Changes what the player has done, from now on and for the next time. */
+    /** Changes the player's progress, now and for the next time. */
     default void progress(Progress changed) {
         player().progress(changed);
     }
 
-    /** Where solved runs are kept; nothing where none are. */
+    /** The folder of solved runs; empty if none are kept. */
     default Optional<Path> replays() {
         return player().replays();
     }
 
-    /** Where levels that the player makes are kept; nothing where none are. */
+    /** The folder of the player's own levels; empty if none are kept. */
     default Optional<Path> levels() {
         return player().levels();
     }
 
-    /** What the player should know about the files of all this, a sentence or two each. */
+    /** Messages to the player about these files, a sentence or two each. */
     default List<String> notices() {
         return player().notices(words());
     }
 
-    /** The player has read them; what still holds will be told again. */
+    /** Marks the messages as read; those that still hold will be shown again. */
     default void forgetNotices() {
         player().forgetNotices();
     }
 
-    /** Adds a sentence or two to what the player should know. */
+    /** Adds a message to the player, a sentence or two. */
     default void tell(String notice) {
         player().tell(notice);
     }
@@ -71,6 +71,6 @@ public interface Director {
     /** The game's words in the player's language. */
     Words words();
 
-    /** What scenes are heard by. */
+    /** The sounds that scenes report to. */
     Sounds sounds();
 }

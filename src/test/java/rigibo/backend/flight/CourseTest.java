@@ -89,7 +89,7 @@ class CourseTest {
         thrown.course.lay(0, 0, 0.01);
         assertThat(thrown.bodies.accelerationX[0]).isFinite().isEqualTo(before);
         thrown.course.begin(0.01);
-        assertThat(thrown.bodies.accelerationX[0]).as("for the ledger").isNaN();
+        assertThat(thrown.bodies.accelerationX[0]).as("for StepBodies to see").isNaN();
     }
 
     /**

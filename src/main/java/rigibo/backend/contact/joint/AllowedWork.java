@@ -2,7 +2,7 @@ package rigibo.backend.contact.joint;
 
 import rigibo.backend.contact.row.Motions;
 
-/** How much work rows may be found to have done that may do none. */
+/** How much work an island's solver may appear to do in rows that can do none. */
 final class AllowedWork {
 
     /** Work of contacts and equations that is round-off, as a share of the energy of motion. */
@@ -11,7 +11,9 @@ final class AllowedWork {
     /** Most work of equations in a kick whose places are held, as a share of the energy. */
     private static final double MOST_OF_TURNING = 0.1;
 
-    /** Most work where Newton's steps do not reach the places: turning does not explain it. */
+    /**
+     * Most such work if Newton's method does not reach the places, which turning does not explain.
+     */
     private static final double MOST_IF_MISSED = 1e-4;
 
     private final Motions motions;
@@ -23,15 +25,15 @@ final class AllowedWork {
     }
 
     /**
-     * Whether rows have done more work than turning takes and gives in a kick, where places are
-     * held or missed; so much in J is noise.
+     * Whether rows did more work than turning takes and gives in a kick, with their places held or
+     * missed; {@code noise} is an energy in J that does not count.
      */
     boolean isExceeded(boolean areHeld, double noise) {
         double share = areHeld ? MOST_OF_TURNING : MOST_IF_MISSED;
         return !(work.sum() <= share * (energy() + noise));
     }
 
-    /** Whether they have done none but for round-off, in an island that is small or not. */
+    /** Whether rows did no work but round-off, in an island that is small or not. */
     boolean isNone(boolean isSmall) {
         double done = isSmall ? Math.min(work.sum(), work.sumOfStops()) : work.sum();
         return done <= ROUND_OFF * energy();

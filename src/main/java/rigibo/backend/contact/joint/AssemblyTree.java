@@ -3,12 +3,12 @@ package rigibo.backend.contact.joint;
 import java.util.Arrays;
 
 /**
- * In which order equations are eliminated: bodies are put together, two assemblies at a time, until
- * each group of joined bodies is one. What holds two assemblies together is eliminated as they
- * become one (R. Featherstone, A divide-and-conquer articulated-body algorithm, 1999); what is left
- * are equations that hold it to others, its border. In each round every assembly goes together with
- * the neighbour with which its border gets smallest. So chains and trees take work that grows with
- * their bodies, and a net of n bodies n·√n, as by nested dissection (George 1973).
+ * The order in which equations are eliminated. Bodies are merged, two assemblies at a time, until
+ * each group of joined bodies is one assembly; the equations between two assemblies are eliminated
+ * when they merge (R. Featherstone, A divide-and-conquer articulated-body algorithm, 1999). The
+ * equations that hold an assembly to others are its border. In each round every assembly is merged
+ * with the neighbour that gives the smallest border. Work thus grows linearly for chains and trees,
+ * and as n·√n for a net of n bodies, as with nested dissection (George 1973).
  */
 final class AssemblyTree {
 
@@ -16,37 +16,40 @@ final class AssemblyTree {
 
     private final EquationList equations;
 
-    /** Assemblies in an order in which parts come before wholes; single bodies come first. */
+    /** All assemblies, parts before wholes; single bodies come first. */
     int count;
 
-    /** By assembly: the two that it was made of, or {@link #NONE} and the body it is. */
+    /** By assembly: the two assemblies that it was merged from, or {@link #NONE} and its body. */
     int[] first = new int[32];
 
     int[] second = new int[32];
 
     /**
-     * By assembly where its equations start: those that it eliminates, then its border; and how
-     * many it eliminates.
+     * By assembly: the start of its equations, eliminated ones before its border; and the number of
+     * eliminated ones.
      */
     int[] start = new int[33];
 
     int[] own = new int[32];
 
-    /** By assembly and place the equation. */
+    /** By place in the lists of assemblies: the equation. */
     int[] equation = new int[256];
 
-    /** How many groups of joined bodies there are, and by group where its assemblies start. */
+    /** Number of groups of joined bodies; and by group the start of its assemblies. */
     int groups;
 
     int[] groupStart = new int[17];
 
-    /** Bodies group by group, where those of a group start, and by body its group. */
+    /** Bodies group by group; by group the start of its bodies; and by body its group. */
     int[] bodies = new int[16];
 
     int[] bodyStart = new int[17];
     int[] groupOf = new int[16];
 
-    /** Equations group by group in the order of elimination, and where those of a group start. */
+    /**
+     * Equations group by group, in the order of elimination; and by group the start of its
+     * equations.
+     */
     int[] equationOf = new int[64];
 
     int[] equationStart = new int[17];
@@ -54,21 +57,27 @@ final class AssemblyTree {
     /** Sum of the squares of the numbers of equations of all assemblies. */
     long room;
 
-    /** By body the assembly it is in, by assembly in which it went up, and when it was made. */
+    /**
+     * By body: the assembly that it is in. By assembly: the one that it was merged into, and the
+     * round in which it was made.
+     */
     private int[] of = new int[16];
 
     private int[] whole = new int[32];
     private int[] madeIn = new int[32];
 
-    /** Assemblies that are in no other one yet. */
+    /** Assemblies that are not merged into another one yet. */
     private int[] alive = new int[16];
 
     private int aliveCount;
 
-    /** By equation: of how many assemblies its bodies are. */
+    /** By equation: the number of assemblies that its bodies are in. */
     private int[] spread = new int[64];
 
-    /** By assembly: what it shares with the one that looks for a neighbour, and who looked last. */
+    /**
+     * By assembly: the number of equations shared with the one that looks for a neighbour, and
+     * which one looked last.
+     */
     private int[] shared = new int[32];
 
     private int[] lookedFrom = new int[32];
@@ -79,7 +88,7 @@ final class AssemblyTree {
         this.equations = equations;
     }
 
-    /** Puts all bodies of the equations together. */
+    /** Builds the tree of all bodies in the equations. */
     void build() {
         reserve();
         count = 0;
@@ -116,7 +125,7 @@ final class AssemblyTree {
         equationStart[groups] = end;
     }
 
-    /** Finds the groups: each body and whatever is reached from it. */
+    /** Finds the groups: all bodies that equations connect. */
     private void gather() {
         groups = 0;
         Arrays.fill(groupOf, 0, equations.bodyCount, NONE);
@@ -229,12 +238,12 @@ final class AssemblyTree {
         }
     }
 
-    /** How many equations hold an assembly to others. */
+    /** Number of equations in an assembly's border. */
     int border(int assembly) {
         return start[assembly + 1] - start[assembly] - own[assembly];
     }
 
-    /** The assembly that a body is in by now. */
+    /** The assembly that a body is in at present. */
     private int assemblyOf(int body) {
         int at = of[body];
         while (whole[at] != NONE) {
@@ -244,7 +253,7 @@ final class AssemblyTree {
         return at;
     }
 
-    /** Puts each assembly together with one other at most; whether there were any. */
+    /** Merges each assembly with at most one other; returns whether any was merged. */
     private boolean putTogether(int round) {
         boolean isAny = false;
         int before = aliveCount;
@@ -265,7 +274,7 @@ final class AssemblyTree {
         return isAny;
     }
 
-    /** The neighbour with which it has the smallest border, of those not just put together. */
+    /** The neighbour that gives the smallest border, among those not merged in this round. */
     private int neighbour(int assembly, int round) {
         int found = 0;
         for (int i = start[assembly] + own[assembly]; i < start[assembly + 1]; i++) {

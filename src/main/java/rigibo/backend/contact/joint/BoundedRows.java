@@ -5,15 +5,18 @@ import rigibo.backend.contact.row.Motions;
 import java.util.Arrays;
 
 /**
- * The rows with bounds in an island whose equations are eliminated: limits, motors, springs that
- * only push with what is known. What is within its bounds holds as an equation does; what is at a
- * bound is passed over (projected Gauss-Seidel), and may change sides in the first passes.
+ * The rows with bounds in an island whose equations are eliminated: limits, motors, and springs
+ * whose force is known. A row within its bounds holds like an equation; a row at a bound is solved
+ * in passes (projected Gauss–Seidel). Rows may change between the two during the first passes.
  */
 final class BoundedRows {
 
     private static final int NONE = EquationList.NONE;
 
-    /** Share of a joint's size up to which a limit that carried is taken to carry again. */
+    /**
+     * Distance from a limit, as a share of the joint's size, up to which a limit that carried load
+     * is expected to carry again.
+     */
     private static final double CLOSED = 1e-4;
 
     private final Motions motions;
@@ -23,22 +26,25 @@ final class BoundedRows {
     private final EquationList equations;
     private final Responses responses;
 
-    /** All rows with bounds, and by row whether it holds. */
+    /** All rows with bounds; and by row whether it holds. */
     private int[] bounded = new int[64];
 
     private int count;
     private int jointRows;
     private boolean[] holds = new boolean[64];
 
-    /** What joints give of what they carried in the kick before. */
+    /** Share of the last kick's impulses with which joints start. */
     private double share;
 
-    /** By row: what the last pass changed of its impulse, and the way that passes go. */
+    /** By row: the change of its impulse in the last pass, and the search direction of passes. */
     private double[] step = new double[64];
 
     private double[] way = new double[64];
 
-    /** Σ of the squares of what the last pass changed, by what each gives its row; and before. */
+    /**
+     * Sum of the squares of the last pass's changes, weighted by the responses of the rows; and
+     * that of the pass before.
+     */
     private double square;
 
     private double squareBefore;
@@ -67,7 +73,7 @@ final class BoundedRows {
         return sum;
     }
 
-    /** Begins with rows that were just listed, of which those hold that did in the kick before. */
+    /** Begins with rows that were just listed; those that held in the last kick hold. */
     void begin(double shareOfCarried) {
         share = shareOfCarried;
         if (holds.length < rows.count) {
@@ -97,7 +103,7 @@ final class BoundedRows {
         return rows.place[row] <= 0 || rows.place[row] < CLOSED * joints.size(row);
     }
 
-    /** What a row of a joint carried in the kick before, for the length of this one. */
+    /** Impulse of a joint's row in the last kick, scaled to the length of this one. */
     double carried(int row) {
         return share * packed.impulseOf(rows.joint[row], rows.part[row]);
     }
@@ -111,7 +117,7 @@ final class BoundedRows {
         holds[row] = true;
     }
 
-    /** Gives what they carried before. */
+    /** Applies the impulses of the last kick. */
     void warm() {
         for (int i = 0; i < count; i++) {
             int row = bounded[i];
@@ -130,7 +136,7 @@ final class BoundedRows {
         return count > 0;
     }
 
-    /** Lists contacts, too, whose rows were written since. */
+    /** Lists contacts as well, whose rows have been written meanwhile. */
     void addContacts() {
         if (holds.length < rows.count) {
             holds = Arrays.copyOf(holds, rows.bodies.length);
@@ -147,7 +153,7 @@ final class BoundedRows {
         }
     }
 
-    /** Lets nothing with bounds hold or carry. */
+    /** Lets no bounded row hold or carry an impulse. */
     void release() {
         for (int i = 0; i < count; i++) {
             holds[bounded[i]] = false;
@@ -161,10 +167,10 @@ final class BoundedRows {
     }
 
     /**
-     * Goes on along the way that passes take: a nonlinear conjugate gradient, begun anew where it
-     * does not shorten what a pass changes (M. Silcowitz-Hansen, S. Niebe and K. Erleben, A
-     * nonsmooth nonlinear conjugate gradient method for interactive contact force problems, 2010).
-     * Near the end a pass alone changes all impulses by nine tenths of what the last one did.
+     * Extrapolates the passes by a nonlinear conjugate gradient, restarted when it does not reduce
+     * the change per pass (M. Silcowitz-Hansen, S. Niebe and K. Erleben, A nonsmooth nonlinear
+     * conjugate gradient method for interactive contact force problems, 2010). Near the solution,
+     * passes alone reduce that change by only a tenth each.
      */
     void accelerate() {
         double share = square < squareBefore ? square / squareBefore : 0;
@@ -183,12 +189,15 @@ final class BoundedRows {
         squareBefore = square;
     }
 
-    /** Other rows hold: the way of passes is another. */
+    /** Restarts the extrapolation, since other rows hold. */
     void beginWay() {
         squareBefore = 0;
     }
 
-    /** One pass over those that do not hold; how much it changed the speed of a row, m/s. */
+    /**
+     * Makes one pass over the rows that do not hold; returns the largest change of a row's speed,
+     * m/s.
+     */
     double pass(boolean isBack) {
         double most = 0;
         square = 0;
@@ -223,7 +232,10 @@ final class BoundedRows {
         return Math.abs(change) * responses.own(row) * reach(row);
     }
 
-    /** What makes a row's speed one of outlines: how far bodies reach that it turns, else 1. */
+    /**
+     * Factor that turns a row's speed into one of outlines: the reach of the bodies that it turns,
+     * otherwise 1.
+     */
     private double reach(int row) {
         double most = 0;
         for (int k = 0; k < rows.bodies[row]; k++) {
@@ -238,8 +250,8 @@ final class BoundedRows {
     }
 
     /**
-     * Lets rows cease to hold that are beyond their bounds, and others begin to that are within
-     * them if they may; whether there were any. Marks the groups that they are of.
+     * Frees rows that are beyond their bounds, and lets rows within them hold if they may. Marks
+     * the groups concerned; returns whether there were any.
      */
     boolean exchange(boolean mayEnter, AssemblyTree tree, boolean[] isOther) {
         boolean isAny = false;
@@ -285,8 +297,8 @@ final class BoundedRows {
     }
 
     /**
-     * Moves bodies back that are beyond limits by more than what is seen, by so much at most, both
-     * as shares of the joints' sizes.
+     * Moves bodies back that are visibly beyond limits, by at most a given distance; both are
+     * shares of the joints' sizes.
      */
     boolean correct(double most, double seen) {
         boolean isAny = false;

@@ -7,21 +7,22 @@ import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.JointStore;
 
 /**
- * How many substeps an island needs. What a composed one of h seconds errs by grows with (ωh)⁴,
- * where ω is the fastest of what turns, swings and trembles in it, and that of a plain one with
- * (ωh)²: where something damps, which forgets what it was off by, that is enough.
+ * The number of substeps that an island needs. The error of a composed substep of h seconds grows
+ * with (ωh)⁴, where ω is the fastest of the island's rotations, oscillations and vibrations; that
+ * of a plain one grows with (ωh)², which is enough if damping makes the island forget its errors.
  */
 final class ComposedSubsteps {
 
     /**
-     * rad of the fastest motion in a substep, as a multiple of the fourth root of the tolerance. Of
-     * a harmonic swing five parts then miss no more than a hundredth of the tolerance in a period.
+     * Phase of the fastest motion in a substep, rad, as a multiple of the fourth root of the
+     * tolerance. The error of a harmonic oscillation in five parts is then at most a hundredth of
+     * the tolerance per period.
      */
     private static final double MOST_PHASE = 1.25;
 
     /**
-     * Most phase of a plain substep, ωh, where something damps or drives, as a multiple of the
-     * tolerance's square root: at GAME 0.25 rad, which makes a swing's period 0.26 % wrong.
+     * Largest phase ωh of a plain substep in a damped or driven island, rad, as a multiple of the
+     * square root of the tolerance: 0.25 rad at GAME, with an error of the period of 0.26 %.
      */
     private static final double MOST_PHASE_IF_DAMPED = 25;
 
@@ -49,14 +50,17 @@ final class ComposedSubsteps {
         this.packed = packed;
         this.taut = taut;
         boolean isLimited = accuracy.substeps() < Accuracy.EXACT.substeps();
-        // Substeps that change within a swing leave a trend of energy that EXACT does not allow.
+        // A number of substeps that changes within an oscillation leaves a trend of energy, which
+        // EXACT does not allow.
         double tolerance = isLimited ? accuracy.impactTolerance() : 0;
         double root = Math.sqrt(tolerance);
         mostPhase = MOST_PHASE * Math.sqrt(root);
         mostIfDamped = MOST_PHASE_IF_DAMPED * root;
     }
 
-    /** Substeps of the packed island, whose rows are written, for a step of dt seconds. */
+    /**
+     * Number of substeps of the packed island, whose rows are written, for a step of dt seconds.
+     */
     int count(int island, double dt, int most) {
         if (most == 1 || mostPhase == 0) {
             return most;
@@ -65,9 +69,9 @@ final class ComposedSubsteps {
     }
 
     /**
-     * How many substeps that are not composed it needs, at least so many; as many as there may be
-     * where it needs more, or where nothing damps: a number that changes within a swing would then
-     * leave a trend of energy, of some thousandths in a hundred swings.
+     * Number of plain substeps that the packed island needs, from {@code least} to {@code most}. It
+     * is {@code most} if nothing damps the island: a number that changes within an oscillation
+     * would leave a trend of energy, of some thousandths in a hundred periods.
      */
     int countPlainly(int island, double dt, int least, int most) {
         if (most == 1 || mostPhase == 0 || !isAnyDamped()) {
@@ -77,7 +81,7 @@ final class ComposedSubsteps {
         return (int) Math.min(most, Math.max(least, wanted));
     }
 
-    /** Whether what an island was off by dies away: a damper or a motor acts in it. */
+    /** Whether the island's errors decay, because a damper or a motor acts in it. */
     private boolean isAnyDamped() {
         for (int i = 0; i < packed.count; i++) {
             int slot = packed.slot[i];
@@ -88,7 +92,7 @@ final class ComposedSubsteps {
         return false;
     }
 
-    /** The fastest of what turns, swings and trembles in the packed island, rad/s. */
+    /** The fastest rotation, oscillation or vibration in the packed island, rad/s. */
     private double fastest(int island) {
         double rate = Math.max(turning(), Math.sqrt(taut.square(island)));
         for (int row = 0; row < rows.count; row++) {
@@ -108,7 +112,7 @@ final class ComposedSubsteps {
         return most;
     }
 
-    /** How fast what a row is of swings or decays, or its direction turns, rad/s. */
+    /** How fast a row's motion oscillates or decays, or its direction turns, rad/s. */
     private double rate(int row) {
         int joint = rows.joint[row];
         int slot = packed.slot[joint];
@@ -122,7 +126,10 @@ final class ComposedSubsteps {
         return joints.kind[slot] == JointKind.DISTANCE.ordinal() ? turning(row, joint, slot) : 0;
     }
 
-    /** The fastest turning that a rod may have, rad/s: what is across it is not told apart. */
+    /**
+     * Upper bound on the rotation of a rod, rad/s; its motion along the rod is not told from that
+     * across it.
+     */
     private double turning(int row, int joint, int slot) {
         int a = packed.offsetA[joint];
         int b = packed.offsetB[joint];

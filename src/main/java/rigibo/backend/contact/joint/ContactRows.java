@@ -32,7 +32,7 @@ final class ContactRows {
         this.rows = rows;
     }
 
-    /** Adds the rows of all contacts that there are in a substep of h seconds. */
+    /** Adds rows for all contacts that take part in a substep of h seconds. */
     void write(double h, int substep) {
         for (int row = 0; row < contacts.count; row++) {
             if (contacts.firstSubstep[row] <= substep) {
@@ -61,7 +61,7 @@ final class ContactRows {
             }
             end(row);
         }
-        // A point that pushes along locked axes alone has no row.
+        // A point whose push acts along locked axes alone has no row.
         int loads = rows.count - first;
         if (d[at + FRICTION] > 0 && rows.count > first) {
             int row = begin(contact, IMPULSE_T);
@@ -120,7 +120,7 @@ final class ContactRows {
         return false;
     }
 
-    /** Carries the impulses back to the contacts. */
+    /** Writes the impulses back to the contacts. */
     void store() {
         for (int row = 0; row < rows.count; row++) {
             if (rows.contact[row] != NeutralRows.NONE) {

@@ -6,12 +6,12 @@ import rigibo.backend.contact.row.Recovery;
 import rigibo.backend.setup.Accuracy;
 
 /**
- * Takes overlap back in an island whose equations are eliminated, by moving bodies as impulses
- * would: whole groups of joined bodies, so that joints stay closed.
+ * Removes overlap in an island whose equations are eliminated. Bodies are displaced as impulses
+ * would move them, whole groups of joined bodies at once, so that joints stay closed.
  */
 final class CrowdOverlap {
 
-    /** Passes in a substep; the next one goes on. */
+    /** Passes in a substep; the next substep continues. */
     private static final int PASSES = 6;
 
     private final Motions motions;
@@ -20,7 +20,10 @@ final class CrowdOverlap {
     private final Responses responses;
     private final Accuracy accuracy;
 
-    /** Rows of points that overlap, how far they are to part in m, and what pushes them, kg·m. */
+    /**
+     * Rows of overlapping points, the distances by which they are to part, m, and their pushes,
+     * kg·m.
+     */
     private int[] deep = new int[16];
 
     private double[] wanted = new double[16];
@@ -40,7 +43,7 @@ final class CrowdOverlap {
         this.accuracy = accuracy;
     }
 
-    /** Parts what overlaps, in a substep of h seconds whose rows are written. */
+    /** Removes overlap in a substep of h seconds whose rows are written. */
     void correct(double h) {
         find(h);
         if (count == 0) {

@@ -5,10 +5,10 @@ import rigibo.backend.contact.row.Motions;
 import java.util.Arrays;
 
 /**
- * K = J·M⁻¹·Jᵀ of all equations of an island, with what they give way on its diagonal, factored
- * along an {@link AssemblyTree}: a body says what speeds impulses of its equations give them, two
- * assemblies add up what they say, and what holds them together is eliminated (I. Duff and J. Reid,
- * The multifrontal solution of indefinite sparse symmetric linear equations, 1983).
+ * K = J·M⁻¹·Jᵀ of all equations of an island, with their compliances on its diagonal, factored
+ * along an {@link AssemblyTree}. A body contributes the responses of its equations through it; two
+ * assemblies that merge add theirs up, and the equations between them are eliminated (I. Duff and
+ * J. Reid, The multifrontal solution of indefinite sparse symmetric linear equations, 1983).
  */
 final class EquationFactor {
 
@@ -21,32 +21,32 @@ final class EquationFactor {
     private final AssemblyTree tree;
 
     /**
-     * By assembly, from {@link #at} on, a square: of what is eliminated the rows D·Lᵀ with 1/D on
-     * the diagonal, of the border what speeds its impulses give it. Only right of the diagonal.
+     * By assembly, from {@link #at} on, the upper triangle of a square: for eliminated equations
+     * the rows D·Lᵀ with 1/D on the diagonal, for the border its responses.
      */
     private double[] square = new double[1024];
 
     private int[] at = new int[32];
 
-    /** By equation its place in the assembly that is put together. */
+    /** By equation: its place in the assembly being merged. */
     private int[] place = new int[64];
 
-    /** By place the derivatives of a body's equations. */
+    /** By place: the derivatives of a body's equations. */
     private double[] alongX = new double[32];
 
     private double[] alongY = new double[32];
     private double[] turning = new double[32];
 
-    /** By equation: what is asked of it, then what it is to be pushed by. */
+    /** By equation: the change of speed that is asked for, later the impulse. */
     private double[] unknown = new double[64];
 
-    /** What was factored last, to be factored anew only where it has changed. */
+    /** The equations that were factored last; only those that changed are factored again. */
     private final FactoredRows factored;
 
-    /** By group whether its factor is that of the equations that hold. */
+    /** By group: whether its factor is that of the equations that hold. */
     private boolean[] isReady = new boolean[16];
 
-    /** Whether equations have changed by next to nothing since they were factored. */
+    /** Whether equations have changed slightly since they were factored. */
     private boolean isStale;
 
     /** Multiplications made since it was asked for last. */
@@ -67,17 +67,17 @@ final class EquationFactor {
         return sum;
     }
 
-    /** The order in which they are eliminated. */
+    /** The order in which equations are eliminated. */
     AssemblyTree tree() {
         return tree;
     }
 
-    /** The equations that are factored, of which those with bounds may be exchanged. */
+    /** The factored equations; those with bounds may be exchanged. */
     EquationList equations() {
         return equations;
     }
 
-    /** Lists the equations of the rows as they are now; none with bounds holds. */
+    /** Lists the equations of the present rows; no row with bounds holds. */
     void layOut() {
         if (equations.list()) {
             tree.build();
@@ -86,26 +86,29 @@ final class EquationFactor {
         }
     }
 
-    /** Forgets what was factored: another island or step begins, which knows nothing of it. */
+    /**
+     * Discards all factors at the start of another island or step, whose results may not depend on
+     * them.
+     */
     void forget() {
         factored.forget();
     }
 
     /**
-     * Begins with rows that were just written. A group is factored when it is solved first, and
-     * only where it is another than the one that is factored.
+     * Begins with rows that were just written. A group is factored when it is first solved, and
+     * only if it differs from the factored one.
      */
     void begin() {
         isStale = false;
         Arrays.fill(isReady, 0, tree.groups, false);
     }
 
-    /** Other equations hold in a group than before. */
+    /** Notes that other equations hold in a group. */
     void change(int group) {
         isReady[group] = false;
     }
 
-    /** Other equations hold in all groups. */
+    /** Notes that other equations hold in all groups. */
     void changeAll() {
         Arrays.fill(isReady, 0, tree.groups, false);
     }
@@ -123,7 +126,10 @@ final class EquationFactor {
         isReady[group] = true;
     }
 
-    /** Whether what was factored is only nearly what holds, so that answers want to be refined. */
+    /**
+     * Whether the factor is only an approximation of the equations that hold, so that its solutions
+     * need refinement.
+     */
     boolean isStale() {
         return isStale;
     }
@@ -172,7 +178,7 @@ final class EquationFactor {
         }
     }
 
-    /** What impulses of a body's equations give them through the body. */
+    /** Writes the responses of a body's equations through that body. */
     private void assembleBody(int n, int size) {
         int body = tree.second[n];
         int entry = equations.entry[body];
@@ -221,7 +227,7 @@ final class EquationFactor {
         }
     }
 
-    /** Adds what the border of a part says to the square of the whole. */
+    /** Adds the responses of a part's border to the square of the whole. */
     private void add(int part, int to, int wide) {
         int size = tree.start[part + 1] - tree.start[part];
         int[] equation = tree.equation;
@@ -257,7 +263,7 @@ final class EquationFactor {
         }
     }
 
-    /** 1/D of an equation whose pivot is so much without what it gives way; 0 where none holds. */
+    /** 1/D of an equation from its pivot without compliance; 0 if no row holds in its place. */
     private double inverse(int e, double without) {
         int row = equations.row[e];
         if (row == EquationList.NONE) {
@@ -270,31 +276,31 @@ final class EquationFactor {
         return 1 / (Math.abs(pivot) > least ? pivot : Math.copySign(least, pivot));
     }
 
-    /** Subtracts a multiple of one line from another one. */
+    /** Subtracts a multiple of one line from another. */
     private static void subtract(double[] s, int to, int from, double factor, int length) {
         for (int j = 0; j < length; j++) {
             s[to + j] -= factor * s[from + j];
         }
     }
 
-    /** Asks of an equation that its speed changes by so much, m/s. */
+    /** Asks for a change of an equation's speed, m/s. */
     void ask(int equation, double change) {
         unknown[equation] = change;
     }
 
-    /** What an equation is to be pushed by for what was asked of all. */
+    /** The impulse of an equation in the solution. */
     double answer(int equation) {
         return unknown[equation];
     }
 
-    /** Finds the pushes for what was asked. */
+    /** Solves for the impulses that give all changes asked for. */
     void solve() {
         for (int group = 0; group < tree.groups; group++) {
             solve(group);
         }
     }
 
-    /** Finds those of one group. */
+    /** Solves one group. */
     void solve(int group) {
         makeReady(group);
         double[] x = unknown;

@@ -18,7 +18,7 @@ final class EquationList {
 
     static final int NONE = -1;
 
-    /** Equations of one copy of a body at most, besides those that weld it to others. */
+    /** Most equations of one copy of a body, besides those that weld it to others. */
     static final int MOST_OF_COPY = 24;
 
     private static final int WELDS = 3;
@@ -26,7 +26,7 @@ final class EquationList {
     private final Motions motions;
     private final NeutralRows rows;
 
-    /** How many equations there are, with those that weld copies, and how many bodies. */
+    /** Number of equations, including those that weld copies, and number of bodies. */
     int count;
 
     int all;
@@ -39,36 +39,39 @@ final class EquationList {
      */
     int[] row = {};
 
-    /** By equation the first of its rows and how many they are; 0 where it always holds. */
+    /** By equation: its first row and the number of its rows; 0 if it always holds. */
     int[] firstBounded = {};
 
     int[] boundedCount = {};
 
-    /** By body its entry of the motions, how many copies that has, and the next one of them. */
+    /** By body: its entry of the motions, the number of that body's copies, and the next copy. */
     int[] entry = new int[16];
 
     private int[] copies = new int[16];
     private int[] nextCopy = new int[16];
 
-    /** By copy how many equations it has. */
+    /** By copy: its number of equations. */
     private int[] taken = new int[16];
 
-    /** By equation where its bodies start, the bodies, and which of its row's bodies each is. */
+    /**
+     * By equation: the start of its bodies; the bodies; and for each its number among the row's
+     * bodies.
+     */
     private int[] bodyStart = {};
 
     private int[] body = {};
 
-    /** By body where its equations start, and the equations. */
+    /** By body: the start of its equations; and the equations. */
     private int[] equationStart = new int[18];
 
     private int[] equation = {};
 
-    /** By entry of the motions its body, and the last copy of it. */
+    /** By entry of the motions: its body, and the last copy of it. */
     private int[] bodyOfEntry = new int[16];
 
     private int[] lastCopy = new int[16];
 
-    /** What the list was made of last: by derivative the offset of its body. */
+    /** The last list, for comparison: by derivative the offset of its body. */
     private int[] before = {};
 
     private int beforeBodies;
@@ -79,8 +82,8 @@ final class EquationList {
     }
 
     /**
-     * Lists the equations of the rows as they are now, of bounded rows none; whether they are of
-     * other bodies than before.
+     * Lists the equations of the present rows, without those with bounds; returns whether their
+     * bodies differ from the last list's.
      */
     boolean list() {
         boolean isOther = reserve() | beforeBodies != motions.count;
@@ -121,14 +124,14 @@ final class EquationList {
         return isOther;
     }
 
-    /** Whether a row with bounds may be within them for long. */
+    /** Whether a row with bounds may stay within them for long. */
     private boolean mayHold(int i) {
         return rows.lower[i] < rows.upper[i]
                 && rows.twin[i] == NeutralRows.NONE
                 && rows.load[i] == NeutralRows.NONE;
     }
 
-    /** Whether a row with bounds goes with those before it. */
+    /** Whether a row with bounds shares its equation with the row before it. */
     private boolean isOfLast(int i) {
         int last = count - 1;
         return last >= 0
@@ -142,7 +145,7 @@ final class EquationList {
                 || motions.data[offset + Motions.INVERSE_INERTIA] > 0;
     }
 
-    /** Makes room; whether what was listed before is lost by that. */
+    /** Makes room; returns whether the last list is lost by that. */
     private boolean reserve() {
         int rowCount = rows.bodies.length;
         int most = motions.count + mostCopies(rowCount);
@@ -172,7 +175,7 @@ final class EquationList {
         return areRowsShort || areBodiesShort;
     }
 
-    /** Bodies that are copies of others, at most. */
+    /** Upper bound on the number of copies. */
     private static int mostCopies(int rowCount) {
         return rowCount * NeutralRows.BODIES / MOST_OF_COPY;
     }
@@ -210,7 +213,7 @@ final class EquationList {
         return added;
     }
 
-    /** The copy of an entry's body that takes the next equation. */
+    /** The copy of a body that takes the next equation. */
     private int copyOf(int of) {
         if (taken[lastCopy[of]] == MOST_OF_COPY) {
             int next = addBody(of);
@@ -243,12 +246,12 @@ final class EquationList {
         return e >= count;
     }
 
-    /** Along which of x, y and the angle an equation welds: 0, 1, 2. */
+    /** Coordinate that an equation welds: 0 for x, 1 for y, 2 for the angle. */
     int weldedAlong(int e) {
         return (e - count) % WELDS;
     }
 
-    /** How many copies a body has that this one is of. */
+    /** Number of copies of the body that this is a copy of. */
     int copiesOf(int of) {
         return copies[bodyOfEntry[entry[of]]];
     }

@@ -5,15 +5,15 @@ import rigibo.backend.contact.row.Motions;
 import java.util.Arrays;
 
 /**
- * The equations that were factored last, by groups of joined bodies. What lies still keeps its
- * factors from kick to kick of a step; the next step begins anew, so that what it comes to does not
- * depend on what was before.
+ * The equations that were factored last, by groups of joined bodies. Groups at rest keep their
+ * factors from kick to kick of a step. The next step begins anew, so that its result does not
+ * depend on earlier ones.
  */
 final class FactoredRows {
 
     /**
-     * Largest change of an equation with which its factor serves on: what an impulse along the
-     * change gives bodies, as a share of what one along the equation does.
+     * Largest change of an equation for which its factor is kept: the response to an impulse along
+     * the change, as a share of the response to one along the equation.
      */
     static final double SAME = 1e-6;
 
@@ -22,13 +22,13 @@ final class FactoredRows {
     private final EquationList equations;
     private final AssemblyTree tree;
 
-    /** By equation its row, or none, what it gives way, and its derivatives. */
+    /** By equation: its row or none, its compliance, and its derivatives. */
     private int[] row = new int[64];
 
     private double[] give = new double[64];
     private double[] derivative = new double[64 * NeutralRows.DERIVATIVES];
 
-    /** By group whether it was kept. */
+    /** By group: whether it is kept. */
     private boolean[] isKept = new boolean[16];
 
     FactoredRows(Motions motions, NeutralRows rows, EquationList equations, AssemblyTree tree) {
@@ -38,12 +38,12 @@ final class FactoredRows {
         this.tree = tree;
     }
 
-    /** Forgets all groups. */
+    /** Discards all groups. */
     void forget() {
         Arrays.fill(isKept, false);
     }
 
-    /** Keeps a group as it is. */
+    /** Keeps a group in its present state. */
     void keep(int group) {
         reserve();
         isKept[group] = true;
@@ -77,7 +77,9 @@ final class FactoredRows {
         }
     }
 
-    /** The largest change of an equation of a group since it was kept, as a share of it. */
+    /**
+     * The largest change of a group's equations since it was kept, as a share of their responses.
+     */
     double change(int group) {
         if (group >= isKept.length || !isKept[group]) {
             return Double.POSITIVE_INFINITY;

@@ -6,12 +6,16 @@ import rigibo.backend.storage.Islands;
 import rigibo.backend.storage.JointStore;
 
 /**
- * What an island with joints is worth: whether all of its rows are eliminated and how much that may
- * take, how many impacts are at their time, how many passes stand in where elimination fails.
+ * The work that an island with joints is worth: whether all of its rows are eliminated, and how
+ * much work that may take; how many impacts are resolved at their time; and how many passes replace
+ * a failed elimination.
  */
 final class JointBudget {
 
-    /** Multiplications that one elimination is worth, and from EXACT on. */
+    /**
+     * Multiplications of one elimination up to which an island is eliminated; and those from EXACT
+     * on.
+     */
     private static final double WORTH = 1e6;
 
     private static final double WORTH_IF_EXACT = 1e8;
@@ -28,7 +32,10 @@ final class JointBudget {
     /** Multiplications in a step that a small island is worth, whatever one elimination takes. */
     private static final double LEAST_WORTH = 1e6;
 
-    /** Rows that passes solve in a step, unless that leaves a substep fewer than so many passes. */
+    /**
+     * Rows solved in passes in a step, unless that leaves fewer than a number of passes to a
+     * substep.
+     */
     private static final int SOLVES = 1_000_000;
 
     private static final int LEAST_PASSES = 8;
@@ -36,18 +43,21 @@ final class JointBudget {
     /** Passes over rows in a substep for each substep of a step. */
     private static final int PASSES_PER_SUBSTEP = 20;
 
-    /** Rows up to which an island whose contacts may open and close is eliminated. */
+    /** Most rows of an island that is eliminated although its contacts may open and close. */
     private static final int MOST_ROWS = 400;
 
-    /** Rows with bounds up to which it is: more of them enter and leave the set without an end. */
+    /**
+     * Most rows with bounds of such an island; more of them enter and leave the set without end.
+     */
     private static final int MOST_BOUNDED = 60;
 
-    /** Rows of a contact or a joint, at least, as a rule. */
+    /** Usual least number of rows of a contact or a joint. */
     private static final int LEAST_ROWS = 2;
 
     /**
-     * Rows of an island that is small: its impacts are at their time, and what its equations do in
-     * a kick is not held against it. In larger ones rows that contradict each other are common.
+     * Most rows of a small island. Its impacts are resolved at their time, and the work of its
+     * equations in a kick does not count as an error. In larger islands, rows that contradict each
+     * other are common.
      */
     private static final int FEW_ROWS = 150;
 
@@ -106,8 +116,8 @@ final class JointBudget {
     }
 
     /**
-     * Whether the island is worth more than all of its eliminations could take, however its rows
-     * are ordered: then that need not be known.
+     * Whether the budget exceeds the work of all eliminations in any order of the rows, so that the
+     * order need not be found.
      */
     private boolean isTiny(int substepsOfIsland) {
         double n = rows.count;
@@ -115,7 +125,7 @@ final class JointBudget {
         return isSmall && ELIMINATIONS * most * substepsOfIsland <= LEAST_WORTH;
     }
 
-    /** Gives an elimination up that has taken all that the island is worth. */
+    /** Stops using elimination once it has spent the island's budget. */
     void review() {
         isWhole &= !elimination.isSpent();
     }

@@ -7,7 +7,7 @@ import rigibo.backend.storage.JointStore;
 
 import java.util.Arrays;
 
-/** Where a joint holds its bodies at poses that were taken: arms, axis, coordinate. */
+/** The geometry of a joint at given poses: arms, axis, coordinate. */
 final class JointGeometry {
 
     private static final int DISTANCE = JointKind.DISTANCE.ordinal();
@@ -19,13 +19,13 @@ final class JointGeometry {
     private final JointStore joints;
     private final Poses poses;
 
-    /** By joint: the axis in A's frame, rad, whose cosine and sine are known. */
+    /** By joint: the angle of the axis in A's frame, rad, whose cosine and sine are stored. */
     private double[] knownAxis = new double[0];
 
     private double[] axisCos = new double[0];
     private double[] axisSin = new double[0];
 
-    /** From the centres of mass to the anchors, and from A's anchor to B's, m. */
+    /** Vectors from the centres of mass to the anchors, and from A's anchor to B's, m. */
     double armAX;
 
     double armAY;
@@ -34,12 +34,15 @@ final class JointGeometry {
     double dx;
     double dy;
 
-    /** Unit axis: A's, or of a distance joint from anchor to anchor; of no hinge, no weld. */
+    /**
+     * Unit vector of the axis: A's, or for a distance joint from anchor to anchor; unused by hinges
+     * and welds.
+     */
     double axisX;
 
     double axisY;
 
-    /** Angle of B's axis against A's, rad, and the distance of the anchors along the axis, m. */
+    /** Angle of B's axis relative to A's, rad, and distance of the anchors along the axis, m. */
     double angle;
 
     double along;
@@ -76,11 +79,12 @@ final class JointGeometry {
         }
         if (kind == DISTANCE) {
             along = Math.sqrt(dx * dx + dy * dy);
-            // Of two anchors in one place any direction is as good.
+            // If both anchors coincide, any direction will do.
             axisX = along > 0 ? dx / along : 1;
             axisY = along > 0 ? dy / along : 0;
         } else {
-            // The axis stated, not the sum of two angles: that would lose digits of many turns.
+            // The axis as stated rather than as a sum of two angles, which would lose digits after
+            // many turns.
             know(joint);
             axisX = cosA * axisCos[joint] - sinA * axisSin[joint];
             axisY = sinA * axisCos[joint] + cosA * axisSin[joint];
@@ -88,7 +92,7 @@ final class JointGeometry {
         }
     }
 
-    /** Finds cosine and sine of a joint's axis, unless they are known. */
+    /** Computes cosine and sine of a joint's axis, unless they are stored. */
     private void know(int joint) {
         if (knownAxis.length <= joint) {
             int before = knownAxis.length;
@@ -105,17 +109,20 @@ final class JointGeometry {
         }
     }
 
-    /** What the joint's limits, motor and spring are of: rad of a hinge, else m. */
+    /**
+     * The coordinate to which limits, motor and spring of the joint refer: rad for a hinge,
+     * otherwise m.
+     */
     double coordinate(int joint) {
         return joints.kind[joint] == REVOLUTE ? angle : along;
     }
 
-    /** How far B's anchor is off the axis, m. */
+    /** Distance of B's anchor from the axis, m. */
     double across() {
         return dy * axisX - dx * axisY;
     }
 
-    /** How far B's anchor is from the target of a hand, m. */
+    /** Distance of B's anchor from the target of a mouse joint, m. */
     double fromTargetX(int joint, int offsetB) {
         double away = bodies.x[joints.bodyB[joint]] - joints.parameter[JointStore.TARGET_X][joint];
         return away + poses.movedX(offsetB) + armBX;
@@ -126,7 +133,7 @@ final class JointGeometry {
         return away + poses.movedY(offsetB) + armBY;
     }
 
-    /** From the point over which a pulley's rope goes to A's anchor or to B's, m. */
+    /** Vector from the point over which a pulley's rope runs to the anchor on A or on B, m. */
     double ropeX(int joint, int offset, boolean isOfA) {
         int body = isOfA ? joints.bodyA[joint] : joints.bodyB[joint];
         int ground = isOfA ? JointStore.GROUND_AX : JointStore.GROUND_BX;

@@ -8,19 +8,19 @@ import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.Pairs;
 
 /**
- * Impacts of what joints hold together, at one instant: the law of impact (see {@link
- * rigibo.backend.impact.ImpactLaw}) with the equations of all joints beside it, so that an impact
- * goes through the joints at once. The stop that closes with the most energy comes first, equals at
- * once, and with them what carries a load; then what closes by that, until nothing does. So a row
- * of bodies that only touch hands an impact on, and what stands on a floor is struck as from the
- * floor.
+ * Simultaneous impacts in an island with joints: the law of impact (see {@link
+ * rigibo.backend.impact.ImpactLaw}) together with the equations of all joints, so that an impact
+ * passes through the joints at once. The stop whose impact has the most energy comes first, with
+ * all equal ones and with the stops that carry a load; then those that close because of it, until
+ * none does. A row of bodies that only touch thus hands an impact on, and a body on a floor is
+ * struck as if it were one with the floor.
  */
 public final class JointImpacts {
 
-    /** Impacts of one instant; a longer chain ends without rebound. */
+    /** Most impacts at one instant; a longer sequence ends without rebound. */
     private static final int MOST = 64;
 
-    /** Share of the strongest approach from which on another one is its equal. */
+    /** Share of the strongest impact from which on another one counts as equal. */
     private static final double EQUAL = 1 - 1e-6;
 
     /** Share of the fastest speed that counts as solved. */
@@ -43,10 +43,10 @@ public final class JointImpacts {
     private final HitNotes notes;
     private final Impact impact = new Impact();
 
-    /** Whether the last instant had more impacts than may be, and what was left had no answer. */
+    /** Whether the last instant had too many impacts, and the rest had no solution. */
     private boolean isEndless;
 
-    /** By row: its speed before, and whether it strikes. */
+    /** By row: its speed before the impact, and whether it strikes. */
     private double[] before = new double[64];
 
     private boolean[] strikes = new boolean[64];
@@ -83,8 +83,8 @@ public final class JointImpacts {
     }
 
     /**
-     * Strikes all that closes fast where it is on its stop, {@code time} seconds after the step's
-     * start; velocities are those of now. Returns whether there was anything.
+     * Resolves the impacts of all stops that are reached and close fast, {@code time} seconds after
+     * the step's start, at the present velocities. Returns whether there were any.
      */
     public boolean strike(double time, int substep) {
         notes.start = time;
@@ -105,8 +105,8 @@ public final class JointImpacts {
     }
 
     /**
-     * Whether the instant that was struck last would have gone on for ever: what is wedged between
-     * points that nothing makes give way is thrown from one to the other in no time.
+     * Whether impacts at the last instant would not have ended: a body wedged between immovable
+     * points is thrown from one to the other in no time.
      */
     public boolean areEndless() {
         return isEndless;
@@ -126,7 +126,7 @@ public final class JointImpacts {
         }
     }
 
-    /** Chooses those that strike first; whether there are any. */
+    /** Chooses the impacts that come first; returns whether there are any. */
     private boolean choose() {
         double most = 0;
         for (int row = 0; row < rows.count; row++) {
@@ -156,13 +156,16 @@ public final class JointImpacts {
         return before[row] < 0 && isOn(row) && -before[row] > stops.leastApproach(row);
     }
 
-    /** J that a row would take to stop it, twice; 0 where it parts. */
+    /** Twice the energy that stops a row, J; 0 if it parts. */
     private double strength(int row) {
         double closing = Math.max(0, -before[row]);
         return closing * closing / rows.response[row];
     }
 
-    /** Solves for what was chosen, with a share of the elasticity; whether there is an answer. */
+    /**
+     * Solves the chosen impacts with a share of their elasticity; returns whether there is a
+     * solution.
+     */
     private boolean solve(double share) {
         for (int row = 0; row < rows.count; row++) {
             ask(row, share);
@@ -204,7 +207,7 @@ public final class JointImpacts {
         }
     }
 
-    /** Whether a row is of the other point of a contact that strikes, and touches too. */
+    /** Whether a row is the other point of a contact that strikes, and touches as well. */
     private boolean isBeside(int row) {
         int contact = rows.contact[row];
         if (contact == NeutralRows.NONE || !isOn(row)) {
@@ -218,7 +221,7 @@ public final class JointImpacts {
                 && strikes[other];
     }
 
-    /** Scales all impulses back where they would add energy; whether they are finite. */
+    /** Scales all impulses down if they would add energy; returns whether they are finite. */
     private boolean limitEnergy() {
         double linear = 0;
         double quadratic = 0;

@@ -4,7 +4,7 @@ import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.JointStore;
 
-/** What joints carry: kept from kick to kick, summed over a step, and told afterwards. */
+/** The impulses of joints: kept from kick to kick, summed over a step, and stored at its end. */
 final class JointResults {
 
     private final Bodies bodies;
@@ -12,7 +12,10 @@ final class JointResults {
     private final PackedJoints packed;
     private final NeutralRows rows;
 
-    /** By joint: from B's centre, and from A's, to where the joint holds B, m. */
+    /**
+     * By joint: the vectors from B's centre, and from A's, to the point at which the joint holds B,
+     * m.
+     */
     private double[] armBX = new double[16];
 
     private double[] armBY = new double[16];
@@ -26,7 +29,7 @@ final class JointResults {
         this.rows = rows;
     }
 
-    /** Notes where the joints hold B, at poses that were taken. */
+    /** Stores the points at which joints hold B, at poses that were taken. */
     void keepArms(Poses poses) {
         if (armBX.length < packed.count) {
             int capacity = packed.slot.length;
@@ -75,7 +78,7 @@ final class JointResults {
         }
     }
 
-    /** What B is given: where it cannot be moved, what A is given the other way. */
+    /** Impulse on B; if B cannot be moved, the opposite of that on A. */
     private void add(int row, int joint) {
         int b = packed.offsetB[joint];
         boolean isOfB = b != 0;
@@ -95,7 +98,7 @@ final class JointResults {
         }
     }
 
-    /** Tells the means of a step of dt seconds. */
+    /** Stores the mean forces of a step of dt seconds. */
     void tell(double dt) {
         for (int i = 0; i < packed.count; i++) {
             int joint = packed.slot[i];
@@ -105,7 +108,7 @@ final class JointResults {
         }
     }
 
-    /** Stores the forces of the last kick, so many seconds long. */
+    /** Stores the forces of the last kick, given its length in s. */
     void store(double lastKick) {
         for (int i = 0; i < packed.count; i++) {
             int joint = packed.slot[i];
@@ -117,14 +120,14 @@ final class JointResults {
                 sum += Math.abs(force);
             }
             if (!(sum < Double.POSITIVE_INFINITY)) {
-                // Forces beyond all bounds would poison every step to come.
+                // Forces that are not finite would spoil every later step.
                 joints.rest(joint);
             }
             noteBreak(joint);
         }
     }
 
-    /** Notes the joints that broke by what was told. */
+    /** Records which joints broke, by their mean forces. */
     void noteBreaks() {
         for (int i = 0; i < packed.count; i++) {
             noteBreak(packed.slot[i]);

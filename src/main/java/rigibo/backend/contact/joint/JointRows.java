@@ -8,9 +8,9 @@ import rigibo.backend.storage.PairTolerances;
 
 /**
  * Writes the rows of joints. With p the anchors, n a direction and r the arms, a row that keeps
- * n·(p_b − p_a) has the derivatives n and r_b × n for B and −n and −r_a × n for A; where n turns
- * with A the way between the anchors adds to A's arm (Catto, Modeling and solving constraints, GDC
- * 2009).
+ * n·(p_b − p_a) has the derivatives n and r_b × n for B, and −n and −r_a × n for A; if n turns with
+ * A, the vector between the anchors is added to A's arm (Catto, Modeling and solving constraints,
+ * GDC 2009).
  */
 final class JointRows {
 
@@ -35,19 +35,19 @@ final class JointRows {
     private final JointGeometry other;
     private final SpringRows springs;
 
-    /** The joint whose rows are written: its number in the island, its slot, its offsets. */
+    /** The joint whose rows are being written: its number in the island, its slot, its offsets. */
     private int joint;
 
     private int slot;
     private int a;
     private int b;
 
-    /** How long the kick is that is solved for, and the drift after it, s. */
+    /** Length of the kick that is solved for, and of the drift after it, s. */
     private double kick;
 
     private double drift;
 
-    /** Whether rows are written for an impact, in which no force of bounds does anything. */
+    /** Whether rows are written for an impact, in which bounded forces have no effect. */
     private boolean isAtOnce;
 
     JointRows(
@@ -67,17 +67,15 @@ final class JointRows {
     }
 
     /**
-     * Writes the rows of all joints at the poses taken, before a kick of so many seconds that a
-     * drift follows.
+     * Writes the rows of all joints at the poses taken, for a kick of a length in s that is
+     * followed by a drift.
      */
     void write(double kickLength, double driftLength) {
         isAtOnce = false;
         writeAll(kickLength, driftLength);
     }
 
-    /**
-     * Writes the rows of all joints for an impact: without springs and what drives with a force.
-     */
+    /** Writes the rows of all joints for an impact, without springs and motors of limited force. */
     void writeAtOnce() {
         isAtOnce = true;
         writeAll(1, 1);
@@ -140,7 +138,7 @@ final class JointRows {
         return row;
     }
 
-    /** Ends a row; one that moves nothing is no row. */
+    /** Ends a row; one that can move nothing is dropped. */
     private int end(int row) {
         rows.finish(row);
         if (!(rows.response[row] > 0)) {
@@ -163,7 +161,7 @@ final class JointRows {
         equation(row, place);
     }
 
-    /** n·(p_b − p_a) along a direction that turns with A, or with the anchors. */
+    /** n·(p_b − p_a) along a direction that turns with A or with the anchors. */
     private void axis(int part, double nx, double ny, double place) {
         int row = row(part);
         deriveAlong(row, geometry, a, b, nx, ny, 1);
@@ -179,7 +177,7 @@ final class JointRows {
         rows.derive(row, onB, factor * nx, factor * ny, factor * lever);
     }
 
-    /** The angle of B against A. */
+    /** Angle of B relative to A. */
     private int angle(int part, double place) {
         int row = row(part);
         rows.derive(row, a, 0, 0, -1);
@@ -187,7 +185,7 @@ final class JointRows {
         return part == ANGLE ? equation(row, place) : row;
     }
 
-    /** A row of the joint's coordinate, or of its opposite. */
+    /** Row of the joint's coordinate, or of its negative. */
     private int alongCoordinate(int part, double sign) {
         int row = row(part);
         deriveCoordinate(row, slot, geometry, a, b, sign);
@@ -204,7 +202,7 @@ final class JointRows {
         }
     }
 
-    /** Limits, motor and spring of the coordinate. */
+    /** Adds limits, motor and spring of the coordinate. */
     private void coordinate() {
         limits();
         if (drives(joints.motorMost[slot])) {
@@ -220,7 +218,7 @@ final class JointRows {
         }
     }
 
-    /** Whether what drives with a force, N or N·m, does anything. */
+    /** Whether a motor with a limited force, N or N·m, has any effect. */
     private boolean drives(double most) {
         return isAtOnce ? most == Double.POSITIVE_INFINITY : most > 0;
     }
@@ -255,7 +253,7 @@ final class JointRows {
         }
     }
 
-    /** A row whose gap must not close: it only pushes. */
+    /** Row whose gap must not close; it only pushes. */
     private void push(int row, double gap) {
         int state = states.ofJoint(joint, rows.part[row]);
         rows.place[row] = gap;
@@ -308,7 +306,7 @@ final class JointRows {
         }
     }
 
-    /** Bounds two rows by a force together, N. */
+    /** Bounds two rows together by a force, N. */
     private void disc(int x, int y, double force) {
         if (force < Double.POSITIVE_INFINITY) {
             rows.twin[x] = y;
@@ -318,7 +316,7 @@ final class JointRows {
         }
     }
 
-    /** The target stands for A, which takes no reaction. */
+    /** The target takes the place of A and receives no reaction. */
     private void mouse() {
         if (isAtOnce) {
             return;
@@ -351,7 +349,7 @@ final class JointRows {
         deriveCoordinate(row, second, other, secondA, b, ratio);
         equation(row, gearError(first, second, ratio));
         if (joints.kind[first] == JointKind.REVOLUTE.ordinal()) {
-            // What a rack slides counts by what it turns.
+            // The sliding of a rack is counted by the angle that it turns.
             rows.unit[row] = rows.reach(row);
         }
     }
@@ -393,12 +391,12 @@ final class JointRows {
                 - ratio * Math.sqrt(bx * bx + by * by);
     }
 
-    /** Poses have been taken anew: what was measured is of others. */
+    /** Discards what was measured, since poses have been taken anew. */
     void measureAnew() {
         joint = NeutralRows.NONE;
     }
 
-    /** The distance of the anchors of a row's joint along its axis, at the poses taken, m. */
+    /** Distance of the anchors along the axis of a row's joint, at the poses taken, m. */
     double along(int row) {
         place(row);
         return geometry.along;
@@ -409,7 +407,7 @@ final class JointRows {
         return springs.areAnyStiff;
     }
 
-    /** The place that a row of a joint has at the poses taken, m or rad. */
+    /** Value of a joint's row at the poses taken, m or rad. */
     double place(int row) {
         if (joint != rows.joint[row]) {
             joint = rows.joint[row];
@@ -450,16 +448,16 @@ final class JointRows {
                 : joints.upper[slot] - geometry.coordinate(slot);
     }
 
-    /** How large the joint of a row is at the poses taken, in units of the row, m or rad. */
+    /** Size of a row's joint at the poses taken, in units of the row, m or rad. */
     double size(int row) {
         place(row);
         return size() / rows.unit[row];
     }
 
     /**
-     * How large the joint is that was measured last, m: errors are shares of it. The arms of what
-     * can be moved count, and the way between the anchors, but no less than what a body is wide: a
-     * wheel is held at its centre. How far away the centre of a fixed body lies is no matter.
+     * Size of the joint that was measured last, m; errors are shares of it. It is the sum of the
+     * movable bodies' arms and of the distance between the anchors, but at least a body's width,
+     * since a wheel is held at its centre. The distance of a fixed body's centre does not count.
      */
     double size() {
         double size = Math.abs(geometry.dx) + Math.abs(geometry.dy);

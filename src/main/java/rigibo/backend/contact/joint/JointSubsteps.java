@@ -5,8 +5,8 @@ import rigibo.backend.setup.Accuracy;
 import rigibo.backend.storage.DataStorage;
 
 /**
- * How many substeps an island with joints needs for a step: by what is taut in it, by its springs,
- * and, where it is free or damped, by the fastest of its motions.
+ * The number of substeps that an island with joints needs for a step: by its tension, by its
+ * springs and, if it is free or damped, by its fastest motion.
  */
 public final class JointSubsteps {
 
@@ -16,13 +16,13 @@ public final class JointSubsteps {
     private final ContactRows contactRows;
     private final JointBudget budget;
 
-    /** Whether tautness may be answered by inertia at this accuracy. */
+    /** Whether tension may be answered by inertia at this accuracy. */
     private final boolean mayStiffen;
 
-    /** Whether the island trembles faster than its substeps follow. */
+    /** Whether the island vibrates faster than its substeps follow. */
     private boolean isTaut;
 
-    /** Whether it is so without a load that explains it. */
+    /** Whether it does so without a load that explains it. */
     private boolean isWedged;
 
     JointSubsteps(
@@ -43,8 +43,8 @@ public final class JointSubsteps {
     }
 
     /**
-     * How many an island needs for a step of dt seconds, usually as usual; so many as well where it
-     * is too taut for any.
+     * Number of substeps of an island for a step of dt seconds, at least the usual one; the usual
+     * one also if the island is too taut for any number.
      */
     public int of(int island, double dt, int usual) {
         isTaut = mayStiffen && taut.isBeyond(island, dt, usual);
@@ -52,38 +52,38 @@ public final class JointSubsteps {
         return isTaut ? usual : taut.count(island, dt, usual);
     }
 
-    /** How many the springs of the packed island need for a step of dt seconds. */
+    /** Number of substeps that the springs of the packed island need for a step of dt seconds. */
     public int forSprings(double dt, int usual) {
         return springs.count(dt, usual);
     }
 
     /**
-     * How many of the fourth order the packed island needs for a step of dt seconds, which is given
-     * so many at most; where something touches, it gets them all.
+     * Number of fourth-order substeps that the packed island needs for a step of dt seconds, up to
+     * a given one; if anything touches, it gets all of them.
      */
     public int composed(int island, double dt, int most) {
         return contactRows.areAny() ? most : moving.count(island, dt, most);
     }
 
     /**
-     * How many that are not composed the packed island needs, at least so many; as many as there
-     * may be where it needs more, or is not eliminated as a whole.
+     * Number of plain substeps that the packed island needs, from a least to a most; the most if it
+     * needs more, or is not eliminated as a whole.
      */
     public int plain(int island, double dt, int least, int most) {
         return budget.isWhole() ? moving.countPlainly(island, dt, least, most) : most;
     }
 
-    /** Whether the island that was asked for last is too taut for any number of substeps. */
+    /** Whether the last island is too taut for any number of substeps. */
     public boolean isTaut() {
         return isTaut;
     }
 
-    /** Whether it is, and no load explains that. */
+    /** Whether it is too taut, and no load explains that. */
     public boolean isWedged() {
         return isTaut && isWedged;
     }
 
-    /** Begins an island that is packed; one of a crowd is passed over, however taut it is. */
+    /** Begins a packed island; a crowd is solved in passes, however taut it is. */
     void begin(boolean areMany) {
         isTaut &= !areMany;
     }

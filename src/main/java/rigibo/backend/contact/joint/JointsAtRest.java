@@ -10,14 +10,14 @@ import rigibo.backend.storage.Islands;
 import rigibo.backend.storage.JointStore;
 
 /**
- * Tells whether joints go on carrying what they carry, in an island whose bodies stand still: each
- * is at its place, pushes at a limit that it is at, drives with no more than it may, and springs
- * pull by k·x. Nothing is remembered for it: another limit, motor, spring or target shows here, and
- * a load that was added or removed shows in the sums of forces.
+ * Tests whether the joints of an island at rest keep their forces: each is in its place, limits
+ * only push, motors stay within their force, and springs pull by k·x. Nothing has to be remembered,
+ * since any change of a limit, motor, spring or target shows in this test, and any change of a load
+ * in the sums of forces.
  */
 public final class JointsAtRest {
 
-    /** How far a place may be off, as a share of the joint's arms and of the tolerance. */
+    /** Largest error of a place, as a share of the joint's arms and of the tolerance. */
     private static final double OFF_PLACE = 1e-2;
 
     private final Bodies bodies;
@@ -28,20 +28,20 @@ public final class JointsAtRest {
     private final PackedJoints packed;
     private final Poses poses;
 
-    /** Of which none is watched: all rows are bound. */
+    /** The states of stops, of which none is watched: all rows are bound. */
     private final RowStates states;
 
     private final JointRows jointRows;
     private final JointResults results;
     private final double tolerance;
 
-    /** Of islands whose bodies {@code builder} packs into {@code motions}. */
+    /** A test of islands whose bodies {@code builder} packs into {@code motions}. */
     public JointsAtRest(DataStorage data, Motions motions, RowBuilder builder, Accuracy accuracy) {
         bodies = data.bodies;
         islands = data.islands;
         joints = data.jointsOrNone();
         this.motions = motions;
-        // What a locked axis takes counts as not held, and is solved.
+        // Forces that a locked axis takes do not count as held, so that such an island is solved.
         rows = new NeutralRows(motions, null);
         packed = new PackedJoints(data, builder);
         poses = new Poses(data.bodies, motions);
@@ -51,7 +51,7 @@ public final class JointsAtRest {
         tolerance = accuracy.impactTolerance();
     }
 
-    /** Whether nothing that joints of an island hold on to moves as it is told. */
+    /** Whether nothing moves as the caller says to which joints of the island hold. */
     public boolean areStanding(int island) {
         for (int i = islands.jointStart[island]; i < islands.jointStart[island + 1]; i++) {
             int joint = islands.joints[i];
@@ -71,8 +71,8 @@ public final class JointsAtRest {
     }
 
     /**
-     * Whether the joints of an island whose bodies are packed go on for a step of dt seconds; what
-     * each of them does to its bodies is added to the sums.
+     * Whether the joints of a packed island keep their forces for a step of dt seconds; adds the
+     * forces to the sums of the bodies.
      */
     public boolean goOn(int island, double dt, Equilibrium sums) {
         motions.halt();
@@ -97,13 +97,13 @@ public final class JointsAtRest {
         return true;
     }
 
-    /** A spring gives way, or is kicked by a force that nothing else changes. */
+    /** A spring yields, or acts with a force that depends on nothing else. */
     private boolean isSoft(int row) {
         boolean isFixed = rows.lower[row] == rows.upper[row];
         return rows.give[row] > 0 || isFixed && !rows.holdsPlace[row];
     }
 
-    /** What a spring does to bodies that stand still, N·s or N·m·s. */
+    /** Impulse of a spring on bodies that stand still, N·s or N·m·s. */
     private double ofSpring(int row) {
         return rows.give[row] > 0 ? rows.target[row] / rows.give[row] : rows.upper[row];
     }
@@ -115,7 +115,7 @@ public final class JointsAtRest {
         double impulse = rows.impulse[row];
         double slack = Equilibrium.BEYOND_CONE * rows.upper[row];
         double target = rows.give[row] > 0 ? 0 : rows.target[row];
-        // What drives is at rest where all that it may give does not move it.
+        // A motor is at rest if its largest force does not move anything.
         double least = target > 0 ? rows.upper[row] : rows.lower[row];
         double most = target < 0 ? rows.lower[row] : rows.upper[row];
         return rows.isEquation(row)
@@ -147,7 +147,7 @@ public final class JointsAtRest {
         }
     }
 
-    /** Tells what the joints that go on for a step of dt seconds give their bodies in it. */
+    /** Stores the forces of joints that kept them for a step of dt seconds. */
     public void tell(double dt) {
         results.add();
         results.tell(dt);

@@ -19,16 +19,16 @@ final class PackedJoints {
     int[] offsetA = new int[16];
     int[] offsetB = new int[16];
 
-    /** By joint and row: impulse of the last kick and of the step, N·s or N·m·s. */
+    /** By joint and row: the impulses of the last kick and of the step, N·s or N·m·s. */
     double[] impulse = new double[16 * JointStore.ROWS];
 
-    /** By joint: what it gave B in the step, N·s, and about its anchor, N·m·s. */
+    /** By joint: the impulse on B in the step, N·s, and its moment about the anchor, N·m·s. */
     double[] givenX = new double[16];
 
     double[] givenY = new double[16];
     double[] givenTurn = new double[16];
 
-    /** All of that when it was kept. */
+    /** A stored copy of these impulses. */
     private double[] kept = new double[16];
 
     PackedJoints(DataStorage data, RowBuilder builder) {
@@ -37,7 +37,7 @@ final class PackedJoints {
         this.builder = builder;
     }
 
-    /** Packs the joints of an island whose bodies are packed, for a first kick of so many s. */
+    /** Packs the joints of an island whose bodies are packed, for a first kick of a length in s. */
     void pack(int island, double firstKick) {
         int from = islands.jointStart[island];
         count = islands.jointStart[island + 1] - from;
@@ -65,7 +65,7 @@ final class PackedJoints {
         Arrays.fill(givenTurn, 0, count, 0);
     }
 
-    /** Keeps what was carried, to be gone back to. */
+    /** Stores the impulses, so that they can be restored. */
     void keep() {
         if (kept.length < slot.length * (JointStore.ROWS + 3)) {
             kept = new double[slot.length * (JointStore.ROWS + 3)];
@@ -77,7 +77,7 @@ final class PackedJoints {
         System.arraycopy(givenTurn, 0, kept, at + 2 * count, count);
     }
 
-    /** Goes back to what was kept last. */
+    /** Restores the stored impulses. */
     void recall() {
         int at = count * JointStore.ROWS;
         System.arraycopy(kept, 0, impulse, 0, at);
@@ -86,7 +86,7 @@ final class PackedJoints {
         System.arraycopy(kept, at + 2 * count, givenTurn, 0, count);
     }
 
-    /** What a joint's row gave in the last kick, N·s or N·m·s. */
+    /** Impulse of a joint's row in the last kick, N·s or N·m·s. */
     double impulseOf(int joint, int row) {
         return impulse[joint * JointStore.ROWS + row];
     }

@@ -13,22 +13,22 @@ import rigibo.backend.contact.row.Recovery;
 import rigibo.backend.storage.Bodies;
 
 /**
- * Takes back what joints are off their places by moving bodies, in an island that is eliminated
- * whole. Joints that hold a straight bridge hold nearly everything along it and nearly nothing
- * across: what closes them there may throw bodies about, and lift them by no force.
+ * Removes the position errors of joints by moving bodies, in an island that is eliminated as a
+ * whole. The joints of a straight bridge constrain nearly everything along it and nearly nothing
+ * across, so that closing them exactly could throw bodies about, or lift them without a force.
  */
 final class PlaceRecovery {
 
-    /** Error that is taken back at once, m per metre of the joint's arms. */
+    /** Error that is removed at once, m per metre of the joint's arms. */
     private static final double SMALL = 1e-4;
 
     /**
-     * Error that stays where an island is too taut, as a share of the tolerance, m per metre of the
-     * joint's arms: what takes it back lifts a bridge that has sagged by it, by no force.
+     * Error that is kept in an island that is too taut, as a share of the tolerance, m per metre of
+     * the joint's arms; removing it would lift a sagging bridge without a force.
      */
     private static final double KEPT = 0.1;
 
-    /** What rows give way by where they ask for too much, as shares of their responses. */
+    /** Compliances of rows that ask for too much, as shares of their responses. */
     private static final double LEAST_GIVE = 1e-6;
 
     private static final double MORE_GIVE = 100;
@@ -43,10 +43,10 @@ final class PlaceRecovery {
     private final Displacement moved;
     private final double tolerance;
 
-    /** Error that stays in the island that is corrected, m per metre of the joint's arms. */
+    /** Error that is kept in the present island, m per metre of the joint's arms. */
     private double kept;
 
-    /** By row: how far it is to be moved, m or rad. */
+    /** By row: the displacement that is asked for, m or rad. */
     private double[] wanted = new double[64];
 
     PlaceRecovery(
@@ -85,12 +85,12 @@ final class PlaceRecovery {
         }
     }
 
-    /** How far an outline may be moved in a drift of h seconds, as a share of what it reaches. */
+    /** Largest displacement of an outline in a drift of h seconds, as a share of its reach. */
     private static double mostWay(double h) {
         return Recovery.MOST_PUSH * Math.abs(h);
     }
 
-    /** Asks all places that are held to be closed; whether one is off by more than it may be. */
+    /** Asks for all held places to be closed; returns whether any error is larger than allowed. */
     private boolean asks(double h) {
         poses.take(0);
         jointRows.measureAnew();
@@ -105,13 +105,14 @@ final class PlaceRecovery {
             }
         }
         if (isAny) {
-            // Contacts might contradict: what is moved into them is taken back by itself.
+            // Contacts are left out, since they might contradict the joints; overlap that results
+            // is removed separately.
             leaveContactsOut();
         }
         return isAny;
     }
 
-    /** Asks a row to move back by what it is off; whether that is more than it may miss. */
+    /** Asks for a row's error to be removed; returns whether it is larger than allowed. */
     private boolean ask(int row, double h) {
         double place = jointRows.place(row);
         double off = rows.isEquation(row) ? place : Math.min(0, place);
@@ -131,7 +132,7 @@ final class PlaceRecovery {
         }
     }
 
-    /** Moves outlines by what is wanted, unless one would go farther than that; whether it did. */
+    /** Moves outlines as asked, unless one would move too far; returns whether it moved them. */
     private boolean closes(double most) {
         moved.begin();
         boolean isNear = moveAll() <= most;
@@ -142,9 +143,9 @@ final class PlaceRecovery {
     }
 
     /**
-     * Moves outlines by what is wanted with rows that give way as little as they must, so that none
-     * goes farther than that: what hardly any movement answers is then left for later, and all else
-     * is closed (damped least squares, K. Levenberg 1944). A share of all would leave all open.
+     * Moves outlines with the smallest compliance of rows at which none moves too far (damped least
+     * squares, K. Levenberg 1944). Errors that hardly any movement removes are then left for later,
+     * and all others are closed, while scaling everything down would leave all of them open.
      */
     private void giveWayMoreAndMore(double most) {
         double give = LEAST_GIVE;
@@ -154,7 +155,10 @@ final class PlaceRecovery {
         }
     }
 
-    /** Moves outlines with rows that give way by a share; whether none would go farther. */
+    /**
+     * Moves outlines with a compliance of rows, as a share of their responses; returns whether none
+     * moves too far.
+     */
     private boolean giveWay(double share, double most) {
         moved.begin();
         elimination.regularize(share);
@@ -185,7 +189,7 @@ final class PlaceRecovery {
         return Math.min(MOST_GIVE, asked * lightest / (4 * most * most));
     }
 
-    /** The greatest 2/m + r²/I of a row's bodies by the square of what one reaches, 1/(kg·m²). */
+    /** Greatest 2/m + r²/I of a row's bodies, divided by the square of the reach, 1/(kg·m²). */
     private double lightest(int row) {
         double most = 0;
         for (int k = 0; k < rows.bodies[row]; k++) {
@@ -201,7 +205,7 @@ final class PlaceRecovery {
         return most;
     }
 
-    /** Moves outlines by what is wanted; the farthest of them, as a share of what it reaches. */
+    /** Moves outlines as asked; returns the largest displacement, as a share of the reach. */
     private double moveAll() {
         elimination.solveFor(wanted);
         for (int i = 0; i < elimination.size(); i++) {
@@ -210,7 +214,7 @@ final class PlaceRecovery {
         return farthest();
     }
 
-    /** The farthest that an outline was moved, as a share of what it reaches. */
+    /** The largest displacement of an outline, as a share of its reach. */
     private double farthest() {
         double farthest = 0;
         for (int entry = 1; entry < motions.count; entry++) {

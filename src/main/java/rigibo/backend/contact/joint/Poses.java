@@ -6,13 +6,16 @@ import rigibo.backend.storage.Bodies;
 
 import java.util.Arrays;
 
-/** Where the bodies of a packed island are, now or after some seconds at their velocities. */
+/** Poses of the bodies of a packed island, at present or predicted by their velocities. */
 final class Poses {
 
     private final Bodies bodies;
     private final Motions motions;
 
-    /** By entry: how far from where the step began, m; the angle in rad, its cosine and sine. */
+    /**
+     * By entry: the displacement since the start of the step, m; and the angle in rad, its cosine
+     * and its sine.
+     */
     private double[] x = new double[0];
 
     private double[] y = new double[0];
@@ -25,7 +28,7 @@ final class Poses {
         this.motions = motions;
     }
 
-    /** Takes the poses after some seconds at the present velocities. */
+    /** Computes the poses after some seconds at the present velocities. */
     void take(double ahead) {
         if (x.length < motions.count) {
             int capacity = motions.slots.length;
@@ -34,7 +37,7 @@ final class Poses {
             angle = new double[capacity];
             cos = new double[capacity];
             sin = new double[capacity];
-            // No angle: a sine and a cosine are taken once they are known.
+            // NaN marks that sine and cosine have not been computed.
             Arrays.fill(angle, Double.NaN);
         }
         double[] m = motions.data;
@@ -45,7 +48,8 @@ final class Poses {
             y[entry] = m[at + Motions.DY] + ahead * m[at + Motions.VY];
             double turn = m[at + Motions.TURN] + ahead * m[at + Motions.SPIN];
             double now = bodies.angle[slot] + turn;
-            // Most are asked for again after the drift at whose end they were foreseen.
+            // Sine and cosine are stored, since most are needed again after the drift that was
+            // predicted.
             if (now != angle[entry]) {
                 angle[entry] = now;
                 cos[entry] = turn == 0 ? bodies.cos[slot] : Angle.cos(now);
@@ -54,7 +58,7 @@ final class Poses {
         }
     }
 
-    /** How far a body is from where the step began, m; 0 for what is not packed. */
+    /** Displacement of a body since the start of the step, m; 0 if it is not packed. */
     double movedX(int offset) {
         return offset == 0 ? 0 : x[offset / Motions.STRIDE];
     }

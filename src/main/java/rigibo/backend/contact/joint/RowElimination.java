@@ -5,8 +5,8 @@ import rigibo.backend.contact.row.Motions;
 import java.util.Arrays;
 
 /**
- * K = J·M⁻¹·Jᵀ of a set of rows, with what they give way on its diagonal, factored as L·D·Lᵀ within
- * its envelope. D may be negative: within a composition of steps some go back in time.
+ * K = J·M⁻¹·Jᵀ of a set of rows, with their compliances on its diagonal, factored as L·D·Lᵀ within
+ * its envelope. D may be negative, since some parts of a composed substep go back in time.
  */
 final class RowElimination {
 
@@ -27,7 +27,7 @@ final class RowElimination {
     /** Whether a row is in the set. */
     private boolean[] isIn = new boolean[64];
 
-    /** Lower triangle by rows, each from its first entry on; where each starts; and D. */
+    /** The lower triangle by rows, each from its first entry on; the start of each row; and D. */
     private double[] lower = new double[1024];
 
     int[] start = new int[65];
@@ -35,12 +35,12 @@ final class RowElimination {
     private double[] pivot = new double[64];
     private double[] unknown = new double[64];
 
-    /** By entry of the motions the first row of the set with it, and the last derivative. */
+    /** By entry of the motions: the first row of the set with it, and its last derivative. */
     private int[] firstOf = new int[16];
 
     private int[] lastOf = new int[16];
 
-    /** By derivative the one before it with the same body, and by row its number in the set. */
+    /** By derivative: the previous one of the same body. By row: its number in the set. */
     private int[] before = new int[256];
 
     private int[] number = new int[64];
@@ -48,15 +48,15 @@ final class RowElimination {
     private boolean isFactored;
 
     /**
-     * How many rows of the set, from the first on, are factored. A row of the factor follows from
-     * those before it alone, so that one who enters or leaves the set costs only what comes after.
+     * Number of rows, from the first on, that are factored. A row of the factor depends only on
+     * those before it, so that a row which enters or leaves the set costs only the rows after it.
      */
     private int factored;
 
-    /** What every row gives way by, as a share of its response. */
+    /** Compliance of every row, as a share of its response. */
     private double regular = NeutralRows.REGULAR;
 
-    /** Multiplications made in the island, and how many it is worth in a step. */
+    /** Multiplications made in the island, and its budget of them for a step. */
     private double work;
 
     private double worth;
@@ -67,7 +67,7 @@ final class RowElimination {
         order = new RowOrder(motions, rows);
     }
 
-    /** Begins an island that is worth so many multiplications. */
+    /** Begins an island with a budget of multiplications. */
     void beginIsland(double most) {
         work = 0;
         worth = most;
@@ -78,17 +78,17 @@ final class RowElimination {
         return work;
     }
 
-    /** Counts multiplications that another elimination of the island's rows took. */
+    /** Adds multiplications made by another elimination of the island's rows. */
     void count(double multiplications) {
         work += multiplications;
     }
 
-    /** Whether the island has taken all the work that it is worth. */
+    /** Whether the island's budget is spent. */
     boolean isSpent() {
         return work > worth;
     }
 
-    /** Begins with rows that were just written; none is in the set. */
+    /** Begins with rows that were just written; the set is empty. */
     void begin() {
         order.find();
         int capacity = rows.bodies.length;
@@ -111,14 +111,15 @@ final class RowElimination {
     }
 
     /**
-     * Lets every row give way by a share of its response, as a rule {@link NeutralRows#REGULAR}.
+     * Sets the compliance of every row as a share of its response, usually {@link
+     * NeutralRows#REGULAR}.
      */
     void regularize(double share) {
         regular = share;
         forget();
     }
 
-    /** Rows have changed, but not who is in the set. */
+    /** Discards the factor, since rows have changed; the set stays. */
     void forget() {
         isFactored = false;
         factored = 0;
@@ -128,13 +129,13 @@ final class RowElimination {
         return isIn[row];
     }
 
-    /** Takes a row into the set or out of it. */
+    /** Adds a row to the set or removes it. */
     void put(int row, boolean isInSet) {
         isFactored &= isIn[row] == isInSet;
         isIn[row] = isInSet;
     }
 
-    /** Multiplications that factoring all rows takes. */
+    /** Number of multiplications for factoring all rows. */
     double workOfAll() {
         begin();
         listSet(true);
@@ -215,7 +216,10 @@ final class RowElimination {
         return length;
     }
 
-    /** Writes a row of K: over each body it shares with the rows before it, and with itself. */
+    /**
+     * Writes a row of K: its responses to the rows before it that share a body with it, and to
+     * itself.
+     */
     private void assemble(int i) {
         int row = set[i];
         Arrays.fill(lower, start[i], start[i] + i - first[i], 0);
@@ -231,7 +235,7 @@ final class RowElimination {
         pivot[i] = rows.response[row] * (1 + regular) + rows.give[row];
     }
 
-    /** Lists a row with its bodies, for the rows after it. */
+    /** Links a row with its bodies, for the rows after it. */
     private void link(int i) {
         int row = set[i];
         for (int k = 0; k < rows.bodies[row]; k++) {
@@ -265,14 +269,14 @@ final class RowElimination {
         pivot[i] = Math.abs(left) > least ? left : Math.copySign(least, left);
     }
 
-    /** Asks of a row of the set that its speed changes by so much, m/s. */
+    /** Asks for a change of speed of a row of the set, m/s. */
     void ask(int i, double change) {
         unknown[i] = change;
     }
 
     /**
-     * Finds by what the rows of the set are to be pushed for what was asked of all of them since it
-     * was factored; {@link #answer} tells it.
+     * Solves for the impulses of the set's rows that give all changes asked for since it was
+     * factored; {@link #answer} returns them.
      */
     void solve() {
         work += size == 0 ? 0 : 2.0 * (start[size - 1] + size);
@@ -296,7 +300,9 @@ final class RowElimination {
         }
     }
 
-    /** Factors the set, and finds the pushes for changes of speed in m/s that are given by row. */
+    /**
+     * Factors the set and solves for the impulses that give changes of speed in m/s, stated by row.
+     */
     void solveFor(double[] changes) {
         factorize();
         for (int i = 0; i < size; i++) {
@@ -305,12 +311,12 @@ final class RowElimination {
         solve();
     }
 
-    /** How many rows the set has. */
+    /** Number of rows in the set. */
     int size() {
         return size;
     }
 
-    /** Which of the set's rows a row is. */
+    /** Number of a row within the set. */
     int numberOf(int row) {
         return number[row];
     }
@@ -320,7 +326,7 @@ final class RowElimination {
         return set[i];
     }
 
-    /** What a row of the set is to be pushed by. */
+    /** Impulse of a row of the set in the solution. */
     double answer(int i) {
         return unknown[i];
     }

@@ -2,7 +2,7 @@ package rigibo.backend.contact.joint;
 
 import rigibo.backend.contact.row.Motions;
 
-/** Velocities and impulses of an island, kept to be gone back to. */
+/** Stored velocities and impulses of an island, to which it can be restored. */
 final class RowMemory {
 
     private final Motions motions;

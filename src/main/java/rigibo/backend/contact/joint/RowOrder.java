@@ -16,15 +16,15 @@ final class RowOrder {
     private final Motions motions;
     private final NeutralRows rows;
 
-    /** The rows in their order. */
+    /** The rows in the order of elimination. */
     int[] order = new int[64];
 
-    /** By entry of the motions its place, and by place the entry. */
+    /** By entry of the motions: its place. By place: its entry. */
     private int[] place = new int[16];
 
     private int[] placed = new int[16];
 
-    /** By entry the rows it is in: rowsOf[start[e]] to rowsOf[start[e + 1]]. */
+    /** The rows of an entry e: rowsOf[start[e]] to rowsOf[start[e + 1]]. */
     private int[] start = new int[18];
 
     private int[] rowsOf = new int[64 * NeutralRows.BODIES];
@@ -34,14 +34,17 @@ final class RowOrder {
         this.rows = rows;
     }
 
-    /** What was ordered last: by row and place the offset of its body, and how many of each. */
+    /**
+     * The last order, for comparison: by row and place the offset of its body, and the number of
+     * both.
+     */
     private int[] before = new int[64 * NeutralRows.BODIES];
 
     private int[] manyBefore = new int[64];
     private int rowsBefore = NOWHERE;
     private int bodiesBefore;
 
-    /** Orders all rows, unless they are of the same bodies as those that were ordered last. */
+    /** Orders all rows, unless their bodies are those of the last call. */
     void find() {
         boolean isRoomier = before.length < NeutralRows.BODIES * rows.count;
         if (isRoomier) {
@@ -76,7 +79,8 @@ final class RowOrder {
         int from = 0;
         for (int entry = 1; entry < motions.count; entry++) {
             if (place[entry] == NOWHERE) {
-                // What is reached last from anywhere is an end; from there the levels are narrow.
+                // The body reached last is at an end of the island; from there the levels are
+                // narrow.
                 int reached = walk(entry, from);
                 int end = placed[reached - 1];
                 for (int i = from; i < reached; i++) {

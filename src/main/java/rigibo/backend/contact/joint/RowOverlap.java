@@ -6,8 +6,8 @@ import rigibo.backend.contact.row.Recovery;
 import rigibo.backend.setup.Accuracy;
 
 /**
- * Takes overlap back in an island in which bodies are kept from moving along an axis, by moving
- * them as impulses of their rows would, which leave locked axes out.
+ * Removes overlap in an island with locked axes. Bodies are displaced as impulses of their rows
+ * would move them, and these rows leave locked axes out.
  */
 public final class RowOverlap {
 

@@ -1,8 +1,8 @@
 package rigibo.backend.contact.joint;
 
 /**
- * Passes over the rows of an island whose elimination would do work (projected Gauss-Seidel), forth
- * and back in turn, from the impulses of the kick before on.
+ * Passes over the rows of an island whose elimination would do work (projected Gauss–Seidel), in
+ * alternating directions, starting from the impulses of the last kick.
  */
 final class RowPasses {
 
@@ -12,7 +12,7 @@ final class RowPasses {
         this.rows = rows;
     }
 
-    /** Rows solved in the island. */
+    /** Number of row solutions in the island. */
     private long solves;
 
     /** Begins an island. */
@@ -20,12 +20,12 @@ final class RowPasses {
         solves = 0;
     }
 
-    /** Rows solved in the island, each as often as it was. */
+    /** Number of row solutions in the island. */
     long solves() {
         return solves;
     }
 
-    /** Makes so many passes, or fewer where nothing changes by more than some m/s. */
+    /** Makes a number of passes, or fewer if no speed changes by more than {@code settled} m/s. */
     void run(int most, double settled) {
         double change = Double.POSITIVE_INFINITY;
         for (int pass = 0; pass < most && change > settled; pass++) {

@@ -4,19 +4,16 @@ import rigibo.backend.storage.JointStore;
 
 import java.util.Arrays;
 
-/**
- * How rows that only push (stops: limits, ropes, points of contact) are taken in a part of a
- * substep.
- */
+/** States of rows that only push (stops: limits, ropes, contact points) in a part of a substep. */
 final class RowStates {
 
-    /** Within its bounds, as any other row. */
+    /** Within its bounds, like any other row. */
     static final byte BOUND = 0;
 
-    /** Away from its stop: it does not push, and somebody watches when it would close. */
+    /** Away from its stop: it does not push, and is watched for when it closes. */
     static final byte OPEN = 1;
 
-    /** On its stop and pressed: an equation as long as it is. */
+    /** Pressed on its stop: an equation for the whole part. */
     static final byte HELD = 2;
 
     private static final int POINTS = 2;
@@ -24,10 +21,10 @@ final class RowStates {
     private byte[] ofJoints = new byte[16 * JointStore.ROWS];
     private byte[] ofContacts = new byte[16 * POINTS];
 
-    /** Whether any row is not bound. */
+    /** Whether any row is in another state than bound. */
     boolean areAny;
 
-    /** Takes all rows of so many joints and contacts for bound ones. */
+    /** Marks all rows of a number of joints and contacts as bound. */
     void clear(int joints, int contacts) {
         if (ofJoints.length < joints * JointStore.ROWS) {
             ofJoints = new byte[2 * joints * JointStore.ROWS];

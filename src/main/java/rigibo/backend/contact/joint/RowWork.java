@@ -16,7 +16,7 @@ final class RowWork {
     /** By row: its speed without impulses, m/s. */
     private double[] before = new double[64];
 
-    /** All bodies as they would move without impulses, laid out as the motions. */
+    /** Velocities of all bodies without impulses, laid out as the motions. */
     private double[] free = new double[64];
 
     private final Motions motions;
@@ -26,7 +26,7 @@ final class RowWork {
         this.rows = rows;
     }
 
-    /** Notes how bodies would move without impulses, and how fast rows would change. */
+    /** Stores the velocities of bodies without impulses, and the speeds of rows. */
     void begin() {
         if (before.length < rows.count) {
             before = new double[rows.bodies.length];
@@ -39,7 +39,7 @@ final class RowWork {
         applyAll(1);
     }
 
-    /** Notes how bodies move, to which no row has given an impulse yet. */
+    /** Stores the velocities of bodies before any impulse of a row. */
     void keepFree() {
         int length = motions.count * Motions.STRIDE;
         if (free.length < length) {
@@ -56,7 +56,7 @@ final class RowWork {
         }
     }
 
-    /** J that rows which may do no work have done since. */
+    /** Work done since by rows that may do none, J. */
     double sum() {
         double sum = sumOfStops();
         for (int row = 0; row < rows.count; row++) {
@@ -67,8 +67,8 @@ final class RowWork {
     }
 
     /**
-     * J that contacts, limits and ropes have done since. What equations do in a kick is undone by
-     * the next one, as far as bodies go round in the drift between them.
+     * Work done since by contacts, limits and ropes, J. That of equations in a kick is undone in
+     * the next one, as far as bodies turn in the drift between.
      */
     double sumOfStops() {
         double sum = 0;
@@ -85,13 +85,16 @@ final class RowWork {
         return rows.impulse[row] * (before[row] + rows.speed(row)) / 2;
     }
 
-    /** Takes all impulses back, to the last digit: some may have been beyond all bounds. */
+    /**
+     * Takes all impulses back by restoring the velocities exactly, since some impulses may not be
+     * finite.
+     */
     void takeBack() {
         System.arraycopy(free, 0, motions.data, 0, motions.count * Motions.STRIDE);
         Arrays.fill(rows.impulse, 0, rows.count, 0);
     }
 
-    /** Asks contacts and what joints hold for no speed of their own, which could do work. */
+    /** Sets the target speeds of contacts and joints to 0, since they could do work. */
     void rest() {
         for (int row = 0; row < rows.count; row++) {
             if (rows.holdsPlace[row] || rows.contact[row] != NeutralRows.NONE) {

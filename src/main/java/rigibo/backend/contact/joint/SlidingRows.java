@@ -5,33 +5,33 @@ import rigibo.backend.contact.row.Motions;
 import java.util.Arrays;
 
 /**
- * What slides, solved with its loads: a row at a bound that follows from loads has s·μ times their
- * sum, where s is the side it is at, so that a load acts along (J + s·μ·T) with the derivatives T
- * of the row that slides. K + s·μ·J·M⁻¹·Tᵀ is not symmetric. Bounds that follow loads one round
- * after the other need not come to an end where what they rub by changes loads as much: a rod that
- * leans.
+ * Solves sliding rows together with their loads. A row whose bound follows from loads has the
+ * impulse s·μ times their sum, where s is the side on which it is at its bound. So a load acts
+ * along J + s·μ·T, with T the derivatives of the sliding row, and K + s·μ·J·M⁻¹·Tᵀ is not
+ * symmetric. If bounds follow loads one round after the other instead, the rounds need not end
+ * where friction changes the loads as much as they change it, as for a leaning rod.
  */
 final class SlidingRows {
 
     private static final int NONE = NeutralRows.NONE;
 
-    /** Rows that slide by one load at most: a contact's friction and its rolling. */
+    /** Most rows that slide by one load: a contact's friction and its rolling. */
     private static final int MOST = 2;
 
     private final NeutralRows rows;
     private final RowElimination elimination;
     private final UnsymmetricElimination unsymmetric;
 
-    /** Along what the impulses of rows act, laid out as their derivatives. */
+    /** Derivatives along which impulses act, laid out as those of the rows. */
     private double[] pushed = new double[0];
 
-    /** By row those that slide by its load. */
+    /** By row: the rows that slide by its load. */
     private int[] sliding = new int[0];
 
-    /** By row: at which bound it is while it is out of the set, −1 or 1. */
+    /** By row outside the set: the bound that it is at, −1 or 1. */
     private int[] side;
 
-    /** By row: by how much its speed is to change, m/s. */
+    /** By row: the change of speed asked for, m/s. */
     private double[] asked = new double[0];
 
     SlidingRows(Motions motions, NeutralRows rows, RowElimination elimination) {
@@ -40,7 +40,7 @@ final class SlidingRows {
         unsymmetric = new UnsymmetricElimination(motions, rows, elimination);
     }
 
-    /** Begins with the set as it is, and the sides of rows that are out of it. */
+    /** Begins with the present set, and with the sides of rows outside it. */
     void begin(int[] sides) {
         side = sides;
         if (asked.length < rows.count) {
@@ -66,7 +66,7 @@ final class SlidingRows {
         return rows.load[row] != NONE && !elimination.isIn(row);
     }
 
-    /** Writes the bounds that follow loads as they are now. */
+    /** Writes the present values of bounds that follow from loads. */
     void bound() {
         for (int row = 0; row < rows.count; row++) {
             if (rows.load[row] != NONE) {
@@ -75,7 +75,7 @@ final class SlidingRows {
         }
     }
 
-    /** Lets what slides act with a load of the same two bodies. */
+    /** Adds a sliding row's derivatives to a load of the same two bodies. */
     private void add(int row, int load) {
         if (!elimination.isIn(load)) {
             return;
@@ -90,7 +90,7 @@ final class SlidingRows {
         }
     }
 
-    /** Asks the set's rows for what they lack; the most, m/s. */
+    /** Asks for the residuals of the set's rows; returns the largest, m/s. */
     double ask() {
         double worst = 0;
         for (int i = 0; i < elimination.size(); i++) {
@@ -102,7 +102,7 @@ final class SlidingRows {
         return worst;
     }
 
-    /** Pushes the set's rows, and what slides by them, by what brings what was asked for. */
+    /** Applies the solution to the set's rows, and to the rows that slide by them. */
     void push() {
         unsymmetric.solve(asked);
         for (int i = 0; i < elimination.size(); i++) {

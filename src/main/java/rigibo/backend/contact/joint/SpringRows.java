@@ -3,21 +3,21 @@ package rigibo.backend.contact.joint;
 import rigibo.backend.storage.JointStore;
 
 /**
- * Springs and dampers as rows that give way. What swings slowly against the substep is kicked by
- * the force of where it is, j = −L·(k·x + c·(w₀ + w₁)/2), which is symmetric in time and keeps the
- * energy of a leapfrog. What is stiffer is asked for the force at the end of the drift, j = −L·(k·
- * (x + h·w₁) + c·w₁), which is stable at any stiffness, rests at the same place and only loses
- * energy (Baraff and Witkin, Large steps in cloth simulation, 1998).
+ * Springs and dampers as rows with compliance. A spring that oscillates slowly relative to the
+ * substep acts with its present force, j = −L·(k·x + c·(w₀ + w₁)/2), which is symmetric in time and
+ * keeps the energy of a leapfrog. A stiffer one acts with the force at the end of the drift, j =
+ * −L·(k·(x + h·w₁) + c·w₁), which is stable at any stiffness, rests at the same place and only
+ * loses energy (Baraff and Witkin, Large steps in cloth simulation, 1998).
  */
 final class SpringRows {
 
-    /** rad of the spring's phase in a substep, from which on it is stiff. */
+    /** Phase of a spring in a substep from which on it counts as stiff, rad. */
     static final double STIFF = 0.7;
 
     private final JointStore joints;
     private final NeutralRows rows;
 
-    /** The kick and the drift after it, s. */
+    /** Lengths of the kick and of the drift after it, s. */
     private double kick;
 
     private double drift;
@@ -42,20 +42,20 @@ final class SpringRows {
         areAnyStiff = false;
     }
 
-    /** Notes the joint of the next row, so far (m or rad) from where it would rest. */
+    /** Sets the joint of the next row and its displacement from rest, m or rad. */
     void write(int joint, double fromRest) {
         slot = joint;
         away = fromRest;
         isImplicit = false;
     }
 
-    /** Notes the joint of the next row, whose spring is solved implicitly. */
+    /** Sets the joint of the next row, whose spring is solved implicitly. */
     void writeImplicit(int joint, double fromRest) {
         write(joint, fromRest);
         isImplicit = true;
     }
 
-    /** Writes what a finished row asks for, before velocities are kicked. */
+    /** Writes target and compliance of a finished row, before velocities are kicked. */
     void finish(int row) {
         double k = joints.stiffness[slot];
         double c = joints.damping[slot];
@@ -66,7 +66,7 @@ final class SpringRows {
             rows.give[row] = 1 / (kick * (c + length * k));
             rows.target[row] = -k * away / (c + length * k);
         } else if (c > 0) {
-            // Where nothing else acts this is the exact decay, and not only near it.
+            // If nothing else acts, this is the exact decay rather than an approximation.
             double decay = kick * c * rows.response[row] / 2;
             double half = decay == 0 ? 0 : StrictMath.tanh(decay) / rows.response[row];
             rows.give[row] = 1 / half;

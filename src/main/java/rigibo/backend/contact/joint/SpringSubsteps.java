@@ -4,22 +4,22 @@ import rigibo.backend.setup.Accuracy;
 import rigibo.backend.storage.JointStore;
 
 /**
- * How many substeps the springs of an island need. A spring swings at ω² = k·J·M⁻¹·Jᵀ; composed
- * substeps follow it to the fourth order in ω·h. One that would need too many is asked for its
- * force at the end of the drift instead, which damps it away within a few substeps: the factor is
- * 1/(1 + ω·h) in each for a damping ratio near 1, where that leaves the most.
+ * The number of substeps that the springs of an island need. A spring oscillates at ω² =
+ * k·J·M⁻¹·Jᵀ; composed substeps follow it to fourth order in ω·h. A spring that would need too many
+ * substeps acts with its force at the end of the drift instead, which damps it within a few
+ * substeps: by 1/(1 + ω·h) in each near a damping ratio of 1, where most is left.
  */
 final class SpringSubsteps {
 
     /**
-     * rad of a spring's phase in a substep of second order, two of which are as long as a composed
-     * one: with a damping ratio of 0.4 what that errs by is then 10⁻³ of the envelope.
+     * Phase of a spring in a second-order substep, rad; two of them are as long as a composed one.
+     * With a damping ratio of 0.4 the error is 10⁻³ of the envelope.
      */
     private static final double MOST_PHASE = 0.25;
 
     /**
-     * Times as many substeps as usual, at most. A spring that needs more has 4.2 rad or more in a
-     * usual substep, and after a step of four of them 0.6 % of its swing.
+     * Most substeps, as a multiple of the usual number. A spring that needs more has a phase of at
+     * least 4.2 rad in a usual substep, and 0.6 % of its amplitude after a step of four.
      */
     private static final int MOST_MORE = 6;
 
@@ -36,7 +36,8 @@ final class SpringSubsteps {
     }
 
     /**
-     * Substeps of the island whose rows are written, for a step of dt seconds, usually as usual.
+     * Number of substeps for a step of dt seconds of the island whose rows are written; at least
+     * the usual one.
      */
     int count(double dt, int usual) {
         double most = areFollowed ? SpringRows.STIFF * MOST_MORE * usual : 0;

@@ -5,10 +5,10 @@ import rigibo.backend.setup.Accuracy;
 import rigibo.backend.storage.Bodies;
 
 /**
- * The parts of a substep. As a rule there is one, of second order. From GAME on, islands that
- * equations alone hold and that lose nothing on their way are given five, of which the middle one
- * goes back in time: with p = 1/(4 − ∛4) for the others what is left of the error is of fourth
- * order (M. Suzuki, Fractal decomposition of exponential operators, 1990), for any symmetric step.
+ * The parts of a substep. Usually there is one, of second order. From GAME on, islands that only
+ * equations hold and that lose no energy have five, of which the middle one goes back in time: with
+ * p = 1/(4 − ∛4) for the others the error is of fourth order (M. Suzuki, Fractal decomposition of
+ * exponential operators, 1990), for any symmetric step.
  */
 public final class Stages {
 
@@ -37,27 +37,27 @@ public final class Stages {
         shares = ONE;
     }
 
-    /** Begins substeps that have five parts each where they may. */
+    /** Begins substeps with five parts each, if that is allowed. */
     public void beginComposed() {
         shares = mayCompose ? FIVE : ONE;
     }
 
-    /** Whether islands that allow it are composed at all. */
+    /** Whether islands may have composed substeps. */
     public boolean mayCompose() {
         return mayCompose;
     }
 
-    /** How many parts a substep has. */
+    /** Number of parts of a substep. */
     public int count() {
         return shares.length;
     }
 
-    /** How long a part of a substep of h seconds is, s. */
+    /** Length of a part of a substep of h seconds, s. */
     public double length(int part, double h) {
         return shares[part] * h;
     }
 
-    /** Whether some of them go back in time. */
+    /** Whether any part goes back in time. */
     public boolean areComposed() {
         return shares.length > 1;
     }

@@ -9,15 +9,18 @@ import rigibo.backend.storage.JointStore;
 import rigibo.backend.storage.PairTolerances;
 
 /**
- * What is known of the stops among the rows: of limits, ropes and points of contact. Lengths are m,
- * or rad for the angle of a hinge.
+ * The stops among the rows: limits, ropes and contact points. Lengths are in m, or rad for the
+ * angle of a hinge.
  */
 final class Stops {
 
-    /** Approach that is round-off, as a share of the fastest motion of the island. */
+    /** Approach speed that is round-off, as a share of the island's fastest motion. */
     private static final double ROUND_OFF = 1e-9;
 
-    /** What a body gains by the effects in a substep that passes for a load, as in heaps. */
+    /**
+     * Acceleration by its impulse from which on a contact counts as loaded, as a share of the
+     * strongest acceleration by the effects.
+     */
     private static final double PULLED = 0.25;
 
     private final Bodies bodies;
@@ -29,15 +32,18 @@ final class Stops {
     private final PackedJoints packed;
     private final double tolerance;
 
-    /** Of the packed island: a substep, s, and the strongest acceleration of the effects, m/s². */
+    /**
+     * Of the packed island: the length of a substep, s, and the strongest acceleration by the
+     * effects, m/s².
+     */
     private double h;
 
     private double strongest;
 
-    /** How long the last kick was, s. */
+    /** Length of the last kick, s. */
     private double kicked;
 
-    /** Approach that is round-off at present, m/s. */
+    /** Present approach speed that is round-off, m/s. */
     private double noise;
 
     Stops(
@@ -58,7 +64,7 @@ final class Stops {
         this.tolerance = tolerance;
     }
 
-    /** Begins a packed island with substeps of so many seconds. */
+    /** Begins a packed island with substeps of a length in s. */
     void begin(double substep) {
         h = substep;
         strongest = 0;
@@ -70,7 +76,7 @@ final class Stops {
         }
     }
 
-    /** Begins to ask about rows that were just written, after a kick of so many seconds. */
+    /** Begins with rows that were just written, after a kick of a length in s. */
     void ask(double lastKick) {
         kicked = lastKick;
         double fastest = motions.fastest();
@@ -93,7 +99,7 @@ final class Stops {
         return part == PackedContacts.IMPULSE0 || part == PackedContacts.IMPULSE1;
     }
 
-    /** How far from its stop a row may be and be on it. */
+    /** Distance from its stop up to which a row counts as on it. */
     double tolerance(int row) {
         if (rows.joint[row] == NeutralRows.NONE) {
             return tolerance * width(row);
@@ -106,28 +112,28 @@ final class Stops {
         return contacts.data[at + PackedContacts.WIDTH];
     }
 
-    /** What a row carried in the last kick, N·s or N·m·s. */
+    /** Impulse of a row in the last kick, N·s or N·m·s. */
     double load(int row) {
         return rows.joint[row] == NeutralRows.NONE
                 ? contacts.data[rows.contact[row] * PackedContacts.STRIDE + rows.part[row]]
                 : packed.impulseOf(rows.joint[row], rows.part[row]);
     }
 
-    /** Whether a row carries so much that it takes part in impacts of others at once. */
+    /** Whether a row's load is large enough to take part in the impacts of others at once. */
     boolean isLoaded(int row) {
         double pressing = pressing(row);
         return pressing > 0
                 && (rows.joint[row] != NeutralRows.NONE || pressing >= PULLED * strongest);
     }
 
-    /** The acceleration with which a row was pressed on its stop, m/s² or rad/s². */
+    /** Acceleration with which a row was pressed against its stop, m/s² or rad/s². */
     private double pressing(int row) {
         return kicked > 0 ? Math.max(0, load(row)) * rows.response[row] / kicked : 0;
     }
 
     /**
-     * The approach from which on a row strikes its stop: one whose rebound would be seen, and more
-     * than what it is pressed by within a substep; m/s or rad/s.
+     * Approach speed from which on a row strikes its stop: its rebound would be visible, and it is
+     * faster than the pressing acceleration makes it within a substep; m/s or rad/s.
      */
     double leastApproach(int row) {
         double lift = PairTolerances.INVISIBLE_LIFT;
@@ -150,7 +156,7 @@ final class Stops {
         return Math.max(noise / rows.unit[row], Math.max(unseen, pressed * h));
     }
 
-    /** The share of its approach with which a row rebounds. */
+    /** Share of its approach speed with which a row rebounds. */
     double elasticity(int row) {
         if (rows.joint[row] != NeutralRows.NONE) {
             return rows.elasticity[row];

@@ -7,24 +7,24 @@ import rigibo.backend.contact.row.PackedContacts;
 import java.util.Arrays;
 
 /**
- * Watches the stops of an island in a part of a substep: finds those that close fast, leaves them
- * out of what is solved, and tells when the first of them would be reached.
+ * Watches the stops of an island in a part of a substep. It finds those that close fast, leaves
+ * them out of the solution, and computes when the first of them is reached.
  */
 public final class Strikes {
 
     /** No stop is reached. */
     public static final double NEVER = Double.POSITIVE_INFINITY;
 
-    /** How many times the way that it would go a stop is looked for. */
+    /** Distance up to which a stop is watched, as a multiple of the expected way. */
     private static final double AHEAD = 2;
 
-    /** Share of the least approach of a strike from which on a stop is watched. */
+    /** Share of the striking speed from which on a stop is watched. */
     private static final double WATCHED = 0.5;
 
     /** Share of the tolerance within which a stop counts as reached. */
     private static final double REACHED = 1e-3;
 
-    /** Share of its tolerances in which a contact is measured for itself. */
+    /** Share of the tolerances within which a contact is measured by itself. */
     private static final double NEAR_WIDTH = 0.1;
 
     private final Motions motions;
@@ -37,7 +37,7 @@ public final class Strikes {
     private final Stops stops;
     private final FreshRows fresh;
 
-    /** The stops that are watched: their rows, what these are of, and how far they were, m. */
+    /** The watched stops: their rows, the joints or contacts of these, and their distances, m. */
     private int count;
 
     private int[] row = new int[16];
@@ -48,7 +48,7 @@ public final class Strikes {
     private double[] least = new double[16];
     private double[] near = new double[16];
 
-    /** Whether a stop that was watched would be reached slowly. */
+    /** By watched stop: whether it would be reached slowly. */
     private boolean isAnySoft;
 
     private boolean isAnyStriking;
@@ -75,7 +75,7 @@ public final class Strikes {
         this.fresh = fresh;
     }
 
-    /** Watches nothing: all rows are solved. */
+    /** Watches nothing, so that all rows are solved. */
     public void watchNothing() {
         count = 0;
         isAnyStriking = false;
@@ -83,9 +83,9 @@ public final class Strikes {
     }
 
     /**
-     * Looks at rows that were just written, all within their bounds, for a part of h seconds, where
-     * velocities are those of now or of the middle of the part before. In a part that is composed
-     * every stop is watched or held.
+     * Examines rows that were just written, all bound, for a part of h seconds. Velocities are
+     * those of the present or of the middle of the last part. In a composed part every stop is
+     * either watched or held.
      */
     void find(double h, boolean areVelocitiesOfNow, boolean isComposed) {
         watchNothing();
@@ -159,19 +159,19 @@ public final class Strikes {
         return isAnyStriking;
     }
 
-    /** Whether anything is watched. */
+    /** Whether any stop is watched. */
     public boolean areAny() {
         return count > 0;
     }
 
-    /** Whether every stop was found to be open, or pressed. */
+    /** Whether every stop is open or pressed. */
     public boolean mayBeComposed() {
         return mayBeComposed;
     }
 
     /**
-     * After how many seconds of the part of h seconds that is over the first stop was reached,
-     * {@link #NEVER} if none was. Those that were reached slowly are noted.
+     * Time within the last part of h seconds at which the first stop was reached, s; {@link #NEVER}
+     * if none was. Stops that were reached slowly are noted.
      */
     public double first(double h) {
         poses.take(0);
@@ -194,7 +194,7 @@ public final class Strikes {
         return first;
     }
 
-    /** Whether a stop was reached slowly: it is watched no longer, and has to be solved. */
+    /** Whether a stop was reached slowly; it is no longer watched, and has to be solved. */
     public boolean areAnySoft() {
         return isAnySoft;
     }
@@ -205,15 +205,15 @@ public final class Strikes {
                 : motions.gap(contacts, contact[i], point(i));
     }
 
-    /** The point of a contact that is watched: the last one where it has one no longer. */
+    /** The watched point of a contact; its last point if that one no longer exists. */
     private int point(int i) {
         return Math.min(contacts.points[contact[i]] - 1, part[i] - PackedContacts.IMPULSE0);
     }
 
     /**
-     * In how many seconds the first stop will be reached from here, or was reached, by the speeds
-     * of now; contacts near by are measured anew, {@code left} seconds before the step ends. 0
-     * where it is reached now.
+     * Time in s after which the first stop is reached, or negative if it was passed, by the present
+     * velocities; 0 if it is reached now. Nearby contacts are measured anew, {@code left} seconds
+     * before the step ends.
      */
     public double untilFirst(double left) {
         poses.take(0);

@@ -8,16 +8,16 @@ import rigibo.backend.storage.JointStore;
 import java.util.Arrays;
 
 /**
- * Inertia that bodies have in a kick because what pulls at them turns them back as they go on. A
- * force F at an arm r gives a body that turns by δ a torque of −δ·(r·F): with the turn at the end
- * of a drift of h seconds, I·ω' = I·ω + τ·h − h²·(r·F)·ω'. So a body answers with I + h²·Σ(r·F) in
- * place of I, and trembling that no kick could follow dies away (M. Tournier, M. Nesme, B. Gilles
- * and F. Faure, Stable constrained dynamics, 2015, whose geometric stiffness is diagonal where
- * joints hold points). What is slow against the drift keeps its inertia.
+ * The effective inertia of bodies under tension. A force F at an arm r turns back a body that
+ * turned by δ with the torque −δ·(r·F). With the angle at the end of a drift of h seconds, I·ω' =
+ * I·ω + τ·h − h²·(r·F)·ω'. So the body responds with I + h²·Σ(r·F) in place of I, and vibrations
+ * that kicks cannot follow decay (M. Tournier, M. Nesme, B. Gilles and F. Faure, Stable constrained
+ * dynamics, 2015, whose geometric stiffness is diagonal for joints that hold points). If the
+ * oscillation is slow relative to the drift, the inertia stays as it is.
  */
 final class TautInertia {
 
-    /** Square of the phase, in rad, that kicks follow as they are: of {@link TautSubsteps}. */
+    /** Square of the phase up to which kicks follow, rad², as in {@link TautSubsteps}. */
     private static final double FOLLOWED = TautSubsteps.MOST_PHASE * TautSubsteps.MOST_PHASE;
 
     private static final int REVOLUTE = JointKind.REVOLUTE.ordinal();
@@ -51,7 +51,7 @@ final class TautInertia {
         }
     }
 
-    /** Gives bodies their own inertia back. */
+    /** Restores the bodies' own inertia. */
     void release() {
         for (int entry = 1; entry < motions.count; entry++) {
             motions.data[entry * Motions.STRIDE + Motions.INVERSE_INERTIA] = inverseInertia[entry];
@@ -59,8 +59,8 @@ final class TautInertia {
     }
 
     /**
-     * Gives bodies, whose present poses are taken, the inertia of a kick before a drift of h
-     * seconds, by what joints gave in the last kick, which was so many seconds long.
+     * Sets the inertia of bodies, whose present poses are taken, for a kick before a drift of h
+     * seconds, by the impulses of joints in the last kick, which lasted {@code lastKick} seconds.
      */
     void stiffen(double lastKick, double h) {
         Arrays.fill(stiffness, 0, motions.count, 0);

@@ -6,47 +6,50 @@ import rigibo.backend.storage.Islands;
 import rigibo.backend.storage.JointStore;
 
 /**
- * How many substeps what is taut needs. A load F at an arm r of a body of inertia I turns it back
- * by F·r for each radian, so that it trembles at ω² = ΣF·r/I: a light link between a hook and a
- * heavy weight a thousand times a second. Kicks along the rows of a substep's start follow that as
- * long as ω·h is below 2.
+ * The number of substeps that tension needs. A load F at an arm r turns back a body of inertia I
+ * with F·r per radian, so that it oscillates at ω² = ΣF·r/I: a light link between a hook and a
+ * heavy weight does so a thousand times a second. Kicks along the rows of a substep's start follow
+ * that as long as ω·h is below 2.
  */
 final class TautSubsteps {
 
-    /** rad of the trembling in a substep. */
+    /** Phase of the oscillation in a substep, rad. */
     static final double MOST_PHASE = 0.8;
 
-    /** Times as many substeps as usual, at most. */
+    /** Most substeps, as a multiple of the usual number. */
     private static final int MOST_MORE = 32;
 
     /**
-     * How many times more substeps an island is given in which something touches: what is struck
-     * carries an impact, not a load that lasts. A taut bridge that something rolls over gaped by
-     * decimetres in one substep of 2.2 rad.
+     * Factor on the substeps of an island in which anything touches: an impact does not last as a
+     * load does. With 2.2 rad in a substep, joints of a taut bridge that something rolled over
+     * opened by decimetres.
      */
     private static final int MOST_MORE_IF_TOUCHED = 4;
 
     /**
-     * Times as many substeps as usual that are worth following at the accuracy of a game where
-     * something touches, where no load explains the tension, as of a straight bridge, and in
-     * islands of many bodies. What would take more may just as well be still.
+     * Most substeps, as a multiple of the usual number, that are worth following at the accuracy of
+     * a game if anything touches, if no load explains the tension (as of a straight bridge), and in
+     * islands of many bodies. An island that would need more may just as well stand still.
      */
     private static final int MOST_FOLLOWED = 2;
 
     /**
-     * Times that the loads of all bodies together may pull at a joint where they explain it: a bob
-     * that goes full circle pulls by six times its weight.
+     * Tension up to which the loads of all bodies together explain it, as a multiple of them; a bob
+     * that goes full circle pulls with six times its weight.
      */
     private static final double MOST_LOADS = 8;
 
-    /** Bodies of the largest island that is given more: one wild joint of a crowd costs all. */
+    /**
+     * Most bodies of an island that gets more substeps; one loose joint of a crowd would slow down
+     * all of it.
+     */
     private static final int MOST_BODIES = 64;
 
     private final Bodies bodies;
     private final JointStore joints;
     private final Islands islands;
 
-    /** By slot: the square of what it trembles at, 1/s². */
+    /** By slot: the square of its angular frequency under tension, 1/s². */
     private double[] square = new double[16];
 
     TautSubsteps(DataStorage data) {
@@ -55,7 +58,10 @@ final class TautSubsteps {
         islands = data.islands;
     }
 
-    /** Substeps for an island in a step of dt seconds, by what its joints carried in the last. */
+    /**
+     * Number of substeps of an island for a step of dt seconds, by the impulses of its joints in
+     * the last step.
+     */
     int count(int island, double dt, int usual) {
         if (areMany(island)) {
             return usual;
@@ -64,7 +70,7 @@ final class TautSubsteps {
         return (int) Math.ceil(Math.max(usual, Math.min(most * usual, wanted(island, dt))));
     }
 
-    /** Whether an island trembles faster than is worth following. */
+    /** Whether an island vibrates faster than is worth following. */
     boolean isBeyond(int island, double dt, int usual) {
         double wanted = wanted(island, dt);
         if (wanted <= MOST_FOLLOWED * usual) {
@@ -75,9 +81,9 @@ final class TautSubsteps {
     }
 
     /**
-     * Whether an island is tauter than its loads explain: what pulls at its bodies, and what keeps
-     * them on their way round, which turns no sharper than by their own width. Then it is as long
-     * as its span, and whatever it does is what its joints are off by.
+     * Whether an island is tauter than its loads explain: the forces on its bodies, and those that
+     * keep them on their curves, no sharper than their own width. It is then as long as its span,
+     * and its motion is the error of its joints.
      */
     boolean isWedged(int island) {
         double strongest = 0;
@@ -96,7 +102,7 @@ final class TautSubsteps {
         return strongest > MOST_LOADS * loads;
     }
 
-    /** The most that pulls at a body or bends its way, N. */
+    /** Largest force on a body, including the one that bends its path, N. */
     private double load(int slot) {
         if (!(bodies.inverseMass[slot] > 0)) {
             return 0;
@@ -107,7 +113,7 @@ final class TautSubsteps {
         return (pull + (x * x + y * y) / bodies.smallestWidth[slot]) / bodies.inverseMass[slot];
     }
 
-    /** Substeps that follow what trembles. */
+    /** Number of substeps that follow the vibration. */
     private double wanted(int island, double dt) {
         return Math.sqrt(square(island)) * dt / MOST_PHASE;
     }
@@ -121,7 +127,7 @@ final class TautSubsteps {
     }
 
     /**
-     * The square of the fastest trembling by what an island's joints carried last, 1/s²; 0 where
+     * Square of the fastest oscillation by the last impulses of an island's joints, 1/s²; 0 if
      * nothing turns.
      */
     double square(int island) {

@@ -5,8 +5,8 @@ import rigibo.backend.contact.row.Motions;
 import java.util.Arrays;
 
 /**
- * N = J'·M⁻¹·Pᵀ of a set of rows, where impulses act along other derivatives P than what is
- * measured by J'. Factored as L·U within the envelope of the set, which both triangles share.
+ * N = J'·M⁻¹·Pᵀ of a set of rows whose impulses act along derivatives P, while the response is
+ * measured by J'. It is factored as L·U within the envelope of the set, which both triangles share.
  *
  * <p>Newton's matrix of the places at the end of a drift is one: J' are the derivatives there, and
  * P those at its start. Where a light body carries a load of many times its weight, J·M⁻¹·Jᵀ is no

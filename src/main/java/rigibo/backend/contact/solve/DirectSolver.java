@@ -124,7 +124,9 @@ public final class DirectSolver {
     }
 
     /**
-     * Solves the rows for a substep of h seconds, to a residual of {@code settled} m/s.
+     * Solves the rows for a substep of h seconds, to a residual of {@code settled} m/s. A point
+     * that is about to lose its load keeps its impulse here; the pass before each round takes it
+     * away.
      *
      * @param isNearby whether to find the impulses nearest to the present ones rather than the
      *     smallest ones. The smallest may be far away, beyond a cone or a pull, so that a heap at

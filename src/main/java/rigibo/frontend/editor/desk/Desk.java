@@ -27,7 +27,7 @@ import java.util.Set;
 /** The draft in progress, with the author's selection and state of work. */
 public final class Desk {
 
-    /** How far a copy lies beside what it was made of, m. */
+    /** Distance between a copy and its original, m. */
     private static final Point ASIDE = new Point(0.25, 0.25);
 
     private final Camera camera;
@@ -37,44 +37,44 @@ public final class Desk {
     private Substance substance = Substance.RIGIBO;
     private Set<Modifier> held = Set.of();
 
-    /** A desk with a draft, looked at through a camera. */
+    /** A desk with a draft, seen through a camera. */
     public Desk(Draft draft, Camera camera) {
         this.camera = camera;
         history = new History(draft);
     }
 
-    /** Puts another draft in this one's place, with a history of its own. */
+    /** Replaces the draft with another one, which has a history of its own. */
     public void lay(Draft draft) {
         history = new History(draft);
         chosen = "";
     }
 
-    /** The draft as it stands. */
+    /** The present draft. */
     public Draft draft() {
         return history.present();
     }
 
-    /** Its past and future. */
+    /** The history of the draft. */
     public History history() {
         return history;
     }
 
-    /** What the draft is looked at through. */
+    /** The camera through which the draft is seen. */
     public Camera camera() {
         return camera;
     }
 
-    /** Where things snap to. */
+    /** The grid to which things snap. */
     public Grid grid() {
         return grid;
     }
 
-    /** Snaps to lines from now on, or no more. */
+    /** Switches snapping to the grid on or off. */
     public void switchGrid() {
         grid = grid.switched();
     }
 
-    /** Tells what is held down. */
+    /** Sets which modifiers are held down. */
     public void held(Set<Modifier> modifiers) {
         held = modifiers;
     }
@@ -89,28 +89,31 @@ public final class Desk {
         return pixels / camera.scale();
     }
 
-    /** Makes an edit; joints go along with what they hold, effects are declared with it. */
+    /**
+     * Makes an edit. Joints follow the bodies that they hold, and effects that the edit needs are
+     * declared.
+     */
     public void change(Draft next) {
         Draft joined = Joinery.followed(history.origin(), draft(), next);
         history.change(EffectUse.followed(draft(), joined));
     }
 
-    /** What is chosen. */
+    /** The selected item. */
     public Optional<Item> item() {
         return chosen.isEmpty() ? Optional.empty() : draft().item(chosen);
     }
 
-    /** The joint that is chosen. */
+    /** The selected joint. */
     public Optional<JointEntry> joint() {
         return JointEntry.of(draft(), chosen);
     }
 
-    /** JSON pointer of what is chosen; empty where nothing is. */
+    /** JSON pointer of the selection; empty if nothing is selected. */
     public String chosen() {
         return item().isPresent() || joint().isPresent() ? chosen : "";
     }
 
-    /** Chooses what stands at a JSON pointer, or nothing by an empty one. */
+    /** Selects the item at a JSON pointer; an empty pointer selects nothing. */
     public void choose(String pointer) {
         chosen = pointer;
     }
@@ -122,7 +125,7 @@ public final class Desk {
                 .reduce((below, above) -> above);
     }
 
-    /** Chooses what comes after the chosen one in the draft's order, or before by −1. */
+    /** Selects the next item in the draft's order, or the previous one by −1. */
     public void chooseNext(int direction) {
         List<String> all = new ArrayList<>();
         draft().items().forEach(item -> all.add(item.pointer()));
@@ -132,12 +135,12 @@ public final class Desk {
         choose(all.get(Math.floorMod(from + direction, all.size())));
     }
 
-    /** What new bodies are made of. */
+    /** The material of new bodies. */
     public Substance substance() {
         return item().filter(Desk::isBody).map(Item::substance).orElse(substance);
     }
 
-    /** Makes the chosen body of a substance, and new ones from now on. */
+    /** Gives the selected body a material, and all new bodies from now on. */
     public void substance(Substance made) {
         substance = made;
         item().filter(Desk::isBody)
@@ -149,12 +152,12 @@ public final class Desk {
         return JsonNodeFactory.instance.stringNode(words);
     }
 
-    /** Puts a changed item in its place. */
+    /** Replaces an item with its changed form. */
     public void put(Item item) {
         change(draft().with(item));
     }
 
-    /** Adds a body and chooses it. A RigiBo is there to be deleted, other things stay. */
+    /** Adds a body and selects it. A RigiBo can be deleted in play; other bodies stay. */
     public void place(Form form, Point at) {
         ObjectNode body = JsonNodeFactory.instance.objectNode();
         body.set("shape", form.node());
@@ -169,20 +172,20 @@ public final class Desk {
         choose(draft().lastBody().pointer());
     }
 
-    /** Adds a ball and chooses it. */
+    /** Adds a ball and selects it. */
     public void placeBall(Point at) {
         change(draft().plusBall(at));
         choose(draft().lastBall().pointer());
     }
 
-    /** Gives a body another id, in the solutions too. */
+    /** Changes the id of a body, also in the stored solutions. */
     public void rename(Item body, String id) {
         if (!id.isBlank() && !id.equals(body.id())) {
             change(Clicks.renamed(draft().with(body.with("id", text(id))), body.id(), id));
         }
     }
 
-    /** Lays a copy of the chosen body beside it and chooses that. */
+    /** Adds a copy beside the selected body and selects it. */
     public void duplicate() {
         item().filter(Desk::isBody)
                 .ifPresent(
@@ -193,7 +196,7 @@ public final class Desk {
                         });
     }
 
-    /** Takes away what is chosen, unless no level is without it. */
+    /** Removes the selection, unless every level needs it. */
     public void remove() {
         Optional<JointEntry> joint = joint();
         if (joint.isPresent()) {
@@ -208,18 +211,18 @@ public final class Desk {
                         });
     }
 
-    /** Turns what is chosen, degrees. */
+    /** Turns the selection, degrees. */
     public void turn(double degrees) {
         item().filter(item -> item.kind() != Item.Kind.BALL)
                 .ifPresent(item -> put(item.turnedTo(item.degrees() + degrees)));
     }
 
-    /** Moves what is chosen. */
+    /** Moves the selection. */
     public void move(Point way) {
         item().ifPresent(item -> put(item.at(item.place().plus(way))));
     }
 
-    /** Keeps clicks that were seen to win. */
+    /** Stores clicks that won as a solution. */
     public void keep(Solution solution) {
         change(Clicks.keep(draft(), solution));
     }

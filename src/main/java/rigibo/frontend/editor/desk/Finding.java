@@ -16,19 +16,19 @@ public record Finding(Problem problem) {
             Pattern.compile("(/bodies/\\d+|/ball|/moreBalls/\\d+|/platform|/joints/\\d+)(/.*)?");
     private static final Pattern CODE = Pattern.compile("(E\\d{3}) .*", Pattern.DOTALL);
 
-    /** JSON pointer of the item it concerns; empty where that is the level as a whole. */
+    /** JSON pointer of the item concerned; empty if it is the level as a whole. */
     public String item() {
         Matcher matcher = ITEM.matcher(problem.pointer());
         return matcher.matches() ? matcher.group(1) : "";
     }
 
-    /** E101 and so on; {@code schema} for what the schema found. */
+    /** Code of the problem, such as E101, or {@code schema} for those that the schema found. */
     public String code() {
         Matcher matcher = CODE.matcher(problem.message());
         return matcher.matches() ? matcher.group(1) : "schema";
     }
 
-    /** All that is known of it, with its place in the document. */
+    /** The full message, with the position in the document. */
     public String words() {
         return problem.pointer().isEmpty()
                 ? problem.message()

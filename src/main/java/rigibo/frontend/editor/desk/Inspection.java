@@ -23,7 +23,7 @@ public final class Inspection {
     private List<Problem> played = List.of();
     private Draft playedDraft;
 
-    /** Looks at a draft, unless it is the one that was looked at last. */
+    /** Inspects a draft, unless it is the last inspected one. */
     public void look(Draft draft) {
         if (draft != seen) {
             seen = draft;
@@ -31,23 +31,23 @@ public final class Inspection {
         }
     }
 
-    /** What playing a draft told; it holds for that draft alone. */
+    /** Takes the findings of playing a draft, which hold for that draft alone. */
     public void played(Draft draft, List<Problem> found) {
         playedDraft = draft;
         played = List.copyOf(found);
     }
 
-    /** Whether what playing tells is known of the draft looked at. */
+    /** Whether the inspected draft has been played. */
     public boolean isPlayed() {
         return seen != null && seen.equals(playedDraft);
     }
 
-    /** The level, where no error keeps it from being played. */
+    /** The level, if no error keeps it from being played. */
     public Optional<Level> level() {
         return loaded.level();
     }
 
-    /** All that is wrong, errors first. */
+    /** All problems, errors first. */
     public List<Finding> findings() {
         Stream<Problem> more = isPlayed() ? played.stream() : Stream.empty();
         List<Problem> all = Stream.concat(loaded.problems().stream(), more).distinct().toList();
@@ -59,8 +59,8 @@ public final class Inspection {
     }
 
     /**
-     * How many errors there are, also those that are only counted; none is played of a draft with
-     * any.
+     * Number of errors, including those that are only counted; a draft with any of them is not
+     * played.
      */
     public int errors() {
         int inPlay = isPlayed() ? (int) played.stream().filter(Problem::isError).count() : 0;

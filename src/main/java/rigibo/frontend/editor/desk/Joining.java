@@ -22,19 +22,19 @@ import java.util.Optional;
 /** Joins items of a desk, and finds and moves their joints. */
 public final class Joining {
 
-    /** Radius of the hook that a joint on the backdrop is given, m. */
+    /** Radius of the hook that is added where a joint is on the backdrop, m. */
     public static final double HOOK = 0.1;
 
     private static final String HOOK_NAME = "hook";
 
-    /** How near to an anchor, and to a rope, the pointer takes hold of it, px. */
+    /** Distance within which the pointer takes hold of an anchor, and of a rope, px. */
     private static final double REACH = 11;
 
     private static final double ASIDE = 6;
 
     private final Desk desk;
 
-    /** Joins what lies on a desk. */
+    /** Joins the items of a desk. */
     public Joining(Desk desk) {
         this.desk = desk;
     }
@@ -47,7 +47,7 @@ public final class Joining {
      */
     public record Anchor(JointEntry joint, String anchor) {
 
-        /** Where it is, m. */
+        /** Position of the anchor, m. */
         public Point place() {
             return joint.point(anchor);
         }
@@ -61,7 +61,7 @@ public final class Joining {
      */
     public record End(Optional<Item> item, Point at) {}
 
-    /** The anchor nearest to a point, within reach; of the chosen joint before all others. */
+    /** The anchor nearest to a point, within reach; anchors of the selected joint come first. */
     public Optional<Anchor> anchorAt(Point point) {
         Comparator<Anchor> unchosenLast =
                 Comparator.comparing(held -> !held.joint().pointer().equals(desk.chosen()));
@@ -81,7 +81,7 @@ public final class Joining {
         return joints;
     }
 
-    /** The uppermost joint at a point: by an anchor, or by what spans two. */
+    /** The uppermost joint at a point, found by its anchors or by the line between them. */
     public Optional<JointEntry> at(Point point) {
         return anchorAt(point).map(Anchor::joint).or(() -> spanAt(point));
     }
@@ -102,7 +102,10 @@ public final class Joining {
         return there.minus(way.times(share)).length() <= desk.metres(ASIDE);
     }
 
-    /** Where an anchor goes that is dropped at a point: to a middle that is near, or on lines. */
+    /**
+     * Position at which an anchor is placed that is dropped at a point: the middle of an item
+     * nearby, or the grid.
+     */
     public Point snap(Point point) {
         return desk.draft().items().stream()
                 .map(Item::place)
@@ -111,7 +114,7 @@ public final class Joining {
                 .orElseGet(() -> desk.grid().snap(point));
     }
 
-    /** Drags an anchor; a hook under it comes along, for that is what it is for. */
+    /** Drags an anchor; a hook under it follows, since it exists only for the anchor. */
     public void move(Anchor held, Point to) {
         Optional<Item> hook = Joinery.hook(desk.history().origin(), held.joint(), held.anchor());
         if (hook.isPresent()) {
@@ -122,7 +125,7 @@ public final class Joining {
         }
     }
 
-    /** The end that a press at a point means; {@code other} is taken already. */
+    /** The end that a press at a point chooses; {@code other} is the end chosen before. */
     public End end(Point point, Optional<Item> other) {
         Point at = snap(point);
         Optional<Item> under =
@@ -133,14 +136,14 @@ public final class Joining {
         return new End(under, under.isPresent() || other.isEmpty() ? at : desk.grid().snap(point));
     }
 
-    /** Whether two ends can be joined: one of them is something. */
+    /** Whether two ends can be joined: at least one of them must be an item. */
     public static boolean canJoin(End one, End other) {
         return one.item().isPresent() || other.item().isPresent();
     }
 
-    /** Joins two ends, with a hook where one is on the backdrop, and chooses the joint. */
+    /** Joins two ends and selects the joint; an end on the backdrop gets a hook. */
     public void join(LevelJoint.Type type, End one, End other) {
-        // A motor drives the second: never the hook.
+        // A motor drives its second end, which must not be the hook.
         End first = other.item().isPresent() ? one : other;
         End second = other.item().isPresent() ? other : one;
         Point at = other.at();

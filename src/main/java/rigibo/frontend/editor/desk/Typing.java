@@ -4,7 +4,7 @@ import rigibo.frontend.scene.Key;
 
 import java.util.function.Consumer;
 
-/** A text while it is typed, and its destination. */
+/** The text being typed, and the field that it goes to. */
 public final class Typing {
 
     private static final Consumer<String> NOWHERE = text -> {};
@@ -13,7 +13,7 @@ public final class Typing {
     private String text = "";
     private Consumer<String> done = NOWHERE;
 
-    /** Begins with what a field holds; what was typed before it goes to its own. */
+    /** Begins with the content of a field; a text typed before goes to its own field. */
     public void begin(String name, String initial, Consumer<String> commit) {
         end();
         field = name;
@@ -25,24 +25,24 @@ public final class Typing {
         return !field.isEmpty();
     }
 
-    /** Whether it is a field's text that is typed. */
+    /** Whether the text being typed belongs to a field. */
     public boolean isIn(String name) {
         return isOn() && field.equals(name);
     }
 
-    /** What a field shows: what is typed into it, else what it holds. */
+    /** The text that a field shows: what is being typed into it, otherwise its content. */
     public String shown(String name, String held) {
         return isIn(name) ? text + "|" : held;
     }
 
-    /** A character at the end. */
+    /** Appends a character. */
     public void typed(int codePoint) {
         if (isOn() && !Character.isISOControl(codePoint)) {
             text += Character.toString(codePoint);
         }
     }
 
-    /** Enter and Tab are done, Backspace takes the last character back. */
+    /** Handles a key: Enter and Tab end typing, Backspace removes the last character. */
     public void keyPressed(Key key) {
         if (key == Key.BACKSPACE && !text.isEmpty()) {
             text = text.substring(0, text.offsetByCodePoints(text.length(), -1));
@@ -51,7 +51,7 @@ public final class Typing {
         }
     }
 
-    /** What was typed goes to its field. */
+    /** Ends typing and passes the text to its field. */
     public void end() {
         Consumer<String> commit = done;
         String typed = text;
@@ -59,7 +59,7 @@ public final class Typing {
         commit.accept(typed);
     }
 
-    /** What was typed goes nowhere. */
+    /** Ends typing and discards the text. */
     public void cancel() {
         field = "";
         text = "";

@@ -19,7 +19,10 @@ public final class Clicks {
 
     private Clicks() {}
 
-    /** The draft with these clicks as a solution, instead of one that clicks the same bodies. */
+    /**
+     * Returns the draft with these clicks as a solution, in place of one that clicks the same
+     * bodies.
+     */
     public static Draft keep(Draft draft, Solution solution) {
         List<String> bodies = solution.clicks().stream().map(Click::body).toList();
         ArrayNode kept = NODES.arrayNode();
@@ -41,7 +44,7 @@ public final class Clicks {
         return NODES.objectNode().set("clicks", clicks);
     }
 
-    /** The draft with a body called otherwise wherever a solution or a joint names it. */
+    /** Returns the draft with a body renamed in all solutions and joints. */
     public static Draft renamed(Draft draft, String before, String after) {
         Draft renamed = Joinery.renamed(draft, before, after);
         for (int i = 0; i < draft.at(POINTER).size(); i++) {
@@ -56,7 +59,7 @@ public final class Clicks {
         return renamed;
     }
 
-    /** The draft without any solution that clicks a body. */
+    /** Returns the draft without the solutions that click a body. */
     static Draft forget(Draft draft, String body) {
         ArrayNode kept = NODES.arrayNode();
         for (JsonNode solution : draft.at(POINTER)) {

@@ -51,7 +51,10 @@ public record Corners(List<Point> corners) implements Form {
         return new Corners(corners);
     }
 
-    /** Even and odd: a ray to the right crosses the outline once more from inside. */
+    /**
+     * Even–odd rule: a point is inside if a ray to the right crosses the outline an odd number of
+     * times.
+     */
     @Override
     public boolean contains(Point point) {
         boolean isInside = false;
@@ -94,7 +97,8 @@ public record Corners(List<Point> corners) implements Form {
         try {
             return Optional.of(Polygon.of(xy));
         } catch (IllegalArgumentException refused) {
-            // Half drawn, or with a dent: shown as an outline, with the loader's words beside it.
+            // A polygon that is half drawn or not convex is shown as an outline, beside the
+            // loader's message.
             return Optional.empty();
         }
     }

@@ -9,27 +9,30 @@ import tools.jackson.databind.node.JsonNodeFactory;
  */
 public final class Decimal {
 
-    /** A hundredth of a pixel is 0.1 mm; level files need no more. */
+    /** Number of decimal places; a hundredth of a pixel is 0.1 mm, and level files need no more. */
     private static final double PER_UNIT = 10_000;
 
-    /** The schema's largest number, a density; what is larger cannot be drawn either. */
+    /** Largest number in the schema, a density; anything larger could not be drawn either. */
     private static final double LARGEST = 100_000;
 
     private Decimal() {}
 
-    /** A number of a level file, within what one may have; what is no number is something else. */
+    /**
+     * Reduces a number to the range that a level file allows; a value that is not a number is
+     * replaced.
+     */
     public static double read(JsonNode node, double otherwise) {
         return node.isNumber()
                 ? Math.max(-LARGEST, Math.min(LARGEST, node.doubleValue()))
                 : otherwise;
     }
 
-    /** To four places. */
+    /** Rounds to four places. */
     public static double rounded(double value) {
         return Math.round(value * PER_UNIT) / PER_UNIT;
     }
 
-    /** To four places, as a level file states it. */
+    /** Rounds to four places, as a level file states the number. */
     public static JsonNode of(double value) {
         return JsonNodeFactory.instance.numberNode(rounded(value));
     }

@@ -27,7 +27,7 @@ public final class Draft {
     }
 
     /**
-     * The draft of a document. What a level must have and this one lacks is taken from {@link
+     * Makes the draft of a document. Required members that are missing are taken from {@link
      * NewLevel}.
      *
      * @throws IllegalArgumentException when it is no level at all, or one of a newer format, saying
@@ -37,22 +37,22 @@ public final class Draft {
         return new Draft(Frame.of(document));
     }
 
-    /** Whether a document is of a newer format, so that nothing can be said of it. */
+    /** Whether a document has a newer format, so that its content cannot be judged. */
     public static boolean isNewer(JsonNode document) {
         return Frame.isNewer(document);
     }
 
-    /** The document, to be read only. */
+    /** The document; it must not be changed. */
     public JsonNode document() {
         return root;
     }
 
-    /** A value of the document; missing where there is none. */
+    /** A value of the document, or a missing node if there is none. */
     public JsonNode at(String pointer) {
         return root.at(pointer);
     }
 
-    /** All that is placed, in the order in which it is drawn: what comes last lies on top. */
+    /** All items in the order in which they are drawn; the last one lies on top. */
     public List<Item> items() {
         List<Item> items = new ArrayList<>();
         item("/platform").ifPresent(items::add);
@@ -68,7 +68,7 @@ public final class Draft {
         }
     }
 
-    /** What stands at a pointer, where that is something placed. */
+    /** The item at a pointer, if there is one. */
     public Optional<Item> item(String pointer) {
         return at(pointer) instanceof ObjectNode node && node.has("x")
                 ? Optional.of(new Item(pointer, node))

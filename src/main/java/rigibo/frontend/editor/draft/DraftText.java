@@ -24,7 +24,7 @@ public final class DraftText {
         return draft.text.append('\n').toString();
     }
 
-    /** A value on one line where it fits; what does not is given up at the line's end. */
+    /** Writes a value on one line if it fits, and otherwise on several. */
     private void value(JsonNode node, String indent, int used) {
         int begin = text.length();
         boolean fits = line(node, begin + WIDTH - indent.length() - used);
@@ -103,7 +103,10 @@ public final class DraftText {
         text.append(": ");
     }
 
-    /** Printing a node by itself would begin a printer of a kilobyte for every word. */
+    /**
+     * Writes a text in quotes. Printing a node instead would make a printer of a kilobyte for every
+     * word.
+     */
     private void quote(String words) {
         text.append('"');
         ENCODER.quoteAsString(words, text);

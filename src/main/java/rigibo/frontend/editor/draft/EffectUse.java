@@ -20,7 +20,7 @@ public final class EffectUse {
 
     private static final String POINTER = "/world/effects";
 
-    /** What a body states and the effect that is told by it. */
+    /** Members of a body, and the effect that each of them needs. */
     private record Member(String effect, String name, ToDoubleFunction<Material> usual) {
 
         boolean isUsedBy(Item item) {
@@ -39,7 +39,7 @@ public final class EffectUse {
 
     private EffectUse() {}
 
-    /** What an edit made of a draft, its effects brought after. */
+    /** Returns the draft that an edit made, with its effects adapted. */
     public static Draft followed(Draft before, Draft after) {
         Map<String, Boolean> was = used(before);
         List<String> declared = declared(after);
@@ -63,7 +63,7 @@ public final class EffectUse {
         return titles;
     }
 
-    /** The draft with an effect declared that was not, or the other way round. */
+    /** Returns the draft with an effect declared if it was not, or undeclared if it was. */
     public static Draft switched(Draft draft, String effect) {
         List<String> declared = declared(draft);
         if (!declared.remove(effect)) {

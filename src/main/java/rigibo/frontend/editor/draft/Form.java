@@ -24,18 +24,18 @@ public sealed interface Form permits Box, Disc, Corners, Kept {
     /** Whether a point lies within, m. */
     boolean contains(Point point);
 
-    /** How far the outline reaches from its point, m. */
+    /** Largest distance of the outline from the item's position, m. */
     double reach();
 
-    /** What the engine makes of it; nothing where it refuses. */
+    /** The engine's shape; empty if the engine refuses it. */
     Optional<Shape> shape();
 
-    /** Where that shape has its centre, m. */
+    /** Position of that shape's centre of mass, m. */
     default Point centre() {
         return new Point(0, 0);
     }
 
-    /** As a body's {@code shape} states it. */
+    /** The form as a body's {@code shape} states it. */
     ObjectNode node();
 
     /** A body's {@code shape}. */
@@ -50,7 +50,7 @@ public sealed interface Form permits Box, Disc, Corners, Kept {
         };
     }
 
-    /** Whether the editor's tools would lose something of it. */
+    /** Whether the editor's tools would lose a part of the shape. */
     private static boolean isBeyondTools(ObjectNode shape) {
         String type = shape.path("type").asString("");
         return BEYOND_TOOLS.contains(type) || shape.has("round");

@@ -11,7 +11,7 @@ public enum Grid {
         this.pitch = pitch;
     }
 
-    /** The other one. */
+    /** The other state of the grid. */
     public Grid switched() {
         return this == ON ? OFF : ON;
     }
@@ -32,8 +32,8 @@ public enum Grid {
     }
 
     /**
-     * The item with its left and lower edges on lines, so that things of any size stand flush; an
-     * oblique one with its place on them.
+     * Returns the item with its left and lower edges on grid lines, so that items of any size stand
+     * flush; an oblique item is placed on them by its position.
      */
     public Item snap(Item item) {
         if (Math.IEEEremainder(item.degrees(), 90) != 0) {

@@ -6,7 +6,7 @@ import java.util.Deque;
 /** A draft with its past and future versions. All edits between two calls count as one change. */
 public final class History {
 
-    /** More than anyone takes back; drafts share what they have in common. */
+    /** Most versions that are kept; drafts share everything unchanged. */
     private static final int LONGEST = 10_000;
 
     private final Deque<Draft> past = new ArrayDeque<>();
@@ -19,28 +19,28 @@ public final class History {
         present = first;
     }
 
-    /** The draft as it stands. */
+    /** The present draft. */
     public Draft present() {
         return present;
     }
 
-    /** The draft that a gesture began with; as it stands where there is none. */
+    /** The draft with which the present gesture began; without one, the present draft. */
     public Draft origin() {
         return held == null ? present : held;
     }
 
-    /** Whether several changes are being made that will be one. */
+    /** Whether changes are being collected into one. */
     public boolean isGesture() {
         return held != null;
     }
 
-    /** From now on changes are one, until {@link #end}. */
+    /** Collects all changes into one until {@link #end}. */
     public void begin() {
         end();
         held = present;
     }
 
-    /** The changes since {@link #begin} are done. */
+    /** Ends the change that {@link #begin} began. */
     public void end() {
         if (held != null && !held.equals(present)) {
             remember(held);
@@ -48,7 +48,7 @@ public final class History {
         held = null;
     }
 
-    /** The changes since {@link #begin} are not to be. */
+    /** Drops all changes since {@link #begin}. */
     public void cancel() {
         if (held != null) {
             present = held;
@@ -80,7 +80,7 @@ public final class History {
         return !future.isEmpty();
     }
 
-    /** Takes the last change back, where there is one. */
+    /** Undoes the last change, if there is one. */
     public void undo() {
         end();
         if (canUndo()) {
@@ -89,7 +89,7 @@ public final class History {
         }
     }
 
-    /** Makes what was taken back, where there is something. */
+    /** Redoes the change that was undone last, if there is one. */
     public void redo() {
         end();
         if (canRedo()) {

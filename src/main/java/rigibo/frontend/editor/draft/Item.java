@@ -21,7 +21,7 @@ public record Item(String pointer, ObjectNode node) {
     /** Height of a platform that does not state it, m. */
     private static final double USUAL_PLATFORM = 0.3;
 
-    /** What an item is. */
+    /** The kind of item. */
     public enum Kind {
         BALL,
         PLATFORM,
@@ -41,7 +41,7 @@ public record Item(String pointer, ObjectNode node) {
         return pointer.startsWith(Draft.MORE_BALLS);
     }
 
-    /** Whether a level may be without it: it is a body or a further ball. */
+    /** Whether a level may lack it: it is a body or a further ball. */
     public boolean isDispensable() {
         return kind() == Kind.BODY || isFurtherBall();
     }
@@ -51,22 +51,22 @@ public record Item(String pointer, ObjectNode node) {
         return node.path("id").asString("");
     }
 
-    /** Where it is placed, m. */
+    /** Its position, m. */
     public Point place() {
         return new Point(number("x", 0), number("y", 0));
     }
 
-    /** How it is turned, degrees, counter-clockwise. */
+    /** Its angle, degrees, counter-clockwise. */
     public double degrees() {
         return number("angle", 0);
     }
 
-    /** A number it states, or what holds where it states none. */
+    /** A number that it states, or the default. */
     public double number(String name, double otherwise) {
         return Decimal.read(node.path(name), otherwise);
     }
 
-    /** Its outline about its place, not yet turned. */
+    /** Its outline relative to its position, not turned. */
     public Form form() {
         return switch (kind()) {
             case BALL -> new Disc(number("radius", 0));
@@ -75,7 +75,7 @@ public record Item(String pointer, ObjectNode node) {
         };
     }
 
-    /** What it is made of; stone where the file states something unknown. */
+    /** Its material; stone if the file states an unknown one. */
     public Substance substance() {
         Substance usual =
                 switch (kind()) {
@@ -95,17 +95,17 @@ public record Item(String pointer, ObjectNode node) {
         return node.path("deletable").asBoolean(false);
     }
 
-    /** Whether it stays where it is, whatever strikes it. */
+    /** Whether it is fixed. */
     public boolean isFixed() {
         return kind() == Kind.PLATFORM || node.has("path") || !node.path("dynamic").asBoolean(true);
     }
 
-    /** A point of the world in its own frame, m. */
+    /** Converts a point of the world to its own frame, m. */
     public Point toOwn(Point world) {
         return world.minus(place()).turned(-degrees());
     }
 
-    /** A point of its own frame in the world, m. */
+    /** Converts a point of its own frame to the world, m. */
     public Point toWorld(Point own) {
         return place().plus(own.turned(degrees()));
     }

@@ -20,10 +20,10 @@ public final class Joinery {
     private static final String PLATFORM = "platform";
     private static final String BALL = "ball";
 
-    /** The format that knows joints. */
+    /** The first format with joints. */
     private static final int FORMAT = 2;
 
-    /** A strut of a car, and a spring that one sees swing. */
+    /** Frequencies of new springs, Hz: that of a car's strut, and one that can be seen swinging. */
     private static final double STRUT_HERTZ = 4;
 
     private static final double STRUT_DAMPING = 0.7;
@@ -32,7 +32,7 @@ public final class Joinery {
 
     private Joinery() {}
 
-    /** What joints call an item. */
+    /** The name by which joints refer to an item. */
     public static String name(Item item) {
         return switch (item.kind()) {
             case BODY -> item.id();
@@ -46,7 +46,7 @@ public final class Joinery {
         return BALL + (Integer.parseInt(number) + 2);
     }
 
-    /** What an end is of; nothing where nobody is called so. A body's id comes before the rest. */
+    /** The item of an end; empty if there is none of that name. A body's id has precedence. */
     public static Optional<Item> item(Draft draft, String name) {
         return Optional.ofNullable(items(draft).get(name));
     }
@@ -60,7 +60,7 @@ public final class Joinery {
         return items;
     }
 
-    /** A joint of a kind as a level file states it, with numbers that do something. */
+    /** A joint of a kind as a level file states it, with numbers that have an effect. */
     public static ObjectNode node(LevelJoint.Type type, String a, String b, Point from, Point to) {
         ObjectNode node = NODES.objectNode();
         node.put("type", type.name().toLowerCase(Locale.ROOT)).put("a", a).put("b", b);
@@ -84,7 +84,7 @@ public final class Joinery {
         return NODES.objectNode().put("hertz", hertz).put("damping", damping);
     }
 
-    /** The draft with one more joint, of a format that knows joints. */
+    /** Returns the draft with one more joint, in a format with joints. */
     public static Draft plus(Draft draft, ObjectNode joint) {
         ArrayNode more = NODES.arrayNode();
         draft.at(JointEntry.JOINTS).forEach(more::add);
@@ -98,7 +98,7 @@ public final class Joinery {
         return rest.at(JointEntry.JOINTS).isEmpty() ? rest.without(JointEntry.JOINTS) : rest;
     }
 
-    /** The draft with an end called otherwise wherever a joint names it. */
+    /** Returns the draft with an item renamed in all joints. */
     static Draft renamed(Draft draft, String before, String after) {
         return each(draft, node -> named(node, before, after));
     }
@@ -122,7 +122,7 @@ public final class Joinery {
                 || joint.path("b").asString("").equals(name);
     }
 
-    /** The draft without what was joined to an item that is there no more. */
+    /** Returns the draft without the joints of an item that was removed. */
     static Draft forget(Draft draft, Item gone) {
         String name = name(gone);
         ArrayNode kept = NODES.arrayNode();
@@ -138,7 +138,7 @@ public final class Joinery {
         return gone.isFurtherBall() ? closedUp(rest, name) : rest;
     }
 
-    /** What comes after a ball that is gone takes over its number. */
+    /** Renumbers the balls after one that was removed. */
     private static Draft closedUp(Draft draft, String gone) {
         Draft closed = draft;
         int number = Integer.parseInt(gone.substring(BALL.length()));
@@ -158,8 +158,8 @@ public final class Joinery {
     }
 
     /**
-     * What an edit made of a draft, its points gone along with what they hold. A point of two goes
-     * with the smaller of them: with the wheel, not with the car.
+     * Returns the draft that an edit made, with the anchors moved along with their items. An anchor
+     * of two items follows the smaller one: the wheel, not the car.
      *
      * @param origin what a gesture began with, so that nothing is rounded at every move of a hand
      * @param present the draft before the edit
@@ -211,7 +211,7 @@ public final class Joinery {
         return before.place().equals(after.place()) && before.degrees() == after.degrees();
     }
 
-    /** The hook that an anchor is in the middle of, so that a hand moves both. */
+    /** The hook in whose middle an anchor lies, so that both are moved together. */
     public static Optional<Item> hook(Draft draft, JointEntry joint, String anchor) {
         return Optional.ofNullable(carrier(joint, anchor, items(draft)))
                 .flatMap(name -> item(draft, name))

@@ -20,7 +20,7 @@ import java.util.Optional;
  */
 public record JointEntry(String pointer, ObjectNode node) {
 
-    /** Where a draft has its joints. */
+    /** JSON pointer of a draft's joints. */
     static final String JOINTS = "/joints";
 
     /** All joints of a draft whose type and points can be read, in its order. */
@@ -56,28 +56,28 @@ public record JointEntry(String pointer, ObjectNode node) {
         return LevelJoint.Type.valueOf(type.toUpperCase(Locale.ROOT));
     }
 
-    /** What its first end is called. */
+    /** Name of its first end. */
     public String a() {
         return node.path("a").asString("");
     }
 
-    /** What its second end is called; a motor drives it. */
+    /** Name of its second end, which a motor drives. */
     public String b() {
         return node.path("b").asString("");
     }
 
-    /** The members that state its points: one for both ends, or one for each. */
+    /** The members that state its anchors: one for both ends, or one for each. */
     public List<String> anchors() {
         return type().hasTwoPoints() ? List.of("from", "to") : List.of("at");
     }
 
-    /** Where it holds, m. */
+    /** Position of an anchor, m. */
     public Point point(String anchor) {
         JsonNode point = node.path(anchor);
         return new Point(Decimal.read(point.path(0), 0), Decimal.read(point.path(1), 0));
     }
 
-    /** From its first point to its last, m. */
+    /** Distance between its anchors, m. */
     public double span() {
         Point last = point(anchors().get(anchors().size() - 1));
         return last.minus(point(anchors().get(0))).length();

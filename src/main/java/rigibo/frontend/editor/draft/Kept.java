@@ -21,22 +21,22 @@ import java.util.Optional;
  */
 public record Kept(ObjectNode node) implements Form {
 
-    /** Points round each part from which the outline is drawn. */
+    /** Number of points around each part from which the outline is drawn. */
     private static final int POINTS = 32;
 
-    /** From a chain, m. */
+    /** Distance from a chain within which a point counts as on it, m. */
     private static final double NEAR = 0.2;
 
     private Optional<Outline> outline() {
         try {
             return Optional.of(Outline.of(node));
         } catch (IllegalArgumentException refused) {
-            // Half written: the loader's words stand beside it.
+            // A shape that is half written has no outline; the loader's message is shown beside it.
             return Optional.empty();
         }
     }
 
-    /** Of the rubber band round all of it. */
+    /** Corners of the convex hull of all parts. */
     @Override
     public List<Point> corners() {
         return outline().map(Kept::corners).orElse(List.of());
@@ -64,7 +64,7 @@ public record Kept(ObjectNode node) implements Form {
         return corners;
     }
 
-    /** The farthest corner of each part in every direction, and its rounding beyond that. */
+    /** Adds the farthest corner of each part in every direction, plus its rounding. */
     private static double[] rim(Shape shape) {
         double[] xy = new double[2 * POINTS * shape.parts()];
         int next = 0;
@@ -103,7 +103,7 @@ public record Kept(ObjectNode node) implements Form {
                 .isPresent();
     }
 
-    /** A line has no inside: it is taken hold of where one sees it. */
+    /** A line has no inside, so it is grabbed where it can be seen. */
     private boolean isNearAnEdge(Point point) {
         List<Point> corners = corners();
         for (int i = 0; i + 1 < corners.size(); i++) {

@@ -9,7 +9,7 @@ import tools.jackson.databind.node.ObjectNode;
  */
 public final class NewLevel {
 
-    /** What a level is called until its author says otherwise, in its file's English. */
+    /** Title of a level until its author changes it, in English. */
     public static final String TITLE = "New level";
 
     /** The id until the level is saved for the first time. */

@@ -17,16 +17,19 @@ import java.util.SplittableRandom;
  */
 final class Jitter {
 
-    /** What the file states. */
+    /** Seed of the level as the file states it. */
     static final int STATED = 0;
 
-    /** How far a body may be moved, m. */
+    /** Largest displacement of a body, m. */
     private static final double MOST = 0.010;
 
-    /** How much later than stated after the click before it a click may come, steps. */
+    /** Largest delay of a click relative to the one before it, steps. */
     private static final int LATEST = Steps.of(0.1);
 
-    /** Keeps the clicks' numbers apart from the bodies', whose count the level decides. */
+    /**
+     * Separates the random numbers of clicks from those of bodies, whose count depends on the
+     * level.
+     */
     private static final long CLICKS = 1L << 32;
 
     private Jitter() {}
@@ -39,7 +42,7 @@ final class Jitter {
         return level.shiftedSideways(() -> random.nextDouble(-MOST, MOST));
     }
 
-    /** A stored solution for a level moved by the same seed. */
+    /** Varies a stored solution, for a level varied by the same seed. */
     static Replay of(Level moved, Solution solution, Accuracy accuracy, int seed) {
         Replay stated = Replay.of(moved, solution, accuracy);
         if (seed == STATED) {

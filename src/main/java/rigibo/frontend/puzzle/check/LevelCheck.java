@@ -33,7 +33,7 @@ final class LevelCheck {
     }
 
     /**
-     * Plays a level that loads; what is wrong is added to its problems.
+     * Plays a level without loading errors; adds what is wrong to its problems.
      *
      * @return what was played, in words, a line each
      */
@@ -85,7 +85,10 @@ final class LevelCheck {
                 () -> proved.add("no single click wins"));
     }
 
-    /** At the game's own accuracy: orders are counted to tell skill from luck, not to prove. */
+    /**
+     * Searches orders at the game's own accuracy, since they are counted to tell skill from luck,
+     * not as a proof.
+     */
     private void orders() {
         OrderSearch.Found found = new OrderSearch(level, Accuracy.GAME).search();
         found.shorter()

@@ -15,7 +15,7 @@ public final class LevelProof {
     private LevelProof() {}
 
     /**
-     * What {@code levels check --accuracy GAME} tells of a text.
+     * Reports what {@code levels check --accuracy GAME} finds in a text.
      *
      * @param name what messages call it
      */

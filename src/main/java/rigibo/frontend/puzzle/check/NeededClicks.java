@@ -17,12 +17,15 @@ import java.util.stream.IntStream;
  */
 final class NeededClicks {
 
-    /** Of longer solutions the parts are too many; only those that lack one click are played. */
+    /**
+     * Most clicks of a solution of which every subset is played; of a longer one, only the subsets
+     * that lack one click.
+     */
     private static final int LONGEST = 6;
 
     private NeededClicks() {}
 
-    /** The first part of a solution that wins alone, in words. */
+    /** Describes the first subset of a solution that wins alone. */
     static Optional<String> winner(Level level, Solution solution, List<Preset> presets) {
         return parts(solution).parallelStream()
                 .flatMap(part -> presets.stream().map(preset -> new Part(part, preset)))
@@ -49,7 +52,7 @@ final class NeededClicks {
         return clicks.size() <= LONGEST ? allParts(clicks) : allButOne(clicks);
     }
 
-    /** Every part but none and all: bit i of a mask keeps click i. */
+    /** All subsets but the empty and the full one: bit i of a mask keeps click i. */
     private static List<Solution> allParts(List<Click> clicks) {
         return IntStream.range(1, (1 << clicks.size()) - 1)
                 .mapToObj(mask -> kept(clicks, i -> (mask >> i & 1) == 1))

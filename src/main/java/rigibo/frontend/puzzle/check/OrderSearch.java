@@ -79,7 +79,10 @@ final class OrderSearch {
         return new Course(clicks, Trial.play(level, new Replay(level.hash(), clicks, accuracy)));
     }
 
-    /** A click on what fell out of the world meanwhile is refused, and that is no game. */
+    /**
+     * Plays games. One whose click comes to a body that has meanwhile fallen out of the world is
+     * dropped.
+     */
     private List<Course> played(List<List<Deletion>> games) {
         return games.parallelStream()
                 .map(this::play)
@@ -92,7 +95,7 @@ final class OrderSearch {
         return all.subList(0, Math.min(all.size(), MOST_GAMES));
     }
 
-    /** The course's clicks and one more. */
+    /** The clicks of a course, and one more. */
     private List<List<Deletion>> nexts(Course course) {
         Set<String> gone = course.clicks.stream().map(Deletion::body).collect(Collectors.toSet());
         List<String> left =
@@ -113,7 +116,7 @@ final class OrderSearch {
         return longer;
     }
 
-    /** When one more click may give another game, steps. */
+    /** Steps at which one more click may lead to another game. */
     private IntStream moments(Course course) {
         int clicks = course.clicks.size();
         int ready = clicks == 0 ? 0 : course.clicks.get(clicks - 1).step() + cooldown;

@@ -16,17 +16,17 @@ import java.util.function.ToDoubleFunction;
 /** E160: the level is not at rest before the first click. */
 final class RestCheck {
 
-    /** How long a player may look before the first click without anything moving, steps. */
+    /** Steps for which a player may look before the first click without anything moving. */
     private static final int LOOKING = Steps.of(3);
 
-    /** Settling that nobody sees, m: less than a pixel and a half. */
+    /** Largest settling that nobody sees, m: less than a pixel and a half. */
     private static final double SETTLING = 0.015;
 
     private static final double MILLIMETRES = 1000;
 
     private RestCheck() {}
 
-    /** What moves, and how far at the preset where it moves farthest. */
+    /** Reports which body moves, and how far at the preset at which it moves farthest. */
     static void check(LoadedLevel loaded, Level level, List<Preset> presets) {
         List<PuzzleGame> games = presets.stream().map(preset -> looked(level, preset)).toList();
         for (int i = 0; i < level.balls().size(); i++) {
@@ -55,7 +55,7 @@ final class RestCheck {
         return games.stream().mapToDouble(moved).max().orElseThrow();
     }
 
-    /** What is driven is meant to move. */
+    /** Distance that a piece has moved, m; 0 for a driven one, which is meant to move. */
     private static double moved(Piece piece) {
         if (piece.definition().path().isPresent()) {
             return 0;

@@ -19,7 +19,7 @@ import java.util.stream.Stream;
  */
 final class SingleClicks {
 
-    /** Jittered games for each body and preset; they differ from the stated one only by luck. */
+    /** Varied games per body and preset; they differ from the stated one only by luck. */
     private static final int SEEDS = 4;
 
     private static final int MOMENT = Steps.of(1);
@@ -32,7 +32,7 @@ final class SingleClicks {
         this.presets = presets;
     }
 
-    /** The first single click that wins, in words. */
+    /** Describes the first single click that wins. */
     Optional<String> winner() {
         return bodies().flatMap(this::clicks).toList().parallelStream()
                 .filter(click -> Trial.play(click.level, click.replay).isWon())

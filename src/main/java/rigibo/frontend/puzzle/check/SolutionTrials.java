@@ -16,7 +16,7 @@ import java.util.stream.IntStream;
  */
 record SolutionTrials(List<Game> games) {
 
-    /** Jittered games per preset. */
+    /** Varied games per preset. */
     private static final int SEEDS = 40;
 
     /**

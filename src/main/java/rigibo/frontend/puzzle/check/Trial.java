@@ -13,7 +13,7 @@ import java.util.Optional;
 /** Plays given clicks until the game ends. */
 final class Trial {
 
-    /** Time after the last click in which a level must come to its end, steps. */
+    /** Steps after the last click within which a level must end. */
     private static final int PATIENCE = Steps.of(30);
 
     private Trial() {}

@@ -19,7 +19,7 @@ record Verdict(End end, int steps, int still, String why) {
         WON,
         /** Lost, or undecided for too long. */
         LOST,
-        /** All rests; only one more click would help. */
+        /** Everything is at rest, and only one more click would help. */
         STUCK,
         /** A click was not allowed. */
         REFUSED

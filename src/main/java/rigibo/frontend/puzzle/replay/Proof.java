@@ -30,7 +30,7 @@ public final class Proof {
         return proof.verdict.get();
     }
 
-    /** Looks at a playback; to be called at its start and after each step. */
+    /** Compares the state of a playback; called at its start and after each step. */
     public void observe(Playback playback) {
         if (verdict.isEmpty()) {
             verdict = playback.refusal().map(r -> new Verdict.Refused(r.deletion(), r.result()));
@@ -49,7 +49,7 @@ public final class Proof {
         }
     }
 
-    /** Nothing as long as all is the same and not at its end. */
+    /** The verdict; empty before the end as long as all states agree. */
     public Optional<Verdict> verdict() {
         return verdict;
     }

@@ -22,7 +22,7 @@ public final class ReplayShelf {
     /** How the names of replay files end. */
     public static final String ENDING = ".replay.json";
 
-    /** How long another game that keeps a run is waited for: a frame waits with it. */
+    /** Time for which another game that is saving a run is waited for; a frame waits with it. */
     private static final Duration PATIENCE = Duration.ofMillis(100);
 
     private final Path folder;
@@ -38,22 +38,22 @@ public final class ReplayShelf {
         loader = new ReplayLoader(List.of(level));
     }
 
-    /** Fewest clicks, then least time. */
+    /** The run with the fewest clicks and, among these, the least time. */
     public Path best() {
         return folder.resolve(id + ".best" + ENDING);
     }
 
-    /** The one that was played last. */
+    /** The run that was played last. */
     public Path last() {
         return folder.resolve(id + ".last" + ENDING);
     }
 
-    /** The best that can still be watched, else the last; nothing where neither can. */
+    /** The best run that can still be watched, otherwise the last; empty if neither can be. */
     public Optional<Recording> watchable() {
         return recording(best()).or(() -> recording(last()));
     }
 
-    /** What is told of the runs here that were played in another revision of the simulation. */
+    /** A message about the runs here that were played in another revision of the simulation. */
     public List<Problem> ofOtherRevisions() {
         return Stream.of(best(), last())
                 .map(this::read)

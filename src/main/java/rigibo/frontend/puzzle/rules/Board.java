@@ -22,7 +22,10 @@ import java.util.Optional;
 record Board(
         World world, Pool pool, RigidBody platform, List<Piece> pieces, List<RigidBody> balls) {
 
-    /** How far outside the world a body is forgotten, m; the ball is judged at the edge itself. */
+    /**
+     * Distance outside the world at which a body is removed, m; the ball is judged at the edge
+     * itself.
+     */
     private static final double STRAY = 3;
 
     static Board of(Level level, Accuracy accuracy) {
@@ -41,7 +44,7 @@ record Board(
         return board;
     }
 
-    /** What a joint calls by a name; ids come before the names of balls and platform. */
+    /** The body that a joint names; ids have precedence over the names of balls and platform. */
     private RigidBody end(String name) {
         return piece(name)
                 .map(Piece::body)
@@ -81,7 +84,10 @@ record Board(
         return isOutside(ball, radius) || ball.y() > 2 * world.height() + radius;
     }
 
-    /** Takes out what fell so far that it can never matter again, or nothing would ever rest. */
+    /**
+     * Removes bodies that fell so far that they can never matter again; otherwise nothing would
+     * ever rest.
+     */
     void forgetStrays() {
         for (Piece piece : pieces) {
             if (piece.body().isAlive() && isOutside(piece.body(), STRAY)) {

@@ -157,7 +157,7 @@ public final class PuzzleGame {
         return outcome;
     }
 
-    /** Why it is lost; nothing as long as it is not. */
+    /** The reason for a loss; empty if the game is not lost. */
     public Optional<Loss> loss() {
         return loss;
     }
@@ -177,7 +177,7 @@ public final class PuzzleGame {
         return deletions.size();
     }
 
-    /** What is left of the cooldown, 1 just after a deletion, 0 when the next is allowed. */
+    /** Rest of the cooldown: 1 just after a deletion, 0 when the next one is allowed. */
     public double cooldownLeft() {
         return cooldown.left(steps);
     }
@@ -187,12 +187,14 @@ public final class PuzzleGame {
         return outcome == Outcome.WON ? 1 : hold.fraction(steps);
     }
 
-    /** Whether all is at rest and not every ball is on the platform: only a click helps. */
+    /**
+     * Whether everything is at rest and some ball is off the platform, so that only a click helps.
+     */
     public boolean isStuck() {
         return rest.isAtRest() && !board.ballsAreOnPlatform();
     }
 
-    /** How long nothing has moved, steps; 0 as soon as something does. */
+    /** Number of steps for which nothing has moved; 0 as soon as something does. */
     public int stillSteps() {
         return rest.stillSteps();
     }
@@ -211,14 +213,14 @@ public final class PuzzleGame {
         return board.pieces();
     }
 
-    /** The pool, to be read: whoever changes it ends the promise of {@link #replay}. */
+    /** The pool, for reading only: whoever changes it breaks the promise of {@link #replay}. */
     public Pool pool() {
         return board.pool();
     }
 
     /**
-     * Simulates other effects than the level calls for. From then on this attempt is an experiment,
-     * also when they are switched back, for what happened meanwhile stays.
+     * Simulates other effects than the level declares. From then on this attempt is an experiment,
+     * even if they are switched back, since what happened meanwhile remains.
      */
     public void experiment(Effects effects) {
         board.pool().effects(effects);

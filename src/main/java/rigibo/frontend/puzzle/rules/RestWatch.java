@@ -10,7 +10,10 @@ final class RestWatch {
     /** Fastest motion that counts as rest, m/s: a hand's breadth in ten seconds. */
     private static final double STILL = 0.01;
 
-    /** How long all must be still: a body at the top of its swing is still for a moment only. */
+    /**
+     * Time for which everything must be still, since a body at the top of its swing is still for a
+     * moment.
+     */
     private static final int LONG_ENOUGH = Steps.of(1);
 
     private int stillSteps;

@@ -23,12 +23,15 @@ final class Ride {
 
     private final int pause;
 
-    /** Where it is, or comes from, and whether its next place is after or before that. */
+    /**
+     * The stop at which it is or from which it comes, and whether the next stop is after or before
+     * it.
+     */
     private int at;
 
     private int direction = 1;
 
-    /** The step before which it leaves. */
+    /** The step before which it departs. */
     private int leaves;
 
     Ride(LevelBody definition, RigidBody body) {

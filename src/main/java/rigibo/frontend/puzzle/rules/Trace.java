@@ -9,7 +9,10 @@ import java.util.List;
 /** Records hashes of a game's states, from its start to its end. */
 final class Trace {
 
-    /** Steps between two: near enough to see what went apart, few enough for a small file. */
+    /**
+     * Steps between two hashes: near enough to locate a difference, and few enough for a small
+     * file.
+     */
     private static final int EVERY = Steps.of(0.5);
 
     private final List<Checkpoint> checkpoints = new ArrayList<>();

@@ -1,6 +1,7 @@
 package rigibo.backend.contact.row;
 
 import java.util.Arrays;
+import java.util.SplittableRandom;
 
 /** An island that is packed by hand: bodies of which each lies on another, or on the ground. */
 public final class PackedIsland {
@@ -61,5 +62,72 @@ public final class PackedIsland {
         d[at + PackedContacts.M01] = -k01 / determinant;
         d[at + PackedContacts.M11] = k00 / determinant;
         return row;
+    }
+
+    /** Bodies of any mass and inertia, with any velocities. */
+    public void bodies(SplittableRandom random, int count) {
+        begin(count);
+        for (int entry = 1; entry <= count; entry++) {
+            body(entry, random.nextDouble(0.2, 5), random.nextDouble(0.2, 5));
+            for (int column = Motions.VX; column <= Motions.SPIN; column++) {
+                motions.data[entry * Motions.STRIDE + column] = random.nextDouble(-1, 1);
+            }
+        }
+    }
+
+    /** A contact along any normal, with any levers, whose two points are not one. */
+    public int contact(SplittableRandom random, int entryA, int entryB) {
+        int row = contact(entryA, entryB, random.nextDouble(0.2, 1), random.nextDouble(0.2, 1));
+        double[] d = contacts.data;
+        int at = row * PackedContacts.STRIDE;
+        double angle = random.nextDouble(-3, 3);
+        d[at + PackedContacts.NX] = Math.cos(angle);
+        d[at + PackedContacts.NY] = Math.sin(angle);
+        // Other levers on A: what turns A does not turn B by as much.
+        double shift = random.nextDouble(-0.3, 0.3);
+        d[at + PackedContacts.LEVER_A0] += shift;
+        d[at + PackedContacts.LEVER_A1] += shift;
+        d[at + PackedContacts.LEVER_TA] = random.nextDouble(-1, 1);
+        d[at + PackedContacts.LEVER_TB] = random.nextDouble(-1, 1);
+        writeMasses(row);
+        return row;
+    }
+
+    /** Lets the surface of a contact run, m/s. */
+    public void run(int row, double speed) {
+        contacts.surface[row] = speed;
+        contacts.running[row] = speed;
+        contacts.isAnyRunning = true;
+    }
+
+    /** Writes the responses of a contact's rows with its compliance, and their inverses. */
+    public void writeMasses(int row) {
+        int at = row * PackedContacts.STRIDE;
+        double[] d = contacts.data;
+        double give = d[at + PackedContacts.GIVE];
+        double k00 = give + response(row, PackedContacts.LEVER_A0, PackedContacts.LEVER_A0);
+        double k01 = response(row, PackedContacts.LEVER_A0, PackedContacts.LEVER_A1);
+        double k11 = give + response(row, PackedContacts.LEVER_A1, PackedContacts.LEVER_A1);
+        double determinant = k00 * k11 - k01 * k01;
+        d[at + PackedContacts.K00] = k00;
+        d[at + PackedContacts.K01] = k01;
+        d[at + PackedContacts.K11] = k11;
+        d[at + PackedContacts.M00] = k11 / determinant;
+        d[at + PackedContacts.M01] = -k01 / determinant;
+        d[at + PackedContacts.M11] = k00 / determinant;
+        d[at + PackedContacts.MASS_T] =
+                1 / response(row, PackedContacts.LEVER_TA, PackedContacts.LEVER_TA);
+    }
+
+    private double response(int row, int lever, int other) {
+        double[] d = contacts.data;
+        int at = row * PackedContacts.STRIDE;
+        return motions.response(
+                contacts.bodyA[row],
+                contacts.bodyB[row],
+                d[at + lever],
+                d[at + lever + 1],
+                d[at + other],
+                d[at + other + 1]);
     }
 }

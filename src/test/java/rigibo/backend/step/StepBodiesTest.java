@@ -20,19 +20,19 @@ import rigibo.backend.storage.Quarantine;
 import java.util.Arrays;
 
 /** What a step does for every body that moves, where bodies turn and where they do not. */
-class BodyLedgerTest {
+class StepBodiesTest {
 
     private static final double DT = 0.25;
 
     /** m/s and rad/s: anything slower is bounded. */
     private static final double FASTEST = Quarantine.FASTEST;
 
-    /** A fixed, a driven, an awake, a sleeping and another awake body, with a ledger of them. */
+    /** A fixed, a driven, an awake, a sleeping and another awake body, as a step lists them. */
     private static final class Five {
 
         final DataStorage data;
         final Bodies bodies;
-        final StepBodies ledger;
+        final StepBodies listed;
         final int fixed;
         final int driven;
         final int first;
@@ -42,7 +42,7 @@ class BodyLedgerTest {
         Five(Effect... effects) {
             data = new DataStorage(Effects.of(effects));
             bodies = data.bodies;
-            ledger = new StepBodies(data);
+            listed = new StepBodies(data);
             fixed = body(BodyType.STATIC, false);
             driven = body(BodyType.KINEMATIC, false);
             first = body(BodyType.DYNAMIC, true);
@@ -65,13 +65,13 @@ class BodyLedgerTest {
 
         /** Accepts, moves the first body away, and does to it what is to be found. */
         int[] quarantinedAfter(Runnable change) {
-            ledger.accept(DT);
+            listed.accept(DT);
             bodies.x[first] += 10;
             bodies.y[first] += 20;
             bodies.angle[first] += 1;
             bodies.aim(first);
             change.run();
-            ledger.quarantine(DT);
+            listed.quarantine(DT);
             return Arrays.copyOf(data.counters.quarantined, data.counters.quarantinedCount);
         }
     }
@@ -81,7 +81,7 @@ class BodyLedgerTest {
 
     @Test
     void acceptsWhatIsAwakeOrDrivenInTheOrderOfSlots() {
-        five.ledger.accept(DT);
+        five.listed.accept(DT);
         assertThat(Arrays.copyOf(five.data.roster.awake, five.data.roster.awakeCount))
                 .containsExactly(five.driven, five.first, five.second);
     }
@@ -89,36 +89,36 @@ class BodyLedgerTest {
     /** A list that nothing has changed is not made anew: sleepers cost nothing. */
     @Test
     void acceptsAnewOnlyWhenSomethingChanged() {
-        five.ledger.accept(DT);
+        five.listed.accept(DT);
         five.bodies.awake[five.sleeper] = true;
-        five.ledger.accept(DT);
+        five.listed.accept(DT);
         assertThat(five.data.roster.awakeCount).isEqualTo(3);
         five.data.roster.isStale = true;
-        five.ledger.accept(DT);
+        five.listed.accept(DT);
         assertThat(five.data.roster.awakeCount).isEqualTo(4);
     }
 
     @Test
     void remembersWhereEachBegins() {
-        five.ledger.accept(DT);
+        five.listed.accept(DT);
         for (int slot : new int[] {five.driven, five.first, five.second}) {
             assertThat(five.bodies.startX[slot]).isEqualTo(slot);
             assertThat(five.bodies.startY[slot]).isEqualTo(-slot);
             assertThat(five.bodies.startAngle[slot]).isEqualTo(0.5);
         }
-        plain.ledger.accept(DT);
+        plain.listed.accept(DT);
         assertThat(plain.bodies.startX[plain.second]).isEqualTo(plain.second);
         assertThat(plain.bodies.startY[plain.second]).isEqualTo(-plain.second);
     }
 
     @Test
     void takesAllForFlyersButSleepers() {
-        five.ledger.accept(DT);
+        five.listed.accept(DT);
         for (int slot : new int[] {five.first, five.sleeper, five.second}) {
             five.bodies.piled[slot] = true;
             five.bodies.pileTime[slot] = 0.1;
         }
-        five.ledger.scatter(DT);
+        five.listed.scatter(DT);
         for (int slot : new int[] {five.first, five.second}) {
             assertThat(five.bodies.piled[slot]).isFalse();
             assertThat(five.bodies.pileTime[slot]).isZero();
@@ -131,11 +131,11 @@ class BodyLedgerTest {
     void beginsWithNoAccelerationButOfSleepers() {
         for (Five each : new Five[] {five, plain}) {
             each.bodies.integratePaths(true);
-            each.ledger.accept(DT);
+            each.listed.accept(DT);
             Arrays.fill(each.bodies.accelerationX, 1);
             Arrays.fill(each.bodies.accelerationY, 2);
             Arrays.fill(each.bodies.pullX, 3);
-            each.ledger.clearAccelerations(DT);
+            each.listed.clearAccelerations(DT);
             for (int slot : new int[] {each.driven, each.first, each.second}) {
                 assertThat(each.bodies.accelerationX[slot]).isZero();
                 assertThat(each.bodies.accelerationY[slot]).isZero();
@@ -147,9 +147,9 @@ class BodyLedgerTest {
 
     @Test
     void beginsWithNoAngularAcceleration() {
-        five.ledger.accept(DT);
+        five.listed.accept(DT);
         Arrays.fill(five.bodies.angularAcceleration, 3);
-        five.ledger.clearAccelerations(DT);
+        five.listed.clearAccelerations(DT);
         assertThat(five.bodies.angularAcceleration[five.first]).isZero();
         assertThat(five.bodies.angularAcceleration[five.second]).isZero();
         assertThat(five.bodies.angularAcceleration[five.sleeper]).isEqualTo(3);
@@ -160,8 +160,8 @@ class BodyLedgerTest {
     void movesWhatIsDrivenAsTold() {
         for (Five each : new Five[] {five, plain}) {
             each.bodies.velocityX[each.first] = 7;
-            each.ledger.accept(DT);
-            each.ledger.moveDriven(DT);
+            each.listed.accept(DT);
+            each.listed.moveDriven(DT);
             assertThat(each.bodies.x[each.driven]).isEqualTo(each.driven + 0.5);
             assertThat(each.bodies.y[each.driven]).isEqualTo(-each.driven - 1);
             assertThat(each.bodies.x[each.first]).isEqualTo(each.first);
@@ -174,8 +174,8 @@ class BodyLedgerTest {
     void turnsWhatIsDrivenAsTold() {
         five.bodies.spin[five.driven] = 2;
         five.bodies.spin[five.first] = 2;
-        five.ledger.accept(DT);
-        five.ledger.moveDriven(DT);
+        five.listed.accept(DT);
+        five.listed.moveDriven(DT);
         assertThat(five.bodies.angle[five.driven]).isEqualTo(1);
         assertThat(five.bodies.cos[five.driven]).isEqualTo(Math.cos(1), within(1e-15));
         assertThat(five.bodies.sin[five.driven]).isEqualTo(Math.sin(1), within(1e-15));

@@ -1,0 +1,154 @@
+package rigibo.backend.contact.row;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import org.junit.jupiter.api.Test;
+
+import java.util.SplittableRandom;
+
+/** Kicks that begin with the impulses of the one before, of contacts at random. */
+class WarmStartTest {
+
+    private static final double ROUND_OFF = 1e-13;
+    private static final int COUNT = 6;
+
+    private final PackedIsland island = new PackedIsland();
+    private final PackedContacts contacts = island.contacts;
+    private final DenseRows dense = new DenseRows(island);
+    private final WarmStart warmStart = new WarmStart(island.motions, contacts);
+
+    private void begin(SplittableRandom random) {
+        island.bodies(random, COUNT);
+        for (int entry = 1; entry <= COUNT; entry++) {
+            int row = island.contact(random, entry - 1, entry);
+            set(row, PackedContacts.IMPULSE0, random.nextDouble());
+            set(row, PackedContacts.IMPULSE1, random.nextDouble());
+            set(row, PackedContacts.IMPULSE_T, random.nextDouble(-1, 1));
+            set(row, PackedContacts.IMPULSE_R, random.nextDouble(-1, 1));
+        }
+    }
+
+    private void set(int row, int column, double value) {
+        contacts.data[row * PackedContacts.STRIDE + column] = value;
+    }
+
+    private double of(int row, int column) {
+        return contacts.data[row * PackedContacts.STRIDE + column];
+    }
+
+    /** M⁻¹·Jᵀ times the impulses, scaled by the lengths of both kicks. */
+    @Test
+    void impulsesAreScaledAndApplied() {
+        SplittableRandom random = new SplittableRandom(1);
+        for (int i = 0; i < 50; i++) {
+            begin(random);
+            double[] before = dense.velocities();
+            double[] impulses = dense.impulses();
+            warmStart.apply(0.5, 0);
+            for (int k = 0; k < impulses.length; k++) {
+                impulses[k] /= 2;
+            }
+            assertThat(dense.impulses()).isEqualTo(impulses);
+            double[] change = dense.change(impulses);
+            for (int k = 3; k < before.length; k++) {
+                assertThat(dense.velocities()[k])
+                        .isCloseTo(before[k] + change[k], within(ROUND_OFF));
+            }
+            warmStart.add(-1, 0);
+            for (int k = 3; k < before.length; k++) {
+                assertThat(dense.velocities()[k]).isCloseTo(before[k], within(ROUND_OFF));
+            }
+            assertThat(dense.impulses()).isEqualTo(impulses);
+        }
+    }
+
+    /** Without rotation nothing turns, whatever the levers are. */
+    @Test
+    void nothingTurnsWithoutRotation() {
+        SplittableRandom random = new SplittableRandom(2);
+        begin(random);
+        Motions still = new Motions(false);
+        still.count = island.motions.count;
+        still.data = island.motions.data.clone();
+        new WarmStart(still, contacts).add(1, 0);
+        double[] change = dense.change(dense.impulses());
+        for (int i = 3; i < change.length; i++) {
+            int at = i / 3 * Motions.STRIDE + i % 3;
+            double truth = island.motions.data[at] + (i % 3 == 2 ? 0 : change[i]);
+            assertThat(still.data[at]).isCloseTo(truth, within(ROUND_OFF));
+        }
+    }
+
+    /** What joins in substep 2 takes part from then on. */
+    @Test
+    void whatJoinsLaterIsLeftOut() {
+        SplittableRandom random = new SplittableRandom(3);
+        begin(random);
+        contacts.firstSubstep[1] = 2;
+        set(1, PackedContacts.BEFORE0, 3);
+        set(1, PackedContacts.BEFORE1, 5);
+        double[] impulses = dense.impulses();
+        double[] before = dense.velocities();
+        warmStart.apply(2, 1);
+        warmStart.scaleBefore(2, 1);
+        double[] applied = new double[impulses.length];
+        for (int k = 0; k < impulses.length; k++) {
+            applied[k] = k / DenseRows.KINDS == 1 ? 0 : 2 * impulses[k];
+        }
+        assertThat(of(1, PackedContacts.IMPULSE0)).isEqualTo(impulses[DenseRows.KINDS]);
+        assertThat(of(1, PackedContacts.BEFORE0)).isEqualTo(3);
+        double[] change = dense.change(applied);
+        for (int k = 3; k < before.length; k++) {
+            assertThat(dense.velocities()[k]).isCloseTo(before[k] + change[k], within(ROUND_OFF));
+        }
+        warmStart.scaleBefore(2, 2);
+        assertThat(of(1, PackedContacts.BEFORE0)).isEqualTo(6);
+        assertThat(of(1, PackedContacts.BEFORE1)).isEqualTo(10);
+    }
+
+    /** A load stays; an impact, which was not there in the kick before, starts from nothing. */
+    @Test
+    void impactsAreLeftOutAndLoadsStay() {
+        SplittableRandom random = new SplittableRandom(4);
+        begin(random);
+        set(0, PackedContacts.BEFORE0, 2);
+        set(0, PackedContacts.BEFORE1, 2);
+        set(1, PackedContacts.BEFORE0, 0);
+        set(1, PackedContacts.BEFORE1, 0);
+        set(2, PackedContacts.IMPULSE0, 4);
+        set(2, PackedContacts.IMPULSE1, 1);
+        set(2, PackedContacts.IMPULSE_T, 3);
+        set(2, PackedContacts.IMPULSE_R, -2);
+        set(2, PackedContacts.BEFORE0, 1);
+        set(2, PackedContacts.BEFORE1, 9);
+        set(3, PackedContacts.IMPULSE0, 0);
+        set(3, PackedContacts.IMPULSE1, 0);
+        double[] impulses = dense.impulses();
+        warmStart.leaveOutImpacts(1.5);
+        for (int kind = 0; kind < DenseRows.KINDS; kind++) {
+            assertThat(dense.impulses()[kind]).isEqualTo(impulses[kind]);
+            assertThat(dense.impulses()[DenseRows.KINDS + kind]).isZero();
+        }
+        // One and a half times 1, all of 1, and half of the rest: (1.5 + 1)/(4 + 1).
+        assertThat(of(2, PackedContacts.IMPULSE0)).isEqualTo(1.5);
+        assertThat(of(2, PackedContacts.IMPULSE1)).isEqualTo(1);
+        assertThat(of(2, PackedContacts.IMPULSE_T)).isEqualTo(1.5);
+        assertThat(of(2, PackedContacts.IMPULSE_R)).isEqualTo(-1);
+        // The kick before is now this one, as it was.
+        assertThat(of(2, PackedContacts.BEFORE0)).isEqualTo(4);
+        assertThat(of(2, PackedContacts.BEFORE1)).isEqualTo(1);
+        // What carried nothing does not rub either.
+        assertThat(of(3, PackedContacts.IMPULSE_T)).isZero();
+    }
+
+    @Test
+    void aStepBeginsWithTwoEqualKicks() {
+        begin(new SplittableRandom(5));
+        warmStart.prepare();
+        for (int row = 0; row < COUNT; row++) {
+            assertThat(of(row, PackedContacts.BEFORE0)).isEqualTo(of(row, PackedContacts.IMPULSE0));
+            assertThat(of(row, PackedContacts.BEFORE1)).isEqualTo(of(row, PackedContacts.IMPULSE1));
+        }
+    }
+}
