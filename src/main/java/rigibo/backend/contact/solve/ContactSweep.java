@@ -30,6 +30,13 @@ public final class ContactSweep {
     /** Neglected change of speed, as a share of the relative speed of the two bodies. */
     private static final double OF_THEIR_OWN = 0.3;
 
+    /**
+     * Number of contacts up to which it is neglected, less in larger crowds: what all contacts
+     * together neglect adds up from storey to storey. In a heap of 1,500 boxes it kept itself up,
+     * and the heap sank into its foot.
+     */
+    private static final double STOREYS_OF = 512;
+
     /** Overlap in widths from which on a contact is solved most strictly. */
     private static final double DEEP = 0.005;
 
@@ -237,7 +244,8 @@ public final class ContactSweep {
                         + Math.abs(m[a + VY] - m[b + VY])
                         + motions.reach[a / Motions.STRIDE] * Math.abs(m[a + SPIN])
                         + motions.reach[b / Motions.STRIDE] * Math.abs(m[b + SPIN]);
-        return Math.min(quiet, Math.max(OF_THEIR_OWN * speed, least));
+        double share = OF_THEIR_OWN * Math.min(1, STOREYS_OF / contacts.count);
+        return Math.min(quiet, Math.max(share * speed, least));
     }
 
     /**
