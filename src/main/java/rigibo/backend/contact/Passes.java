@@ -115,6 +115,10 @@ public final class Passes {
 
     private final double noise;
     private final boolean isCorrecting;
+
+    /** Whether half kicks get fewer passes. */
+    private final boolean isThrifty;
+
     private final int most;
     private final int usual;
 
@@ -149,6 +153,7 @@ public final class Passes {
         usual = accuracy.substeps();
         shorter = Math.min(1, usual / (double) Accuracy.GAME.substeps());
         longer = usual < Accuracy.GAME.substeps() ? 0 : LONGER;
+        isThrifty = usual < Accuracy.EXACT.substeps();
         noise = NOISE * shorter * shorter;
         int passes = Math.max(LEAST_PASSES, usual * usual * usual / CUBES_PER_PASS);
         most = Math.min(MOST_PASSES, accuracy.velocityIterations() * passes);
@@ -280,10 +285,11 @@ public final class Passes {
 
     /**
      * Most passes in a calm crowd after a kick of so many substeps' length: the half kicks at both
-     * ends of a step bring half the load.
+     * ends of a step bring half the load. At {@code EXACT}, where nothing may be left, they get as
+     * many as whole ones.
      */
     private int mostIfCalmAfter(double length) {
-        return (int) Math.ceil(Math.min(1, length) * mostIfCalm);
+        return isThrifty ? (int) Math.ceil(Math.min(1, length) * mostIfCalm) : mostIfCalm;
     }
 
     /** Change of speed that is neglected in a crowd, m/s. */

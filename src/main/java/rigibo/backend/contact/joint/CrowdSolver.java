@@ -36,6 +36,9 @@ final class CrowdSolver {
     /** What a solution may lack before it is refined, as a share of that. */
     private static final double SOLVED = 1e-4;
 
+    /** Solutions that take back what the first one left, where bodies hardly move. */
+    private static final int REFINEMENTS = 2;
+
     /** Energy that Newton's steps may add, as a share of that of motion. */
     private static final double GAINED = 1e-4;
 
@@ -66,6 +69,9 @@ final class CrowdSolver {
 
     /** What an equation may lack, as a share of the strongest of its group. */
     private final double settled;
+
+    /** The same in this kick: less before which bodies of a large group hardly moved. */
+    private double left;
 
     private double freeEnergy;
     private int mostPasses;
@@ -145,9 +151,12 @@ final class CrowdSolver {
     /**
      * Solves for a substep of h seconds; contacts begin with what they carried before.
      *
+     * @param fastest speed of the fastest body after the kick, m/s
      * @param noise energy that may be gained, J
+     * @param finer share of the usual that equations of large groups may lack
      */
-    void solve(double h, int substep, double fastest, double noise) {
+    void solve(double h, int substep, double fastest, double noise, double finer) {
+        left = (responses.areAnyLarge() ? finer : 1) * settled;
         contactRows.write(h, substep);
         warm();
         bounded.addContacts();
@@ -249,7 +258,7 @@ final class CrowdSolver {
             }
         }
         for (int group = 0; group < tree.groups; group++) {
-            if (ask(group) > settled * strongest(group)) {
+            if (ask(group) > left * strongest(group)) {
                 settle(group, anew);
             }
         }
@@ -261,7 +270,8 @@ final class CrowdSolver {
             ask(group);
         }
         pushAnswers(group);
-        if (ask(group) > SOLVED * settled * strongest(group)) {
+        int refinements = left < settled ? REFINEMENTS : 1;
+        for (int i = 0; i < refinements && ask(group) > SOLVED * left * strongest(group); i++) {
             pushAnswers(group);
         }
     }

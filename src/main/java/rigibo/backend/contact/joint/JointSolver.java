@@ -367,7 +367,7 @@ public final class JointSolver {
      */
     public void solve(double h, int substep, double fastest, double noise) {
         if (!budget.isWhole()) {
-            crowd.solve(h, substep, fastest, noise);
+            crowd.solve(h, substep, fastest, noise, finer(fastest));
             crowd.holdPlaces(h);
             results.add();
             return;
@@ -407,8 +407,12 @@ public final class JointSolver {
 
     /** Speed that may be left unsolved, m/s, where the fastest body goes so fast after a kick. */
     private double settled(double fastest) {
-        boolean isSlow = before < HARDLY * fastest;
-        return (isSlow ? FINER : 1) * SETTLED * tolerance * fastest;
+        return finer(fastest) * SETTLED * tolerance * fastest;
+    }
+
+    /** Share of the usual that may be left unsolved. */
+    private double finer(double fastest) {
+        return before < HARDLY * fastest ? FINER : 1;
     }
 
     /** Solves them at the end of the last kick, after which nothing drifts. */
@@ -420,7 +424,7 @@ public final class JointSolver {
             }
         }
         if (!budget.isWhole()) {
-            crowd.solve(h, substep, fastest, noise);
+            crowd.solve(h, substep, fastest, noise, finer(fastest));
             results.add();
             return;
         }

@@ -57,8 +57,12 @@ public final class Recovery {
         if (!isCrowd) {
             return KEPT_OVERLAP;
         }
-        double wanted = KEPT_BY_TOLERANCE * accuracy.impactTolerance();
-        return Math.max(KEPT_OVERLAP, Math.min(MOST_KEPT, wanted));
+        return Math.max(KEPT_OVERLAP, unseen(accuracy));
+    }
+
+    /** Overlap of which nobody sees at an accuracy when it goes at once, in widths. */
+    public static double unseen(Accuracy accuracy) {
+        return Math.min(MOST_KEPT, KEPT_BY_TOLERANCE * accuracy.impactTolerance());
     }
 
     /** Kept overlap of a calm island, in widths. */

@@ -84,7 +84,7 @@ public final class OverlapSolver {
         raises = isCalm && isCrowd && !isJammed;
         jam.reserve();
         kept = isCalm ? Recovery.keptIfCalm(isCrowd, accuracy) : Recovery.kept(isCrowd, accuracy);
-        last = isCalm && !isCrowd ? Recovery.kept(true, accuracy) : 0;
+        last = isCalm && !isCrowd ? Recovery.unseen(accuracy) : 0;
     }
 
     /** Starts the removal of overlap in an island without joints. */
