@@ -107,8 +107,9 @@ class CarriedFrameTest {
     /**
      * A heap that lay still is let go on either floor: it gives way by the micrometres that its
      * overlaps and gaps leave it, and lies again. Contacts are solved in the same order on both,
-     * for in a heap that order decides what passes leave; places differ by round-off of places up
-     * to 60 m, of which some thousand passes make 10⁻⁹ m.
+     * for in a heap that order decides what passes leave. Places differ by round-off of places up
+     * to 60 m, 7·10⁻¹⁵ m, which rows that nearly repeat each other multiply by up to a million
+     * where the last of an overlap is taken back at once.
      */
     @ParameterizedTest
     @ValueSource(longs = {1, 2, 3, 4})
@@ -133,8 +134,8 @@ class CarriedFrameTest {
                 double x = carried.get(i).x() - carried.get(0).x();
                 assertThat(x)
                         .as("seed %d, step %d, body %d", seed, step, i)
-                        .isEqualTo(rest.get(i).x(), within(1e-9));
-                assertThat(carried.get(i).y()).isEqualTo(rest.get(i).y(), within(1e-9));
+                        .isEqualTo(rest.get(i).x(), within(1e-8));
+                assertThat(carried.get(i).y()).isEqualTo(rest.get(i).y(), within(1e-8));
             }
             assertThat(moving.report().contactSolves())
                     .as("seed %d, contacts solved in step %d", seed, step)

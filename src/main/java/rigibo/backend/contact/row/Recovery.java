@@ -57,12 +57,8 @@ public final class Recovery {
         if (!isCrowd) {
             return KEPT_OVERLAP;
         }
-        return Math.max(KEPT_OVERLAP, unseen(accuracy));
-    }
-
-    /** Overlap of which nobody sees at an accuracy when it goes at once, in widths. */
-    public static double unseen(Accuracy accuracy) {
-        return Math.min(MOST_KEPT, KEPT_BY_TOLERANCE * accuracy.impactTolerance());
+        double wanted = KEPT_BY_TOLERANCE * accuracy.impactTolerance();
+        return Math.max(KEPT_OVERLAP, Math.min(MOST_KEPT, wanted));
     }
 
     /** Kept overlap of a calm island, in widths. */

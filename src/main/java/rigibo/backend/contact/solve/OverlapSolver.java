@@ -48,9 +48,9 @@ public final class OverlapSolver {
     private double kept;
 
     /**
-     * Overlap beyond it that is removed at once in the packed island, in widths. A share per
-     * substep would take dozens of steps until the rest of it is round-off, and until then the
-     * island would be solved in each of them.
+     * Overlap that is removed at once in the packed island, in widths: where bodies are few and
+     * hardly move, as much as a crowd keeps. A share per substep would take dozens of steps until
+     * the rest of it is round-off, and until then the island would be solved in each of them.
      */
     private double last;
 
@@ -84,7 +84,7 @@ public final class OverlapSolver {
         raises = isCalm && isCrowd && !isJammed;
         jam.reserve();
         kept = isCalm ? Recovery.keptIfCalm(isCrowd, accuracy) : Recovery.kept(isCrowd, accuracy);
-        last = isCalm && !isCrowd ? Recovery.unseen(accuracy) : 0;
+        last = isCalm && !isCrowd ? Recovery.kept(true, accuracy) : 0;
     }
 
     /** Starts the removal of overlap in an island without joints. */
@@ -240,10 +240,12 @@ public final class OverlapSolver {
     private double wanted(int row, int point, double h, double speed) {
         int at = row * PackedContacts.STRIDE;
         double width = contacts.data[at + PackedContacts.WIDTH];
-        double overlap = -motions.gap(contacts, row, point) - kept * width;
-        double rate = contacts.data[at + PackedContacts.RECOVERY] * h;
-        double share = overlap <= last * width ? 1 : rate / (1 + rate);
-        return overlap > 0 ? Math.min(share * overlap, speed * width * h) : 0;
+        double whole = -motions.gap(contacts, row, point);
+        double overlap = whole - kept * width;
+        double rate = contacts.data[at + PackedContacts.RECOVERY];
+        double most = speed * width * h;
+        double wanted = whole < last * width ? overlap : overlap * rate * h / (1 + rate * h);
+        return overlap > 0 ? Math.min(wanted, most) : 0;
     }
 
     private void correct(int row, double h, double speed) {
