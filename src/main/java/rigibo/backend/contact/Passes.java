@@ -34,9 +34,9 @@ public final class Passes {
 
     /**
      * Change of speed that is neglected in a large crowd, as a multiple of a free body's gain of
-     * speed in a step times {@code missed}: 5 µm/s at the game's accuracy. Of a body that is
-     * squeezed between two others passes leave a hundred times as much, and as long as that counts
-     * as motion, the heap does not sleep.
+     * speed in a step times {@code missed}: 5 µm/s at the game's accuracy. A body that is squeezed
+     * between two others keeps many times what a pass changes, and while it creeps, the heap does
+     * not sleep.
      */
     private static final double UNSEEN = 0.03;
 

@@ -5,8 +5,8 @@ import rigibo.backend.contact.row.Motions;
 import rigibo.backend.storage.Bodies;
 
 /**
- * Limits what recovery lifts a calm heap by. Nothing moves there that could pay for it, and from
- * storey to storey what is lifted adds up: the lift is spread over time.
+ * Limits what recovery lifts a crowd by. Little moves there that could pay for it, and from storey
+ * to storey what is lifted adds up: the lift is spread over time.
  */
 final class LiftLimit {
 

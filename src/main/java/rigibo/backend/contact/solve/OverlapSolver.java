@@ -81,7 +81,7 @@ public final class OverlapSolver {
     public void prepare(boolean isCalm) {
         boolean isCrowd = contacts.areCrowd();
         isJammed = isCalm && contacts.isAnyCrushed && motions.massRatio() <= ALIKE;
-        raises = isCalm && isCrowd && !isJammed;
+        raises = isCrowd && !isJammed;
         jam.reserve();
         kept = isCalm ? Recovery.keptIfCalm(isCrowd, accuracy) : Recovery.kept(isCrowd, accuracy);
         last = isCalm && !isCrowd ? Recovery.kept(true, accuracy) : 0;
@@ -112,6 +112,8 @@ public final class OverlapSolver {
      */
     public void correctInPasses(double h, int substep, int passes) {
         if (findDeep(substep)) {
+            // Joints, not what is below, may hold the lower of two bodies.
+            raises = false;
             limit.begin();
             pass(h, passes);
             endWithin(h);
