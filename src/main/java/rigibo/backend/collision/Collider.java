@@ -72,13 +72,13 @@ public final class Collider {
     }
 
     /**
-     * Replaces the manifold of two polygons that overlap deeply by one that leads out of both
-     * bodies, where other parts of a body cover faces. To be called after {@link #collide} with the
-     * same arguments.
+     * Replaces the manifold of two polygons that overlap deeply, one of which has faces that other
+     * parts of its body cover, by one that leads out of both bodies. To be called after {@link
+     * #collide} with the same arguments.
      */
     void leave(Outline a, Pose poseA, Outline b, Pose poseB, double reach, Manifold out) {
         boolean arePolygons = !a.isDisc() && !b.isDisc() && !a.isEdge() && !b.isEdge();
-        if (arePolygons && (a.hasInner() || b.hasInner())) {
+        if (arePolygons) {
             polygons.leave(a, poseA, b, poseB, reach, out);
         }
     }

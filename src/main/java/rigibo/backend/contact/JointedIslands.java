@@ -190,7 +190,7 @@ final class JointedIslands {
         declared.begin(h, 0);
         declared.foresee(dt);
         warmStart.prepare();
-        overlap.prepare(false);
+        overlap.prepareJointed();
         lateJoiners.delayToSubsteps(h);
         kicks.begin(dt / packed / 2);
         parts.begin(dt / (2 * ((packed + 1) / 2)));

@@ -70,7 +70,7 @@ final class CrowdSolver {
     /** What an equation may lack, as a share of the strongest of its group. */
     private final double settled;
 
-    /** The same in this kick: less before which bodies of a large group hardly moved. */
+    /** What it may lack in this kick; less if bodies of a large group hardly moved before it. */
     private double left;
 
     private double freeEnergy;

@@ -77,7 +77,7 @@ public final class OverlapSolver {
         jam = new Jam(bodies, motions, contacts, ground);
     }
 
-    /** Prepares the packed island. */
+    /** Prepares the packed island, which has no joints. */
     public void prepare(boolean isCalm) {
         boolean isCrowd = contacts.areCrowd();
         isJammed = isCalm && contacts.isAnyCrushed && motions.massRatio() <= ALIKE;
@@ -85,6 +85,17 @@ public final class OverlapSolver {
         jam.reserve();
         kept = isCalm ? Recovery.keptIfCalm(isCrowd, accuracy) : Recovery.kept(isCrowd, accuracy);
         last = isCalm && !isCrowd ? Recovery.kept(true, accuracy) : 0;
+    }
+
+    /**
+     * Prepares the packed island, which has joints. The lower of two bodies may hang there rather
+     * than lie on others, so that no body is raised in its place.
+     */
+    public void prepareJointed() {
+        isJammed = false;
+        raises = false;
+        kept = Recovery.kept(contacts.areCrowd(), accuracy);
+        last = 0;
     }
 
     /** Starts the removal of overlap in an island without joints. */
@@ -112,8 +123,6 @@ public final class OverlapSolver {
      */
     public void correctInPasses(double h, int substep, int passes) {
         if (findDeep(substep)) {
-            // Joints, not what is below, may hold the lower of two bodies.
-            raises = false;
             limit.begin();
             pass(h, passes);
             endWithin(h);

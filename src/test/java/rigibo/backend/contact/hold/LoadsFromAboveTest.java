@@ -122,17 +122,23 @@ class LoadsFromAboveTest {
         assertThat(loads.handDown(KICK)).isFalse();
     }
 
+    /** The first body on a slope, rad, with two points as far from its centre. */
+    private int onSlope(double slope, double friction) {
+        int row = island.onGround(1, 0.5, 0.5);
+        int at = row * PackedContacts.STRIDE;
+        contacts.data[at + PackedContacts.NX] = -Math.sin(slope);
+        contacts.data[at + PackedContacts.NY] = Math.cos(slope);
+        contacts.data[at + PackedContacts.FRICTION] = friction;
+        return row;
+    }
+
     /** On a slope of angle θ: W·cos θ by the normal, W·sin θ by friction, if tan θ ≤ μ. */
     @ParameterizedTest
     @CsvSource({"0.3, 0.31, true", "0.3, 0.309, false", "-0.5, 0.55, true", "-0.5, 0.54, false"})
     void slopeHoldsByFriction(double slope, double friction, boolean isHeld) {
         begin(1);
         body(1, 2, 0, 0);
-        int row = island.onGround(1, 0.5, 0.5);
-        int at = row * PackedContacts.STRIDE;
-        contacts.data[at + PackedContacts.NX] = -Math.sin(slope);
-        contacts.data[at + PackedContacts.NY] = Math.cos(slope);
-        contacts.data[at + PackedContacts.FRICTION] = friction;
+        int row = onSlope(slope, friction);
         assertThat(loads.handDown(KICK)).isEqualTo(isHeld);
         if (isHeld) {
             double weight = 2 * PULL * KICK;
@@ -152,13 +158,9 @@ class LoadsFromAboveTest {
         double height = 0.3;
         begin(1);
         body(1, 2, 0.5, 0);
-        int row = island.onGround(1, 0.5, 0.5);
-        int at = row * PackedContacts.STRIDE;
-        contacts.data[at + PackedContacts.NX] = -Math.sin(slope);
-        contacts.data[at + PackedContacts.NY] = Math.cos(slope);
-        contacts.data[at + PackedContacts.FRICTION] = 1;
+        int row = onSlope(slope, 1);
         // r × t of a point below the centre.
-        contacts.data[at + PackedContacts.LEVER_TB] = -height;
+        contacts.data[row * PackedContacts.STRIDE + PackedContacts.LEVER_TB] = -height;
         assertThat(loads.handDown(KICK)).isTrue();
         double weight = 2 * PULL * KICK;
         double rubs = weight * Math.sin(slope);

@@ -55,6 +55,14 @@ class JamTest {
         contacts.data[at + PackedContacts.GAP1] = -second;
     }
 
+    /** Empties the island, and adds so many bodies of 1 kg that do not turn. */
+    private void beginFree(int count) {
+        island.begin(count);
+        for (int entry = 1; entry <= count; entry++) {
+            island.body(entry, 1, 0);
+        }
+    }
+
     private void part() {
         contacts.isAnyCrushed = true;
         overlap.prepare(true);
@@ -128,10 +136,7 @@ class JamTest {
     /** As many contacts push the middle one of three: each takes half of its share. */
     @Test
     void manyPushesDoNotOvershoot() {
-        island.begin(3);
-        for (int entry = 1; entry <= 3; entry++) {
-            island.body(entry, 1, 0);
-        }
+        beginFree(3);
         overlap(island.contact(1, 2, 0.5, 0.5), 0.02, 0);
         overlap(island.contact(2, 3, 0.5, 0.5), 0.02, 0);
         contacts.groundStart = 2;
@@ -149,10 +154,7 @@ class JamTest {
     /** The fastest is to go no faster than three widths a second; all others as it does. */
     @Test
     void theFastestSetsThePace() {
-        island.begin(4);
-        for (int entry = 1; entry <= 4; entry++) {
-            island.body(entry, 1, 0);
-        }
+        beginFree(4);
         overlap(island.contact(1, 2, 0.5, 0.5), 0.4, 0);
         overlap(island.contact(3, 4, 0.5, 0.5), 0.1, 0);
         contacts.groundStart = 2;

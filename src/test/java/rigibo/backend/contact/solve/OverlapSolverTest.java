@@ -40,7 +40,7 @@ class OverlapSolverTest {
         assertThat(left).isCloseTo(truth, within(1e-15));
     }
 
-    /** What is left of a small pile's overlap goes at once, so that the pile rests. */
+    /** A small, calm pile loses the last of its overlap at once, so that it can rest. */
     @Test
     void calmFewLoseTheLastAtOnce() {
         double kept = Recovery.KEPT_OVERLAP;

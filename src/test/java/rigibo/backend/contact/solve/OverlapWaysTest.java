@@ -196,19 +196,22 @@ class OverlapWaysTest {
         assertThat(solver.isAnyWanted(1.01 * share, H, 0)).isFalse();
     }
 
-    /** What two push into the ground comes back to where it was; the two then keep their rest. */
-    @Test
-    void groundDoesNotYield() {
+    /** A heavy body overlaps one by so many m that overlaps the ground by others: one pass. */
+    private void pressDown(double above, double below) {
         island.begin(2);
         island.body(1, 1, 0);
         island.body(2, 1e-3, 0);
-        int above = island.contact(1, 2, 0.5, 0.5);
-        int below = island.onGround(1, 0.5, 0.5);
+        overlap(island.contact(1, 2, 0.5, 0.5), above, 0);
+        overlap(island.onGround(1, 0.5, 0.5), below, 0);
         contacts.groundStart = 1;
-        overlap(above, 0.01, 0);
-        overlap(below, 0, 0);
         solver.prepare(false);
         solver.correctAndHoldGround(H, 0, 1);
+    }
+
+    /** What two push into the ground comes back to where it was; the two then keep their rest. */
+    @Test
+    void groundDoesNotYield() {
+        pressDown(0.01, 0);
         assertThat(dense.displacements()[4]).isCloseTo(0, within(ROUND_OFF));
         assertThat(dense.displacements()[7]).isPositive();
     }
@@ -219,16 +222,7 @@ class OverlapWaysTest {
     @ParameterizedTest
     @CsvSource({"0.019, false", "0.021, true"})
     void whatIsDeepInTheGroundComesOut(double deep, boolean comesOut) {
-        island.begin(2);
-        island.body(1, 1, 0);
-        island.body(2, 1e-3, 0);
-        int above = island.contact(1, 2, 0.5, 0.5);
-        int below = island.onGround(1, 0.5, 0.5);
-        contacts.groundStart = 1;
-        overlap(above, 0.5, 0);
-        overlap(below, deep, 0);
-        solver.prepare(false);
-        solver.correctAndHoldGround(H, 0, 1);
+        pressDown(0.5, deep);
         double out = comesOut ? wanted(deep) : 0;
         assertThat(dense.displacements()[4]).isCloseTo(out, within(ROUND_OFF));
     }
