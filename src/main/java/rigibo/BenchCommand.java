@@ -156,6 +156,7 @@ final class BenchCommand implements Callable<Integer> {
         Destination.requireFile(spec, "--markdown", page);
         Destination.requireDirectory(spec, "--out", out);
         PrintWriter written = spec.commandLine().getOut();
+        Engines.missing().forEach(this::tell);
         try {
             found().forEach(written::println);
             written.flush();

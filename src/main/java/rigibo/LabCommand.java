@@ -11,6 +11,7 @@ import rigibo.frontend.catalog.Catalog;
 import rigibo.lab.ablation.EffectsReport;
 import rigibo.lab.ablation.Provenance;
 import rigibo.lab.ablation.Question;
+import rigibo.lab.engine.Engines;
 import rigibo.lab.precision.Environment;
 import rigibo.lab.precision.Extent;
 import rigibo.lab.precision.Inquiry;
@@ -118,6 +119,7 @@ final class LabCommand implements Callable<Integer> {
         PrintWriter written = spec.commandLine().getOut();
         try {
             Files.createDirectories(out);
+            Engines.missing().forEach(this::tell);
             for (Figures one : figures) {
                 make(one).forEach(written::println);
             }

@@ -30,6 +30,20 @@ record Peer(Engine engine, Setting setting) {
         return setting.step();
     }
 
+    /** Into how many it divides a step: the engines of Rust, four unless a setting says more. */
+    int substeps() {
+        String digits = setting.name().replaceAll("\\D", "");
+        if (!digits.isEmpty()) {
+            return Integer.parseInt(digits);
+        }
+        boolean isSubstepped =
+                engine.name().startsWith("Box2D") || engine.name().startsWith("Rapier");
+        if (!isSubstepped) {
+            return 1;
+        }
+        return setting.step() < Setting.USUAL_STEP ? 16 : 4;
+    }
+
     /** Goes on by so many seconds; returns the number of steps. */
     int run(World world, double seconds) {
         int steps = (int) Math.round(seconds / step());

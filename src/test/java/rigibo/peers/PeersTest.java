@@ -25,6 +25,8 @@ import rigibo.lab.engine.Engines;
 import rigibo.lab.engine.Line;
 import rigibo.lab.engine.World;
 
+import java.util.List;
+import java.util.Set;
 import java.util.stream.Stream;
 
 /** Who the other engines are, and what they are not asked to do. */
@@ -38,6 +40,9 @@ class PeersTest {
                     new Friction(),
                     new Drag());
 
+    /** Engines whose polygons have as many corners as anyone likes. */
+    private static final Set<String> UNBOUNDED = Set.of("dyn4j", "Rapier");
+
     private static Stream<Engine> engines() {
         return Peer.engines();
     }
@@ -46,18 +51,30 @@ class PeersTest {
     void threeAreAtHandBesidesOurs() {
         assertThat(Engines.all())
                 .extracting(Engine::name)
-                .containsExactly("RigiBo", "JBox2D 2.2.1.1", "dyn4j 6.0.0", "gdx-box2d 1.14.0");
+                .contains("RigiBo", "JBox2D 2.2.1.1", "dyn4j 6.0.0", "gdx-box2d 1.14.0");
+    }
+
+    /** They are built by a command of their own, which needs Rust. */
+    @Test
+    void box2dV3AndRapierAreAtHandOrSaidToBeLeftOut() {
+        List<String> names = Engines.all().stream().map(Engine::name).toList();
+        if (Engines.missing().isEmpty()) {
+            assertThat(names).contains("Box2D 3.2.0", "Rapier 0.36.1").hasSize(6);
+        } else {
+            assertThat(Engines.missing()).singleElement().asString().contains("./rigibo peers");
+            assertThat(names).hasSize(4);
+        }
     }
 
     @ParameterizedTest
     @MethodSource("engines")
     void runsAsItComesAndFiner(Engine engine) {
         assertThat(engine.settings())
-                .hasSize(2)
                 .allMatch(setting -> setting.line() == Line.PEERS)
                 .extracting(setting -> setting.name())
-                .containsExactly("default", "finer");
-        assertThat(engine.settings().get(1).step()).isEqualTo(1.0 / 240);
+                .startsWith("default")
+                .hasSizeGreaterThan(1)
+                .doesNotHaveDuplicates();
     }
 
     @ParameterizedTest
@@ -84,13 +101,13 @@ class PeersTest {
         }
     }
 
-    /** Box2D stops at eight corners, dyn4j does not. */
+    /** Box2D stops at eight corners, dyn4j and Rapier do not. */
     @ParameterizedTest
     @MethodSource("engines")
     void nineCornersAreRefusedWithAReasonOrRestOnOne(Engine engine) {
         try (World world = engine.world(GROUND, engine.settings().get(0))) {
             BodyDefinition nine = BodyDefinition.dynamic(Polygon.regular(9, 1));
-            if (engine.name().startsWith("dyn4j")) {
+            if (UNBOUNDED.contains(engine.name().split(" ")[0])) {
                 assertThat(world.add(nine)).isZero();
             } else {
                 assertThatThrownBy(() -> world.add(nine))

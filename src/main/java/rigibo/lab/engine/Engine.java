@@ -3,12 +3,21 @@ package rigibo.lab.engine;
 import rigibo.backend.effect.Effects;
 
 import java.util.List;
+import java.util.Optional;
 
 /**
  * A physics engine that the laboratory puts its problems to. Those that are not ours are found by
  * {@code ServiceLoader}, where the class path holds them.
  */
 public interface Engine {
+
+    /**
+     * Why it cannot run on this machine, as a sentence for who measures; empty where it can. One
+     * that cannot is asked for nothing else.
+     */
+    default Optional<String> missing() {
+        return Optional.empty();
+    }
 
     /** Its name and version, as its authors write them. */
     String name();

@@ -10,15 +10,26 @@ public final class Engines {
 
     private Engines() {}
 
-    /** Ours first, the others by name. */
+    /** Ours first, the others that can run by name. */
     public static List<Engine> all() {
-        List<Engine> others = new ArrayList<>();
-        ServiceLoader.load(Engine.class).forEach(others::add);
+        List<Engine> others = new ArrayList<>(found());
+        others.removeIf(engine -> engine.missing().isPresent());
         others.sort((a, b) -> a.name().compareTo(b.name()));
         List<Engine> all = new ArrayList<>();
         all.add(new RigiBoEngine());
         all.addAll(others);
         return List.copyOf(all);
+    }
+
+    /** Why others cannot run here: a sentence for each reason. */
+    public static List<String> missing() {
+        return found().stream().flatMap(engine -> engine.missing().stream()).distinct().toList();
+    }
+
+    private static List<Engine> found() {
+        List<Engine> found = new ArrayList<>();
+        ServiceLoader.load(Engine.class).forEach(found::add);
+        return found;
     }
 
     /**

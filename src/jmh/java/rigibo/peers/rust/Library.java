@@ -1,0 +1,55 @@
+package rigibo.peers.rust;
+
+import java.net.URISyntaxException;
+import java.net.URL;
+import java.nio.file.Path;
+import java.util.Optional;
+
+/** The library of Rust code, which is on the class path where it was built. */
+final class Library {
+
+    private static final URL BUILT =
+            Library.class.getResource("/" + System.mapLibraryName("rigibo_peers"));
+
+    private static boolean isLoaded;
+
+    private Library() {}
+
+    /** Why its engines cannot run; empty if they can. */
+    static Optional<String> missing() {
+        return BUILT == null
+                ? Optional.of(
+                        "Box2D v3 and Rapier are left out: \"./rigibo peers\" builds them, with"
+                            + " Rust")
+                : Optional.empty();
+    }
+
+    /**
+     * Loads it once, so that {@link Calls} can be called.
+     *
+     * @throws IllegalStateException when it was not built
+     */
+    static synchronized void load() {
+        if (isLoaded) {
+            return;
+        }
+        missing()
+                .ifPresent(
+                        why -> {
+                            throw new IllegalStateException(why);
+                        });
+        try {
+            System.load(Path.of(BUILT.toURI()).toString());
+        } catch (URISyntaxException impossible) {
+            throw new IllegalStateException("no path: " + BUILT, impossible);
+        }
+        isLoaded = true;
+    }
+
+    /** The version of an engine in it, such as 3.2.0. */
+    static String version(int engine) {
+        load();
+        int version = Calls.version(engine);
+        return version / 10_000 + "." + version / 100 % 100 + "." + version % 100;
+    }
+}

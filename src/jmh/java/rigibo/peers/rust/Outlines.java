@@ -1,0 +1,51 @@
+package rigibo.peers.rust;
+
+import rigibo.backend.geometry.Chain;
+import rigibo.backend.geometry.Outline;
+import rigibo.backend.geometry.Shape;
+import rigibo.backend.geometry.ShapeKind;
+
+/** Our shapes as the library's: every convex one is a core and a radius there, too. */
+final class Outlines {
+
+    /** Box2D's arrays of corners are as long as this. */
+    private static final int MOST_CORNERS = 8;
+
+    private Outlines() {}
+
+    /**
+     * Tells the shapes of the body that is added next.
+     *
+     * @throws UnsupportedOperationException when it has corners that Box2D has no room for
+     */
+    static void tell(long world, int engine, Shape shape) {
+        if (shape.kind() == ShapeKind.CHAIN) {
+            Chain chain = (Chain) shape;
+            for (int i = 0; i < chain.corners(); i++) {
+                Calls.corner(world, chain.cornerX(i), chain.cornerY(i));
+            }
+            Calls.chain(world, chain.isLoop());
+            return;
+        }
+        for (int part = 0; part < shape.parts(); part++) {
+            requireRoom(engine, shape.outline(part));
+        }
+        for (int part = 0; part < shape.parts(); part++) {
+            tell(world, shape.outline(part));
+        }
+    }
+
+    private static void tell(long world, Outline outline) {
+        for (int i = 0; i < outline.corners(); i++) {
+            Calls.corner(world, outline.cornerX(i), outline.cornerY(i));
+        }
+        Calls.outline(world, outline.radius());
+    }
+
+    private static void requireRoom(int engine, Outline outline) {
+        if (engine == Box2dV3Engine.NUMBER && outline.corners() > MOST_CORNERS) {
+            throw new UnsupportedOperationException(
+                    "polygons of more than " + MOST_CORNERS + " corners");
+        }
+    }
+}

@@ -1,0 +1,39 @@
+package rigibo.peers.rust;
+
+import rigibo.backend.effect.Effects;
+import rigibo.lab.engine.Engine;
+import rigibo.lab.engine.Setting;
+import rigibo.lab.engine.World;
+import rigibo.peers.PeerSettings;
+
+import java.util.List;
+import java.util.Optional;
+
+/** Rapier, on one thread, with the features that it comes with. */
+public final class RapierEngine implements Engine {
+
+    static final int NUMBER = 1;
+
+    @Override
+    public Optional<String> missing() {
+        return Library.missing();
+    }
+
+    @Override
+    public String name() {
+        return "Rapier " + Library.version(NUMBER);
+    }
+
+    @Override
+    public List<Setting> settings() {
+        return PeerSettings.all();
+    }
+
+    /** What its manual calls iterations of the solver are substeps. */
+    @Override
+    public World world(Effects effects, Setting setting) {
+        Library.load();
+        int substeps = PeerSettings.iterations(setting, RustWorld.USUAL_SUBSTEPS);
+        return new RustWorld(NUMBER, effects, substeps);
+    }
+}
