@@ -1,0 +1,56 @@
+package rigibo.backend.contact.row;
+
+import rigibo.backend.Pool;
+import rigibo.backend.PoolStorage;
+import rigibo.backend.effect.Effects;
+import rigibo.backend.setup.Accuracy;
+import rigibo.backend.setup.BodyDefinition;
+import rigibo.backend.storage.Bodies;
+import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.Pairs;
+
+/** An island in the columns of a pool that never steps, with contacts written by hand. */
+public final class StoredIsland {
+
+    public final DataStorage data;
+    public final Bodies bodies;
+    public final Pairs pairs;
+
+    private final Pool pool;
+    private int count;
+
+    /** An island without bodies. */
+    public StoredIsland(Effects effects) {
+        pool = new Pool(effects, Accuracy.GAME);
+        data = PoolStorage.of(pool);
+        bodies = data.bodies;
+        pairs = data.pairs;
+        data.islands.count = 1;
+    }
+
+    /** Adds a body, to the island if it is dynamic; returns its slot. */
+    public int body(BodyDefinition definition) {
+        pool.add(definition);
+        if (bodies.isDynamic(count)) {
+            data.islands.bodies[data.islands.bodyStart[1]++] = count;
+        }
+        return count++;
+    }
+
+    /** Adds a contact without points, with a normal at an angle in rad; returns its pair. */
+    public int contact(int a, int b, double angle) {
+        int pair = pairs.add(bodies, a, b);
+        pairs.normalX[pair] = Math.cos(angle);
+        pairs.normalY[pair] = Math.sin(angle);
+        data.islands.pairs[data.islands.pairStart[1]++] = pair;
+        return pair;
+    }
+
+    /** Adds a point to a contact, m. */
+    public void point(int pair, double x, double y, double separation) {
+        int point = 2 * pair + pairs.points[pair]++;
+        pairs.pointX[point] = x;
+        pairs.pointY[point] = y;
+        pairs.separation[point] = separation;
+    }
+}
