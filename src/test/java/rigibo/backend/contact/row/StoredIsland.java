@@ -9,7 +9,7 @@ import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.Pairs;
 
-/** An island in the columns of a pool that never steps, with contacts written by hand. */
+/** Islands in the columns of a pool that never steps, with contacts written by hand. */
 public final class StoredIsland {
 
     public final DataStorage data;
@@ -32,7 +32,7 @@ public final class StoredIsland {
     public int body(BodyDefinition definition) {
         pool.add(definition);
         if (bodies.isDynamic(count)) {
-            data.islands.bodies[data.islands.bodyStart[1]++] = count;
+            data.islands.bodies[data.islands.bodyStart[data.islands.count]++] = count;
         }
         return count++;
     }
@@ -42,7 +42,7 @@ public final class StoredIsland {
         int pair = pairs.add(bodies, a, b);
         pairs.normalX[pair] = Math.cos(angle);
         pairs.normalY[pair] = Math.sin(angle);
-        data.islands.pairs[data.islands.pairStart[1]++] = pair;
+        data.islands.pairs[data.islands.pairStart[data.islands.count]++] = pair;
         return pair;
     }
 
@@ -52,5 +52,12 @@ public final class StoredIsland {
         pairs.pointX[point] = x;
         pairs.pointY[point] = y;
         pairs.separation[point] = separation;
+    }
+
+    /** Lets bodies and contacts that are added from now on be those of another island. */
+    public void beginIsland() {
+        int last = data.islands.count++;
+        data.islands.bodyStart[last + 1] = data.islands.bodyStart[last];
+        data.islands.pairStart[last + 1] = data.islands.pairStart[last];
     }
 }
