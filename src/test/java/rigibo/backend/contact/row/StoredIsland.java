@@ -7,7 +7,10 @@ import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.Islands;
 import rigibo.backend.storage.Pairs;
+
+import java.util.Arrays;
 
 /** Islands in the columns of a pool that never steps, with contacts written by hand. */
 public final class StoredIsland {
@@ -32,7 +35,12 @@ public final class StoredIsland {
     public int body(BodyDefinition definition) {
         pool.add(definition);
         if (bodies.isDynamic(count)) {
-            data.islands.bodies[data.islands.bodyStart[data.islands.count]++] = count;
+            Islands islands = data.islands;
+            int end = islands.bodyStart[islands.count]++;
+            if (end == islands.bodies.length) {
+                islands.bodies = Arrays.copyOf(islands.bodies, 2 * end);
+            }
+            islands.bodies[end] = count;
         }
         return count++;
     }
@@ -42,7 +50,12 @@ public final class StoredIsland {
         int pair = pairs.add(bodies, a, b);
         pairs.normalX[pair] = Math.cos(angle);
         pairs.normalY[pair] = Math.sin(angle);
-        data.islands.pairs[data.islands.pairStart[data.islands.count]++] = pair;
+        Islands islands = data.islands;
+        int end = islands.pairStart[islands.count]++;
+        if (end == islands.pairs.length) {
+            islands.pairs = Arrays.copyOf(islands.pairs, 2 * end);
+        }
+        islands.pairs[end] = pair;
         return pair;
     }
 

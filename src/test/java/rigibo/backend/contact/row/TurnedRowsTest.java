@@ -20,7 +20,6 @@ import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.BodyDefinition;
 
-import java.util.Arrays;
 import java.util.SplittableRandom;
 
 /** How {@link TurningRows} bends contacts: against places of material points after a turn. */
@@ -31,11 +30,9 @@ class TurnedRowsTest {
     private final Motions motions = new Motions(true);
     private final PackedContacts contacts = new PackedContacts();
     private final RowBuilder builder =
-            new RowBuilder(
-                    island.data, motions, contacts, new PackedTurns(island.bodies, motions));
+            new RowBuilder(island.data, motions, contacts, new PackedTurns(island.bodies, motions));
     private final FreshRows fresh =
-            new FreshRows(
-                    island.data, new Narrowphase(island.data), motions, contacts, builder);
+            new FreshRows(island.data, new Narrowphase(island.data), motions, contacts, builder);
     private final TurningRows turning =
             new TurningRows(
                     island.data,
@@ -293,7 +290,9 @@ class TurnedRowsTest {
         return Math.sqrt(0.5) * spin * spin * dt * dt / 2 + speed * dt * spin * dt;
     }
 
-    /** A fiftieth of a width over four substeps, for more than four bodies; a tenth faster: more. */
+    /**
+     * A fiftieth of a width over four substeps, for more than four bodies; a tenth faster: more.
+     */
     @ParameterizedTest
     @ValueSource(doubles = {0, 4, -9, 20, 60, 400})
     void substepsAreAsManyAsTurningNeeds(double spin) {
@@ -333,10 +332,6 @@ class TurnedRowsTest {
     void manyBodiesCostTooMuch() {
         for (int i = 0; i < 32; i++) {
             island.body(BodyDefinition.dynamic(Polygon.box(1, 1)).at(3 * i, 0));
-            if (i == 15) {
-                island.data.islands.bodies =
-                        Arrays.copyOf(island.data.islands.bodies, 64);
-            }
         }
         island.bodies.spin[3] = 1000;
         assertThat(turning.substepsFor(0, 0.1, 4)).isEqualTo(16);
