@@ -27,14 +27,16 @@ class CurvedRowsTest {
     private static final double ROUND_OFF = 1e-13;
     private static final double TOLERANCE = 1e-3;
     private static final double FOREVER = Double.POSITIVE_INFINITY;
+    private static final int ROW = 1;
+    private static final double AX = 5;
+    private static final double AY = 2;
 
     private final StoredIsland island =
             new StoredIsland(Effects.of(new Contacts(), new Rotation()));
     private final Motions motions = new Motions(true);
     private final PackedContacts contacts = new PackedContacts();
     private final RowBuilder builder =
-            new RowBuilder(
-                    island.data, motions, contacts, new PackedTurns(island.bodies, motions));
+            new RowBuilder(island.data, motions, contacts, new PackedTurns(island.bodies, motions));
     private final CurvedRows curved =
             new CurvedRows(
                     island.data,
@@ -48,8 +50,15 @@ class CurvedRowsTest {
 
     /** B touches A along a normal at an angle; both at their places. */
     private void touch(Convex shapeA, double ax, double ay, Convex shapeB, double bx, double by) {
-        a = island.body(BodyDefinition.dynamic(shapeA).at(ax, ay));
-        b = island.body(BodyDefinition.dynamic(shapeB).at(bx, by));
+        a = island.body(BodyDefinition.dynamic(shapeA).at(AX + ax, AY + ay));
+        b = island.body(BodyDefinition.dynamic(shapeB).at(AX + bx, AY + by));
+        layBeside();
+    }
+
+    /** Another contact of A, which is the first row. */
+    private void layBeside() {
+        int beside = island.body(BodyDefinition.dynamic(Polygon.box(2, 2)).at(30, 0));
+        island.point(island.contact(a, beside, 0.3), 9, 9, 9);
     }
 
     private void discs(double angle, double radiusA, double radiusB) {
@@ -63,7 +72,7 @@ class CurvedRowsTest {
                 4 + apart * Math.sin(angle));
         pair = island.contact(a, b, angle);
         double x = 3 + radiusA * Math.cos(angle);
-        island.point(pair, x, 4 + radiusA * Math.sin(angle), 0);
+        island.point(pair, AX + x, AY + 4 + radiusA * Math.sin(angle), 0);
         builder.build(0, 1);
     }
 
@@ -72,7 +81,7 @@ class CurvedRowsTest {
     }
 
     private double gap0() {
-        return contacts.data[PackedContacts.GAP0];
+        return contacts.data[ROW * PackedContacts.STRIDE + PackedContacts.GAP0];
     }
 
     /**
@@ -91,10 +100,11 @@ class CurvedRowsTest {
         set(b, Motions.VY, -ty);
         set(b, Motions.SPIN, 9);
         set(a, Motions.SPIN, -5);
-        curved.bend(0, 0.1);
+        curved.bend(ROW, 0.1);
         double parted = Math.sqrt(1.5 * 1.5 + 0.3 * 0.3) - 1.5;
         assertThat(gap0()).isCloseTo(parted, within(ROUND_OFF));
-        assertThat(contacts.data[PackedContacts.GAP1]).isCloseTo(parted, within(ROUND_OFF));
+        int at = ROW * PackedContacts.STRIDE;
+        assertThat(contacts.data[at + PackedContacts.GAP1]).isCloseTo(parted, within(ROUND_OFF));
     }
 
     /** A face has no radius, nor do two corners that meet. */
@@ -102,10 +112,10 @@ class CurvedRowsTest {
     void facesAndCornersAreNotBent() {
         touch(Polygon.box(1, 1), 0, 0, Polygon.box(1, 1), 1, 1);
         pair = island.contact(a, b, 0.8);
-        island.point(pair, 0.5, 0.5, 0);
+        island.point(pair, AX + 0.5, AY + 0.5, 0);
         builder.build(0, 1);
         set(b, Motions.VX, 2);
-        curved.bend(0, 0.1);
+        curved.bend(ROW, 0.1);
         assertThat(gap0()).isZero();
     }
 
@@ -114,7 +124,7 @@ class CurvedRowsTest {
         discs(0, 1, 1);
         island.pairs.faceOf[pair] = a;
         set(b, Motions.VY, 2);
-        curved.bend(0, 0.1);
+        curved.bend(ROW, 0.1);
         assertThat(gap0()).isZero();
     }
 
@@ -132,6 +142,7 @@ class CurvedRowsTest {
         double angle = Math.PI / 2;
         a = island.body(isFirst ? upright : disc);
         b = island.body((isFirst ? disc : upright).at(0, 1.5));
+        layBeside();
         pair = island.contact(a, b, angle);
         island.point(pair, 0, isFirst ? 1 : 0.5, 0);
         builder.build(0, 1);
@@ -139,10 +150,10 @@ class CurvedRowsTest {
         set(turning, Motions.SPIN, 2);
         // The end goes by 0.7·ω to the left or to the right; the body goes along.
         set(turning, Motions.VX, isFirst ? 1.4 : -1.4);
-        curved.bend(0, 0.1);
+        curved.bend(ROW, 0.1);
         assertThat(gap0()).isCloseTo(0, within(ROUND_OFF));
         set(turning, Motions.VX, isFirst ? 2.4 : -2.4);
-        curved.bend(0, 0.1);
+        curved.bend(ROW, 0.1);
         assertThat(gap0()).isCloseTo(Math.sqrt(0.64 + 0.01) - 0.8, within(ROUND_OFF));
     }
 
@@ -153,12 +164,12 @@ class CurvedRowsTest {
         discs(0, 0.5, 1.5);
         // s²/(2·2) = 10⁻⁵ at s = 6.32 mm.
         set(b, Motions.VY, way);
-        assertThat(curved.isCurved(0, 1)).isEqualTo(isCurved);
-        assertThat(curved.isCurved(0, 0)).isFalse();
+        assertThat(curved.isCurved(ROW, 1)).isEqualTo(isCurved);
+        assertThat(curved.isCurved(ROW, 0)).isFalse();
         // What has been gone counts, too.
         set(b, Motions.VY, 0);
         set(b, Motions.DY, way);
-        assertThat(curved.isCurved(0, 1)).isEqualTo(isCurved);
+        assertThat(curved.isCurved(ROW, 1)).isEqualTo(isCurved);
     }
 
     @ParameterizedTest
@@ -167,7 +178,7 @@ class CurvedRowsTest {
         discs(0, 0.5, 1.5);
         motions.count = 9;
         set(b, Motions.VY, way);
-        assertThat(curved.isCurved(0, 1)).isEqualTo(isCurved);
+        assertThat(curved.isCurved(ROW, 1)).isEqualTo(isCurved);
     }
 
     /** Where impacts are not in the order of time few are as many. */
@@ -189,12 +200,12 @@ class CurvedRowsTest {
     void cornersCurveAmongFew() {
         touch(Polygon.box(1, 1), 0, 0, Polygon.box(1, 1), 1, 1);
         pair = island.contact(a, b, Math.PI / 4);
-        island.point(pair, 0.5, 0.5, 0);
+        island.point(pair, AX + 0.5, AY + 0.5, 0);
         builder.build(0, 1);
         set(b, Motions.VX, 0.1);
-        assertThat(curved.isCurved(0, 1)).isTrue();
+        assertThat(curved.isCurved(ROW, 1)).isTrue();
         motions.count = 9;
-        assertThat(curved.isCurved(0, 1)).isFalse();
+        assertThat(curved.isCurved(ROW, 1)).isFalse();
     }
 
     /** A box of half the length slides along the top of another, its left end 0.1 m from A's. */
@@ -202,9 +213,9 @@ class CurvedRowsTest {
         touch(Polygon.box(2, 1), 0, 0, Polygon.box(1, 1), x, 1);
         pair = island.contact(a, b, Math.PI / 2);
         island.pairs.faceOf[pair] = a;
-        island.point(pair, 0.5, 0.5, 0);
+        island.point(pair, AX + 0.5, AY + 0.5, 0);
         builder.build(0, 1);
-        contacts.points[0] = 1;
+        contacts.points[ROW] = 1;
     }
 
     /** Corners at ±0.5 of B, at x = −0.4: to the ends of A's face at ±1 it is 0.1, 1.1, 0.9 … m. */
@@ -222,9 +233,9 @@ class CurvedRowsTest {
     void cornersThatReachTheEndOfAFaceCurve(double x, double way, boolean isCurved) {
         faces(x);
         set(b, Motions.VX, way);
-        assertThat(curved.isCurved(0, 1)).isEqualTo(isCurved);
+        assertThat(curved.isCurved(ROW, 1)).isEqualTo(isCurved);
         motions.count = 9;
-        assertThat(curved.isCurved(0, 1)).isFalse();
+        assertThat(curved.isCurved(ROW, 1)).isFalse();
     }
 
     /** Also on a body that is turned, by any angle. */
@@ -240,13 +251,14 @@ class CurvedRowsTest {
                         BodyDefinition.dynamic(Polygon.box(1, 1))
                                 .angle(turn)
                                 .at(-0.4 * cos - sin, -0.4 * sin + cos));
+        layBeside();
         pair = island.contact(a, b, Math.PI / 2 + turn);
         island.pairs.faceOf[pair] = b;
         island.point(pair, 0, 0.5, 0);
         builder.build(0, 1);
         set(b, Motions.VX, way * cos);
         set(b, Motions.VY, way * sin);
-        assertThat(curved.isCurved(0, 1)).isEqualTo(isCurved);
+        assertThat(curved.isCurved(ROW, 1)).isEqualTo(isCurved);
     }
 
     /** The lowest point of a disc is its centre, on a face that ends 0.3 m from it. */
@@ -256,10 +268,10 @@ class CurvedRowsTest {
         touch(Polygon.box(2, 1), 0, 0, new Circle(0.5), 0.7, 1);
         pair = island.contact(a, b, Math.PI / 2);
         island.pairs.faceOf[pair] = a;
-        island.point(pair, 0.7, 0.5, 0);
+        island.point(pair, AX + 0.7, AY + 0.5, 0);
         builder.build(0, 1);
         set(b, Motions.VX, way);
-        assertThat(curved.isCurved(0, 1)).isEqualTo(isCurved);
+        assertThat(curved.isCurved(ROW, 1)).isEqualTo(isCurved);
     }
 
     /** By 1.4 m from A's middle a tenth of B is over A: half of it will be after 0.5 m more. */
@@ -268,25 +280,25 @@ class CurvedRowsTest {
     void secondPointComesWithHalfOfAFace(double x, double speed, double time) {
         faces(x);
         set(b, Motions.VX, speed);
-        assertThat(curved.untilNewPoint(0)).isCloseTo(time, within(ROUND_OFF));
+        assertThat(curved.untilNewPoint(ROW)).isCloseTo(time, within(ROUND_OFF));
         // What has been slid since the step began counts as well: 0.6 m on, more than half is on.
         set(b, Motions.DX, speed > 0 ? 0.6 : -0.6);
-        assertThat(curved.untilNewPoint(0)).isEqualTo(FOREVER);
+        assertThat(curved.untilNewPoint(ROW)).isEqualTo(FOREVER);
     }
 
     @Test
     void onlyOnePointOfATouchingFaceMayBeFollowedByAnother() {
         faces(-1.4);
         set(b, Motions.VX, 2);
-        contacts.points[0] = 2;
-        assertThat(curved.untilNewPoint(0)).isEqualTo(FOREVER);
-        contacts.points[0] = 1;
+        contacts.points[ROW] = 2;
+        assertThat(curved.untilNewPoint(ROW)).isEqualTo(FOREVER);
+        contacts.points[ROW] = 1;
         set(b, Motions.DY, 1.1e-3);
-        assertThat(curved.untilNewPoint(0)).isEqualTo(FOREVER);
+        assertThat(curved.untilNewPoint(ROW)).isEqualTo(FOREVER);
         set(b, Motions.DY, 0.9e-3);
-        assertThat(curved.untilNewPoint(0)).isCloseTo(0.25, within(ROUND_OFF));
+        assertThat(curved.untilNewPoint(ROW)).isCloseTo(0.25, within(ROUND_OFF));
         island.pairs.faceOf[pair] = Pairs.NONE;
-        assertThat(curved.untilNewPoint(0)).isEqualTo(FOREVER);
+        assertThat(curved.untilNewPoint(ROW)).isEqualTo(FOREVER);
     }
 
     /** A disc has no length of which half could be over anything. */
@@ -295,9 +307,9 @@ class CurvedRowsTest {
         touch(Polygon.box(2, 1), 0, 0, new Circle(0.5), -0.99, 1);
         pair = island.contact(a, b, Math.PI / 2);
         island.pairs.faceOf[pair] = a;
-        island.point(pair, -0.99, 0.5, 0);
+        island.point(pair, AX - 0.99, AY + 0.5, 0);
         builder.build(0, 1);
         set(b, Motions.VX, 2);
-        assertThat(curved.untilNewPoint(0)).isEqualTo(FOREVER);
+        assertThat(curved.untilNewPoint(ROW)).isEqualTo(FOREVER);
     }
 }
