@@ -1,0 +1,76 @@
+package rigibo.backend.contact.row;
+
+import rigibo.backend.Pool;
+import rigibo.backend.PoolStorage;
+import rigibo.backend.effect.Effects;
+import rigibo.backend.setup.Accuracy;
+import rigibo.backend.setup.BodyDefinition;
+import rigibo.backend.storage.Bodies;
+import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.Islands;
+import rigibo.backend.storage.Pairs;
+
+import java.util.Arrays;
+
+/** Islands in the columns of a pool that never steps, with contacts written by hand. */
+public final class StoredIsland {
+
+    public final DataStorage data;
+    public final Bodies bodies;
+    public final Pairs pairs;
+
+    private final Pool pool;
+    private int count;
+
+    /** An island without bodies. */
+    public StoredIsland(Effects effects) {
+        pool = new Pool(effects, Accuracy.GAME);
+        data = PoolStorage.of(pool);
+        bodies = data.bodies;
+        pairs = data.pairs;
+        data.islands.count = 1;
+    }
+
+    /** Adds a body, to the island if it is dynamic; returns its slot. */
+    public int body(BodyDefinition definition) {
+        pool.add(definition);
+        if (bodies.isDynamic(count)) {
+            Islands islands = data.islands;
+            int end = islands.bodyStart[islands.count]++;
+            if (end == islands.bodies.length) {
+                islands.bodies = Arrays.copyOf(islands.bodies, 2 * end);
+            }
+            islands.bodies[end] = count;
+        }
+        return count++;
+    }
+
+    /** Adds a contact without points, with a normal at an angle in rad; returns its pair. */
+    public int contact(int a, int b, double angle) {
+        int pair = pairs.add(bodies, a, b);
+        pairs.normalX[pair] = Math.cos(angle);
+        pairs.normalY[pair] = Math.sin(angle);
+        Islands islands = data.islands;
+        int end = islands.pairStart[islands.count]++;
+        if (end == islands.pairs.length) {
+            islands.pairs = Arrays.copyOf(islands.pairs, 2 * end);
+        }
+        islands.pairs[end] = pair;
+        return pair;
+    }
+
+    /** Adds a point to a contact, m. */
+    public void point(int pair, double x, double y, double separation) {
+        int point = 2 * pair + pairs.points[pair]++;
+        pairs.pointX[point] = x;
+        pairs.pointY[point] = y;
+        pairs.separation[point] = separation;
+    }
+
+    /** Lets bodies and contacts that are added from now on be those of another island. */
+    public void beginIsland() {
+        int last = data.islands.count++;
+        data.islands.bodyStart[last + 1] = data.islands.bodyStart[last];
+        data.islands.pairStart[last + 1] = data.islands.pairStart[last];
+    }
+}
