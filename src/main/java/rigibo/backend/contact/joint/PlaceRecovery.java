@@ -118,7 +118,9 @@ final class PlaceRecovery {
             }
         }
         if (isAny) {
-            leaveOthersOut();
+            // Contacts are left out, since they might contradict the joints; overlap that results
+            // is removed separately.
+            leaveContactsOut();
         }
         return isAny;
     }
@@ -135,21 +137,9 @@ final class PlaceRecovery {
         return Math.abs(over) > missed + 2 * jointRows.roundOff() / rows.unit[row];
     }
 
-    /**
-     * Leaves rows out that might contradict places: contacts, whose overlap is removed separately,
-     * and what brakes or drives a joint that is at its limit, and asks for no movement at all.
-     */
-    private void leaveOthersOut() {
-        int limited = NeutralRows.NONE;
+    private void leaveContactsOut() {
         for (int row = 0; row < rows.count; row++) {
-            int joint = rows.joint[row];
-            boolean isBounded = elimination.isIn(row) && !rows.isEquation(row);
-            if (isBounded && rows.holdsPlace[row]) {
-                // A joint's limits are listed before what else acts along their coordinate.
-                limited = joint;
-            }
-            if (joint == NeutralRows.NONE
-                    || isBounded && !rows.holdsPlace[row] && joint == limited) {
+            if (rows.joint[row] == NeutralRows.NONE) {
                 elimination.put(row, false);
             }
         }
