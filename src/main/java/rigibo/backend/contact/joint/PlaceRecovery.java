@@ -28,6 +28,12 @@ final class PlaceRecovery {
      */
     private static final double KEPT = 0.1;
 
+    /**
+     * How many times as far as equations are off outlines may go in any case. Hinges of a straight
+     * bridge, which are the harder to close the straighter it is, ask for far more.
+     */
+    private static final double FEW = 4;
+
     /** Compliances of rows that ask for too much, as shares of their responses. */
     private static final double LEAST_GIVE = 1e-6;
 
@@ -48,6 +54,12 @@ final class PlaceRecovery {
 
     /** By row: the displacement that is asked for, m or rad. */
     private double[] wanted = new double[64];
+
+    /** By row with bounds: what was asked for before equations were closed alone. */
+    private double[] ofLimit = new double[64];
+
+    /** How far an outline would have gone with all places closed, as a share of its reach. */
+    private double farthestOfAll;
 
     PlaceRecovery(
             Bodies bodies,
@@ -71,7 +83,7 @@ final class PlaceRecovery {
     void correct(double h) {
         double most = mostWay(h);
         kept = 0;
-        if (asks(h) && !closes(most)) {
+        if (asks(h) && !closes(most) && !closesEquations(most)) {
             giveWayMoreAndMore(most);
         }
     }
@@ -96,6 +108,7 @@ final class PlaceRecovery {
         jointRows.measureAnew();
         if (wanted.length < rows.count) {
             wanted = new double[rows.bodies.length];
+            ofLimit = new double[rows.bodies.length];
         }
         boolean isAny = false;
         for (int row = 0; row < rows.count; row++) {
@@ -135,11 +148,50 @@ final class PlaceRecovery {
     /** Moves outlines as asked, unless one would move too far; returns whether it moved them. */
     private boolean closes(double most) {
         moved.begin();
-        boolean isNear = moveAll() <= most;
+        farthestOfAll = moveAll();
+        boolean isNear = farthestOfAll <= most;
         if (!isNear) {
             moved.scaleAll(0);
         }
         return isNear;
+    }
+
+    /**
+     * Closes all equations, and as much of the limits as leaves outlines within what they may move,
+     * if equations alone ask for no more than that, or for a few times what they are off: they are
+     * then far from contradicting each other. Returns whether it did.
+     */
+    private boolean closesEquations(double most) {
+        double asked = 0;
+        for (int row = 0; row < rows.count; row++) {
+            if (!rows.isEquation(row)) {
+                ofLimit[row] = wanted[row];
+                wanted[row] = 0;
+            }
+            asked = Math.max(asked, rows.inMetres(row, Math.abs(wanted[row])));
+        }
+        moved.begin();
+        double alone = moveAll();
+        if (alone > most && farthestInMetres() > FEW * asked) {
+            moved.scaleAll(0);
+            restoreLimits(1);
+            return false;
+        }
+        double share = (most - alone) / (farthestOfAll + alone);
+        if (share > 0) {
+            moved.scaleAll(0);
+            restoreLimits(share);
+            moveAll();
+        }
+        return true;
+    }
+
+    private void restoreLimits(double share) {
+        for (int row = 0; row < rows.count; row++) {
+            if (!rows.isEquation(row)) {
+                wanted[row] = share * ofLimit[row];
+            }
+        }
     }
 
     /**
@@ -216,14 +268,26 @@ final class PlaceRecovery {
 
     /** The largest displacement of an outline, as a share of its reach. */
     private double farthest() {
-        double farthest = 0;
+        double most = 0;
         for (int entry = 1; entry < motions.count; entry++) {
-            int at = entry * STRIDE;
-            double turned = Math.abs(moved.of(at + TURN));
-            double turning = turned == 0 ? 0 : motions.reach[entry] * turned;
-            double way = Math.abs(moved.of(at + DX)) + Math.abs(moved.of(at + DY)) + turning;
-            farthest = Math.max(farthest, way / bodies.boundingRadius[motions.slots[entry]]);
+            most = Math.max(most, way(entry) / bodies.boundingRadius[motions.slots[entry]]);
         }
-        return farthest;
+        return most;
+    }
+
+    /** The largest displacement of an outline, m. */
+    private double farthestInMetres() {
+        double most = 0;
+        for (int entry = 1; entry < motions.count; entry++) {
+            most = Math.max(most, way(entry));
+        }
+        return most;
+    }
+
+    private double way(int entry) {
+        int at = entry * STRIDE;
+        double turned = Math.abs(moved.of(at + TURN));
+        double turning = turned == 0 ? 0 : motions.reach[entry] * turned;
+        return Math.abs(moved.of(at + DX)) + Math.abs(moved.of(at + DY)) + turning;
     }
 }
