@@ -20,7 +20,7 @@ final class Library {
         return BUILT == null
                 ? Optional.of(
                         "Box2D v3 and Rapier are left out: \"./rigibo peers\" builds them, with"
-                            + " Rust")
+                                + " Rust")
                 : Optional.empty();
     }
 

@@ -190,8 +190,7 @@ class IslandSolverTest {
     @Test
     void movingCarrierTakesItsLoadAlong() {
         int lift =
-                island.body(
-                        BodyDefinition.kinematic(Polygon.box(9, 1)).at(0, -0.5).velocity(3, 2));
+                island.body(BodyDefinition.kinematic(Polygon.box(9, 1)).at(0, -0.5).velocity(3, 2));
         int box = box(island, 0, 0.5, it -> it.velocity(3, 2));
         int pair = stand(island, lift, box, 0);
         IslandSolver solver = solver(island, Accuracy.GAME);

@@ -44,8 +44,7 @@ class DisplacementTest {
             boolean isPlace = column >= Motions.DX && column <= Motions.TURN;
             boolean isScaled = isPlace && i >= Motions.STRIDE;
             double scaled = before[i] + 0.25 * (after[i] - before[i]);
-            assertThat(motions.data[i])
-                    .isCloseTo(isScaled ? scaled : after[i], within(ROUND_OFF));
+            assertThat(motions.data[i]).isCloseTo(isScaled ? scaled : after[i], within(ROUND_OFF));
         }
     }
 

@@ -156,8 +156,7 @@ class IslandForcesTest {
         double lifted = truth.accelerationY;
         double turned = truth.angularAcceleration;
         assertThat(island.bodies.pullY[slot]).isCloseTo(lifted, within(1e-9));
-        assertThat(island.bodies.pullTurn[slot])
-                .isCloseTo(isPacked ? turned : 0, within(1e-9));
+        assertThat(island.bodies.pullTurn[slot]).isCloseTo(isPacked ? turned : 0, within(1e-9));
         assertThat(island.bodies.angularAcceleration[slot])
                 .isCloseTo(isPacked ? 9 + turned : 9, within(1e-9));
         double rim = Math.abs(turned) * island.bodies.boundingRadius[slot];

@@ -30,8 +30,7 @@ class IslandResultsTest {
     private final PackedContacts contacts = new PackedContacts();
     private final PackedTurns turns = new PackedTurns(island.bodies, motions);
     private final RowBuilder builder = new RowBuilder(island.data, motions, contacts, turns);
-    private final IslandResults results =
-            new IslandResults(island.data, motions, contacts, turns);
+    private final IslandResults results = new IslandResults(island.data, motions, contacts, turns);
     private int driven;
     private int lower;
     private int upper;

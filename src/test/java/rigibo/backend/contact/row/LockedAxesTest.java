@@ -66,8 +66,7 @@ class LockedAxesTest {
     /** A driven body goes where it is driven. */
     @Test
     void drivenBodiesAreNotHeld() {
-        int driven =
-                island.body(BodyDefinition.kinematic(Polygon.box(1, 1)).velocity(2, 0));
+        int driven = island.body(BodyDefinition.kinematic(Polygon.box(1, 1)).velocity(2, 0));
         motions.offset(island.bodies, driven);
         island.bodies.lockedX[driven] = true;
         locked.hold();

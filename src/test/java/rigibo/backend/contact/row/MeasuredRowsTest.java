@@ -6,7 +6,6 @@ import static org.assertj.core.api.Assertions.within;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.junit.jupiter.params.provider.ValueSource;
 
 import rigibo.backend.collision.Narrowphase;
 import rigibo.backend.effect.Contacts;
@@ -30,11 +29,9 @@ class MeasuredRowsTest {
     private final Motions motions = new Motions(true);
     private final PackedContacts contacts = new PackedContacts();
     private final RowBuilder builder =
-            new RowBuilder(
-                    island.data, motions, contacts, new PackedTurns(island.bodies, motions));
+            new RowBuilder(island.data, motions, contacts, new PackedTurns(island.bodies, motions));
     private final FreshRows fresh =
-            new FreshRows(
-                    island.data, new Narrowphase(island.data), motions, contacts, builder);
+            new FreshRows(island.data, new Narrowphase(island.data), motions, contacts, builder);
     private final Straightness straight =
             new Straightness(motions, Accuracy.GAME.withImpactTolerance(1e-3));
     private final BentRows bent =
@@ -239,7 +236,11 @@ class MeasuredRowsTest {
     /** Turning outlines are measured before every part, but those of the start are known. */
     @ParameterizedTest
     @CsvSource({
-        "0, true, false", "1, true, true", "0, false, true", "2, true, false", "2, false, true"
+        "0, true, false",
+        "1, true, true",
+        "0, false, true",
+        "2, true, false",
+        "2, false, true"
     })
     void turningContactsAreMeasuredAgain(int substep, boolean isFirst, boolean isMeasured) {
         boxes(0.2, 1);

@@ -30,8 +30,7 @@ class RowBuilderTest {
     private final Motions motions = new Motions(true);
     private final PackedContacts contacts = new PackedContacts();
     private final RowBuilder builder =
-            new RowBuilder(
-                    island.data, motions, contacts, new PackedTurns(island.bodies, motions));
+            new RowBuilder(island.data, motions, contacts, new PackedTurns(island.bodies, motions));
 
     private double of(int row, int column) {
         return contacts.data[row * PackedContacts.STRIDE + column];
@@ -94,8 +93,7 @@ class RowBuilderTest {
                     along(b, px[near], py[near], -ny, nx) - along(a, px[near], py[near], -ny, nx);
             double armA = of(0, PackedContacts.LEVER_TA);
             double armB = of(0, PackedContacts.LEVER_TB);
-            assertThat(motions.slide(contacts, 0, armA, armB))
-                    .isCloseTo(slide, within(ROUND_OFF));
+            assertThat(motions.slide(contacts, 0, armA, armB)).isCloseTo(slide, within(ROUND_OFF));
             assertMassesInvert();
         }
     }
@@ -162,9 +160,7 @@ class RowBuilderTest {
     @CsvSource({"0.0051, 2", "0.0049, 1"})
     void pointsTooCloseCountAsOne(double x, int points) {
         int ground = island.body(BodyDefinition.fixed(Polygon.box(9, 1)));
-        int b =
-                island.body(
-                        BodyDefinition.dynamic(Polygon.box(1, 1)).at(0, 1).mass(2).inertia(2));
+        int b = island.body(BodyDefinition.dynamic(Polygon.box(1, 1)).at(0, 1).mass(2).inertia(2));
         int pair = island.contact(ground, b, Math.PI / 2);
         island.point(pair, -x, 0.5, 0);
         island.point(pair, x, 0.5, 0);
@@ -317,8 +313,7 @@ class RowBuilderTest {
     })
     void drivenBodyThatPressesInVainStandsStill(
             boolean touchedBefore, double gap, double speed, boolean isHalted) {
-        int driven =
-                island.body(BodyDefinition.kinematic(Polygon.box(2, 2)).velocity(0, 1));
+        int driven = island.body(BodyDefinition.kinematic(Polygon.box(2, 2)).velocity(0, 1));
         int a = island.body(BodyDefinition.dynamic(Polygon.box(1, 1)).at(0, 1.5));
         island.bodies.velocityY[a] = speed;
         int pair = island.contact(driven, a, Math.PI / 2);
@@ -334,8 +329,7 @@ class RowBuilderTest {
     @CsvSource({"0, true", "2, true", "-2, true", "0.5, true"})
     void drivenBodyMayBeTheSecond(double spin, boolean isHalted) {
         int a = island.body(BodyDefinition.dynamic(Polygon.box(1, 1)).at(0, 1.5));
-        int driven =
-                island.body(BodyDefinition.kinematic(Polygon.box(2, 2)).velocity(0, 1));
+        int driven = island.body(BodyDefinition.kinematic(Polygon.box(2, 2)).velocity(0, 1));
         // Its middle goes along at 0.6 m/s; where it turns down it does not.
         island.bodies.velocityY[a] = spin == 0 ? 0.3 : 0.6;
         island.bodies.spin[a] = spin;
@@ -351,8 +345,7 @@ class RowBuilderTest {
     /** A driven body that withdraws presses on nothing. */
     @Test
     void drivenBodyThatWithdrawsIsNotHalted() {
-        int driven =
-                island.body(BodyDefinition.kinematic(Polygon.box(2, 2)).velocity(0, -1));
+        int driven = island.body(BodyDefinition.kinematic(Polygon.box(2, 2)).velocity(0, -1));
         int a = island.body(BodyDefinition.dynamic(Polygon.box(1, 1)).at(0, 1.5));
         island.bodies.velocityY[a] = -3;
         int pair = island.contact(driven, a, Math.PI / 2);
