@@ -25,9 +25,9 @@ class BounceRowsTest {
 
     private final StoredIsland island =
             new StoredIsland(Effects.of(new Contacts(), new Restitution()));
-    private final Motions motions = new Motions(false);
-    private final PackedContacts contacts = new PackedContacts();
-    private final RowBuilder builder = new RowBuilder(island.data, motions, contacts, null);
+    private final Motions motions = island.motions;
+    private final PackedContacts contacts = island.contacts;
+    private final RowBuilder builder = island.builder;
     private final BounceRows bounces = new BounceRows(island.data, contacts);
 
     private int a;

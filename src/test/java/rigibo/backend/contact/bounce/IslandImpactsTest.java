@@ -43,10 +43,10 @@ class IslandImpactsTest {
                             new Rotation(),
                             new Restitution(),
                             new ContinuousImpacts()));
-    private final Motions motions = new Motions(true);
-    private final PackedContacts contacts = new PackedContacts();
-    private final PackedTurns turns = new PackedTurns(island.bodies, motions);
-    private final RowBuilder builder = new RowBuilder(island.data, motions, contacts, turns);
+    private final Motions motions = island.motions;
+    private final PackedContacts contacts = island.contacts;
+    private final PackedTurns turns = island.turns;
+    private final RowBuilder builder = island.builder;
     private final Kick kick = new Kick(island.bodies, motions, null, null, turns);
     private final IslandImpacts impacts =
             new IslandImpacts(island.data, motions, contacts, kick, 1e-4);

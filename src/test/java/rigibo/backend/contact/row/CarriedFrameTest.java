@@ -7,9 +7,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-import rigibo.backend.effect.Contacts;
-import rigibo.backend.effect.Effects;
-import rigibo.backend.effect.Rotation;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
 
@@ -18,9 +15,8 @@ class CarriedFrameTest {
 
     private static final double ROUND_OFF = 1e-15;
 
-    private final StoredIsland island =
-            new StoredIsland(Effects.of(new Contacts(), new Rotation()));
-    private final Motions motions = new Motions(true);
+    private final StoredIsland island = StoredIsland.turning();
+    private final Motions motions = island.motions;
     private final CarriedFrame frame = new CarriedFrame(island.data, motions);
     private final int one = box(0);
     private final int other = box(1);

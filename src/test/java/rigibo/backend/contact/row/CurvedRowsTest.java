@@ -9,9 +9,6 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-import rigibo.backend.effect.Contacts;
-import rigibo.backend.effect.Effects;
-import rigibo.backend.effect.Rotation;
 import rigibo.backend.geometry.Capsule;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Convex;
@@ -31,12 +28,10 @@ class CurvedRowsTest {
     private static final double AX = 5;
     private static final double AY = 2;
 
-    private final StoredIsland island =
-            new StoredIsland(Effects.of(new Contacts(), new Rotation()));
-    private final Motions motions = new Motions(true);
-    private final PackedContacts contacts = new PackedContacts();
-    private final RowBuilder builder =
-            new RowBuilder(island.data, motions, contacts, new PackedTurns(island.bodies, motions));
+    private final StoredIsland island = StoredIsland.turning();
+    private final Motions motions = island.motions;
+    private final PackedContacts contacts = island.contacts;
+    private final RowBuilder builder = island.builder;
     private final CurvedRows curved =
             new CurvedRows(
                     island.data,

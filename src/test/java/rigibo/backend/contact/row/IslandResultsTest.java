@@ -8,9 +8,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-import rigibo.backend.effect.Contacts;
-import rigibo.backend.effect.Effects;
-import rigibo.backend.effect.Rotation;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
 
@@ -24,12 +21,11 @@ class IslandResultsTest {
     /** The contact's row; the first is that of another box. */
     private static final int ROW = 1;
 
-    private final StoredIsland island =
-            new StoredIsland(Effects.of(new Contacts(), new Rotation()));
-    private final Motions motions = new Motions(true);
-    private final PackedContacts contacts = new PackedContacts();
-    private final PackedTurns turns = new PackedTurns(island.bodies, motions);
-    private final RowBuilder builder = new RowBuilder(island.data, motions, contacts, turns);
+    private final StoredIsland island = StoredIsland.turning();
+    private final Motions motions = island.motions;
+    private final PackedContacts contacts = island.contacts;
+    private final PackedTurns turns = island.turns;
+    private final RowBuilder builder = island.builder;
     private final IslandResults results = new IslandResults(island.data, motions, contacts, turns);
     private int driven;
     private int lower;

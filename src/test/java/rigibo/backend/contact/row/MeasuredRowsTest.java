@@ -8,9 +8,6 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 import rigibo.backend.collision.Narrowphase;
-import rigibo.backend.effect.Contacts;
-import rigibo.backend.effect.Effects;
-import rigibo.backend.effect.Rotation;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Convex;
 import rigibo.backend.geometry.Polygon;
@@ -24,12 +21,10 @@ class MeasuredRowsTest {
 
     private static final double ROUND_OFF = 1e-12;
 
-    private final StoredIsland island =
-            new StoredIsland(Effects.of(new Contacts(), new Rotation()));
-    private final Motions motions = new Motions(true);
-    private final PackedContacts contacts = new PackedContacts();
-    private final RowBuilder builder =
-            new RowBuilder(island.data, motions, contacts, new PackedTurns(island.bodies, motions));
+    private final StoredIsland island = StoredIsland.turning();
+    private final Motions motions = island.motions;
+    private final PackedContacts contacts = island.contacts;
+    private final RowBuilder builder = island.builder;
     private final FreshRows fresh =
             new FreshRows(island.data, new Narrowphase(island.data), motions, contacts, builder);
     private final Straightness straight =

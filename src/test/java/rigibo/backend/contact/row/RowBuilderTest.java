@@ -10,7 +10,6 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 import rigibo.backend.effect.Contacts;
 import rigibo.backend.effect.Effects;
-import rigibo.backend.effect.Rotation;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
@@ -25,12 +24,10 @@ class RowBuilderTest {
 
     private static final double KICK = 0.01;
 
-    private final StoredIsland island =
-            new StoredIsland(Effects.of(new Contacts(), new Rotation()));
-    private final Motions motions = new Motions(true);
-    private final PackedContacts contacts = new PackedContacts();
-    private final RowBuilder builder =
-            new RowBuilder(island.data, motions, contacts, new PackedTurns(island.bodies, motions));
+    private final StoredIsland island = StoredIsland.turning();
+    private final Motions motions = island.motions;
+    private final PackedContacts contacts = island.contacts;
+    private final RowBuilder builder = island.builder;
 
     private double of(int row, int column) {
         return contacts.data[row * PackedContacts.STRIDE + column];
@@ -299,62 +296,6 @@ class RowBuilderTest {
         assertThat(motions.parting(contacts, 0, 0)).isCloseTo(-1, within(ROUND_OFF));
     }
 
-    /**
-     * A body of 1 m width on a press that rises at 1 m/s. It stands still there, as against the
-     * ground, if it is deep in a body that moves along at less than half of its speed.
-     */
-    @ParameterizedTest
-    @CsvSource({
-        "true, -0.051, 0.4, true",
-        "true, -0.051, 0.6, false",
-        "true, -0.049, 0, false",
-        "false, -0.051, 0, false",
-        "true, -0.051, 1.2, false"
-    })
-    void drivenBodyThatPressesInVainStandsStill(
-            boolean touchedBefore, double gap, double speed, boolean isHalted) {
-        int driven = island.body(BodyDefinition.kinematic(Polygon.box(2, 2)).velocity(0, 1));
-        int a = island.body(BodyDefinition.dynamic(Polygon.box(1, 1)).at(0, 1.5));
-        island.bodies.velocityY[a] = speed;
-        int pair = island.contact(driven, a, Math.PI / 2);
-        island.point(pair, 0.1, 1, gap);
-        island.pairs.touchedBefore[pair] = touchedBefore;
-        pack();
-        assertThat(contacts.bodyA[0] == 0).isEqualTo(isHalted);
-        assertThat(contacts.bodyB[0]).isNotZero();
-    }
-
-    /** Seen from the other side, and by either of its points. */
-    @ParameterizedTest
-    @CsvSource({"0, true", "2, true", "-2, true", "0.5, true"})
-    void drivenBodyMayBeTheSecond(double spin, boolean isHalted) {
-        int a = island.body(BodyDefinition.dynamic(Polygon.box(1, 1)).at(0, 1.5));
-        int driven = island.body(BodyDefinition.kinematic(Polygon.box(2, 2)).velocity(0, 1));
-        // Its middle goes along at 0.6 m/s; where it turns down it does not.
-        island.bodies.velocityY[a] = spin == 0 ? 0.3 : 0.6;
-        island.bodies.spin[a] = spin;
-        int pair = island.contact(a, driven, -Math.PI / 2);
-        island.point(pair, -0.3, 1, -0.06);
-        island.point(pair, 0.3, 1, -0.06);
-        island.pairs.touchedBefore[pair] = true;
-        pack();
-        assertThat(contacts.bodyB[0] == 0).isEqualTo(isHalted);
-        assertThat(contacts.bodyA[0]).isNotZero();
-    }
-
-    /** A driven body that withdraws presses on nothing. */
-    @Test
-    void drivenBodyThatWithdrawsIsNotHalted() {
-        int driven = island.body(BodyDefinition.kinematic(Polygon.box(2, 2)).velocity(0, -1));
-        int a = island.body(BodyDefinition.dynamic(Polygon.box(1, 1)).at(0, 1.5));
-        island.bodies.velocityY[a] = -3;
-        int pair = island.contact(driven, a, Math.PI / 2);
-        island.point(pair, 0.1, 1, -0.06);
-        island.pairs.touchedBefore[pair] = true;
-        pack();
-        assertThat(contacts.bodyA[0]).isNotZero();
-    }
-
     /** A disc on a disc that has moved up by 1: what was measured there holds there. */
     @Test
     void gapsOfRewrittenRowsAreThoseOfTheirPresentPlaces() {
@@ -424,8 +365,7 @@ class RowBuilderTest {
     @Test
     void bodiesThatDoNotTurnHaveOneRow() {
         StoredIsland flat = new StoredIsland(Effects.of(new Contacts()));
-        Motions straight = new Motions(false);
-        RowBuilder plain = new RowBuilder(flat.data, straight, contacts, null);
+        RowBuilder plain = flat.builder;
         int a = flat.body(BodyDefinition.dynamic(Polygon.box(1, 1)).mass(2));
         int b = flat.body(BodyDefinition.dynamic(new Circle(1)).at(0, 1.5).mass(4));
         int pair = flat.contact(a, b, 0.3);
@@ -436,14 +376,14 @@ class RowBuilderTest {
         plain.build(0, KICK);
         plain.packBodies(0);
         assertThat(plain.offset(b)).isEqualTo(2 * Motions.STRIDE);
-        assertThat(contacts.points[0]).isEqualTo(1);
-        assertThat(of(0, PackedContacts.NX)).isEqualTo(Math.cos(0.3));
-        assertThat(of(0, PackedContacts.NY)).isEqualTo(Math.sin(0.3));
-        assertThat(of(0, PackedContacts.GAP0)).isEqualTo(-2e-3);
-        assertThat(of(0, PackedContacts.LEVER_A0)).isZero();
+        assertThat(flat.contacts.points[0]).isEqualTo(1);
+        assertThat(flat.contacts.data[PackedContacts.NX]).isEqualTo(Math.cos(0.3));
+        assertThat(flat.contacts.data[PackedContacts.NY]).isEqualTo(Math.sin(0.3));
+        assertThat(flat.contacts.data[PackedContacts.GAP0]).isEqualTo(-2e-3);
+        assertThat(flat.contacts.data[PackedContacts.LEVER_A0]).isZero();
         double k = 0.75 * (1 + 1e-10);
-        assertThat(of(0, PackedContacts.K00)).isCloseTo(k, within(1e-15));
-        assertThat(of(0, PackedContacts.M00)).isCloseTo(1 / k, within(1e-15));
-        assertThat(of(0, PackedContacts.IMPULSE0)).isCloseTo(7 * KICK, within(1e-16));
+        assertThat(flat.contacts.data[PackedContacts.K00]).isCloseTo(k, within(1e-15));
+        assertThat(flat.contacts.data[PackedContacts.M00]).isCloseTo(1 / k, within(1e-15));
+        assertThat(flat.contacts.data[PackedContacts.IMPULSE0]).isCloseTo(7 * KICK, within(1e-16));
     }
 }

@@ -30,10 +30,8 @@ class RunningRowsTest {
             Material belt = Material.DEFAULT.surfaceSpeed(speed);
             island.body(BodyDefinition.dynamic(Polygon.box(1, 1)).material(belt));
         }
-        Motions motions = new Motions(true);
-        PackedContacts contacts = new PackedContacts();
-        PackedTurns turns = new PackedTurns(island.bodies, motions);
-        RowBuilder builder = new RowBuilder(island.data, motions, contacts, turns);
+        PackedContacts contacts = island.contacts;
+        RowBuilder builder = island.builder;
         RunningRows running = new RunningRows(island.data, contacts);
         island.contact(0, 1, 0);
         builder.build(0, 1);

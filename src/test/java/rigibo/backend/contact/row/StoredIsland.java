@@ -2,7 +2,9 @@ package rigibo.backend.contact.row;
 
 import rigibo.backend.Pool;
 import rigibo.backend.PoolStorage;
+import rigibo.backend.effect.Contacts;
 import rigibo.backend.effect.Effects;
+import rigibo.backend.effect.Rotation;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.storage.Bodies;
@@ -12,12 +14,22 @@ import rigibo.backend.storage.Pairs;
 
 import java.util.Arrays;
 
-/** Islands in the columns of a pool that never steps, with contacts written by hand. */
+/**
+ * Islands in the columns of a pool that never steps, with contacts written by hand, and what packs
+ * them.
+ */
 public final class StoredIsland {
 
     public final DataStorage data;
     public final Bodies bodies;
     public final Pairs pairs;
+    public final Motions motions;
+    public final PackedContacts contacts = new PackedContacts();
+
+    /** Null where bodies do not turn. */
+    public final PackedTurns turns;
+
+    public final RowBuilder builder;
 
     private final Pool pool;
     private int count;
@@ -29,6 +41,14 @@ public final class StoredIsland {
         bodies = data.bodies;
         pairs = data.pairs;
         data.islands.count = 1;
+        motions = new Motions(bodies.turns());
+        turns = bodies.turns() ? new PackedTurns(bodies, motions) : null;
+        builder = new RowBuilder(data, motions, contacts, turns);
+    }
+
+    /** An island without bodies, where bodies meet and turn. */
+    public static StoredIsland turning() {
+        return new StoredIsland(Effects.of(new Contacts(), new Rotation()));
     }
 
     /** Adds a body, to the island if it is dynamic; returns its slot. */

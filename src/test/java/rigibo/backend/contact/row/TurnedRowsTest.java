@@ -10,9 +10,6 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 import rigibo.backend.collision.Narrowphase;
-import rigibo.backend.effect.Contacts;
-import rigibo.backend.effect.Effects;
-import rigibo.backend.effect.Rotation;
 import rigibo.backend.geometry.Capsule;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Convex;
@@ -25,12 +22,10 @@ import java.util.SplittableRandom;
 /** How {@link TurningRows} bends contacts: against places of material points after a turn. */
 class TurnedRowsTest {
 
-    private final StoredIsland island =
-            new StoredIsland(Effects.of(new Contacts(), new Rotation()));
-    private final Motions motions = new Motions(true);
-    private final PackedContacts contacts = new PackedContacts();
-    private final RowBuilder builder =
-            new RowBuilder(island.data, motions, contacts, new PackedTurns(island.bodies, motions));
+    private final StoredIsland island = StoredIsland.turning();
+    private final Motions motions = island.motions;
+    private final PackedContacts contacts = island.contacts;
+    private final RowBuilder builder = island.builder;
     private final FreshRows fresh =
             new FreshRows(island.data, new Narrowphase(island.data), motions, contacts, builder);
     private final TurningRows turning =
@@ -136,7 +131,7 @@ class TurnedRowsTest {
         bendOnFaceOf(new Capsule(2, 0.5), Polygon.box(1, 2), 1.5, 0.5, -1);
     }
 
-    /** The same with A and B exchanged: mirrored, gaps are the same. */
+    /** Gaps do not depend on which of two bodies is A: each pair is stored both ways. */
     @ParameterizedTest
     @ValueSource(ints = {0, 1, 2})
     void faceMayBeThatOfB(int kind) {
