@@ -89,7 +89,8 @@ impl Box2d {
         }
     }
 
-    /// A frame in a body at a world point, its x axis along a world direction.
+    /// A frame in a body at a world point, its x axis along a world direction. Frames of two bodies
+    /// agree as the bodies stand, so that joints are at 0 there.
     fn frame(body: b2BodyId, at: [f32; 2], axis: f32) -> b2Transform {
         unsafe {
             let rotation = b2Body_GetRotation(body);
@@ -166,13 +167,6 @@ impl Peer for Box2d {
                 HINGE => {
                     let mut hinge = b2DefaultRevoluteJointDef();
                     self.frames(&mut hinge.base, joint, joint.at, 0.0);
-                    // The angle of a hinge is 0 as the bodies stand.
-                    let angle = |body: b2BodyId| {
-                        let rotation = b2Body_GetRotation(body);
-                        rotation.s.atan2(rotation.c)
-                    };
-                    hinge.base.localFrameA.q = turned(-angle(hinge.base.bodyIdA));
-                    hinge.base.localFrameB.q = turned(-angle(hinge.base.bodyIdB));
                     hinge.enableLimit = joint.limits.is_some();
                     hinge.lowerAngle = lower;
                     hinge.upperAngle = upper;

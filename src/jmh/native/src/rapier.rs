@@ -6,9 +6,6 @@ use rapier2d::prelude::*;
 /// The version that Cargo.toml pins, as major · 10000 + minor · 100 + patch.
 pub const VERSION: i32 = 3_601;
 
-/// Groups of a body that never collides with its own group: so many bits Rapier has for them.
-const MOST_GROUPS: i32 = 31;
-
 /// Rate at which a motor's speed is approached, 1/s: at once, for all that a step can tell.
 const MOTOR_RATE: f32 = 1e5;
 
@@ -78,7 +75,7 @@ impl Rapier {
         if group == 0 {
             return InteractionGroups::all();
         }
-        let own = Group::from_bits_truncate(1 << ((group - 1) % MOST_GROUPS));
+        let own = Group::from_bits_truncate(1 << (group - 1));
         InteractionGroups::new(own, !own, InteractionTestMode::And)
     }
 

@@ -27,14 +27,23 @@ public final class Box2dFamily {
      * @throws UnsupportedOperationException when there are more than 8 corners
      */
     public static float[] corners(Outline polygon) {
-        if (polygon.corners() > MOST_CORNERS) {
-            throw new UnsupportedOperationException(
-                    "polygons of more than " + MOST_CORNERS + " corners");
-        }
+        requireRoom(polygon);
         if (polygon.radius() > 0) {
             throw new UnsupportedOperationException("polygons with round corners");
         }
         return xy(polygon.corners(), polygon::cornerX, polygon::cornerY);
+    }
+
+    /**
+     * Refuses more corners than Box2D has room for, of any version.
+     *
+     * @throws UnsupportedOperationException when there are more than 8 corners
+     */
+    public static void requireRoom(Outline polygon) {
+        if (polygon.corners() > MOST_CORNERS) {
+            throw new UnsupportedOperationException(
+                    "polygons of more than " + MOST_CORNERS + " corners");
+        }
     }
 
     /** Corner coordinates of a chain in its own frame, m. */

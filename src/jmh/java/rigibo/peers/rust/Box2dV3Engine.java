@@ -37,7 +37,6 @@ public final class Box2dV3Engine implements Engine {
 
     @Override
     public World world(Effects effects, Setting setting) {
-        Library.load();
         return new RustWorld(NUMBER, effects, substeps(setting));
     }
 

@@ -7,6 +7,10 @@ package rigibo.peers.rust;
  */
 final class Calls {
 
+    static {
+        Library.load();
+    }
+
     private Calls() {}
 
     /** Major · 10,000 + minor · 100 + patch. */

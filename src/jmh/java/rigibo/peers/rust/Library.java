@@ -11,8 +11,6 @@ final class Library {
     private static final URL BUILT =
             Library.class.getResource("/" + System.mapLibraryName("rigibo_peers"));
 
-    private static boolean isLoaded;
-
     private Library() {}
 
     /** Why its engines cannot run; empty if they can. */
@@ -24,31 +22,17 @@ final class Library {
                 : Optional.empty();
     }
 
-    /**
-     * Loads it once, so that {@link Calls} can be called.
-     *
-     * @throws IllegalStateException when it was not built
-     */
-    static synchronized void load() {
-        if (isLoaded) {
-            return;
-        }
-        missing()
-                .ifPresent(
-                        why -> {
-                            throw new IllegalStateException(why);
-                        });
+    /** Loads what was built; {@link Calls} does so before its first call. */
+    static void load() {
         try {
             System.load(Path.of(BUILT.toURI()).toString());
         } catch (URISyntaxException impossible) {
             throw new IllegalStateException("no path: " + BUILT, impossible);
         }
-        isLoaded = true;
     }
 
     /** The version of an engine in it, such as 3.2.0. */
     static String version(int engine) {
-        load();
         int version = Calls.version(engine);
         return version / 10_000 + "." + version / 100 % 100 + "." + version % 100;
     }

@@ -4,12 +4,10 @@ import rigibo.backend.geometry.Chain;
 import rigibo.backend.geometry.Outline;
 import rigibo.backend.geometry.Shape;
 import rigibo.backend.geometry.ShapeKind;
+import rigibo.peers.Box2dFamily;
 
 /** Our shapes as the library's: every convex one is a core and a radius there, too. */
 final class Outlines {
-
-    /** Box2D's arrays of corners are as long as this. */
-    private static final int MOST_CORNERS = 8;
 
     private Outlines() {}
 
@@ -27,8 +25,8 @@ final class Outlines {
             Calls.chain(world, chain.isLoop());
             return;
         }
-        for (int part = 0; part < shape.parts(); part++) {
-            requireRoom(engine, shape.outline(part));
+        for (int part = 0; engine == Box2dV3Engine.NUMBER && part < shape.parts(); part++) {
+            Box2dFamily.requireRoom(shape.outline(part));
         }
         for (int part = 0; part < shape.parts(); part++) {
             tell(world, shape.outline(part));
@@ -40,12 +38,5 @@ final class Outlines {
             Calls.corner(world, outline.cornerX(i), outline.cornerY(i));
         }
         Calls.outline(world, outline.radius());
-    }
-
-    private static void requireRoom(int engine, Outline outline) {
-        if (engine == Box2dV3Engine.NUMBER && outline.corners() > MOST_CORNERS) {
-            throw new UnsupportedOperationException(
-                    "polygons of more than " + MOST_CORNERS + " corners");
-        }
     }
 }

@@ -32,7 +32,6 @@ public final class RapierEngine implements Engine {
     /** What its manual calls iterations of the solver are substeps. */
     @Override
     public World world(Effects effects, Setting setting) {
-        Library.load();
         int substeps = PeerSettings.iterations(setting, RustWorld.USUAL_SUBSTEPS);
         return new RustWorld(NUMBER, effects, substeps);
     }

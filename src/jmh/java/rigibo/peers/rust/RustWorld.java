@@ -22,6 +22,9 @@ final class RustWorld implements World {
 
     private static final int ONE_WORKER = 1;
 
+    /** Rapier has a bit for each of them. */
+    private static final int GROUPS_OF_RAPIER = 31;
+
     private final int engine;
     private final long world;
     private final Called called;
@@ -46,7 +49,7 @@ final class RustWorld implements World {
 
     @Override
     public int add(BodyDefinition stated) {
-        short group = Box2dFamily.group(stated);
+        int group = group(stated);
         if (called.hasContacts()) {
             Outlines.tell(world, engine, stated.shape());
         }
@@ -67,11 +70,19 @@ final class RustWorld implements World {
                 called.elasticity(stated),
                 called.damping(stated),
                 stated.gravityScale(),
-                -group,
+                group,
                 called.hasRotation(),
                 stated.awake());
         forces.add(bodies, stated);
         return bodies++;
+    }
+
+    private int group(BodyDefinition stated) {
+        int group = -Box2dFamily.group(stated);
+        if (engine == RapierEngine.NUMBER && group > GROUPS_OF_RAPIER) {
+            throw new UnsupportedOperationException("groups other than 0 to " + GROUPS_OF_RAPIER);
+        }
+        return group;
     }
 
     private static int kind(BodyType type) {

@@ -12,7 +12,7 @@ public final class Engines {
 
     /** Ours first, the others that can run by name. */
     public static List<Engine> all() {
-        List<Engine> others = new ArrayList<>(found());
+        List<Engine> others = found();
         others.removeIf(engine -> engine.missing().isPresent());
         others.sort((a, b) -> a.name().compareTo(b.name()));
         List<Engine> all = new ArrayList<>();

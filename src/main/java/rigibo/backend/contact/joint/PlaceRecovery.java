@@ -58,9 +58,6 @@ final class PlaceRecovery {
     /** By row with bounds: what was asked for before equations were closed alone. */
     private double[] ofLimit = new double[64];
 
-    /** How far an outline would have gone with all places closed, as a share of its reach. */
-    private double farthestOfAll;
-
     PlaceRecovery(
             Bodies bodies,
             Motions motions,
@@ -83,7 +80,12 @@ final class PlaceRecovery {
     void correct(double h) {
         double most = mostWay(h);
         kept = 0;
-        if (asks(h) && !closes(most) && !closesEquations(most)) {
+        if (!asks(h)) {
+            return;
+        }
+        double farthest = close(most);
+        boolean isNear = farthest <= most;
+        if (!isNear && !closesEquations(most, farthest)) {
             giveWayMoreAndMore(most);
         }
     }
@@ -145,23 +147,28 @@ final class PlaceRecovery {
         }
     }
 
-    /** Moves outlines as asked, unless one would move too far; returns whether it moved them. */
-    private boolean closes(double most) {
+    /**
+     * Moves outlines as asked, unless one would move too far; returns the longest way asked for, as
+     * a share of an outline's reach.
+     */
+    private double close(double most) {
         moved.begin();
-        farthestOfAll = moveAll();
-        boolean isNear = farthestOfAll <= most;
+        double farthest = moveAll();
+        boolean isNear = farthest <= most;
         if (!isNear) {
             moved.scaleAll(0);
         }
-        return isNear;
+        return farthest;
     }
 
     /**
      * Closes all equations, and as much of the limits as leaves outlines within what they may move,
      * if equations alone ask for no more than that, or for a few times what they are off: they are
      * then far from contradicting each other. Returns whether it did.
+     *
+     * @param ofAll the longest way with all places closed, as a share of an outline's reach
      */
-    private boolean closesEquations(double most) {
+    private boolean closesEquations(double most, double ofAll) {
         double asked = 0;
         for (int row = 0; row < rows.count; row++) {
             if (!rows.isEquation(row)) {
@@ -177,7 +184,7 @@ final class PlaceRecovery {
             restoreLimits(1);
             return false;
         }
-        double share = (most - alone) / (farthestOfAll + alone);
+        double share = (most - alone) / (ofAll + alone);
         if (share > 0) {
             moved.scaleAll(0);
             restoreLimits(share);
