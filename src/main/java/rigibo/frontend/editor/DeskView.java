@@ -12,6 +12,7 @@ import rigibo.frontend.editor.pane.ProblemPane;
 import rigibo.frontend.editor.tool.Outlines;
 import rigibo.frontend.puzzle.JointSketch;
 import rigibo.frontend.puzzle.Skins;
+import rigibo.frontend.puzzle.VerbMark;
 import rigibo.frontend.puzzle.level.LevelJoint;
 import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Canvas;
@@ -82,9 +83,14 @@ final class DeskView {
     private void drawJoints() {
         JointPen pen = new JointPen(canvas, camera);
         for (JsonNode node : desk.draft().at("/joints")) {
-            LevelJoint.of(node).ifPresent(joint -> JointSketch.draw(pen, joint));
+            LevelJoint.of(node).ifPresent(joint -> draw(pen, joint));
         }
         desk.joint().ifPresent(joint -> rings(joint, Color.TEXT));
+    }
+
+    private void draw(JointPen pen, LevelJoint joint) {
+        JointSketch.draw(pen, joint);
+        joint.verb().ifPresent(verb -> VerbMark.draw(canvas, camera, verb, joint));
     }
 
     private void rings(JointEntry joint, Color color) {

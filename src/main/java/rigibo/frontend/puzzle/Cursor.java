@@ -1,7 +1,7 @@
 package rigibo.frontend.puzzle;
 
-import rigibo.frontend.puzzle.rules.Piece;
 import rigibo.frontend.puzzle.rules.PuzzleGame;
+import rigibo.frontend.puzzle.rules.Target;
 import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Key;
 import rigibo.frontend.scene.Scene;
@@ -9,7 +9,7 @@ import rigibo.frontend.scene.Scene;
 import java.util.List;
 import java.util.Optional;
 
-/** The target of a click: the position of the pointer, or a box selected by keys. */
+/** The target of a click: the position of the pointer, or what keys selected. */
 final class Cursor {
 
     private static final int NONE = -1;
@@ -37,55 +37,56 @@ final class Cursor {
         chosen = NONE;
     }
 
-    /** Position on the screen, px: that of the pointer, or of the selected box. */
+    /** Position on the screen, px: that of the pointer, or of what is selected. */
     double x(PuzzleGame game) {
-        return chosen(game).map(piece -> camera.screenX(piece.body().x())).orElse(x);
+        return chosen(game).map(target -> camera.screenX(target.x())).orElse(x);
     }
 
     /** Screen px. */
     double y(PuzzleGame game) {
-        return chosen(game).map(piece -> camera.screenY(piece.body().y())).orElse(y);
+        return chosen(game).map(target -> camera.screenY(target.y())).orElse(y);
     }
 
-    /** The box selected by keys, if it can still be deleted. */
-    Optional<Piece> chosen(PuzzleGame game) {
+    /** The body or joint selected by keys, if it can still be clicked. */
+    Optional<Target> chosen(PuzzleGame game) {
         return chosen == NONE
                 ? Optional.empty()
-                : Optional.of(game.pieces().get(chosen)).filter(Piece::isDeletable);
+                : Optional.of(game.targets().get(chosen)).filter(Target::isClickable);
     }
 
-    /** The body that is selected by keys, or lies under the pointer. */
-    Optional<Piece> under(PuzzleGame game) {
-        return chosen(game).or(() -> game.pieceAt(camera.worldX(x), camera.worldY(y)));
+    /** The body or joint that is selected by keys, or lies under the pointer. */
+    Optional<Target> under(PuzzleGame game) {
+        return chosen(game).or(() -> game.targetAt(camera.worldX(x), camera.worldY(y)));
     }
 
     /**
-     * Selects the next box that can be deleted (+1), or the previous one (−1), in the order of the
-     * file.
+     * Selects the next of what can be clicked (+1), or the previous one (−1): bodies in the order
+     * of the file, then joints.
      */
     void cycle(PuzzleGame game, int direction) {
-        List<Piece> pieces = game.pieces();
+        List<Target> targets = game.targets();
         int from = chosen == NONE && direction < 0 ? 0 : chosen;
-        for (int i = 1; i <= pieces.size(); i++) {
-            int next = Math.floorMod(from + i * direction, pieces.size());
-            if (pieces.get(next).isDeletable()) {
+        for (int i = 1; i <= targets.size(); i++) {
+            int next = Math.floorMod(from + i * direction, targets.size());
+            if (targets.get(next).isClickable()) {
                 chosen = next;
                 return;
             }
         }
     }
 
-    /** Selects the nearest box in an arrow's direction; the first box if none was selected. */
+    /** Selects the nearest target in an arrow's direction; the first if none was selected. */
     void move(PuzzleGame game, Key arrow) {
-        Optional<Piece> from = chosen(game);
+        Optional<Target> from = chosen(game);
         if (from.isEmpty()) {
             cycle(game, 1);
             return;
         }
         double least = Double.POSITIVE_INFINITY;
-        for (int i = 0; i < game.pieces().size(); i++) {
-            Piece piece = game.pieces().get(i);
-            double way = piece.isDeletable() ? way(from.get(), piece, arrow) : least;
+        List<Target> targets = game.targets();
+        for (int i = 0; i < targets.size(); i++) {
+            Target target = targets.get(i);
+            double way = target.isClickable() ? way(from.get(), target, arrow) : least;
             if (way < least) {
                 least = way;
                 chosen = i;
@@ -93,10 +94,10 @@ final class Cursor {
         }
     }
 
-    /** Weighted distance of a box, m; infinite if it lies in another direction. */
-    private static double way(Piece from, Piece to, Key arrow) {
-        double right = to.body().x() - from.body().x();
-        double up = to.body().y() - from.body().y();
+    /** Weighted distance of a target, m; infinite if it lies in another direction. */
+    private static double way(Target from, Target to, Key arrow) {
+        double right = to.x() - from.x();
+        double up = to.y() - from.y();
         double along =
                 switch (arrow) {
                     case RIGHT -> right;

@@ -1,6 +1,8 @@
 package rigibo.frontend.puzzle;
 
+import rigibo.frontend.puzzle.level.Clickable;
 import rigibo.frontend.puzzle.level.Level;
+import rigibo.frontend.puzzle.level.Verb;
 import rigibo.frontend.puzzle.rules.Outcome;
 import rigibo.frontend.puzzle.rules.PuzzleGame;
 import rigibo.frontend.scene.Canvas;
@@ -12,6 +14,8 @@ import rigibo.frontend.scene.accuracy.Badge;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
 
 /** The bar above the play: title, state of the game, clicks, time, and the cooldown's ring. */
 final class Hud {
@@ -135,7 +139,16 @@ final class Hud {
         }
         boolean isUntouched =
                 session.game().clicks() == 0 && session.game().outcome() == Outcome.RUNNING;
-        return isUntouched ? Optional.of("puzzle.task") : Optional.empty();
+        return isUntouched
+                ? Optional.of("puzzle.task." + task(session.game().level()))
+                : Optional.empty();
+    }
+
+    /** The level's verb if it has one alone. */
+    private static String task(Level level) {
+        Set<Verb> verbs =
+                level.clickables().stream().map(Clickable::verb).collect(Collectors.toSet());
+        return verbs.size() == 1 ? verbs.iterator().next().title() : "many";
     }
 
     private static String key(Enum<?> constant) {

@@ -2,9 +2,11 @@ package rigibo.frontend.puzzle;
 
 import rigibo.backend.ContactEvent;
 import rigibo.backend.RigidBody;
+import rigibo.frontend.puzzle.level.Verb;
 import rigibo.frontend.puzzle.rules.Outcome;
 import rigibo.frontend.puzzle.rules.Piece;
 import rigibo.frontend.puzzle.rules.PuzzleGame;
+import rigibo.frontend.scene.Deed;
 import rigibo.frontend.scene.Impacts;
 import rigibo.frontend.scene.Skin;
 import rigibo.frontend.scene.Sounds;
@@ -98,9 +100,13 @@ final class Noises {
         }
     }
 
-    /** Called when a box was deleted. */
-    void deleted() {
-        sounds.pop();
+    /** Called when a click did something. */
+    void did(Verb verb) {
+        switch (verb) {
+            case DELETE -> sounds.pop();
+            case CUT -> sounds.did(Deed.SNIP);
+            case PULL -> sounds.did(Deed.PULL);
+        }
     }
 
     /** Called when something that the player asked for is not possible now. */

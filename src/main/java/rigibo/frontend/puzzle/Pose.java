@@ -15,6 +15,13 @@ record Pose(double x, double y, double angle) {
         return new Pose(body.x(), body.y(), body.angle());
     }
 
+    /** The pose of a point (m) of the body's own frame, turned with the body. */
+    Pose at(double localX, double localY) {
+        double cos = Math.cos(angle);
+        double sin = Math.sin(angle);
+        return new Pose(x + cos * localX - sin * localY, y + sin * localX + cos * localY, angle);
+    }
+
     /** The pose at a share, 0 to 1, of the way to another one. */
     Pose towards(Pose other, double share) {
         return new Pose(

@@ -147,13 +147,16 @@ public final class PuzzleScene implements Scene {
         }
     }
 
-    /** Selects a box, and no button. */
+    /** Selects what can be clicked, and no button. */
     private void cycle(int direction) {
         panels.buttons().ifPresent(ButtonRow::letGo);
         table.cycle(direction);
     }
 
-    /** Lets left and right select a button if there are any; otherwise arrows select boxes. */
+    /**
+     * Lets left and right select a button if there are any; otherwise arrows select what can be
+     * clicked.
+     */
     private void arrow(Key key) {
         Optional<ButtonRow> buttons = panels.buttons();
         boolean isAcross = key == Key.LEFT || key == Key.RIGHT;
@@ -166,9 +169,9 @@ public final class PuzzleScene implements Scene {
         }
     }
 
-    /** Deletes the selected box, or presses the selected button. */
+    /** Clicks what is selected, or presses the selected button. */
     private void enter() {
-        if (!table.deleteChosen()) {
+        if (!table.clickChosen()) {
             panels.buttons().flatMap(ButtonRow::chosen).ifPresent(this::run);
         }
     }

@@ -33,7 +33,7 @@ final class Refusal {
     /** Reasons for a refusal. */
     enum Reason {
         COOLING_DOWN,
-        NOT_DELETABLE,
+        NOT_CLICKABLE,
         NO_CLICKS_LEFT,
         NOTHING_THERE,
         /** There is nothing to undo. */
@@ -55,9 +55,9 @@ final class Refusal {
     /** Shows the result of a click at a point of the screen, px. */
     void answer(ClickResult result, double atX, double atY) {
         switch (result) {
-            case DELETED -> forget();
+            case DONE -> forget();
             case COOLING_DOWN -> refuse(Reason.COOLING_DOWN, atX, atY);
-            case NOT_DELETABLE -> refuse(Reason.NOT_DELETABLE, atX, atY);
+            case NOT_CLICKABLE -> refuse(Reason.NOT_CLICKABLE, atX, atY);
             case NO_CLICKS_LEFT -> refuse(Reason.NO_CLICKS_LEFT, atX, atY);
             case NOTHING_THERE -> refuse(Reason.NOTHING_THERE, atX, atY);
             case OVER -> refuse(Reason.OVER, atX, atY);

@@ -1,7 +1,7 @@
 package rigibo.frontend.puzzle;
 
 import rigibo.frontend.puzzle.replay.Recording;
-import rigibo.frontend.puzzle.rules.Deletion;
+import rigibo.frontend.puzzle.rules.Act;
 import rigibo.frontend.puzzle.rules.PuzzleGame;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
@@ -54,8 +54,8 @@ final class ReplayBar {
     private void drawTime(Canvas canvas, double share) {
         canvas.line(LEFT, TIME_Y, RIGHT, TIME_Y, 3, Color.PANEL_LIT);
         canvas.line(LEFT, TIME_Y, at(share), TIME_Y, 3, Color.BRASS);
-        for (Deletion deletion : recording.replay().deletions()) {
-            double x = at(deletion.step() / (double) recording.steps());
+        for (Act act : recording.replay().acts()) {
+            double x = at(act.step() / (double) recording.steps());
             canvas.line(x, TIME_Y - 5, x, TIME_Y + 5, 3, Color.TEXT);
         }
     }

@@ -104,10 +104,10 @@ final class Session {
      */
     boolean undo() {
         Replay played = own.replay();
-        if (isShowing() || played.deletions().isEmpty()) {
+        if (isShowing() || played.acts().isEmpty()) {
             return false;
         }
-        int step = played.deletions().get(played.deletions().size() - 1).step();
+        int step = played.acts().get(played.acts().size() - 1).step();
         Playback again = new Playback(level, played.withoutLast());
         again.stepTo(step);
         own = timed(again.game());

@@ -1,10 +1,9 @@
 package rigibo.frontend.puzzle;
 
-import rigibo.backend.RigidBody;
 import rigibo.frontend.puzzle.level.Steps;
-import rigibo.frontend.puzzle.rules.Deletion;
-import rigibo.frontend.puzzle.rules.Piece;
+import rigibo.frontend.puzzle.rules.Act;
 import rigibo.frontend.puzzle.rules.Playback;
+import rigibo.frontend.puzzle.rules.Target;
 import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
@@ -12,10 +11,10 @@ import rigibo.frontend.scene.Scene;
 
 import java.util.Optional;
 
-/** The pointer of a shown solution or replay: it moves to each box in time for its deletion. */
+/** The pointer of a shown solution or replay: it moves to each target in time for its click. */
 final class ShownPointer {
 
-    /** Time that the pointer takes to reach a box. */
+    /** Time that the pointer takes to reach a target. */
     private static final int WAY = Steps.of(0.7);
 
     /** Time for which a click is visible. */
@@ -30,7 +29,7 @@ final class ShownPointer {
         this.camera = camera;
     }
 
-    /** Called when a box was deleted at a point of the world, m. */
+    /** Called when a click was made at a point of the world, m. */
     void clicked(double worldX, double worldY) {
         fromX = camera.screenX(worldX);
         fromY = camera.screenY(worldY);
@@ -43,11 +42,11 @@ final class ShownPointer {
     }
 
     void draw(Canvas canvas, Playback playback) {
-        Optional<RigidBody> next = playback.upcoming().flatMap(to -> body(playback, to));
+        Optional<Target> next = playback.upcoming().flatMap(to -> target(playback, to));
         int left = playback.upcoming().map(to -> to.step() - playback.game().steps()).orElse(WAY);
         double share = Math.max(0, Math.min(1, 1 - left / (double) WAY));
-        double x = next.map(body -> between(fromX, camera.screenX(body.x()), share)).orElse(fromX);
-        double y = next.map(body -> between(fromY, camera.screenY(body.y()), share)).orElse(fromY);
+        double x = next.map(at -> between(fromX, camera.screenX(at.x()), share)).orElse(fromX);
+        double y = next.map(at -> between(fromY, camera.screenY(at.y()), share)).orElse(fromY);
         if (rippleTurns > 0) {
             double radius = 10 + 20 * (1 - rippleTurns / (double) RIPPLE);
             canvas.ring(fromX, fromY, radius, 3, 1, Color.BRASS);
@@ -55,12 +54,8 @@ final class ShownPointer {
         drawArrow(canvas, x, y);
     }
 
-    private static Optional<RigidBody> body(Playback playback, Deletion deletion) {
-        return playback.game().pieces().stream()
-                .filter(piece -> piece.definition().id().equals(deletion.body()))
-                .filter(Piece::isDeletable)
-                .map(Piece::body)
-                .findFirst();
+    private static Optional<Target> target(Playback playback, Act act) {
+        return playback.game().target(act.target()).filter(Target::isClickable);
     }
 
     private static double between(double from, double to, double share) {

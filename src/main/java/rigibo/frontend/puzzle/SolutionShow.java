@@ -3,14 +3,15 @@ package rigibo.frontend.puzzle;
 import rigibo.frontend.puzzle.level.Solution;
 import rigibo.frontend.puzzle.level.Steps;
 import rigibo.frontend.puzzle.rules.Outcome;
-import rigibo.frontend.puzzle.rules.Piece;
-import rigibo.frontend.puzzle.rules.PuzzleGame;
+import rigibo.frontend.puzzle.rules.Target;
 import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Demonstration;
 
 import java.util.Optional;
 
-/** Plays a stored solution with the pointer: each click in the middle of its box, at its step. */
+/**
+ * Plays a stored solution with the pointer: each click in the middle of its target, at its step.
+ */
 final class SolutionShow implements Demonstration {
 
     private final Session session;
@@ -34,20 +35,11 @@ final class SolutionShow implements Demonstration {
             return Optional.empty();
         }
         next++;
-        return piece(wanted.body()).map(this::at);
+        return session.game().target(wanted.target()).filter(Target::isClickable).map(this::at);
     }
 
-    private Demonstration.Click at(Piece piece) {
-        return new Demonstration.Click(
-                camera.screenX(piece.body().x()), camera.screenY(piece.body().y()));
-    }
-
-    private Optional<Piece> piece(String id) {
-        PuzzleGame game = session.game();
-        return game.pieces().stream()
-                .filter(piece -> piece.definition().id().equals(id))
-                .filter(Piece::isDeletable)
-                .findFirst();
+    private Demonstration.Click at(Target target) {
+        return new Demonstration.Click(camera.screenX(target.x()), camera.screenY(target.y()));
     }
 
     @Override

@@ -1,22 +1,29 @@
 package rigibo.frontend.puzzle;
 
 import rigibo.backend.RigidBody;
+import rigibo.frontend.puzzle.level.Verb;
+import rigibo.frontend.puzzle.level.World;
+import rigibo.frontend.puzzle.rules.Act;
+import rigibo.frontend.puzzle.rules.Link;
 import rigibo.frontend.puzzle.rules.Outcome;
 import rigibo.frontend.puzzle.rules.Piece;
 import rigibo.frontend.puzzle.rules.PuzzleGame;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Settings.Motion;
+import rigibo.frontend.scene.joint.JointPen;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.Iterator;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 
 /**
  * Animations for display only: deleted boxes burst, impacts raise dust, the ball glows, confetti
- * flies, and a lost world turns grey. It observes the game instead of receiving events, so that a
- * deletion looks the same whoever caused it.
+ * flies, ropes that were cut hang down, and a lost world turns grey. It observes the game instead
+ * of receiving events, so that a click looks the same whoever made it.
  */
 final class Spectacle {
 
@@ -35,6 +42,11 @@ final class Spectacle {
     /** Speed of falling above which a RigiBo is afraid, m/s. */
     private static final double FEARED = 2.0;
 
+    /** Where a rope is cut that no pointer cuts, as a share of its length. */
+    static final double MIDDLE = 0.5;
+
+    private final LooseEnds looseEnds = new LooseEnds();
+    private final Map<String, Double> cuts = new HashMap<>();
     private final Splinters splinters = new Splinters();
     private final Dust dust = new Dust();
     private final List<Squashed> squashed = new ArrayList<>();
@@ -44,6 +56,7 @@ final class Spectacle {
     private int steps;
     private int grey;
     private int flash;
+    private int acts;
 
     /** A body that is disappearing. */
     private static final class Squashed {
@@ -67,8 +80,11 @@ final class Spectacle {
             begin(game);
         }
         watchPieces();
+        watchClicks();
         if (game.steps() != steps) {
             dust.raise(game.pool());
+            World world = game.level().world();
+            looseEnds.step(world.gravityX(), world.gravityY());
             steps = game.steps();
         }
         squashed.forEach(body -> body.turns++);
@@ -89,6 +105,43 @@ final class Spectacle {
         last.clear();
         grey = 0;
         flash = 0;
+        looseEnds.clear();
+        acts = game.acts().size();
+        game.acts().forEach(act -> rope(act).ifPresent(it -> looseEnds.hang(it, cut(act))));
+    }
+
+    /** A rope that a click cut. */
+    private Optional<Link> rope(Act act) {
+        return watched.target(act.target())
+                .filter(target -> target.is(Verb.CUT))
+                .map(Link.class::cast);
+    }
+
+    private double cut(Act act) {
+        return cuts.getOrDefault(act.target(), MIDDLE);
+    }
+
+    private void watchClicks() {
+        List<Act> all = watched.acts();
+        for (Act act : all.subList(acts, all.size())) {
+            rope(act).ifPresent(it -> looseEnds.cut(it, cut(act)));
+        }
+        acts = all.size();
+    }
+
+    /**
+     * Tells where the pointer cuts a rope, before it does; it is shown cut there again after an
+     * undo. Where nothing was told, a rope is cut in its middle.
+     *
+     * @param share of its length, 0 to 1
+     */
+    void cutting(Link rope, double share) {
+        cuts.put(rope.id(), share);
+    }
+
+    /** Draws what is left of the ropes that were cut. */
+    void drawRopes(JointPen pen) {
+        looseEnds.draw(pen);
     }
 
     private void watchPieces() {
@@ -98,7 +151,7 @@ final class Spectacle {
             if (i == last.size()) {
                 last.add(now);
             }
-            if (now.isEmpty() && pieces.get(i).definition().deletable()) {
+            if (now.isEmpty() && pieces.get(i).is(Verb.DELETE)) {
                 last.get(i).ifPresent(remains -> squashed.add(new Squashed(remains)));
             }
             last.set(i, now);

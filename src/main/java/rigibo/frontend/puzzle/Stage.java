@@ -3,16 +3,17 @@ package rigibo.frontend.puzzle;
 import rigibo.backend.RigidBody;
 import rigibo.backend.geometry.Aabb;
 import rigibo.backend.geometry.Placement;
-import rigibo.backend.geometry.Shape;
 import rigibo.backend.setup.Material;
 import rigibo.frontend.puzzle.level.LevelPath;
 import rigibo.frontend.puzzle.rules.Piece;
 import rigibo.frontend.puzzle.rules.PuzzleGame;
+import rigibo.frontend.puzzle.rules.Target;
 import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Skin;
+import rigibo.frontend.scene.joint.JointPen;
 import rigibo.frontend.scene.joint.JointPicture;
 
 import java.util.Optional;
@@ -24,6 +25,9 @@ final class Stage {
     private static final double CORNER_GAP = 6;
 
     private static final double CORNER_LENGTH = 12;
+
+    /** Half the width of a joint's sign, px. */
+    private static final double SIGN = 14;
 
     /** Opacity of water, and of its surface. */
     private static final double WATER = 0.22;
@@ -47,15 +51,17 @@ final class Stage {
 
     private final Session session;
     private final Camera camera;
+    private final Marks marks;
     private final Aabb bounds = new Aabb();
 
     Stage(Session session, Camera camera) {
         this.session = session;
         this.camera = camera;
+        marks = new Marks(session, camera);
     }
 
-    /** Draws all bodies; the one under the pointer is lifted if a click would delete it. */
-    void draw(Canvas canvas, Optional<Piece> meant, Spectacle spectacle) {
+    /** Draws all bodies and joints; what is under the pointer is lifted if it can be clicked. */
+    void draw(Canvas canvas, Optional<Target> meant, Spectacle spectacle) {
         PuzzleGame game = session.game();
         Pose ball = session.pose(game.balls().get(0));
         canvas.camera(camera);
@@ -64,7 +70,7 @@ final class Stage {
         Inlay.draw(canvas, game);
         for (Piece piece : game.pieces()) {
             if (piece.body().isAlive()) {
-                boolean isMeant = piece.isDeletable() && meant.filter(piece::equals).isPresent();
+                boolean isMeant = piece.isClickable() && meant.filter(piece::equals).isPresent();
                 Canvas.Mood mood = isMeant ? Canvas.Mood.HOVERED : spectacle.mood(piece);
                 body(canvas, piece.body(), Skins.of(piece.definition().substance()), mood);
             }
@@ -73,6 +79,7 @@ final class Stage {
             body(canvas, each, Skin.BALL, Canvas.Mood.PLAIN);
         }
         JointPicture.draw(canvas, camera, game.pool().joints(), this::placement);
+        spectacle.drawRopes(new JointPen(canvas, camera));
         for (Piece piece : game.pieces()) {
             if (piece.body().isAlive()) {
                 piece.definition().path().ifPresent(path -> drawPath(canvas, piece, path));
@@ -80,6 +87,7 @@ final class Stage {
             }
         }
         game.level().world().waterLevel().ifPresent(level -> drawWater(canvas, level));
+        marks.draw(canvas, meant);
     }
 
     private Placement placement(RigidBody body) {
@@ -169,11 +177,17 @@ final class Stage {
                 Canvas.Mood.GHOST);
     }
 
-    /** Draws four corners around a box that was selected by keys. */
-    void drawChosen(Canvas canvas, Piece piece) {
-        Pose pose = session.pose(piece.body());
-        Shape shape = piece.body().shape();
-        shape.bounds(pose.x(), pose.y(), Math.cos(pose.angle()), Math.sin(pose.angle()), bounds);
+    /** Draws four corners around what was selected by keys. */
+    void drawChosen(Canvas canvas, Target target) {
+        if (target instanceof Piece piece) {
+            Pose pose = session.pose(piece.body());
+            double cos = Math.cos(pose.angle());
+            double sin = Math.sin(pose.angle());
+            piece.body().shape().bounds(pose.x(), pose.y(), cos, sin, bounds);
+        } else {
+            double half = SIGN / camera.scale();
+            bounds.set(target.x() - half, target.y() - half, target.x() + half, target.y() + half);
+        }
         double left = camera.screenX(bounds.minX) - CORNER_GAP;
         double right = camera.screenX(bounds.maxX) + CORNER_GAP;
         double top = camera.screenY(bounds.maxY) - CORNER_GAP;

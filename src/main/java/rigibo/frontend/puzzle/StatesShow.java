@@ -1,8 +1,8 @@
 package rigibo.frontend.puzzle;
 
 import rigibo.frontend.puzzle.rules.Outcome;
-import rigibo.frontend.puzzle.rules.Piece;
 import rigibo.frontend.puzzle.rules.PuzzleGame;
+import rigibo.frontend.puzzle.rules.Target;
 import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Demonstration;
 import rigibo.frontend.scene.Key;
@@ -79,10 +79,9 @@ final class StatesShow implements Demonstration {
     }
 
     private Optional<Click> firstBox() {
-        return session.game().pieces().stream()
-                .filter(Piece::isDeletable)
-                .map(Piece::body)
-                .map(body -> new Click(camera.screenX(body.x()), camera.screenY(body.y())))
+        return session.game().targets().stream()
+                .filter(Target::isClickable)
+                .map(at -> new Click(camera.screenX(at.x()), camera.screenY(at.y())))
                 .findFirst();
     }
 

@@ -1,10 +1,12 @@
 package rigibo.frontend.puzzle;
 
 import rigibo.backend.RigidBody;
+import rigibo.frontend.puzzle.rules.Act;
 import rigibo.frontend.puzzle.rules.ClickResult;
-import rigibo.frontend.puzzle.rules.Deletion;
+import rigibo.frontend.puzzle.rules.Link;
 import rigibo.frontend.puzzle.rules.Piece;
 import rigibo.frontend.puzzle.rules.PuzzleGame;
+import rigibo.frontend.puzzle.rules.Target;
 import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Key;
@@ -12,12 +14,15 @@ import rigibo.frontend.scene.Settings.Motion;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 
 /** The play area: the bodies, the rings, the particles, and the pointer over them. */
 final class Table {
 
     /** Distance between the ball and its ring, px. */
     private static final double RING_GAP = 8;
+
+    private static final OptionalDouble NOWHERE = OptionalDouble.empty();
 
     private final Session session;
     private final Camera camera;
@@ -56,7 +61,7 @@ final class Table {
             begin();
         } else if (isStep) {
             ring.observe(seen);
-            showDeletions(clicks);
+            showClicks(clicks);
         }
         refusal.turn();
         spectacle.frame();
@@ -72,19 +77,23 @@ final class Table {
         shownPointer = new ShownPointer(camera);
     }
 
-    /** Handles what a show deleted in the last step. */
-    private void showDeletions(int clicksBefore) {
-        List<Deletion> deletions = seen.replay().deletions();
-        for (Deletion deletion : deletions.subList(clicksBefore, deletions.size())) {
-            seen.pieces().stream()
-                    .filter(piece -> piece.definition().id().equals(deletion.body()))
-                    .forEach(
-                            piece -> {
-                                Pose pose = session.lastPose(piece.body());
-                                noises.deleted();
-                                shownPointer.clicked(pose.x(), pose.y());
-                            });
+    /** Handles what a show clicked in the last step. */
+    private void showClicks(int clicksBefore) {
+        List<Act> acts = seen.acts();
+        for (Act act : acts.subList(clicksBefore, acts.size())) {
+            Target target = seen.target(act.target()).orElseThrow();
+            did(target);
+            if (target instanceof Piece piece && !piece.isAlive()) {
+                Pose pose = session.lastPose(piece.body());
+                shownPointer.clicked(pose.x(), pose.y());
+            } else {
+                shownPointer.clicked(target.x(), target.y());
+            }
         }
+    }
+
+    private void did(Target target) {
+        noises.did(target.verb().orElseThrow());
     }
 
     /** Throws confetti, unless the player wants less motion. */
@@ -101,7 +110,7 @@ final class Table {
         drawRefused(canvas, game, motion);
         spectacle.draw(canvas, motion);
         game.balls().forEach(ball -> drawHold(canvas, ball, motion));
-        cursor.chosen(game).ifPresent(piece -> stage.drawChosen(canvas, piece));
+        cursor.chosen(game).ifPresent(target -> stage.drawChosen(canvas, target));
         session.show().ifPresent(show -> shownPointer.draw(canvas, show));
     }
 
@@ -111,11 +120,14 @@ final class Table {
         ring.draw(canvas, camera.screenX(pose.x()), camera.screenY(pose.y()), radius, motion);
     }
 
-    /** Shakes the outline of a body that cannot be deleted, where the click was. */
+    /** Shakes the outline of a body that stays as it is, where the click was. */
     private void drawRefused(Canvas canvas, PuzzleGame game, Motion motion) {
-        if (refusal.is(Refusal.Reason.NOT_DELETABLE)) {
+        if (refusal.is(Refusal.Reason.NOT_CLICKABLE)) {
             double aside = refusal.shake(motion);
-            cursor.under(game).ifPresent(piece -> stage.drawOutline(canvas, piece, aside));
+            cursor.under(game)
+                    .filter(Piece.class::isInstance)
+                    .map(Piece.class::cast)
+                    .ifPresent(piece -> stage.drawOutline(canvas, piece, aside));
         }
     }
 
@@ -123,10 +135,23 @@ final class Table {
     void drawPointer(Canvas canvas, Motion motion) {
         PuzzleGame game = session.game();
         if (!session.isShowing()) {
+            drawVerb(canvas, game);
             CooldownRing.drawAtPointer(
                     canvas, cursor.x(game), cursor.y(game), game, refusal, motion);
         }
         refusal.draw(canvas);
+    }
+
+    /** Draws what a click would do at the pointer; what keys selected shows it itself. */
+    private void drawVerb(Canvas canvas, PuzzleGame game) {
+        if (cursor.chosen(game).isEmpty()) {
+            cursor.under(game)
+                    .filter(Target::isClickable)
+                    .ifPresent(
+                            target ->
+                                    Marks.drawAtPointer(
+                                            canvas, target, cursor.x(game), cursor.y(game)));
+        }
     }
 
     /** Handles a click at a point of the screen, px. */
@@ -138,25 +163,41 @@ final class Table {
         }
         double worldX = camera.worldX(x);
         double worldY = camera.worldY(y);
+        Optional<Target> target = game.targetAt(worldX, worldY);
+        OptionalDouble share = target.map(at -> share(at, worldX, worldY)).orElse(NOWHERE);
         ClickResult result = game.click(worldX, worldY);
         answer(result, x, y);
-        if (result == ClickResult.DELETED) {
-            noises.deleted();
+        if (result == ClickResult.DONE) {
+            done(target.orElseThrow(), share);
         }
     }
 
-    /** Deletes the selected box; returns whether there is one. */
-    boolean deleteChosen() {
-        Optional<Piece> chosen = cursor.chosen(session.game());
+    /** Where a click meets a rope, as a share of its length. */
+    private static OptionalDouble share(Target target, double x, double y) {
+        return target instanceof Link link && link.isRope() && link.isAlive()
+                ? OptionalDouble.of(link.line().share(x, y))
+                : NOWHERE;
+    }
+
+    private void done(Target target, OptionalDouble share) {
+        did(target);
+        if (target instanceof Link link) {
+            spectacle.cutting(link, share.orElse(Spectacle.MIDDLE));
+        }
+    }
+
+    /** Clicks what is selected by keys; returns whether there is something. */
+    boolean clickChosen() {
+        Optional<Target> chosen = cursor.chosen(session.game());
         if (session.isShowing() || chosen.isEmpty()) {
             return false;
         }
         double x = cursor.x(session.game());
         double y = cursor.y(session.game());
-        ClickResult result = session.game().delete(chosen.get().definition().id());
+        ClickResult result = session.game().act(chosen.get().id());
         answer(result, x, y);
-        if (result == ClickResult.DELETED) {
-            noises.deleted();
+        if (result == ClickResult.DONE) {
+            done(chosen.get(), NOWHERE);
             cursor.point(x, y);
         }
         return true;
@@ -175,8 +216,8 @@ final class Table {
     private void answer(ClickResult result, double x, double y) {
         refusal.answer(result, x, y);
         switch (result) {
-            case COOLING_DOWN, NO_CLICKS_LEFT, NOT_DELETABLE -> noises.refused();
-            case DELETED, NOTHING_THERE, OVER -> {}
+            case COOLING_DOWN, NO_CLICKS_LEFT, NOT_CLICKABLE -> noises.refused();
+            case DONE, NOTHING_THERE, OVER -> {}
         }
     }
 

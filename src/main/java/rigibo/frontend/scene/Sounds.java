@@ -18,6 +18,9 @@ public interface Sounds {
     /** A box was deleted. */
     void pop();
 
+    /** A click did something else. */
+    void did(Deed deed);
+
     /** A refused click. */
     void refuse();
 

@@ -1,11 +1,17 @@
 package rigibo.frontend.sound;
 
+import rigibo.frontend.scene.Deed;
+
 import java.util.List;
 
 /** The sounds of the game besides the knocks of its bodies. */
 enum Signal {
     /** A box is gone: up like a bubble. */
     POP(0.8, new Tone(0, 260, 820, 1, 0.05), Tone.steady(520, 0.2, 0.02)),
+    /** Two blades meet: two short, bright clicks. */
+    SNIP(0.8, Tone.steady(2350, 0.6, 0.008), new Tone(0.06, 3100, 2700, 1, 0.012)),
+    /** A pin slides out: up, and a ring of brass. */
+    PULL(0.8, new Tone(0, 420, 1250, 0.8, 0.06), new Tone(0.1, 1870, 1870, 0.7, 0.09)),
     /** Not now: twice the same low note. */
     REFUSE(0.7, Tone.steady(165, 1, 0.03), new Tone(0.11, 165, 165, 1, 0.04)),
     /** A bright dot, played higher the longer the hold has lasted. */
@@ -30,6 +36,13 @@ enum Signal {
     Signal(double gain, Tone... tones) {
         this.gain = gain;
         this.tones = List.of(tones);
+    }
+
+    static Signal of(Deed deed) {
+        return switch (deed) {
+            case SNIP -> SNIP;
+            case PULL -> PULL;
+        };
     }
 
     Sample sample() {

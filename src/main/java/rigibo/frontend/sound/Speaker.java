@@ -2,6 +2,7 @@ package rigibo.frontend.sound;
 
 import org.tinylog.Logger;
 
+import rigibo.frontend.scene.Deed;
 import rigibo.frontend.scene.Settings;
 import rigibo.frontend.scene.Skin;
 import rigibo.frontend.scene.Sounds;
@@ -89,6 +90,11 @@ public final class Speaker implements Sounds {
     @Override
     public void pop() {
         signal(Signal.POP, 1);
+    }
+
+    @Override
+    public void did(Deed deed) {
+        signal(Signal.of(deed), 1);
     }
 
     @Override

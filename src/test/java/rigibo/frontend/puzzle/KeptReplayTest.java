@@ -29,7 +29,7 @@ class KeptReplayTest {
     private final RecordingDirector director = new RecordingDirector();
 
     private static PuzzleGame won(PuzzleGame game) {
-        game.delete("box");
+        game.act("box");
         while (game.outcome() == Outcome.RUNNING) {
             game.step();
         }

@@ -45,7 +45,7 @@ class NoisesTest {
     @Test
     void aSolvedLevelKnocksTicksHigherAndHigherAndEndsInAChord() {
         play(game, SECOND);
-        game.delete("box");
+        game.act("box");
         play(game, 6 * SECOND);
         assertThat(sounds.knocks)
                 .isNotEmpty()
@@ -70,7 +70,7 @@ class NoisesTest {
     @Test
     void aBallThatRollsIsHeardBySpeed() {
         play(game, SECOND);
-        game.delete("box");
+        game.act("box");
         play(game, SECOND);
         sounds.rolling.clear();
         double speed = 1.5;
@@ -86,7 +86,7 @@ class NoisesTest {
     @Test
     void whatWasHeardBeforeATryIsNotHeardAgainInTheNext() {
         play(game, SECOND);
-        game.delete("box");
+        game.act("box");
         play(game, 6 * SECOND);
         sounds.signals.clear();
         play(new PuzzleGame(LevelTexts.sound(), Accuracy.GAME), SECOND);

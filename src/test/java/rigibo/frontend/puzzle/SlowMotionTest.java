@@ -23,7 +23,7 @@ class SlowMotionTest {
 
     private Session falling(Pace pace) {
         Session session = new Session(level, Accuracy.GAME);
-        session.game().delete("box");
+        session.game().act("box");
         session.pace(pace);
         return session;
     }

@@ -2,6 +2,7 @@ package rigibo.frontend.scene;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 
 /** Keeps what was to be heard. */
 public final class RecordingSounds implements Sounds {
@@ -34,6 +35,11 @@ public final class RecordingSounds implements Sounds {
     @Override
     public void pop() {
         signals.add("pop");
+    }
+
+    @Override
+    public void did(Deed deed) {
+        signals.add(deed.name().toLowerCase(Locale.ROOT));
     }
 
     @Override

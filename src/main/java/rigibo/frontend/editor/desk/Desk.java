@@ -185,6 +185,15 @@ public final class Desk {
         }
     }
 
+    /** Changes the id of a joint, also in the stored solutions. */
+    public void rename(JointEntry joint, String id) {
+        if (!id.isBlank() && !id.equals(joint.id())) {
+            JointEntry named = joint.with("id", text(id));
+            Draft draft = draft().with(named.pointer(), named.node());
+            change(Clicks.jointRenamed(draft, joint.id(), id));
+        }
+    }
+
     /** Adds a copy beside the selected body and selects it. */
     public void duplicate() {
         item().filter(Desk::isBody)

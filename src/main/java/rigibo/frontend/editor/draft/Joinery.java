@@ -92,10 +92,11 @@ public final class Joinery {
                 .with(JointEntry.JOINTS, more.add(joint));
     }
 
-    /** The draft without a joint. */
+    /** The draft without a joint, and without the solutions that click it. */
     public static Draft without(Draft draft, JointEntry joint) {
         Draft rest = draft.without(joint.pointer());
-        return rest.at(JointEntry.JOINTS).isEmpty() ? rest.without(JointEntry.JOINTS) : rest;
+        return Clicks.forgetJoints(
+                rest.at(JointEntry.JOINTS).isEmpty() ? rest.without(JointEntry.JOINTS) : rest);
     }
 
     /** Returns the draft with an item renamed in all joints. */
@@ -132,9 +133,9 @@ public final class Joinery {
             }
         }
         if (kept.isEmpty()) {
-            return draft.without(JointEntry.JOINTS);
+            return Clicks.forgetJoints(draft.without(JointEntry.JOINTS));
         }
-        Draft rest = draft.with(JointEntry.JOINTS, kept);
+        Draft rest = Clicks.forgetJoints(draft.with(JointEntry.JOINTS, kept));
         return gone.isFurtherBall() ? closedUp(rest, name) : rest;
     }
 

@@ -1,6 +1,7 @@
 package rigibo.frontend.editor.draft;
 
 import rigibo.frontend.puzzle.level.LevelJoint;
+import rigibo.frontend.puzzle.level.Verb;
 
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.node.ArrayNode;
@@ -8,9 +9,12 @@ import tools.jackson.databind.node.JsonNodeFactory;
 import tools.jackson.databind.node.ObjectNode;
 
 import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.Set;
 
 /**
  * A joint of a draft. Edits return a new one; its node never changes once it is part of one.
@@ -39,6 +43,14 @@ public record JointEntry(String pointer, ObjectNode node) {
                 : Optional.empty();
     }
 
+    /** The ids of all joints of a draft that have one. */
+    static Set<String> ids(Draft draft) {
+        Set<String> ids = new HashSet<>();
+        draft.at(JOINTS).forEach(joint -> ids.add(joint.path("id").asString("")));
+        ids.remove("");
+        return ids;
+    }
+
     private boolean isReadable() {
         return LevelJoint.of(node).isPresent()
                 && anchors().stream()
@@ -54,6 +66,35 @@ public record JointEntry(String pointer, ObjectNode node) {
     public LevelJoint.Type type() {
         String type = node.path("type").asString("");
         return LevelJoint.Type.valueOf(type.toUpperCase(Locale.ROOT));
+    }
+
+    /** Its id; empty if it has none. */
+    public String id() {
+        return node.path("id").asString("");
+    }
+
+    /** Whether a click in play does something to it. */
+    public boolean isClickable() {
+        return node.has("click");
+    }
+
+    /** The verb of a click that fits its kind, if there is one. */
+    public Optional<Verb> fitting() {
+        return Arrays.stream(Verb.values()).filter(verb -> verb.actsOn(type())).findFirst();
+    }
+
+    /** Returns this joint with a click acting on it, under an id of its own, or with none. */
+    public JointEntry clicked(Draft draft, Optional<Verb> verb) {
+        ObjectNode changed = JsonNodeFactory.instance.objectNode();
+        changed.setAll(node);
+        changed.remove("click");
+        if (verb.isPresent()) {
+            changed.put("click", verb.get().title());
+            if (id().isEmpty()) {
+                changed.put("id", Ids.free(draft, node.path("type").asString("")));
+            }
+        }
+        return new JointEntry(pointer, changed);
     }
 
     /** Name of its first end. */

@@ -5,11 +5,13 @@ import rigibo.frontend.editor.draft.Decimal;
 import rigibo.frontend.editor.draft.Joinery;
 import rigibo.frontend.editor.draft.JointEntry;
 import rigibo.frontend.puzzle.level.LevelJoint;
+import rigibo.frontend.puzzle.level.Verb;
 
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.node.JsonNodeFactory;
 
 import java.util.Locale;
+import java.util.Optional;
 
 /** The fields of the selected joint. */
 final class JointPane {
@@ -66,6 +68,7 @@ final class JointPane {
         limits();
         motor();
         spring();
+        click();
         fields.limit("joint.break", joint.pointer() + "/breakForce", BREAK);
         fields.column().button(fields.words("remove"), fields.words("remove.told"), desk::remove);
     }
@@ -144,6 +147,29 @@ final class JointPane {
             fields.number("joint.hertz", joint.pointer() + "/spring/hertz", HERTZ);
             fields.number("joint.damping", joint.pointer() + "/spring/damping", DAMPING);
         }
+    }
+
+    /** Whether a click in play acts on it, and the name by which solutions refer to it. */
+    private void click() {
+        joint.fitting().ifPresent(this::click);
+        if (joint.isClickable()) {
+            fields.text(
+                    joint.pointer() + "/id",
+                    "name",
+                    joint.id(),
+                    typed -> fields.desk().rename(joint, typed.trim()));
+        }
+    }
+
+    private void click(Verb verb) {
+        Optional<Verb> other = joint.isClickable() ? Optional.empty() : Optional.of(verb);
+        String key = "joint.click." + verb.title();
+        fields.column()
+                .toggle(
+                        fields.words(key),
+                        joint.isClickable(),
+                        fields.words(key + ".told"),
+                        () -> put(joint.clicked(fields.desk().draft(), other)));
     }
 
     /** A switch that gives the joint a member or takes it away; returns whether it has it. */

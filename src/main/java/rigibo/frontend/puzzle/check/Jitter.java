@@ -4,7 +4,7 @@ import rigibo.backend.setup.Accuracy;
 import rigibo.frontend.puzzle.level.Level;
 import rigibo.frontend.puzzle.level.Solution;
 import rigibo.frontend.puzzle.level.Steps;
-import rigibo.frontend.puzzle.rules.Deletion;
+import rigibo.frontend.puzzle.rules.Act;
 import rigibo.frontend.puzzle.rules.Replay;
 
 import java.util.ArrayList;
@@ -49,11 +49,11 @@ final class Jitter {
             return stated;
         }
         SplittableRandom random = new SplittableRandom(CLICKS + seed);
-        List<Deletion> late = new ArrayList<>();
+        List<Act> late = new ArrayList<>();
         int lateness = 0;
-        for (Deletion click : stated.deletions()) {
+        for (Act click : stated.acts()) {
             lateness += random.nextInt(LATEST + 1);
-            late.add(new Deletion(click.step() + lateness, click.body()));
+            late.add(new Act(click.step() + lateness, click.target()));
         }
         return new Replay(stated.levelHash(), late, accuracy);
     }

@@ -4,7 +4,7 @@ import rigibo.backend.setup.Accuracy;
 import rigibo.frontend.puzzle.level.Level;
 import rigibo.frontend.puzzle.level.LoadedLevel;
 import rigibo.frontend.puzzle.level.Solution;
-import rigibo.frontend.puzzle.rules.Deletion;
+import rigibo.frontend.puzzle.rules.Act;
 import rigibo.frontend.scene.accuracy.Preset;
 
 import java.util.ArrayList;
@@ -59,7 +59,7 @@ final class LevelCheck {
         int games = played.games().size();
         String clicks =
                 solution.clicks().stream()
-                        .map(click -> click.body() + " at " + click.seconds() + " s")
+                        .map(click -> click.target() + " at " + click.seconds() + " s")
                         .collect(Collectors.joining(", "));
         proved.add(clicks + ": wins " + played.wins() + " of " + games + " games");
         played.firstLost()
@@ -101,9 +101,9 @@ final class LevelCheck {
         return "E152 par is " + level.limits().par() + ", but ";
     }
 
-    private static String words(List<Deletion> clicks) {
+    private static String words(List<Act> clicks) {
         return clicks.stream()
-                        .map(click -> "\"" + click.body() + "\" at step " + click.step())
+                        .map(click -> "\"" + click.target() + "\" at step " + click.step())
                         .collect(Collectors.joining(", "))
                 + " wins";
     }

@@ -42,7 +42,7 @@ final class NeededClicks {
 
         String words() {
             return clicks.clicks().stream()
-                    .map(Click::body)
+                    .map(Click::target)
                     .collect(Collectors.joining("\", \"", "at " + preset + " \"", "\" is enough"));
         }
     }

@@ -1,10 +1,10 @@
 package rigibo.frontend.puzzle.check;
 
 import rigibo.backend.setup.Accuracy;
+import rigibo.frontend.puzzle.level.Clickable;
 import rigibo.frontend.puzzle.level.Level;
-import rigibo.frontend.puzzle.level.LevelBody;
 import rigibo.frontend.puzzle.level.Steps;
-import rigibo.frontend.puzzle.rules.Deletion;
+import rigibo.frontend.puzzle.rules.Act;
 import rigibo.frontend.puzzle.rules.Replay;
 
 import java.util.ArrayList;
@@ -19,7 +19,7 @@ import java.util.stream.IntStream;
 /**
  * Searches orders and times of clicks, with one click more in each round, up to par.
  *
- * <p>It covers every order of deletable bodies. Each is clicked at the end of the cooldown, then
+ * <p>It covers every order of what can be clicked. Each is clicked at the end of the cooldown, then
  * every half second as long as something moves; at rest the moment of a click does not matter, so
  * one moment stands for all later ones. A finished game is not searched further. A round with more
  * games than {@link #MOST_GAMES} is sampled, with a fixed seed.
@@ -52,16 +52,16 @@ final class OrderSearch {
      * @param isWhole whether no round was a sample
      * @param shorter clicks that win with less than par, if there are any
      */
-    record Found(int orders, int wins, boolean isWhole, Optional<List<Deletion>> shorter) {}
+    record Found(int orders, int wins, boolean isWhole, Optional<List<Act>> shorter) {}
 
     /** Some clicks and how they ended. */
-    private record Course(List<Deletion> clicks, Verdict verdict) {}
+    private record Course(List<Act> clicks, Verdict verdict) {}
 
     Found search() {
         List<Course> round = List.of(play(List.of()));
         boolean isWhole = true;
         for (int clicks = 1; ; clicks++) {
-            List<List<Deletion>> all = new ArrayList<>();
+            List<List<Act>> all = new ArrayList<>();
             round.forEach(course -> all.addAll(nexts(course)));
             isWhole &= all.size() <= MOST_GAMES;
             round = played(sample(all));
@@ -75,7 +75,7 @@ final class OrderSearch {
         }
     }
 
-    private Course play(List<Deletion> clicks) {
+    private Course play(List<Act> clicks) {
         return new Course(clicks, Trial.play(level, new Replay(level.hash(), clicks, accuracy)));
     }
 
@@ -83,35 +83,34 @@ final class OrderSearch {
      * Plays games. One whose click comes to a body that has meanwhile fallen out of the world is
      * dropped.
      */
-    private List<Course> played(List<List<Deletion>> games) {
+    private List<Course> played(List<List<Act>> games) {
         return games.parallelStream()
                 .map(this::play)
                 .filter(course -> course.verdict.end() != Verdict.End.REFUSED)
                 .toList();
     }
 
-    private static List<List<Deletion>> sample(List<List<Deletion>> all) {
+    private static List<List<Act>> sample(List<List<Act>> all) {
         Collections.shuffle(all, new Random(SEED));
         return all.subList(0, Math.min(all.size(), MOST_GAMES));
     }
 
     /** The clicks of a course, and one more. */
-    private List<List<Deletion>> nexts(Course course) {
-        Set<String> gone = course.clicks.stream().map(Deletion::body).collect(Collectors.toSet());
+    private List<List<Act>> nexts(Course course) {
+        Set<String> clicked = course.clicks.stream().map(Act::target).collect(Collectors.toSet());
         List<String> left =
-                level.bodies().stream()
-                        .filter(LevelBody::deletable)
-                        .map(LevelBody::id)
-                        .filter(id -> !gone.contains(id))
+                level.clickables().stream()
+                        .filter(one -> one.verb().repeats() || !clicked.contains(one.id()))
+                        .map(Clickable::id)
                         .toList();
         return moments(course)
                 .boxed()
-                .flatMap(at -> left.stream().map(id -> with(course.clicks, new Deletion(at, id))))
+                .flatMap(at -> left.stream().map(id -> with(course.clicks, new Act(at, id))))
                 .toList();
     }
 
-    private static List<Deletion> with(List<Deletion> clicks, Deletion next) {
-        List<Deletion> longer = new ArrayList<>(clicks);
+    private static List<Act> with(List<Act> clicks, Act next) {
+        List<Act> longer = new ArrayList<>(clicks);
         longer.add(next);
         return longer;
     }

@@ -1,9 +1,9 @@
 package rigibo.frontend.puzzle.check;
 
+import rigibo.frontend.puzzle.level.Clickable;
 import rigibo.frontend.puzzle.level.Level;
-import rigibo.frontend.puzzle.level.LevelBody;
 import rigibo.frontend.puzzle.level.Steps;
-import rigibo.frontend.puzzle.rules.Deletion;
+import rigibo.frontend.puzzle.rules.Act;
 import rigibo.frontend.puzzle.rules.Replay;
 import rigibo.frontend.scene.accuracy.Preset;
 
@@ -13,13 +13,13 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
 /**
- * Deletes every deletable body alone, on each preset asked for, as the file states it and with
- * small displacements. The moment of the click is always the same, since E160 proves that the level
- * rests until the first click.
+ * Clicks each thing that can be clicked alone, on each preset asked for, as the file states it and
+ * with small displacements. The moment of the click is always the same, since E160 proves that the
+ * level rests until the first click.
  */
 final class SingleClicks {
 
-    /** Varied games per body and preset; they differ from the stated one only by luck. */
+    /** Varied games per target and preset; they differ from the stated one only by luck. */
     private static final int SEEDS = 4;
 
     private static final int MOMENT = Steps.of(1);
@@ -34,7 +34,7 @@ final class SingleClicks {
 
     /** Describes the first single click that wins. */
     Optional<String> winner() {
-        return bodies().flatMap(this::clicks).toList().parallelStream()
+        return level.clickables().stream().flatMap(this::clicks).toList().parallelStream()
                 .filter(click -> Trial.play(click.level, click.replay).isWon())
                 .findFirst()
                 .map(Click::words);
@@ -45,26 +45,22 @@ final class SingleClicks {
 
         String words() {
             return "one click on \""
-                    + replay.deletions().get(0).body()
+                    + replay.acts().get(0).target()
                     + "\" wins at "
                     + preset
                     + (seed == Jitter.STATED ? "" : " with seed " + seed);
         }
     }
 
-    private Stream<LevelBody> bodies() {
-        return level.bodies().stream().filter(LevelBody::deletable);
-    }
-
-    private Stream<Click> clicks(LevelBody body) {
+    private Stream<Click> clicks(Clickable target) {
         return IntStream.rangeClosed(Jitter.STATED, SEEDS)
                 .boxed()
-                .flatMap(seed -> presets.stream().map(preset -> click(body.id(), preset, seed)));
+                .flatMap(seed -> presets.stream().map(preset -> click(target.id(), preset, seed)));
     }
 
-    private Click click(String body, Preset preset, int seed) {
+    private Click click(String target, Preset preset, int seed) {
         Level moved = Jitter.of(level, seed);
-        List<Deletion> click = List.of(new Deletion(MOMENT, body));
+        List<Act> click = List.of(new Act(MOMENT, target));
         return new Click(moved, new Replay(moved.hash(), click, preset.accuracy()), preset, seed);
     }
 }

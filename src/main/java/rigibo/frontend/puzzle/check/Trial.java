@@ -28,8 +28,8 @@ final class Trial {
     }
 
     private static int lastClick(Replay replay) {
-        int count = replay.deletions().size();
-        return count == 0 ? 0 : replay.deletions().get(count - 1).step();
+        int count = replay.acts().size();
+        return count == 0 ? 0 : replay.acts().get(count - 1).step();
     }
 
     private static boolean isOver(Playback playback) {
@@ -61,14 +61,14 @@ final class Trial {
     private static String why(Playback playback) {
         Optional<Playback.Refusal> refusal = playback.refusal();
         if (refusal.isPresent()) {
-            String body = "\"" + refusal.get().deletion().body() + "\"";
+            String target = "\"" + refusal.get().act().target() + "\"";
             return switch (refusal.get().result()) {
-                case COOLING_DOWN -> "the click on " + body + " comes during the cooldown";
-                case NOT_DELETABLE -> body + " cannot be deleted";
-                case NO_CLICKS_LEFT -> "no clicks are left for " + body;
-                case NOTHING_THERE -> body + " is already gone";
-                case OVER -> "the game was over before the click on " + body;
-                case DELETED -> "the click on " + body + " was made";
+                case COOLING_DOWN -> "the click on " + target + " comes during the cooldown";
+                case NOT_CLICKABLE -> target + " cannot be clicked";
+                case NO_CLICKS_LEFT -> "no clicks are left for " + target;
+                case NOTHING_THERE -> target + " is already gone";
+                case OVER -> "the game was over before the click on " + target;
+                case DONE -> "the click on " + target + " was made";
             };
         }
         PuzzleGame game = playback.game();

@@ -4,6 +4,6 @@ package rigibo.frontend.puzzle.level;
  * A click of a stored solution.
  *
  * @param seconds time since the start of the level, s
- * @param body id of the body it deletes
+ * @param target id of the body or joint it acts on
  */
-public record Click(double seconds, String body) {}
+public record Click(double seconds, String target) {}

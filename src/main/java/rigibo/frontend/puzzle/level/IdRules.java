@@ -7,55 +7,68 @@ import rigibo.frontend.document.Suggestion;
 import tools.jackson.databind.JsonNode;
 
 import java.util.HashMap;
-import java.util.List;
 import java.util.Map;
+import java.util.Set;
+import java.util.stream.Collectors;
 
 /** E101 an id used twice; E102 a reference to an unknown one. */
 final class IdRules {
 
-    private IdRules() {}
+    private final Document json;
+
+    /**
+     * The pointer at which each id is stated first. Also of bodies and joints with errors
+     * elsewhere, or each reference to them would be one more error.
+     */
+    private final Map<String, String> ids = new HashMap<>();
+
+    private IdRules(Document json) {
+        this.json = json;
+    }
 
     static void check(LevelSketch sketch) {
-        Map<String, String> ids = uniqueIds(sketch.json());
+        IdRules rules = new IdRules(sketch.json());
+        rules.collect("/bodies", "body");
+        rules.collect("/joints", "joint");
         for (Located<Solution> solution : sketch.solutions()) {
-            List<Click> clicks = solution.part().clicks();
-            for (int i = 0; i < clicks.size(); i++) {
-                String body = clicks.get(i).body();
-                if (!ids.containsKey(body)) {
-                    String pointer = solution.pointer() + "/clicks/" + i + "/body";
-                    sketch.json()
-                            .error(
-                                    pointer,
-                                    () ->
-                                            "E102 no body has the id \""
-                                                    + body
-                                                    + "\""
-                                                    + Suggestion.among(ids.keySet(), body));
-                }
+            for (int i = 0; i < solution.part().clicks().size(); i++) {
+                rules.reference(solution.pointer() + "/clicks/" + i);
             }
         }
     }
 
-    /**
-     * Where each id is stated first, as a pointer. Also of bodies with errors elsewhere, or each
-     * reference to them would be one more error.
-     */
-    private static Map<String, String> uniqueIds(Document json) {
-        Map<String, String> ids = new HashMap<>();
-        for (int i = 0; i < json.node("/bodies").size(); i++) {
-            String pointer = "/bodies/" + i + "/id";
+    private void collect(String list, String kind) {
+        for (int i = 0; i < json.node(list).size(); i++) {
+            String pointer = list + "/" + i + "/id";
             JsonNode id = json.node(pointer);
             if (id.isString()) {
                 String first = ids.putIfAbsent(id.asString(), pointer);
                 if (first != null) {
-                    json.error(pointer, () -> twice(id, json.at(first)));
+                    json.error(pointer, () -> twice(kind, id, json.at(first)));
                 }
             }
         }
-        return ids;
     }
 
-    private static String twice(JsonNode id, Place first) {
-        return "E101 body id " + id + " is used twice (first at " + first + ")";
+    private static String twice(String kind, JsonNode id, Place first) {
+        return "E101 " + kind + " id " + id + " is used twice (first at " + first + ")";
+    }
+
+    private void reference(String click) {
+        String kind = json.node(click).has("joint") ? "joint" : "body";
+        String list = kind.equals("joint") ? "/joints/" : "/bodies/";
+        String id = json.node(click + "/" + kind).asString("");
+        if (!ids.getOrDefault(id, "").startsWith(list)) {
+            json.error(click + "/" + kind, () -> unknown(kind, list, id));
+        }
+    }
+
+    private String unknown(String kind, String list, String id) {
+        Set<String> known =
+                ids.entrySet().stream()
+                        .filter(entry -> entry.getValue().startsWith(list))
+                        .map(Map.Entry::getKey)
+                        .collect(Collectors.toSet());
+        return "E102 no " + kind + " has the id \"" + id + "\"" + Suggestion.among(known, id);
     }
 }

@@ -8,6 +8,7 @@ import rigibo.backend.setup.JointSpring;
 import tools.jackson.databind.JsonNode;
 
 import java.util.Locale;
+import java.util.Optional;
 
 /** Turns a joint that the schema accepts into a record; degrees become radians. */
 final class JointReader {
@@ -38,7 +39,9 @@ final class JointReader {
                 toY,
                 Math.toRadians(node.path("axis").asDouble(usualAxis)),
                 length,
-                settings(node, type, length));
+                settings(node, type, length),
+                Optional.of(node.path("id").asString("")).filter(id -> !id.isEmpty()),
+                Verb.titled(node.path("click").asString("")));
     }
 
     private static JointSettings settings(JsonNode node, LevelJoint.Type type, double length) {

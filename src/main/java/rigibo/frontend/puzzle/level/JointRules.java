@@ -10,12 +10,14 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 
 /**
  * Rules for joints: E102 an end names no body; E118 both ends are on one body, or on two that
  * forces do not move; E119 the effect {@code joints} is missing; E122 a rope is shorter than the
- * distance of its ends; E123 limits do not include the start.
+ * distance of its ends; E123 limits do not include the start; E124 the click does not fit the
+ * joint; E125 it has no id to be clicked by.
  */
 final class JointRules {
 
@@ -69,6 +71,24 @@ final class JointRules {
             tell(at.pointer() + "/length", String.format(Locale.ROOT, words, joint.length(), span));
         }
         limits(at);
+        click(at);
+    }
+
+    /** Ropes are cut, pins are pulled; solutions and replays refer to them by their ids. */
+    private void click(Located<LevelJoint> at) {
+        Optional<Verb> verb = at.part().verb();
+        if (verb.isEmpty()) {
+            return;
+        }
+        LevelJoint.Type type = at.part().type();
+        if (!verb.get().actsOn(type)) {
+            String words = "E124 a click cannot %s a %s";
+            String kind = type.name().toLowerCase(Locale.ROOT);
+            tell(at.pointer() + "/click", String.format(words, verb.get().title(), kind));
+        }
+        if (at.part().id().isEmpty()) {
+            tell(at.pointer(), "E125 what can be clicked needs an \"id\"");
+        }
     }
 
     private boolean isKnown(String pointer, String end) {

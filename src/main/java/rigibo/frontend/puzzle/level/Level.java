@@ -2,6 +2,7 @@ package rigibo.frontend.puzzle.level;
 
 import java.util.List;
 import java.util.function.DoubleSupplier;
+import java.util.stream.Stream;
 
 /**
  * A level as its file states it.
@@ -39,6 +40,32 @@ public record Level(
     /** A 64-bit hash of all that play depends on; texts and solutions do not count. */
     public long hash() {
         return LevelHash.of(this);
+    }
+
+    /** All on which a click acts: bodies in the file's order, then joints. */
+    public List<Clickable> clickables() {
+        Stream<Clickable> ofBodies =
+                bodies.stream()
+                        .flatMap(
+                                body ->
+                                        body.verb().stream()
+                                                .map(verb -> new Clickable(body.id(), verb)));
+        Stream<Clickable> ofJoints =
+                joints.stream()
+                        .flatMap(
+                                joint ->
+                                        joint.verb().stream()
+                                                .map(
+                                                        verb ->
+                                                                new Clickable(
+                                                                        joint.id().orElseThrow(),
+                                                                        verb)));
+        return Stream.concat(ofBodies, ofJoints).toList();
+    }
+
+    /** Whether an id is that of a joint. */
+    public boolean isJoint(String target) {
+        return joints.stream().anyMatch(joint -> joint.id().filter(target::equals).isPresent());
     }
 
     /**

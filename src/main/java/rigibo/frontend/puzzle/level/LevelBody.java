@@ -18,7 +18,7 @@ import java.util.Optional;
  * @param material how it behaves: the substance's numbers, or those the file states instead
  * @param motion at the start
  * @param mobility whether it moves
- * @param deletable whether a click deletes it
+ * @param verb what a click does to it; empty if it stays as it is
  * @param path that it is driven along, of a driven body
  */
 public record LevelBody(
@@ -31,7 +31,7 @@ public record LevelBody(
         Material material,
         Motion motion,
         Mobility mobility,
-        boolean deletable,
+        Optional<Verb> verb,
         Optional<LevelPath> path) {
 
     /** What moves a body. */
@@ -42,6 +42,11 @@ public record LevelBody(
         STATIC,
         /** Its path, whatever it meets. */
         DRIVEN
+    }
+
+    /** Whether a click deletes it. */
+    public boolean deletable() {
+        return verb.filter(Verb.DELETE::equals).isPresent();
     }
 
     public boolean isDynamic() {
@@ -64,16 +69,6 @@ public record LevelBody(
 
     LevelBody shifted(double metres) {
         return new LevelBody(
-                id,
-                shape,
-                x + metres,
-                y,
-                angle,
-                substance,
-                material,
-                motion,
-                mobility,
-                deletable,
-                path);
+                id, shape, x + metres, y, angle, substance, material, motion, mobility, verb, path);
     }
 }

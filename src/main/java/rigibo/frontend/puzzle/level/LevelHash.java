@@ -88,6 +88,8 @@ final class LevelHash {
         numbers(settings.motor().speed(), settings.motor().most());
         numbers(settings.spring().hertz(), settings.spring().dampingRatio());
         numbers(settings.breakForce());
+        // A joint that no click acts on is hashed as it was before any could be.
+        joint.verb().ifPresent(verb -> text(joint.id().orElseThrow() + " " + verb.title()));
     }
 
     private void path(LevelPath path) {

@@ -29,6 +29,8 @@ import java.util.regex.Pattern;
  * @param axis rad, for a slide and a wheel
  * @param length m, for a spring without load
  * @param settings limits, motor, spring, and the force at which it breaks
+ * @param id unique in its level, where it has one; what a click acts on has one
+ * @param verb what a click does to it; empty if it stays as it is
  */
 public record LevelJoint(
         Type type,
@@ -40,7 +42,9 @@ public record LevelJoint(
         double toY,
         double axis,
         double length,
-        JointSettings settings) {
+        JointSettings settings,
+        Optional<String> id,
+        Optional<Verb> verb) {
 
     private static final Pattern BALL = Pattern.compile("ball([2-4])");
 

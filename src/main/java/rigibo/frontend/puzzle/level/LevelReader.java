@@ -140,8 +140,14 @@ final class LevelReader {
                 material(node, substance.material()),
                 motion(node),
                 mobility(node),
-                node.path("deletable").asBoolean(false),
+                verb(node),
                 path(node, outline));
+    }
+
+    private static Optional<Verb> verb(JsonNode node) {
+        return node.path("deletable").asBoolean(false)
+                ? Optional.of(Verb.DELETE)
+                : Optional.empty();
     }
 
     private static LevelBody.Mobility mobility(JsonNode node) {
@@ -182,7 +188,8 @@ final class LevelReader {
     static Solution solution(JsonNode node) {
         List<Click> clicks = new ArrayList<>();
         for (JsonNode click : node.path("clicks")) {
-            clicks.add(new Click(click.path("t").asDouble(), click.path("body").asString()));
+            String target = click.has("joint") ? "joint" : "body";
+            clicks.add(new Click(click.path("t").asDouble(), click.path(target).asString()));
         }
         return new Solution(clicks);
     }

@@ -6,11 +6,11 @@ import java.util.OptionalInt;
 /**
  * The numbers of the rules.
  *
- * @param cooldown s between two deletions; exactly at its end the next is allowed
+ * @param cooldown s between two clicks; exactly at its end the next is allowed
  * @param hold s that the ball must stay on the platform
  * @param contactGrace s; a shorter bounce does not reset the hold clock
  * @param par clicks of a gold medal
- * @param maxClicks most deletions, where limited
+ * @param maxClicks most clicks, where limited
  * @param timeLimit s, where limited
  */
 public record Limits(

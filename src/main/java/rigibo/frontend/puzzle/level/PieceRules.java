@@ -1,7 +1,7 @@
 package rigibo.frontend.puzzle.level;
 
 /**
- * E130: nothing can be deleted; E131: a body can be deleted that never moves and holds no joint.
+ * E130: nothing can be clicked; E131: a body can be deleted that never moves and holds no joint.
  */
 final class PieceRules {
 
@@ -9,10 +9,13 @@ final class PieceRules {
 
     static void check(LevelSketch sketch) {
         boolean hasUnread = sketch.bodies().size() < sketch.json().node("/bodies").size();
-        boolean hasDeletable = sketch.bodies().stream().anyMatch(body -> body.part().deletable());
-        if (!hasDeletable && !hasUnread && sketch.json().node("/bodies").isArray()) {
+        hasUnread |= sketch.joints().size() < sketch.json().node("/joints").size();
+        boolean hasClickable =
+                sketch.bodies().stream().anyMatch(body -> body.part().verb().isPresent())
+                        || sketch.joints().stream().anyMatch(at -> at.part().verb().isPresent());
+        if (!hasClickable && !hasUnread && sketch.json().node("/bodies").isArray()) {
             String pointer = "/bodies";
-            sketch.json().error(pointer, () -> "E130 no body can be deleted");
+            sketch.json().error(pointer, () -> "E130 nothing can be clicked");
         }
         for (Located<LevelBody> body : sketch.bodies()) {
             boolean isStill = body.part().mobility() == LevelBody.Mobility.STATIC;

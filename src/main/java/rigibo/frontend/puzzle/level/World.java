@@ -2,6 +2,7 @@ package rigibo.frontend.puzzle.level;
 
 import rigibo.backend.effect.Buoyancy;
 import rigibo.backend.effect.Effects;
+import rigibo.backend.effect.Gravity;
 
 import java.util.OptionalDouble;
 
@@ -19,6 +20,16 @@ public record World(double width, double height, Effects effects) {
 
     /** Calms a floating box within a second or two, 1/s. */
     static final double USUAL_DRAG = 2;
+
+    /** Gravity to the right, m/s²; 0 where it is not declared. */
+    public double gravityX() {
+        return effects.find(Gravity.class).map(Gravity::x).orElse(0.0);
+    }
+
+    /** Gravity upwards, m/s²; 0 where it is not declared. */
+    public double gravityY() {
+        return effects.find(Gravity.class).map(Gravity::y).orElse(0.0);
+    }
 
     /** Where the water's surface is, m above the world's bottom; nothing where there is none. */
     public OptionalDouble waterLevel() {

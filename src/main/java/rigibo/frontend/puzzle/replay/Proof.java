@@ -33,7 +33,7 @@ public final class Proof {
     /** Compares the state of a playback; called at its start and after each step. */
     public void observe(Playback playback) {
         if (verdict.isEmpty()) {
-            verdict = playback.refusal().map(r -> new Verdict.Refused(r.deletion(), r.result()));
+            verdict = playback.refusal().map(r -> new Verdict.Refused(r.act(), r.result()));
         }
         if (verdict.isEmpty() && recorded.get(next).step() == playback.game().steps()) {
             compare(recorded.get(next), playback.game().pool().stateHash());

@@ -60,7 +60,7 @@ public record Recording(Level level, Replay replay, List<Checkpoint> checkpoints
 
     /** Number of clicks. */
     public int clicks() {
-        return replay.deletions().size();
+        return replay.acts().size();
     }
 
     /** Whether it took fewer clicks than another run of the level, or as many in less time. */

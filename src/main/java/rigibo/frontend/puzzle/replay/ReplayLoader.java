@@ -7,8 +7,8 @@ import rigibo.frontend.document.JsonSchema;
 import rigibo.frontend.document.Problems;
 import rigibo.frontend.document.Suggestion;
 import rigibo.frontend.puzzle.level.Level;
+import rigibo.frontend.puzzle.rules.Act;
 import rigibo.frontend.puzzle.rules.Checkpoint;
-import rigibo.frontend.puzzle.rules.Deletion;
 import rigibo.frontend.puzzle.rules.Replay;
 
 import tools.jackson.databind.JsonNode;
@@ -81,11 +81,11 @@ public final class ReplayLoader {
         level.ifPresent(found -> requireUnaltered(found, hash, json));
         List<Checkpoint> checkpoints = sketch.checkpoints();
         int end = checkpoints.isEmpty() ? Integer.MAX_VALUE : last(checkpoints).step();
-        List<Deletion> deletions = sketch.deletions(end);
+        List<Act> acts = sketch.acts(end);
         if (json.hasErrors()) {
             return Optional.empty();
         }
-        Replay replay = new Replay(hash.orElseThrow(), deletions, sketch.accuracy());
+        Replay replay = new Replay(hash.orElseThrow(), acts, sketch.accuracy());
         return Optional.of(new Recording(level.orElseThrow(), replay, checkpoints));
     }
 

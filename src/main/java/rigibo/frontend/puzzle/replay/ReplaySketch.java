@@ -7,8 +7,8 @@ import rigibo.backend.setup.ImpactMode;
 import rigibo.backend.setup.ImpactSearch;
 import rigibo.backend.setup.Integrator;
 import rigibo.frontend.document.Document;
+import rigibo.frontend.puzzle.rules.Act;
 import rigibo.frontend.puzzle.rules.Checkpoint;
-import rigibo.frontend.puzzle.rules.Deletion;
 
 import tools.jackson.databind.JsonNode;
 
@@ -73,8 +73,8 @@ final class ReplaySketch {
      *
      * @param end the last step
      */
-    List<Deletion> deletions(int end) {
-        List<Deletion> deletions = new ArrayList<>();
+    List<Act> acts(int end) {
+        List<Act> acts = new ArrayList<>();
         int before = 0;
         for (int i = 0; i < json.node("/clicks").size(); i++) {
             String pointer = "/clicks/" + i + "/step";
@@ -86,9 +86,11 @@ final class ReplaySketch {
                 error(pointer, "is not before the end, which is at step " + end);
             }
             before = Math.max(before, step);
-            deletions.add(new Deletion(step, json.node("/clicks/" + i + "/body").asString("")));
+            JsonNode click = json.node("/clicks/" + i);
+            String target = click.path(click.has("joint") ? "joint" : "body").asString("");
+            acts.add(new Act(step, target));
         }
-        return deletions;
+        return acts;
     }
 
     /** How exactly it was simulated; call only where the schema found that sound. */

@@ -2,8 +2,8 @@ package rigibo.frontend.puzzle.replay;
 
 import rigibo.backend.Pool;
 import rigibo.backend.setup.Accuracy;
+import rigibo.frontend.puzzle.rules.Act;
 import rigibo.frontend.puzzle.rules.Checkpoint;
-import rigibo.frontend.puzzle.rules.Deletion;
 
 import tools.jackson.databind.json.JsonMapper;
 import tools.jackson.databind.node.ArrayNode;
@@ -52,8 +52,9 @@ final class ReplayText {
     }
 
     private static void clicks(ArrayNode node, Recording recording) {
-        for (Deletion deletion : recording.replay().deletions()) {
-            node.addObject().put("step", deletion.step()).put("body", deletion.body());
+        for (Act act : recording.replay().acts()) {
+            String target = recording.level().isJoint(act.target()) ? "joint" : "body";
+            node.addObject().put("step", act.step()).put(target, act.target());
         }
     }
 }

@@ -1,8 +1,8 @@
 package rigibo.frontend.puzzle.replay;
 
+import rigibo.frontend.puzzle.rules.Act;
 import rigibo.frontend.puzzle.rules.Checkpoint;
 import rigibo.frontend.puzzle.rules.ClickResult;
-import rigibo.frontend.puzzle.rules.Deletion;
 import rigibo.frontend.scene.Words;
 
 /** Whether a replay ran as recorded. */
@@ -57,15 +57,15 @@ public sealed interface Verdict {
     /**
      * A click was refused that had deleted something.
      *
-     * @param deletion which
+     * @param act which
      * @param result why not now
      */
-    record Refused(Deletion deletion, ClickResult result) implements Verdict {
+    record Refused(Act act, ClickResult result) implements Verdict {
 
         @Override
         public String in(Words words) {
             String why = words.of("replay.refused." + result.name());
-            return words.of("replay.refused", deletion.body(), deletion.step(), why);
+            return words.of("replay.refused", act.target(), act.step(), why);
         }
     }
 }

@@ -1,5 +1,6 @@
 package rigibo.frontend.puzzle.rules;
 
+import rigibo.backend.Joint;
 import rigibo.backend.Pool;
 import rigibo.backend.RigidBody;
 import rigibo.backend.setup.Accuracy;
@@ -7,6 +8,8 @@ import rigibo.frontend.puzzle.level.Level;
 import rigibo.frontend.puzzle.level.LevelJoint;
 import rigibo.frontend.puzzle.level.World;
 
+import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 
@@ -17,16 +20,25 @@ import java.util.Optional;
  * @param pool the bodies, in the order platform, level's bodies, balls
  * @param platform where the balls must stay
  * @param pieces the level's bodies in the file's order, including deleted ones
+ * @param links the joints on which clicks act, in the file's order
  * @param balls the balls; last in the pool, so that a click on one finds it
  */
 record Board(
-        World world, Pool pool, RigidBody platform, List<Piece> pieces, List<RigidBody> balls) {
+        World world,
+        Pool pool,
+        RigidBody platform,
+        List<Piece> pieces,
+        List<Link> links,
+        List<RigidBody> balls) {
 
     /**
      * Distance outside the world at which a body is removed, m; the ball is judged at the edge
      * itself.
      */
     private static final double STRAY = 3;
+
+    /** Distance from a joint within which a click finds it, m: about ten pixels. */
+    private static final double REACH = 0.13;
 
     static Board of(Level level, Accuracy accuracy) {
         Pool pool = new Pool(level.world().effects(), accuracy);
@@ -37,9 +49,13 @@ record Board(
                         .toList();
         List<RigidBody> balls =
                 level.balls().stream().map(ball -> pool.add(ball.definition())).toList();
-        Board board = new Board(level.world(), pool, platform, pieces, balls);
+        List<Link> links = new ArrayList<>();
+        Board board = new Board(level.world(), pool, platform, pieces, links, balls);
         for (LevelJoint joint : level.joints()) {
-            pool.join(joint.definition(board.end(joint.a()), board.end(joint.b())));
+            Joint joined = pool.join(joint.definition(board.end(joint.a()), board.end(joint.b())));
+            if (joint.verb().isPresent()) {
+                links.add(new Link(joint, joined));
+            }
         }
         return board;
     }
@@ -50,6 +66,24 @@ record Board(
                 .map(Piece::body)
                 .or(() -> LevelJoint.ball(name).map(balls::get))
                 .orElse(platform);
+    }
+
+    /**
+     * What a click at a point of the world is aimed at, clickable or not. A joint is drawn over the
+     * bodies and is found near its line; but where a rope crosses a body that can be clicked, the
+     * body is meant, for the rope can be clicked elsewhere.
+     */
+    Optional<Target> targetAt(double x, double y) {
+        Optional<Piece> piece = pieceAt(x, y);
+        boolean isTaken = piece.filter(Piece::isClickable).isPresent();
+        Optional<Target> link =
+                links.stream()
+                        .filter(Link::isClickable)
+                        .filter(each -> !(isTaken && each.isRope()))
+                        .filter(each -> each.distance(x, y) <= REACH)
+                        .min(Comparator.comparingDouble(each -> each.distance(x, y)))
+                        .map(each -> each);
+        return link.or(() -> piece);
     }
 
     Optional<Piece> pieceAt(double x, double y) {
@@ -64,8 +98,19 @@ record Board(
         return pieces.stream().filter(piece -> piece.body() == body).findFirst();
     }
 
-    boolean hasDeletable() {
-        return pieces.stream().anyMatch(Piece::isDeletable);
+    /** What has an id: the pieces, then the links. */
+    List<Target> targets() {
+        List<Target> targets = new ArrayList<>(pieces);
+        targets.addAll(links);
+        return targets;
+    }
+
+    Optional<Target> target(String id) {
+        return targets().stream().filter(target -> target.id().equals(id)).findFirst();
+    }
+
+    boolean hasClickable() {
+        return targets().stream().anyMatch(Target::isClickable);
     }
 
     /** Whether every ball touches the platform now. */

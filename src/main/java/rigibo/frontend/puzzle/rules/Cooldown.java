@@ -1,6 +1,6 @@
 package rigibo.frontend.puzzle.rules;
 
-/** The time that must pass between two deletions. Counts in steps, so that its end is exact. */
+/** The time that must pass between two clicks. Counts in steps, so that its end is exact. */
 final class Cooldown {
 
     private final int length;
@@ -10,7 +10,7 @@ final class Cooldown {
         length = steps;
     }
 
-    /** Exactly at its end the next deletion is allowed. */
+    /** Exactly at its end the next click is allowed. */
     boolean isReady(int now) {
         return now >= readyAt;
     }
@@ -19,7 +19,7 @@ final class Cooldown {
         readyAt = now + length;
     }
 
-    /** What is left of it, from 1 just after a deletion to 0 when ready. */
+    /** What is left of it, from 1 just after a click to 0 when ready. */
     double left(int now) {
         return isReady(now) ? 0 : (readyAt - now) / (double) length;
     }

@@ -2,6 +2,9 @@ package rigibo.frontend.puzzle.rules;
 
 import rigibo.backend.RigidBody;
 import rigibo.frontend.puzzle.level.LevelBody;
+import rigibo.frontend.puzzle.level.Verb;
+
+import java.util.Optional;
 
 /**
  * A body of the level in play.
@@ -9,10 +12,30 @@ import rigibo.frontend.puzzle.level.LevelBody;
  * @param definition as the level states it
  * @param body its handle; no longer alive once it was deleted or fell out of the world
  */
-public record Piece(LevelBody definition, RigidBody body) {
+public record Piece(LevelBody definition, RigidBody body) implements Target {
 
-    /** Whether a click would delete it. */
-    public boolean isDeletable() {
-        return body.isAlive() && definition.deletable();
+    @Override
+    public String id() {
+        return definition.id();
+    }
+
+    @Override
+    public Optional<Verb> verb() {
+        return definition.verb();
+    }
+
+    @Override
+    public boolean isAlive() {
+        return body.isAlive();
+    }
+
+    @Override
+    public double x() {
+        return body.x();
+    }
+
+    @Override
+    public double y() {
+        return body.y();
     }
 }

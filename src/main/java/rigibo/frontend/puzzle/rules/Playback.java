@@ -13,12 +13,12 @@ public final class Playback {
     private Optional<Refusal> refusal = Optional.empty();
 
     /**
-     * A deletion that the rules did not allow; a replay of a real game has none.
+     * A click that the rules did not allow; a replay of a real game has none.
      *
-     * @param deletion the one
+     * @param act the one
      * @param result why not
      */
-    public record Refusal(Deletion deletion, ClickResult result) {}
+    public record Refusal(Act act, ClickResult result) {}
 
     /**
      * A playback from the level's start.
@@ -39,14 +39,13 @@ public final class Playback {
         return game;
     }
 
-    /** Makes the deletions that are due, then one step. */
+    /** Makes the clicks that are due, then one step. */
     public void step() {
-        while (next < replay.deletions().size()
-                && replay.deletions().get(next).step() <= game.steps()) {
-            Deletion deletion = replay.deletions().get(next++);
-            ClickResult result = game.delete(deletion.body());
-            if (result != ClickResult.DELETED && refusal.isEmpty()) {
-                refusal = Optional.of(new Refusal(deletion, result));
+        while (next < replay.acts().size() && replay.acts().get(next).step() <= game.steps()) {
+            Act act = replay.acts().get(next++);
+            ClickResult result = game.act(act.target());
+            if (result != ClickResult.DONE && refusal.isEmpty()) {
+                refusal = Optional.of(new Refusal(act, result));
             }
         }
         game.step();
@@ -59,17 +58,17 @@ public final class Playback {
         }
     }
 
-    /** The deletion to be made next; nothing when all were made. */
-    public Optional<Deletion> upcoming() {
-        return isDone() ? Optional.empty() : Optional.of(replay.deletions().get(next));
+    /** The click to be made next; nothing when all were made. */
+    public Optional<Act> upcoming() {
+        return isDone() ? Optional.empty() : Optional.of(replay.acts().get(next));
     }
 
-    /** Whether every deletion was made. */
+    /** Whether every click was made. */
     public boolean isDone() {
-        return next == replay.deletions().size();
+        return next == replay.acts().size();
     }
 
-    /** The first deletion that was refused. */
+    /** The first click that was refused. */
     public Optional<Refusal> refusal() {
         return refusal;
     }

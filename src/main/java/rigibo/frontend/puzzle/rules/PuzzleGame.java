@@ -7,6 +7,7 @@ import rigibo.backend.setup.Accuracy;
 import rigibo.frontend.puzzle.level.Level;
 import rigibo.frontend.puzzle.level.Limits;
 import rigibo.frontend.puzzle.level.Steps;
+import rigibo.frontend.puzzle.level.Verb;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -25,7 +26,7 @@ public final class PuzzleGame {
     private final HoldClock hold;
     private final RestWatch rest = new RestWatch();
     private final Trace trace = new Trace();
-    private final List<Deletion> deletions = new ArrayList<>();
+    private final List<Act> acts = new ArrayList<>();
     private Outcome outcome = Outcome.RUNNING;
     private Optional<Loss> loss = Optional.empty();
     private int steps;
@@ -68,8 +69,8 @@ public final class PuzzleGame {
             lose(hold.hasTouched() ? Loss.ROLLED_OFF : Loss.LEFT_THE_WORLD);
         } else if (isTimeUp()) {
             lose(Loss.TIME_IS_UP);
-        } else if (isStuck() && !canDelete()) {
-            lose(Loss.NOTHING_LEFT_TO_DELETE);
+        } else if (isStuck() && !canClick()) {
+            lose(isOfBoxes() ? Loss.NOTHING_LEFT_TO_DELETE : Loss.NOTHING_LEFT_TO_CLICK);
         }
     }
 
@@ -78,13 +79,17 @@ public final class PuzzleGame {
                 && steps >= Steps.of(level.limits().timeLimit().getAsDouble());
     }
 
-    private boolean canDelete() {
-        return board.hasDeletable() && !areClicksUsedUp();
+    private boolean canClick() {
+        return board.hasClickable() && !areClicksUsedUp();
+    }
+
+    private boolean isOfBoxes() {
+        return level.clickables().stream().allMatch(one -> one.verb() == Verb.DELETE);
     }
 
     private boolean areClicksUsedUp() {
         return level.limits().maxClicks().isPresent()
-                && deletions.size() >= level.limits().maxClicks().getAsInt();
+                && acts.size() >= level.limits().maxClicks().getAsInt();
     }
 
     private void lose(Loss reason) {
@@ -107,29 +112,29 @@ public final class PuzzleGame {
         if (outcome != Outcome.RUNNING) {
             return ClickResult.OVER;
         }
-        return pieceAt(x, y).map(this::delete).orElseGet(() -> nothing(x, y));
+        return targetAt(x, y).map(this::act).orElseGet(() -> nothing(x, y));
     }
 
     private ClickResult nothing(double x, double y) {
         return board.pool().bodyAt(x, y).isPresent()
-                ? ClickResult.NOT_DELETABLE
+                ? ClickResult.NOT_CLICKABLE
                 : ClickResult.NOTHING_THERE;
     }
 
-    /** Deletes a body by its id, by the same rules as a click on it. */
-    public ClickResult delete(String id) {
+    /** Clicks a body or joint by its id, by the same rules as a click on it. */
+    public ClickResult act(String id) {
         if (outcome != Outcome.RUNNING) {
             return ClickResult.OVER;
         }
-        return board.piece(id)
-                .filter(piece -> piece.body().isAlive())
-                .map(this::delete)
+        return board.target(id)
+                .filter(Target::isAlive)
+                .map(this::act)
                 .orElse(ClickResult.NOTHING_THERE);
     }
 
-    private ClickResult delete(Piece piece) {
-        if (!piece.isDeletable()) {
-            return ClickResult.NOT_DELETABLE;
+    private ClickResult act(Target target) {
+        if (!target.isClickable()) {
+            return ClickResult.NOT_CLICKABLE;
         }
         if (areClicksUsedUp()) {
             return ClickResult.NO_CLICKS_LEFT;
@@ -137,16 +142,23 @@ public final class PuzzleGame {
         if (!cooldown.isReady(steps)) {
             return ClickResult.COOLING_DOWN;
         }
-        board.pool().remove(piece.body());
-        deletions.add(new Deletion(steps, piece.definition().id()));
+        if (target instanceof Piece piece) {
+            board.pool().remove(piece.body());
+        } else if (target instanceof Link link) {
+            board.pool().remove(link.joint());
+        }
+        acts.add(new Act(steps, target.id()));
         cooldown.start(steps);
         rest.restart();
-        return ClickResult.DELETED;
+        return ClickResult.DONE;
     }
 
-    /** The level's body under a point, deletable or not; not the ball, not the platform. */
-    public Optional<Piece> pieceAt(double x, double y) {
-        return board.pieceAt(x, y);
+    /**
+     * The level's body under a point, or the joint near it, clickable or not; not the ball, not the
+     * platform.
+     */
+    public Optional<Target> targetAt(double x, double y) {
+        return board.targetAt(x, y);
     }
 
     public Level level() {
@@ -172,12 +184,12 @@ public final class PuzzleGame {
         return Steps.seconds(outcome == Outcome.RUNNING ? steps : endedAt);
     }
 
-    /** Deletions so far. */
+    /** Clicks so far that did something. */
     public int clicks() {
-        return deletions.size();
+        return acts.size();
     }
 
-    /** Rest of the cooldown: 1 just after a deletion, 0 when the next one is allowed. */
+    /** Rest of the cooldown: 1 just after a click, 0 when the next one is allowed. */
     public double cooldownLeft() {
         return cooldown.left(steps);
     }
@@ -211,6 +223,26 @@ public final class PuzzleGame {
     /** The level's bodies in the file's order, also those that are gone. */
     public List<Piece> pieces() {
         return board.pieces();
+    }
+
+    /** The joints on which clicks act, in the file's order, also those that are gone. */
+    public List<Link> links() {
+        return List.copyOf(board.links());
+    }
+
+    /** All that has an id: the pieces, then the links; also what is gone. */
+    public List<Target> targets() {
+        return board.targets();
+    }
+
+    /** The body or joint of an id. */
+    public Optional<Target> target(String id) {
+        return board.target(id);
+    }
+
+    /** The clicks so far that did something. */
+    public List<Act> acts() {
+        return List.copyOf(acts);
     }
 
     /** The pool, for reading only: whoever changes it breaks the promise of {@link #replay}. */
@@ -247,6 +279,6 @@ public final class PuzzleGame {
      * alone: played again, they meet the level's own effects.
      */
     public Replay replay() {
-        return new Replay(level.hash(), deletions, board.pool().accuracy());
+        return new Replay(level.hash(), acts, board.pool().accuracy());
     }
 }

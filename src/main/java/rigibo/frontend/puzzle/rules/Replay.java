@@ -12,35 +12,34 @@ import java.util.List;
  * Everything that decides a game, so that it can be replayed to the same bits.
  *
  * @param levelHash hash of its level
- * @param deletions in the order of their steps
+ * @param acts in the order of their steps
  * @param accuracy of the simulation
  */
-public record Replay(long levelHash, List<Deletion> deletions, Accuracy accuracy) {
+public record Replay(long levelHash, List<Act> acts, Accuracy accuracy) {
 
     public Replay {
-        deletions = List.copyOf(deletions);
+        acts = List.copyOf(acts);
     }
 
     /** A stored solution as a replay. */
     public static Replay of(Level level, Solution solution, Accuracy accuracy) {
-        List<Deletion> deletions =
+        List<Act> acts =
                 solution.clicks().stream()
-                        .map(click -> new Deletion(Steps.of(click.seconds()), click.body()))
+                        .map(click -> new Act(Steps.of(click.seconds()), click.target()))
                         .toList();
-        return new Replay(level.hash(), deletions, accuracy);
+        return new Replay(level.hash(), acts, accuracy);
     }
 
-    /** The deletions as a level file states them. */
+    /** The clicks as a level file states them. */
     public Solution solution() {
         return new Solution(
-                deletions.stream()
-                        .map(deletion -> new Click(Steps.seconds(deletion.step()), deletion.body()))
+                acts.stream()
+                        .map(act -> new Click(Steps.seconds(act.step()), act.target()))
                         .toList());
     }
 
-    /** Returns this replay without its last deletion. */
+    /** Returns this replay without its last click. */
     public Replay withoutLast() {
-        return new Replay(
-                levelHash, deletions.subList(0, Math.max(0, deletions.size() - 1)), accuracy);
+        return new Replay(levelHash, acts.subList(0, Math.max(0, acts.size() - 1)), accuracy);
     }
 }

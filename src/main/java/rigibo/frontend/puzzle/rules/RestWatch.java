@@ -27,7 +27,7 @@ final class RestWatch {
         stillSteps = isStill ? stillSteps + 1 : 0;
     }
 
-    /** A deletion moves things again, at the earliest in the next step. */
+    /** A click moves things again, at the earliest in the next step. */
     void restart() {
         stillSteps = 0;
     }

@@ -76,6 +76,16 @@ public final class JointPen {
     /** A rope of a length; where its ends are nearer it hangs through. */
     public void rope(double x1, double y1, double x2, double y2, double length) {
         strand.hang(x1, y1, x2, y2, length);
+        rope();
+    }
+
+    /** A rope along points x₀, y₀, x₁, y₁, …, world m. */
+    public void cord(double[] xy, int points) {
+        strand.along(xy, points);
+        rope();
+    }
+
+    private void rope() {
         double width = px(CORD);
         curve(strand, width + 2, SHADE);
         curve(strand, width, ROPE);

@@ -96,6 +96,14 @@ final class Strand {
         }
     }
 
+    /** A line through given points. */
+    void along(double[] given, int count) {
+        begin(count);
+        for (int i = 0; i < count; i++) {
+            add(given[2 * i], given[2 * i + 1]);
+        }
+    }
+
     private void sag(double x1, double y1, double x2, double y2, double depth) {
         begin(ROPE_PIECES + 1);
         for (int i = 0; i <= ROPE_PIECES; i++) {

@@ -60,7 +60,7 @@ class LevelErrorsTest {
                 Arguments.of(
                         "\"deletable\": true",
                         "\"deletable\": false",
-                        "a.json:12:13: /bodies: E130 no body can be deleted"),
+                        "a.json:12:13: /bodies: E130 nothing can be clicked"),
                 Arguments.of(
                         "\"dynamic\": false",
                         "\"dynamic\": false, \"deletable\": true",

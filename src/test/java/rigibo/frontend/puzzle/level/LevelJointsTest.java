@@ -110,7 +110,7 @@ class LevelJointsTest {
             game.step();
         }
         assertThat(ball.y()).isCloseTo(5, within(1e-4));
-        assertThat(game.delete("hook")).isEqualTo(ClickResult.DELETED);
+        assertThat(game.act("hook")).isEqualTo(ClickResult.DONE);
         assertThat(game.pool().joints()).hasSize(1);
         for (int i = 0; i < 120; i++) {
             game.step();

@@ -12,9 +12,9 @@ import rigibo.frontend.puzzle.level.Level;
 import rigibo.frontend.puzzle.level.LevelLoader;
 import rigibo.frontend.puzzle.level.LevelShelf;
 import rigibo.frontend.puzzle.level.LevelTexts;
+import rigibo.frontend.puzzle.rules.Act;
 import rigibo.frontend.puzzle.rules.Checkpoint;
 import rigibo.frontend.puzzle.rules.ClickResult;
-import rigibo.frontend.puzzle.rules.Deletion;
 import rigibo.frontend.puzzle.rules.Replay;
 import rigibo.frontend.scene.Words;
 
@@ -89,8 +89,7 @@ class ProofTest {
     void anotherAccuracyIsNotTheSame() {
         Recording played = Recordings.sound();
         Replay draft =
-                new Replay(
-                        played.replay().levelHash(), played.replay().deletions(), Accuracy.DRAFT);
+                new Replay(played.replay().levelHash(), played.replay().acts(), Accuracy.DRAFT);
         Verdict verdict = Proof.of(new Recording(played.level(), draft, played.checkpoints()));
         assertThat(verdict.isSame()).isFalse();
     }
@@ -110,25 +109,25 @@ class ProofTest {
     @Test
     void aClickThatIsRefusedIsTold() {
         Recording played = Recordings.sound();
-        Deletion wall = new Deletion(10, "wall");
+        Act wall = new Act(10, "wall");
         Replay other =
                 new Replay(played.replay().levelHash(), List.of(wall), played.replay().accuracy());
         Verdict verdict = Proof.of(new Recording(played.level(), other, played.checkpoints()));
-        assertThat(verdict).isEqualTo(new Verdict.Refused(wall, ClickResult.NOT_DELETABLE));
+        assertThat(verdict).isEqualTo(new Verdict.Refused(wall, ClickResult.NOT_CLICKABLE));
         assertThat(verdict.in(WORDS))
                 .isEqualTo(
-                        "the click on \"wall\" at step 10 was refused: this body cannot be"
-                                + " deleted");
+                        "the click on \"wall\" at step 10 was refused: this one stays"
+                                + " as it is");
     }
 
     @ParameterizedTest
     @MethodSource("refusals")
     void everyRefusalHasItsWords(ClickResult result) {
-        Verdict refused = new Verdict.Refused(new Deletion(1, "a"), result);
+        Verdict refused = new Verdict.Refused(new Act(1, "a"), result);
         assertThat(refused.in(WORDS)).startsWith("the click on \"a\" at step 1 was refused: ");
     }
 
     static Stream<ClickResult> refusals() {
-        return Stream.of(ClickResult.values()).filter(result -> result != ClickResult.DELETED);
+        return Stream.of(ClickResult.values()).filter(result -> result != ClickResult.DONE);
     }
 }

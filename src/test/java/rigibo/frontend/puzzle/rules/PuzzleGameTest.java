@@ -33,7 +33,7 @@ class PuzzleGameTest {
     @Test
     void aClickDuringTheCooldownIsRefusedAndSaysSo() {
         PuzzleGame game = game(TWO_BOXES);
-        assertThat(game.click(4.5, 1.85)).isEqualTo(ClickResult.DELETED);
+        assertThat(game.click(4.5, 1.85)).isEqualTo(ClickResult.DONE);
         step(game, 59);
         assertThat(game.click(8, 2)).isEqualTo(ClickResult.COOLING_DOWN);
         assertThat(game.clicks()).isEqualTo(1);
@@ -45,12 +45,12 @@ class PuzzleGameTest {
         game.click(4.5, 1.85);
         step(game, 60);
         assertThat(game.cooldownLeft()).isZero();
-        assertThat(game.click(8, 2)).isEqualTo(ClickResult.DELETED);
+        assertThat(game.click(8, 2)).isEqualTo(ClickResult.DONE);
     }
 
     @Test
     void theFirstClickNeedsNoWaiting() {
-        assertThat(game(TWO_BOXES).click(4.5, 1.85)).isEqualTo(ClickResult.DELETED);
+        assertThat(game(TWO_BOXES).click(4.5, 1.85)).isEqualTo(ClickResult.DONE);
     }
 
     @Test
@@ -66,9 +66,9 @@ class PuzzleGameTest {
     void clicksOnNothingAndOnWhatStaysAreToldApart() {
         PuzzleGame game = game(LevelTexts.sound());
         assertThat(game.click(1, 9)).isEqualTo(ClickResult.NOTHING_THERE);
-        assertThat(game.click(8, 2)).isEqualTo(ClickResult.NOT_DELETABLE);
-        assertThat(game.click(4.5, 2.7)).as("the ball").isEqualTo(ClickResult.NOT_DELETABLE);
-        assertThat(game.click(4.5, 1.2)).as("the platform").isEqualTo(ClickResult.NOT_DELETABLE);
+        assertThat(game.click(8, 2)).isEqualTo(ClickResult.NOT_CLICKABLE);
+        assertThat(game.click(4.5, 2.7)).as("the ball").isEqualTo(ClickResult.NOT_CLICKABLE);
+        assertThat(game.click(4.5, 1.2)).as("the platform").isEqualTo(ClickResult.NOT_CLICKABLE);
         assertThat(game.clicks()).isZero();
     }
 

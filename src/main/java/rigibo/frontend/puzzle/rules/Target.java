@@ -1,0 +1,34 @@
+package rigibo.frontend.puzzle.rules;
+
+import rigibo.frontend.puzzle.level.Verb;
+
+import java.util.Optional;
+
+/** A body or joint of the level in play, at which a click may be aimed. */
+public sealed interface Target permits Piece, Link {
+
+    /** Its id, unique in its level. */
+    String id();
+
+    /** What a click does to it; empty if it stays as it is. */
+    Optional<Verb> verb();
+
+    /** Whether it is still in the world. */
+    boolean isAlive();
+
+    /** World x at which a pointer aims at it, m. */
+    double x();
+
+    /** World y at which a pointer aims at it, m, up. */
+    double y();
+
+    /** Whether a click acts on it. */
+    default boolean isClickable() {
+        return isAlive() && verb().isPresent();
+    }
+
+    /** Whether a click acts on it by a verb. */
+    default boolean is(Verb by) {
+        return verb().filter(by::equals).isPresent();
+    }
+}

@@ -1,0 +1,74 @@
+package rigibo.frontend.puzzle;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+import rigibo.frontend.puzzle.level.Level;
+import rigibo.frontend.puzzle.level.VerbLevels;
+import rigibo.frontend.scene.Key;
+import rigibo.frontend.scene.RecordingCanvas.Curve;
+import rigibo.frontend.scene.Settings.Motion;
+
+/** Verbs by mouse and by keys: what they do, what is heard, what is shown. */
+class VerbsByHandTest {
+
+    private static final double SCALE = 80;
+
+    private final PlayedLevel rope = new PlayedLevel(VerbLevels.rope());
+
+    @Test
+    void aClickOnTheRopeCutsIt() {
+        rope.turns(30).click(2, 6.2);
+        assertThat(rope.counts()).startsWith("1/1");
+        assertThat(rope.director.sounds.signals).contains("snip");
+    }
+
+    /** Cut at two thirds, the upper end goes on hanging as long as it is: 1.8 m from the hook. */
+    @Test
+    void theEndsHangFromWhereTheClickWas() {
+        rope.turns(30).click(2, 6.2).turns(240);
+        double upperEnd =
+                rope.canvas().curves().stream()
+                        .map(Curve::xy)
+                        .filter(xy -> Math.abs(xy[1] - (800 - 8 * SCALE)) < 2)
+                        .mapToDouble(xy -> (800 - xy[xy.length - 1]) / SCALE)
+                        .min()
+                        .orElseThrow();
+        // Pieces of a rope give way by a few per cent while they swing.
+        assertThat(upperEnd).isBetween(6.2 - 0.1, 6.2 + 0.1);
+    }
+
+    @Test
+    void tabGoesOnFromTheBoxesToTheRopeAndEnterCuts() {
+        rope.keys(Key.TAB, Key.TAB, Key.ENTER);
+        assertThat(rope.director.sounds.signals).containsExactly("snip");
+        assertThat(rope.counts()).startsWith("1/1");
+    }
+
+    @Test
+    void aPinIsPulledByAClickOnIt() {
+        PlayedLevel pin = new PlayedLevel(VerbLevels.pin());
+        pin.click(7, 5);
+        assertThat(pin.director.sounds.signals).containsExactly("pull");
+    }
+
+    @Test
+    void undoTiesTheRopeAgain() {
+        rope.turns(30).click(2, 6.2).turns(30).keys(Key.BACKSPACE);
+        assertThat(rope.counts()).startsWith("0/1");
+        rope.turns(1).click(2, 6.2);
+        assertThat(rope.counts()).as("it is there again").startsWith("1/1");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"en", "de"})
+    void theBarSaysWhatAClickDoes(String language) {
+        Level level = VerbLevels.of(VerbLevels.ROPE.replace(", \"deletable\": true", ""));
+        PlayedLevel played = new PlayedLevel(level, language, Motion.FULL);
+        String words = language.equals("en") ? "click a rope to cut it" : "Klick kappt ein Seil";
+        assertThat(played.texts()).contains(words);
+    }
+}
