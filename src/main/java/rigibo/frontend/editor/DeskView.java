@@ -85,6 +85,10 @@ final class DeskView {
         for (JsonNode node : desk.draft().at("/joints")) {
             LevelJoint.of(node).ifPresent(joint -> draw(pen, joint));
         }
+        for (Item item : desk.draft().items()) {
+            Point at = item.toWorld(item.form().centre());
+            item.verb().ifPresent(v -> VerbMark.draw(canvas, camera, v, at.x(), at.y()));
+        }
         desk.joint().ifPresent(joint -> rings(joint, Color.TEXT));
     }
 

@@ -1,11 +1,14 @@
 package rigibo.frontend.puzzle;
 
+import rigibo.frontend.puzzle.level.LevelJoint;
 import rigibo.frontend.puzzle.level.Verb;
 import rigibo.frontend.puzzle.rules.Link;
+import rigibo.frontend.puzzle.rules.Piece;
 import rigibo.frontend.puzzle.rules.Target;
 import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.joint.JointPen;
 import rigibo.frontend.scene.joint.RopeLine;
 
 import java.util.Optional;
@@ -21,6 +24,14 @@ final class Marks {
     /** Distance of the sign from the pointer, px. */
     private static final double ASIDE = 20;
 
+    /** Radius of the arrow about a motor, m. */
+    private static final double TURN = 0.21;
+
+    /** Distance of the tip of a rail's arrow from the sign, and length of its head, px. */
+    private static final double ARROW = 27;
+
+    private static final double HEAD = 8;
+
     private final Session session;
     private final Camera camera;
 
@@ -31,29 +42,71 @@ final class Marks {
 
     /** Draws the marks over the bodies and joints. */
     void draw(Canvas canvas, Optional<Target> meant) {
-        for (Link link : session.game().links()) {
-            if (link.isClickable()) {
-                draw(canvas, link, meant.filter(link::equals).isPresent());
+        for (Target target : session.game().targets()) {
+            if (target.isClickable() && !target.is(Verb.DELETE)) {
+                draw(canvas, target, meant.filter(target::equals).isPresent());
             }
         }
     }
 
+    private void draw(Canvas canvas, Target target, boolean isMeant) {
+        if (target instanceof Piece piece) {
+            Pose at = session.pose(piece.body());
+            mark(canvas, target, at.x(), at.y(), isMeant);
+        } else if (target instanceof Link link) {
+            draw(canvas, link, isMeant);
+        }
+    }
+
     private void draw(Canvas canvas, Link link, boolean isMeant) {
-        Verb verb = link.verb().orElseThrow();
         if (link.isRope()) {
             RopeLine line = line(link);
             if (isMeant) {
                 light(canvas, line);
             }
-            mark(canvas, verb, line.x(0.5), line.y(0.5), isMeant);
-        } else {
-            Pose at = place(link.b());
-            mark(canvas, verb, at.x(), at.y(), isMeant);
+            mark(canvas, link, line.x(0.5), line.y(0.5), isMeant);
+            return;
+        }
+        Pose at = place(link.b());
+        if (link.is(Verb.SWITCH)) {
+            direction(canvas, link, at);
+        }
+        mark(canvas, link, at.x(), at.y(), isMeant);
+    }
+
+    private void mark(Canvas canvas, Target target, double x, double y, boolean isMeant) {
+        double screenX = camera.screenX(x);
+        double screenY = camera.screenY(y);
+        Verb verb = target.verb().orElseThrow();
+        VerbMark.draw(canvas, verb, target.isOn(), screenX, screenY, isMeant);
+    }
+
+    /**
+     * Draws the way in which a motor drives, grey while it is off; one that turns shows it itself
+     * while it is on.
+     */
+    private void direction(Canvas canvas, Link link, Pose at) {
+        double speed = link.definition().settings().motor().speed();
+        Color color = link.isOn() ? Color.GOOD : Color.EDGE;
+        if (link.definition().type() == LevelJoint.Type.SLIDE) {
+            Pose rail = session.pose(link.a().body());
+            double axis = link.definition().axis() + rail.angle();
+            arrow(canvas, at, speed < 0 ? axis + Math.PI : axis, color);
+        } else if (!link.isOn()) {
+            new JointPen(canvas, camera).motor(at.x(), at.y(), TURN, at.angle(), speed, color);
         }
     }
 
-    private void mark(Canvas canvas, Verb verb, double x, double y, boolean isMeant) {
-        VerbMark.draw(canvas, verb, camera.screenX(x), camera.screenY(y), isMeant);
+    private void arrow(Canvas canvas, Pose at, double angle, Color color) {
+        double dx = Math.cos(angle);
+        double dy = -Math.sin(angle);
+        double x = camera.screenX(at.x()) + ARROW * dx;
+        double y = camera.screenY(at.y()) + ARROW * dy;
+        for (int side = -1; side <= 1; side += 2) {
+            double backX = x - HEAD * (dx - side * dy);
+            double backY = y - HEAD * (dy + side * dx);
+            canvas.line(backX, backY, x, y, 4, color);
+        }
     }
 
     private void light(Canvas canvas, RopeLine line) {
@@ -78,8 +131,9 @@ final class Marks {
 
     /** Draws the sign of what a click would do beside the pointer, px. */
     static void drawAtPointer(Canvas canvas, Target meant, double x, double y) {
-        if (meant instanceof Link) {
-            VerbMark.draw(canvas, meant.verb().orElseThrow(), x + ASIDE, y + ASIDE, false);
+        Verb verb = meant.verb().orElseThrow();
+        if (verb != Verb.DELETE) {
+            VerbMark.draw(canvas, verb, meant.isOn(), x + ASIDE, y + ASIDE, false);
         }
     }
 }

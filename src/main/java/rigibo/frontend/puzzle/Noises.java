@@ -2,15 +2,16 @@ package rigibo.frontend.puzzle;
 
 import rigibo.backend.ContactEvent;
 import rigibo.backend.RigidBody;
-import rigibo.frontend.puzzle.level.Verb;
 import rigibo.frontend.puzzle.rules.Outcome;
 import rigibo.frontend.puzzle.rules.Piece;
 import rigibo.frontend.puzzle.rules.PuzzleGame;
+import rigibo.frontend.puzzle.rules.Target;
 import rigibo.frontend.scene.Deed;
 import rigibo.frontend.scene.Impacts;
 import rigibo.frontend.scene.Skin;
 import rigibo.frontend.scene.Sounds;
 
+import java.util.ArrayList;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
@@ -33,6 +34,9 @@ final class Noises {
     private Outcome outcome;
     private int ticks;
 
+    /** Bombs whose fuses burnt when the game was last heard. */
+    private final List<Piece> lit = new ArrayList<>();
+
     /** The sounds of a game from its present state on. */
     Noises(Sounds sounds, PuzzleGame game) {
         this.sounds = sounds;
@@ -46,9 +50,10 @@ final class Noises {
         outcome = other.outcome();
         ticks = ticks(other);
         skins.clear();
+        lit.clear();
         other.balls().forEach(ball -> skins.put(ball, Skin.BALL));
         for (Piece piece : other.pieces()) {
-            skins.put(piece.body(), Skins.of(piece.definition().substance()));
+            skins.put(piece.body(), Skins.of(piece.substance()));
         }
     }
 
@@ -68,8 +73,23 @@ final class Noises {
                 .mapToDouble(ball -> Math.abs(ball.angularVelocity()) * rim(ball))
                 .max()
                 .ifPresent(sounds::roll);
+        tellBlasts();
         tellHold();
         tellOutcome();
+    }
+
+    private void tellBlasts() {
+        List<Piece> blown = lit.stream().filter(this::hasBlownUp).toList();
+        blown.forEach(bomb -> sounds.did(Deed.BLAST));
+        lit.clear();
+        game.pieces().stream()
+                .filter(piece -> piece.isAlive() && piece.fuse().isPresent())
+                .forEach(lit::add);
+    }
+
+    /** A bomb that fell out of the world did not. */
+    private boolean hasBlownUp(Piece bomb) {
+        return !bomb.isAlive() && bomb.fuse().orElseThrow().burnt(game.steps()) == 1;
     }
 
     private static double rim(RigidBody ball) {
@@ -101,11 +121,17 @@ final class Noises {
     }
 
     /** Called when a click did something. */
-    void did(Verb verb) {
-        switch (verb) {
+    void did(Target target) {
+        switch (target.verb().orElseThrow()) {
             case DELETE -> sounds.pop();
             case CUT -> sounds.did(Deed.SNIP);
             case PULL -> sounds.did(Deed.PULL);
+            case SWITCH -> sounds.did(target.isOn() ? Deed.SWITCH_ON : Deed.SWITCH_OFF);
+            case FREEZE -> {
+                sounds.did(Deed.FREEZE);
+                skins.put(((Piece) target).body(), Skin.STONE);
+            }
+            case LIGHT -> sounds.did(Deed.FUSE);
         }
     }
 

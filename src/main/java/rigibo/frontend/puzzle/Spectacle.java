@@ -1,6 +1,7 @@
 package rigibo.frontend.puzzle;
 
 import rigibo.backend.RigidBody;
+import rigibo.frontend.puzzle.level.Handling;
 import rigibo.frontend.puzzle.level.Verb;
 import rigibo.frontend.puzzle.level.World;
 import rigibo.frontend.puzzle.rules.Act;
@@ -8,6 +9,8 @@ import rigibo.frontend.puzzle.rules.Link;
 import rigibo.frontend.puzzle.rules.Outcome;
 import rigibo.frontend.puzzle.rules.Piece;
 import rigibo.frontend.puzzle.rules.PuzzleGame;
+import rigibo.frontend.puzzle.rules.Target;
+import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Settings.Motion;
@@ -45,6 +48,8 @@ final class Spectacle {
     /** Where a rope is cut that no pointer cuts, as a share of its length. */
     static final double MIDDLE = 0.5;
 
+    private final Belts belts = new Belts();
+    private final Flashes flashes = new Flashes();
     private final LooseEnds looseEnds = new LooseEnds();
     private final Map<String, Double> cuts = new HashMap<>();
     private final Splinters splinters = new Splinters();
@@ -85,11 +90,13 @@ final class Spectacle {
             dust.raise(game.pool());
             World world = game.level().world();
             looseEnds.step(world.gravityX(), world.gravityY());
+            belts.step(game);
             steps = game.steps();
         }
         squashed.forEach(body -> body.turns++);
         burst();
         splinters.step();
+        flashes.step();
         dust.step();
         grey = game.outcome() == Outcome.LOST ? Math.min(GREYING_TURNS, grey + 1) : 0;
         flash = Math.max(0, flash - 1);
@@ -106,6 +113,8 @@ final class Spectacle {
         grey = 0;
         flash = 0;
         looseEnds.clear();
+        belts.clear();
+        flashes.clear();
         acts = game.acts().size();
         game.acts().forEach(act -> rope(act).ifPresent(it -> looseEnds.hang(it, cut(act))));
     }
@@ -124,9 +133,16 @@ final class Spectacle {
     private void watchClicks() {
         List<Act> all = watched.acts();
         for (Act act : all.subList(acts, all.size())) {
+            watched.target(act.target()).ifPresent(this::flashIfFrozen);
             rope(act).ifPresent(it -> looseEnds.cut(it, cut(act)));
         }
         acts = all.size();
+    }
+
+    private void flashIfFrozen(Target target) {
+        if (target instanceof Piece piece && piece.is(Verb.FREEZE)) {
+            flashes.freeze(piece.x(), piece.y(), piece.body().shape().boundingRadius());
+        }
     }
 
     /**
@@ -137,6 +153,13 @@ final class Spectacle {
      */
     void cutting(Link rope, double share) {
         cuts.put(rope.id(), share);
+    }
+
+    /** Draws what moves on a piece: the chevrons of a belt, the fuse of a bomb. */
+    void drawOn(Canvas canvas, Camera camera, Piece piece) {
+        Pose pose = session.pose(piece.body());
+        belts.draw(canvas, camera, piece, pose);
+        Bombs.draw(canvas, camera, piece, pose, watched.steps());
     }
 
     /** Draws what is left of the ropes that were cut. */
@@ -151,10 +174,23 @@ final class Spectacle {
             if (i == last.size()) {
                 last.add(now);
             }
-            if (now.isEmpty() && pieces.get(i).is(Verb.DELETE)) {
+            Piece piece = pieces.get(i);
+            if (now.isEmpty() && piece.is(Verb.LIGHT)) {
+                last.get(i).ifPresent(remains -> blowUp(piece, remains));
+            }
+            if (now.isEmpty() && piece.is(Verb.DELETE)) {
                 last.get(i).ifPresent(remains -> squashed.add(new Squashed(remains)));
             }
             last.set(i, now);
+        }
+    }
+
+    private void blowUp(Piece bomb, Remains remains) {
+        if (bomb.fuse().filter(fuse -> fuse.burnt(watched.steps()) == 1).isPresent()) {
+            Handling.Charge charge = bomb.definition().handling().charge().orElseThrow();
+            Pose at = remains.pose();
+            flashes.blast(at.x(), at.y(), charge.radius() + charge.falloff());
+            splinters.burst(remains);
         }
     }
 
@@ -162,10 +198,7 @@ final class Spectacle {
         RigidBody body = piece.body();
         return body.isAlive()
                 ? Optional.of(
-                        new Remains(
-                                body.shape(),
-                                session.pose(body),
-                                Skins.of(piece.definition().substance())))
+                        new Remains(body.shape(), session.pose(body), Skins.of(piece.substance())))
                 : Optional.empty();
     }
 
@@ -196,7 +229,7 @@ final class Spectacle {
     }
 
     /** Draws it above the bodies. */
-    void draw(Canvas canvas, Motion motion) {
+    void draw(Canvas canvas, Camera camera, Motion motion) {
         boolean isFull = motion == Motion.FULL;
         canvas.veil(isFull ? grey / (double) GREYING_TURNS : grey > 0 ? 1 : 0);
         for (Squashed body : squashed) {
@@ -205,6 +238,9 @@ final class Spectacle {
         dust.draw(canvas);
         glow(canvas, isFull ? flash / (double) FLASH_TURNS : 0);
         splinters.draw(canvas);
+        if (isFull) {
+            flashes.draw(canvas, camera);
+        }
     }
 
     /** Draws the glow of every ball, which grows while the ball is held and flashes at the end. */

@@ -72,7 +72,8 @@ final class Stage {
             if (piece.body().isAlive()) {
                 boolean isMeant = piece.isClickable() && meant.filter(piece::equals).isPresent();
                 Canvas.Mood mood = isMeant ? Canvas.Mood.HOVERED : spectacle.mood(piece);
-                body(canvas, piece.body(), Skins.of(piece.definition().substance()), mood);
+                body(canvas, piece.body(), Skins.of(piece.substance()), mood);
+                spectacle.drawOn(canvas, camera, piece);
             }
         }
         for (RigidBody each : game.balls()) {
@@ -173,7 +174,7 @@ final class Stage {
                 pose.x() + aside / camera.scale(),
                 pose.y(),
                 pose.angle(),
-                Skins.of(piece.definition().substance()),
+                Skins.of(piece.substance()),
                 Canvas.Mood.GHOST);
     }
 

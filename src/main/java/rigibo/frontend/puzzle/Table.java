@@ -93,7 +93,7 @@ final class Table {
     }
 
     private void did(Target target) {
-        noises.did(target.verb().orElseThrow());
+        noises.did(target);
     }
 
     /** Throws confetti, unless the player wants less motion. */
@@ -108,7 +108,7 @@ final class Table {
         boolean isOwn = !session.isShowing();
         stage.draw(canvas, isOwn ? cursor.under(game) : Optional.empty(), spectacle);
         drawRefused(canvas, game, motion);
-        spectacle.draw(canvas, motion);
+        spectacle.draw(canvas, camera, motion);
         game.balls().forEach(ball -> drawHold(canvas, ball, motion));
         cursor.chosen(game).ifPresent(target -> stage.drawChosen(canvas, target));
         session.show().ifPresent(show -> shownPointer.draw(canvas, show));

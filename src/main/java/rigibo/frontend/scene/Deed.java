@@ -5,5 +5,15 @@ public enum Deed {
     /** A rope was cut. */
     SNIP,
     /** A pin was pulled. */
-    PULL
+    PULL,
+    /** A motor or belt was switched on. */
+    SWITCH_ON,
+    /** A motor or belt was switched off. */
+    SWITCH_OFF,
+    /** A body became a stone. */
+    FREEZE,
+    /** A fuse was lit. */
+    FUSE,
+    /** A bomb blew up. */
+    BLAST
 }

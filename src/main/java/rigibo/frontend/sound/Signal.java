@@ -12,6 +12,20 @@ enum Signal {
     SNIP(0.8, Tone.steady(2350, 0.6, 0.008), new Tone(0.06, 3100, 2700, 1, 0.012)),
     /** A pin slides out: up, and a ring of brass. */
     PULL(0.8, new Tone(0, 420, 1250, 0.8, 0.06), new Tone(0.1, 1870, 1870, 0.7, 0.09)),
+    /** A lever and a motor that starts. */
+    SWITCH_ON(0.7, Tone.steady(1400, 0.7, 0.008), new Tone(0.03, 90, 210, 1, 0.11)),
+    /** A lever and a motor that runs out. */
+    SWITCH_OFF(0.7, Tone.steady(1100, 0.7, 0.008), new Tone(0.03, 190, 70, 1, 0.09)),
+    /** Ice that cracks and then rings. */
+    FREEZE(
+            0.7,
+            Tone.steady(3300, 0.5, 0.006),
+            new Tone(0.03, 2650, 2500, 0.6, 0.05),
+            new Tone(0.06, 1570, 1540, 1, 0.14)),
+    /** A match. */
+    FUSE(0.5, new Tone(0, 5200, 3400, 0.6, 0.02), new Tone(0.04, 4300, 6100, 0.8, 0.07)),
+    /** Low, and falling. */
+    BLAST(1, new Tone(0, 140, 38, 1, 0.16), new Tone(0, 420, 60, 0.7, 0.05)),
     /** Not now: twice the same low note. */
     REFUSE(0.7, Tone.steady(165, 1, 0.03), new Tone(0.11, 165, 165, 1, 0.04)),
     /** A bright dot, played higher the longer the hold has lasted. */
@@ -42,6 +56,11 @@ enum Signal {
         return switch (deed) {
             case SNIP -> SNIP;
             case PULL -> PULL;
+            case SWITCH_ON -> SWITCH_ON;
+            case SWITCH_OFF -> SWITCH_OFF;
+            case FREEZE -> FREEZE;
+            case FUSE -> FUSE;
+            case BLAST -> BLAST;
         };
     }
 

@@ -8,6 +8,7 @@ import rigibo.backend.setup.Accuracy;
 import rigibo.frontend.puzzle.level.LevelTexts;
 import rigibo.frontend.puzzle.rules.Outcome;
 import rigibo.frontend.puzzle.rules.PuzzleGame;
+import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Canvas.Mood;
 import rigibo.frontend.scene.RecordingCanvas;
 import rigibo.frontend.scene.Settings.Motion;
@@ -30,7 +31,7 @@ class SpectacleTest {
 
     private RecordingCanvas drawn(Motion motion) {
         RecordingCanvas canvas = new RecordingCanvas();
-        spectacle.draw(canvas, motion);
+        spectacle.draw(canvas, Camera.ofPuzzle(), motion);
         return canvas;
     }
 

@@ -63,6 +63,25 @@ class VerbsByHandTest {
         assertThat(rope.counts()).as("it is there again").startsWith("1/1");
     }
 
+    @Test
+    void machinesAreHeardAsTheyAreClicked() {
+        PlayedLevel machines = new PlayedLevel(VerbLevels.machines());
+        machines.click(2, 7).turns(60).click(2, 7).turns(60).click(6, 6).turns(60);
+        machines.click(4, 0.7).turns(100);
+        assertThat(machines.director.sounds.signals)
+                .containsExactly("switch_on", "switch_off", "switch_on", "fuse", "blast");
+        assertThat(machines.counts()).startsWith("4/1");
+    }
+
+    /** Floor, ball and platform are passed over; a lit bomb cannot be chosen again. */
+    @Test
+    void tabWalksThroughAllThatCanBeActedOn() {
+        PlayedLevel machines = new PlayedLevel(VerbLevels.machines());
+        machines.keys(Key.TAB, Key.TAB, Key.TAB, Key.ENTER).turns(60);
+        machines.keys(Key.TAB, Key.TAB, Key.TAB, Key.ENTER);
+        assertThat(machines.director.sounds.signals).startsWith("fuse").endsWith("switch_on");
+    }
+
     @ParameterizedTest
     @ValueSource(strings = {"en", "de"})
     void theBarSaysWhatAClickDoes(String language) {

@@ -12,6 +12,7 @@ import rigibo.frontend.editor.draft.JointEntry;
 import rigibo.frontend.editor.draft.Point;
 import rigibo.frontend.puzzle.level.Solution;
 import rigibo.frontend.puzzle.level.Substance;
+import rigibo.frontend.puzzle.level.Verb;
 import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Modifier;
 
@@ -192,6 +193,14 @@ public final class Desk {
             Draft draft = draft().with(named.pointer(), named.node());
             change(Clicks.jointRenamed(draft, joint.id(), id));
         }
+    }
+
+    /**
+     * Makes a click in play do something to a body besides deleting; levels of format 2 have it.
+     */
+    public void click(Item body, Optional<Verb> verb) {
+        Draft next = draft().with(body.clicked(verb));
+        change(verb.isPresent() ? Joinery.inFormatTwo(next) : next);
     }
 
     /** Adds a copy beside the selected body and selects it. */

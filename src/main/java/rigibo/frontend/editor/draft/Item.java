@@ -1,13 +1,16 @@
 package rigibo.frontend.editor.draft;
 
 import rigibo.frontend.puzzle.level.Substance;
+import rigibo.frontend.puzzle.level.Verb;
 
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.node.JsonNodeFactory;
 import tools.jackson.databind.node.ObjectNode;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 
 /**
  * An item of a draft: a ball, the platform, a body. Edits return a new item; its node never changes
@@ -93,6 +96,41 @@ public record Item(String pointer, ObjectNode node) {
     /** Whether a click deletes it in play. */
     public boolean isDeletable() {
         return node.path("deletable").asBoolean(false);
+    }
+
+    /** What a click in play does to it besides deleting. */
+    public Optional<Verb> verb() {
+        return Verb.titled(node.path("click").asString(""));
+    }
+
+    /**
+     * The verbs of clicks that fit it, besides deleting: belts are switched, what moves freezes.
+     */
+    public List<Verb> fitting() {
+        List<Verb> fitting = new ArrayList<>();
+        if (number("surfaceSpeed", 0) != 0) {
+            fitting.add(Verb.SWITCH);
+        }
+        if (!isFixed()) {
+            fitting.add(Verb.FREEZE);
+            fitting.add(Verb.LIGHT);
+        }
+        return fitting;
+    }
+
+    /** Returns this body with a click that does something to it besides deleting, or nothing. */
+    public Item clicked(Optional<Verb> verb) {
+        ObjectNode changed = JsonNodeFactory.instance.objectNode();
+        changed.setAll(node);
+        changed.remove(List.of("click", "on", "blast"));
+        if (verb.isPresent()) {
+            changed.remove("deletable");
+            changed.put("click", verb.get().title());
+        }
+        if (verb.filter(Verb.LIGHT::equals).isPresent()) {
+            changed.putObject("blast").put("radius", 1).put("falloff", 1).put("impulse", 1500);
+        }
+        return new Item(pointer, changed);
     }
 
     /** Whether it is fixed. */

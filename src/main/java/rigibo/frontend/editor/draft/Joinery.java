@@ -88,8 +88,12 @@ public final class Joinery {
     public static Draft plus(Draft draft, ObjectNode joint) {
         ArrayNode more = NODES.arrayNode();
         draft.at(JointEntry.JOINTS).forEach(more::add);
-        return draft.with("/format", NODES.numberNode(FORMAT))
-                .with(JointEntry.JOINTS, more.add(joint));
+        return inFormatTwo(draft).with(JointEntry.JOINTS, more.add(joint));
+    }
+
+    /** Returns the draft in the first format with joints, and with clicks besides deleting. */
+    public static Draft inFormatTwo(Draft draft) {
+        return draft.with("/format", NODES.numberNode(FORMAT));
     }
 
     /** The draft without a joint, and without the solutions that click it. */

@@ -73,14 +73,17 @@ public record JointEntry(String pointer, ObjectNode node) {
         return node.path("id").asString("");
     }
 
-    /** Whether a click in play does something to it. */
-    public boolean isClickable() {
-        return node.has("click");
+    /** What a click in play does to it. */
+    public Optional<Verb> verb() {
+        return Verb.titled(node.path("click").asString(""));
     }
 
-    /** The verb of a click that fits its kind, if there is one. */
-    public Optional<Verb> fitting() {
-        return Arrays.stream(Verb.values()).filter(verb -> verb.actsOn(type())).findFirst();
+    /** The verbs of clicks that fit its kind, and its motor. */
+    public List<Verb> fitting() {
+        return Arrays.stream(Verb.values())
+                .filter(verb -> verb.actsOn(type()))
+                .filter(verb -> verb != Verb.SWITCH || node.has("motor"))
+                .toList();
     }
 
     /** Returns this joint with a click acting on it, under an id of its own, or with none. */
@@ -88,6 +91,7 @@ public record JointEntry(String pointer, ObjectNode node) {
         ObjectNode changed = JsonNodeFactory.instance.objectNode();
         changed.setAll(node);
         changed.remove("click");
+        changed.remove("on");
         if (verb.isPresent()) {
             changed.put("click", verb.get().title());
             if (id().isEmpty()) {

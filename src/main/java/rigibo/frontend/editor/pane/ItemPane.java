@@ -6,7 +6,11 @@ import rigibo.frontend.editor.draft.Form;
 import rigibo.frontend.editor.draft.Item;
 import rigibo.frontend.editor.draft.Kept;
 import rigibo.frontend.puzzle.level.Substance;
+import rigibo.frontend.puzzle.level.Verb;
 import rigibo.frontend.scene.Canvas;
+
+import java.util.List;
+import java.util.Optional;
 
 /** The fields of the selected item. */
 final class ItemPane {
@@ -19,6 +23,8 @@ final class ItemPane {
     private static final Fields.Range THICKNESS = new Fields.Range(0.05, 2, 0.05, 0.3);
     private static final Fields.Range RADIUS = new Fields.Range(0.05, 5, 0.05, 0.05);
     private static final Fields.Range BALL = new Fields.Range(0.05, 2, 0.05, 0.05);
+    private static final Fields.Range REACH = new Fields.Range(0, 20, 0.1, 0);
+    private static final Fields.Range IMPULSE = new Fields.Range(1, 100_000, 50, 1);
     private static final Fields.Range BELT = new Fields.Range(-20, 20, 0.1, 0);
 
     private ItemPane() {}
@@ -65,8 +71,41 @@ final class ItemPane {
         fields.flag("moves", at + "/dynamic", !item.isFixed());
         fields.flag("deletable", at + "/deletable", item.isDeletable());
         fields.number("belt", at + "/surfaceSpeed", BELT);
+        if (!item.isDeletable()) {
+            click(fields, item);
+        }
         Desk desk = fields.desk();
         fields.column().button(fields.words("copy"), fields.words("copy.told"), desk::duplicate);
+    }
+
+    /** What a click does besides deleting, and what belongs to that. */
+    private static void click(Fields fields, Item item) {
+        List<Verb> fitting = item.fitting();
+        if (fitting.isEmpty()) {
+            return;
+        }
+        int now = item.verb().map(fitting::indexOf).orElse(-1);
+        String held = now < 0 ? "none" : fitting.get(now).title();
+        fields.column()
+                .stepper(
+                        fields.words("click"),
+                        new Column.Shown(fields.words("click." + held), Canvas.Font.WORDS, false),
+                        () -> {},
+                        direction -> fields.desk().click(item, next(fitting, now, direction)));
+        if (item.verb().filter(Verb.SWITCH::equals).isPresent()) {
+            fields.flag("on", item.pointer() + "/on", item.node().path("on").asBoolean(true));
+        }
+        if (item.verb().filter(Verb.LIGHT::equals).isPresent()) {
+            fields.number("blast.radius", item.pointer() + "/blast/radius", REACH);
+            fields.number("blast.falloff", item.pointer() + "/blast/falloff", REACH);
+            fields.number("blast.impulse", item.pointer() + "/blast/impulse", IMPULSE);
+        }
+    }
+
+    /** The next of the fitting verbs; none comes before the first and after the last. */
+    private static Optional<Verb> next(List<Verb> fitting, int now, int direction) {
+        int next = Math.floorMod(now + 1 + direction, fitting.size() + 1) - 1;
+        return next < 0 ? Optional.empty() : Optional.of(fitting.get(next));
     }
 
     private static void size(Fields fields, Item item) {

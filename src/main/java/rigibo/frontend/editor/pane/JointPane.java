@@ -151,23 +151,27 @@ final class JointPane {
 
     /** Whether a click in play acts on it, and the name by which solutions refer to it. */
     private void click() {
-        joint.fitting().ifPresent(this::click);
-        if (joint.isClickable()) {
+        joint.fitting().forEach(this::click);
+        if (joint.verb().isPresent()) {
             fields.text(
                     joint.pointer() + "/id",
                     "name",
                     joint.id(),
                     typed -> fields.desk().rename(joint, typed.trim()));
         }
+        if (joint.verb().filter(Verb.SWITCH::equals).isPresent()) {
+            fields.flag("on", joint.pointer() + "/on", joint.node().path("on").asBoolean(true));
+        }
     }
 
     private void click(Verb verb) {
-        Optional<Verb> other = joint.isClickable() ? Optional.empty() : Optional.of(verb);
+        boolean isOn = joint.verb().filter(verb::equals).isPresent();
+        Optional<Verb> other = isOn ? Optional.empty() : Optional.of(verb);
         String key = "joint.click." + verb.title();
         fields.column()
                 .toggle(
                         fields.words(key),
-                        joint.isClickable(),
+                        isOn,
                         fields.words(key + ".told"),
                         () -> put(joint.clicked(fields.desk().draft(), other)));
     }

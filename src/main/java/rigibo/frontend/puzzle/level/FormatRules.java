@@ -11,7 +11,7 @@ import java.util.Set;
 final class FormatRules {
 
     private static final Set<String> SHAPES = Set.of("capsule", "compound", "chain");
-    private static final List<String> MEMBERS = List.of("path", "oneWay");
+    private static final List<String> MEMBERS = List.of("path", "oneWay", "click", "on", "blast");
 
     private FormatRules() {}
 

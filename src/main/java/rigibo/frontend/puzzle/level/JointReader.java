@@ -41,7 +41,7 @@ final class JointReader {
                 length,
                 settings(node, type, length),
                 Optional.of(node.path("id").asString("")).filter(id -> !id.isEmpty()),
-                Verb.titled(node.path("click").asString("")));
+                Handling.of(node));
     }
 
     private static JointSettings settings(JsonNode node, LevelJoint.Type type, double length) {

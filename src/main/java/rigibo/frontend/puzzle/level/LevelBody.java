@@ -18,7 +18,7 @@ import java.util.Optional;
  * @param material how it behaves: the substance's numbers, or those the file states instead
  * @param motion at the start
  * @param mobility whether it moves
- * @param verb what a click does to it; empty if it stays as it is
+ * @param handling what a click does to it
  * @param path that it is driven along, of a driven body
  */
 public record LevelBody(
@@ -31,7 +31,7 @@ public record LevelBody(
         Material material,
         Motion motion,
         Mobility mobility,
-        Optional<Verb> verb,
+        Handling handling,
         Optional<LevelPath> path) {
 
     /** What moves a body. */
@@ -46,7 +46,17 @@ public record LevelBody(
 
     /** Whether a click deletes it. */
     public boolean deletable() {
-        return verb.filter(Verb.DELETE::equals).isPresent();
+        return does(Verb.DELETE);
+    }
+
+    /** What a click does to it; empty if it stays as it is. */
+    public Optional<Verb> verb() {
+        return handling.verb();
+    }
+
+    /** Whether a click acts on it by a verb. */
+    boolean does(Verb what) {
+        return verb().filter(what::equals).isPresent();
     }
 
     public boolean isDynamic() {
@@ -64,11 +74,22 @@ public record LevelBody(
                     case STATIC -> BodyDefinition.fixed(shape);
                     case DRIVEN -> BodyDefinition.kinematic(shape);
                 };
-        return placed.at(x, y).angle(angle).material(material).name(id);
+        Material atStart = handling.beginsOff() ? material.surfaceSpeed(0) : material;
+        return placed.at(x, y).angle(angle).material(atStart).name(id);
     }
 
     LevelBody shifted(double metres) {
         return new LevelBody(
-                id, shape, x + metres, y, angle, substance, material, motion, mobility, verb, path);
+                id,
+                shape,
+                x + metres,
+                y,
+                angle,
+                substance,
+                material,
+                motion,
+                mobility,
+                handling,
+                path);
     }
 }

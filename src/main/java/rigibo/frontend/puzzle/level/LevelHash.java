@@ -75,6 +75,9 @@ final class LevelHash {
         motion(body.motion());
         text(body.mobility().name());
         numbers(body.deletable() ? 1 : 0);
+        if (!body.deletable()) {
+            handling(body.handling());
+        }
         body.path().ifPresent(this::path);
     }
 
@@ -89,7 +92,17 @@ final class LevelHash {
         numbers(settings.spring().hertz(), settings.spring().dampingRatio());
         numbers(settings.breakForce());
         // A joint that no click acts on is hashed as it was before any could be.
-        joint.verb().ifPresent(verb -> text(joint.id().orElseThrow() + " " + verb.title()));
+        joint.verb().ifPresent(verb -> text(joint.id().orElseThrow()));
+        handling(joint.handling());
+    }
+
+    private void handling(Handling handling) {
+        handling.verb().ifPresent(verb -> text(verb.title()));
+        if (handling.beginsOff()) {
+            text("off");
+        }
+        handling.charge()
+                .ifPresent(blast -> numbers(blast.radius(), blast.falloff(), blast.impulse()));
     }
 
     private void path(LevelPath path) {

@@ -7,6 +7,7 @@ import rigibo.backend.RevoluteJoint;
 import rigibo.backend.RigidBody;
 import rigibo.backend.WeldJoint;
 import rigibo.backend.WheelJoint;
+import rigibo.backend.setup.JointMotor;
 import rigibo.backend.setup.JointSettings;
 
 import tools.jackson.databind.JsonNode;
@@ -30,7 +31,7 @@ import java.util.regex.Pattern;
  * @param length m, for a spring without load
  * @param settings limits, motor, spring, and the force at which it breaks
  * @param id unique in its level, where it has one; what a click acts on has one
- * @param verb what a click does to it; empty if it stays as it is
+ * @param handling what a click does to it
  */
 public record LevelJoint(
         Type type,
@@ -44,7 +45,7 @@ public record LevelJoint(
         double length,
         JointSettings settings,
         Optional<String> id,
-        Optional<Verb> verb) {
+        Handling handling) {
 
     private static final Pattern BALL = Pattern.compile("ball([2-4])");
 
@@ -92,6 +93,11 @@ public record LevelJoint(
                 : Optional.empty();
     }
 
+    /** What a click does to it; empty if it stays as it is. */
+    public Optional<Verb> verb() {
+        return handling.verb();
+    }
+
     /** From end to end, m. */
     double span() {
         return Math.hypot(toX - x, toY - y);
@@ -108,6 +114,6 @@ public record LevelJoint(
                     case ROD, ROPE -> DistanceJoint.rod(one, x, y, other, toX, toY);
                     case SPRING -> DistanceJoint.rod(one, x, y, other, toX, toY).length(length);
                 };
-        return plain.with(settings);
+        return plain.with(handling.beginsOff() ? settings.motor(JointMotor.NONE) : settings);
     }
 }

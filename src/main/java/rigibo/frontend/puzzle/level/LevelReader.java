@@ -140,14 +140,8 @@ final class LevelReader {
                 material(node, substance.material()),
                 motion(node),
                 mobility(node),
-                verb(node),
+                Handling.of(node),
                 path(node, outline));
-    }
-
-    private static Optional<Verb> verb(JsonNode node) {
-        return node.path("deletable").asBoolean(false)
-                ? Optional.of(Verb.DELETE)
-                : Optional.empty();
     }
 
     private static LevelBody.Mobility mobility(JsonNode node) {

@@ -18,6 +18,7 @@ final class PieceRules {
             sketch.json().error(pointer, () -> "E130 nothing can be clicked");
         }
         for (Located<LevelBody> body : sketch.bodies()) {
+            Handling.check(sketch.json(), body);
             boolean isStill = body.part().mobility() == LevelBody.Mobility.STATIC;
             if (body.part().deletable() && isStill && !holds(sketch, body.part().id())) {
                 sketch.json()

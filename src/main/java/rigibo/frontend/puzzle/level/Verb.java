@@ -11,7 +11,13 @@ public enum Verb {
     /** A rope is cut. */
     CUT,
     /** A hinge or weld lets go. */
-    PULL;
+    PULL,
+    /** A motor or a belt is switched on or off. */
+    SWITCH,
+    /** A body becomes a stone that stays where it is. */
+    FREEZE,
+    /** The fuse of a bomb is lit. */
+    LIGHT;
 
     /** The name in level files. */
     public String title() {
@@ -28,12 +34,16 @@ public enum Verb {
         return switch (this) {
             case CUT -> type == LevelJoint.Type.ROPE;
             case PULL -> type == LevelJoint.Type.HINGE || type == LevelJoint.Type.WELD;
-            case DELETE -> false;
+            case SWITCH ->
+                    type == LevelJoint.Type.HINGE
+                            || type == LevelJoint.Type.WHEEL
+                            || type == LevelJoint.Type.SLIDE;
+            case DELETE, FREEZE, LIGHT -> false;
         };
     }
 
     /** Whether what it acted on can be clicked again. */
     public boolean repeats() {
-        return false;
+        return this == SWITCH;
     }
 }

@@ -2,6 +2,7 @@ package rigibo.frontend.puzzle.rules;
 
 import rigibo.backend.Joint;
 import rigibo.backend.RigidBody;
+import rigibo.backend.setup.JointMotor;
 import rigibo.frontend.puzzle.level.LevelJoint;
 import rigibo.frontend.puzzle.level.Verb;
 import rigibo.frontend.scene.joint.RopeLine;
@@ -15,6 +16,7 @@ public final class Link implements Target {
     private final Joint joint;
     private final Anchor a;
     private final Anchor b;
+    private boolean isOn;
 
     /**
      * A point of a body, which remains when the joint is gone.
@@ -43,6 +45,7 @@ public final class Link implements Target {
     Link(LevelJoint definition, Joint joint) {
         this.definition = definition;
         this.joint = joint;
+        isOn = definition.handling().isOn();
         a = Anchor.at(joint.a(), joint.xA(), joint.yA());
         b = Anchor.at(joint.b(), joint.xB(), joint.yB());
     }
@@ -80,6 +83,18 @@ public final class Link implements Target {
     @Override
     public boolean isAlive() {
         return joint.isAlive();
+    }
+
+    @Override
+    public boolean isOn() {
+        return isOn;
+    }
+
+    /** Switches the motor; one that is off neither drives nor brakes. */
+    void flip() {
+        isOn = !isOn;
+        JointMotor motor = isOn ? definition.settings().motor() : JointMotor.NONE;
+        joint.settings(joint.definition().settings().motor(motor));
     }
 
     @Override

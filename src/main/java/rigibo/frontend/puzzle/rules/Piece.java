@@ -1,18 +1,39 @@
 package rigibo.frontend.puzzle.rules;
 
 import rigibo.backend.RigidBody;
+import rigibo.backend.setup.BodyType;
 import rigibo.frontend.puzzle.level.LevelBody;
+import rigibo.frontend.puzzle.level.Substance;
 import rigibo.frontend.puzzle.level.Verb;
 
 import java.util.Optional;
 
-/**
- * A body of the level in play.
- *
- * @param definition as the level states it
- * @param body its handle; no longer alive once it was deleted or fell out of the world
- */
-public record Piece(LevelBody definition, RigidBody body) implements Target {
+/** A body of the level in play. */
+public final class Piece implements Target {
+
+    private final LevelBody definition;
+    private final RigidBody body;
+    private final double beltSpeed;
+    private boolean isOn;
+    private boolean isFrozen;
+    private Optional<Fuse> fuse = Optional.empty();
+
+    Piece(LevelBody definition, RigidBody body) {
+        this.definition = definition;
+        this.body = body;
+        beltSpeed = definition.material().surfaceSpeed();
+        isOn = definition.handling().isOn();
+    }
+
+    /** As the level states it. */
+    public LevelBody definition() {
+        return definition;
+    }
+
+    /** Its handle; no longer alive once it was deleted, blew up or fell out of the world. */
+    public RigidBody body() {
+        return body;
+    }
 
     @Override
     public String id() {
@@ -30,6 +51,16 @@ public record Piece(LevelBody definition, RigidBody body) implements Target {
     }
 
     @Override
+    public boolean isClickable() {
+        return Target.super.isClickable() && !isFrozen && fuse.isEmpty();
+    }
+
+    @Override
+    public boolean isOn() {
+        return isOn;
+    }
+
+    @Override
     public double x() {
         return body.x();
     }
@@ -37,5 +68,35 @@ public record Piece(LevelBody definition, RigidBody body) implements Target {
     @Override
     public double y() {
         return body.y();
+    }
+
+    /** What it is made of now: stone once it was frozen. */
+    public Substance substance() {
+        return isFrozen ? Substance.STONE : definition.substance();
+    }
+
+    /** Speed of its surface while it is on, m/s, positive counter-clockwise; 0 if it is no belt. */
+    public double beltSpeed() {
+        return beltSpeed;
+    }
+
+    /** The fuse of a bomb, once it was lit. */
+    public Optional<Fuse> fuse() {
+        return fuse;
+    }
+
+    void flip() {
+        isOn = !isOn;
+        body.material(body.material().surfaceSpeed(isOn ? beltSpeed : 0));
+    }
+
+    void freeze() {
+        isFrozen = true;
+        body.type(BodyType.STATIC);
+        body.material(Substance.STONE.material());
+    }
+
+    void light(Fuse lit) {
+        fuse = Optional.of(lit);
     }
 }

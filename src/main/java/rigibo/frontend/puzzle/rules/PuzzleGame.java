@@ -22,6 +22,7 @@ public final class PuzzleGame {
     private final Level level;
     private final Board board;
     private final List<Ride> rides;
+    private final Workings workings;
     private final Cooldown cooldown;
     private final HoldClock hold;
     private final RestWatch rest = new RestWatch();
@@ -43,6 +44,7 @@ public final class PuzzleGame {
                         .filter(piece -> piece.definition().path().isPresent())
                         .map(piece -> new Ride(piece.definition(), piece.body()))
                         .toList();
+        workings = new Workings(board.pool());
         cooldown = new Cooldown(Steps.of(limits.cooldown()));
         hold = new HoldClock(Steps.of(limits.hold()), Steps.of(limits.contactGrace()));
         trace.observe(steps, outcome, board.pool());
@@ -51,10 +53,15 @@ public final class PuzzleGame {
     /** Advances by 1/60 s. */
     public void step() {
         rides.forEach(ride -> ride.beforeStep(steps));
+        workings.beforeStep(steps);
         board.pool().step(Steps.SECONDS);
         steps++;
         board.forgetStrays();
-        rest.observe(board);
+        if (workings.isBurning()) {
+            rest.restart();
+        } else {
+            rest.observe(board);
+        }
         if (outcome == Outcome.RUNNING) {
             judge();
             trace.observe(steps, outcome, board.pool());
@@ -142,11 +149,7 @@ public final class PuzzleGame {
         if (!cooldown.isReady(steps)) {
             return ClickResult.COOLING_DOWN;
         }
-        if (target instanceof Piece piece) {
-            board.pool().remove(piece.body());
-        } else if (target instanceof Link link) {
-            board.pool().remove(link.joint());
-        }
+        workings.act(target, steps);
         acts.add(new Act(steps, target.id()));
         cooldown.start(steps);
         rest.restart();

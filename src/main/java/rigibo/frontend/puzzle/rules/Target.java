@@ -16,6 +16,9 @@ public sealed interface Target permits Piece, Link {
     /** Whether it is still in the world. */
     boolean isAlive();
 
+    /** Whether it is on, if clicks switch it. */
+    boolean isOn();
+
     /** World x at which a pointer aims at it, m. */
     double x();
 

@@ -146,15 +146,20 @@ public final class JointPen {
 
     /** A motor: an arrow about a pin, the way it turns what it drives; 0 holds it. */
     public void motor(double x, double y, double radius, double angle, double speed) {
+        motor(x, y, radius, angle, speed, Color.GOOD);
+    }
+
+    /** The same arrow in another colour. */
+    public void motor(double x, double y, double radius, double angle, double speed, Color color) {
         double way = speed < 0 ? -1 : 1;
         strand.arc(x, y, radius, angle, way);
         double width = Math.max(LEAST_PX, 0.16 * radius * camera.scale());
         curve(strand, width + 1.4, SHADE);
-        curve(strand, width, Color.GOOD);
+        curve(strand, width, color);
         if (speed != 0) {
             strand.arrow(radius);
             curve(strand, width + 1.4, SHADE);
-            curve(strand, width, Color.GOOD);
+            curve(strand, width, color);
         }
     }
 

@@ -36,6 +36,45 @@ class VerbErrorsTest {
         assertThat(problems(text)).anyMatch(line -> line.contains(told.replace('\'', '"')));
     }
 
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = ';',
+            value = {
+                "'surfaceSpeed': -2, ; ; E124 a click cannot switch a body without a surfaceSpeed",
+                "'click': 'freeze'; 'click': 'freeze', 'dynamic': false; E124 a click cannot"
+                        + " freeze",
+                "'click': 'freeze'; 'click': 'freeze', 'deletable': true; E124 is deletable and"
+                        + " has",
+                "'click': 'light',; ; E126 a 'blast' belongs to a body that a click lights",
+                "'click': 'light',; 'click': 'light', 'on': true,; E126 'on' belongs to what",
+                ", 'motor': {'speed': 4, 'most': 1000}; ; E124 a click cannot switch a joint",
+            })
+    void aMachineThatCannotWorkIsTold(String part, String replacement, String told) {
+        String text =
+                VerbLevels.MACHINES.replace(
+                        part.replace('\'', '"').strip(),
+                        replacement == null ? "" : replacement.replace('\'', '"'));
+        assertThat(text).isNotEqualTo(VerbLevels.MACHINES);
+        assertThat(problems(text)).anyMatch(line -> line.contains(told.replace('\'', '"')));
+    }
+
+    @Test
+    void machinesNeedFormatTwo() {
+        assertThat(problems(VerbLevels.MACHINES.replace("\"format\": 2", "\"format\": 1")))
+                .anyMatch(line -> line.contains("E103 \"click\" needs format 2"))
+                .anyMatch(line -> line.contains("E103 \"blast\" needs format 2"));
+    }
+
+    /** Whether a switch begins on decides how a level plays. */
+    @Test
+    void howASwitchBeginsIsPartOfTheHash() {
+        long off = hash(VerbLevels.MACHINES);
+        assertThat(hash(VerbLevels.MACHINES.replace("\"on\": false", "\"on\": true")))
+                .isNotEqualTo(off);
+        assertThat(hash(VerbLevels.MACHINES.replace("\"impulse\": 500", "\"impulse\": 501")))
+                .isNotEqualTo(off);
+    }
+
     private static String solved(String click) {
         String text = VerbLevels.ROPE.stripTrailing();
         return text.substring(0, text.length() - 1)

@@ -57,7 +57,46 @@ public final class VerbLevels {
                     }
                     """;
 
+    /**
+     * A wheel on a motor of 4 rad/s, a belt of 2 m/s with a crate on it, a box that freezes, and a
+     * bomb beside a crate; the ball lies on the floor beside the platform.
+     */
+    public static final String MACHINES =
+            HEAD.replace("\"joints\"]", "\"joints\", \"surface-speed\"]")
+                    + """
+                      "ball": {"x": 0.6, "y": 0.75, "radius": 0.35},
+                      "platform": {"x": 2, "y": 1.2, "w": 1},
+                      "bodies": [
+                        {"id": "floor", "shape": {"type": "box", "w": 9, "h": 0.4}, "x": 4.5, "y": 0.2,
+                         "material": "stone", "dynamic": false},
+                        {"id": "wheel", "shape": {"type": "circle", "r": 0.5}, "x": 2, "y": 7,
+                         "material": "plank"},
+                        {"id": "belt", "shape": {"type": "box", "w": 4, "h": 0.3}, "x": 6, "y": 6,
+                         "material": "rubber", "dynamic": false, "surfaceSpeed": -2, "click": "switch",
+                         "on": false},
+                        {"id": "crate", "shape": {"type": "box", "w": 0.5, "h": 0.5}, "x": 4.6, "y": 6.4,
+                         "material": "plank", "restitution": 0},
+                        {"id": "faller", "shape": {"type": "box", "w": 0.5, "h": 0.5}, "x": 8.5, "y": 9,
+                         "material": "ice", "click": "freeze"},
+                        {"id": "bomb", "shape": {"type": "circle", "r": 0.3}, "x": 4, "y": 0.7,
+                         "material": "iron", "click": "light",
+                         "blast": {"radius": 2, "falloff": 0, "impulse": 500}},
+                        {"id": "mark", "shape": {"type": "box", "w": 0.5, "h": 0.5}, "x": 5.5, "y": 0.65,
+                         "material": "plank"}
+                      ],
+                      "joints": [
+                        {"type": "hinge", "id": "motor", "click": "switch", "on": false, "a": "floor",
+                         "b": "wheel", "at": [2, 7], "motor": {"speed": 4, "most": 1000}}
+                      ]
+                    }
+                    """;
+
     private VerbLevels() {}
+
+    /** Machines, a box that freezes, and a bomb. */
+    public static Level machines() {
+        return of(MACHINES);
+    }
 
     /** A level of a text, read. */
     public static Level of(String text) {

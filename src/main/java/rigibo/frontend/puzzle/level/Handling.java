@@ -1,0 +1,84 @@
+package rigibo.frontend.puzzle.level;
+
+import rigibo.frontend.document.Document;
+
+import tools.jackson.databind.JsonNode;
+
+import java.util.Optional;
+
+/**
+ * What a click does to a body or joint.
+ *
+ * @param verb empty if it stays as it is
+ * @param isOn whether what a click switches is on at the start
+ * @param charge the blast of a bomb
+ */
+public record Handling(Optional<Verb> verb, boolean isOn, Optional<Charge> charge) {
+
+    /** A click changes nothing. */
+    static final Handling NONE = new Handling(Optional.empty(), true, Optional.empty());
+
+    /**
+     * The blast of a bomb; see the engine's {@code Explosion}.
+     *
+     * @param radius distance up to which it has its full strength, m
+     * @param falloff further distance over which it weakens to nothing, m
+     * @param impulse for each metre of width of what it meets, N·s/m
+     */
+    public record Charge(double radius, double falloff, double impulse) {}
+
+    /** Reads the members of a body or joint that the schema accepts. */
+    static Handling of(JsonNode node) {
+        Optional<Verb> verb =
+                node.path("deletable").asBoolean(false)
+                        ? Optional.of(Verb.DELETE)
+                        : Verb.titled(node.path("click").asString(""));
+        JsonNode blast = node.path("blast");
+        Optional<Charge> charge =
+                blast.isObject()
+                        ? Optional.of(
+                                new Charge(
+                                        blast.path("radius").asDouble(),
+                                        blast.path("falloff").asDouble(0),
+                                        blast.path("impulse").asDouble()))
+                        : Optional.empty();
+        return new Handling(verb, node.path("on").asBoolean(true), charge);
+    }
+
+    /** Whether a click switches it, and it is off at the start. */
+    boolean beginsOff() {
+        return verb.filter(Verb.SWITCH::equals).isPresent() && !isOn;
+    }
+
+    /**
+     * E124: what a click does to a body does not fit it; E126: members that only a switch or a bomb
+     * has, or a bomb without its blast.
+     */
+    static void check(Document json, Located<LevelBody> at) {
+        LevelBody body = at.part();
+        JsonNode node = json.node(at.pointer());
+        String pointer = at.pointer();
+        if (node.path("deletable").asBoolean(false) && node.has("click")) {
+            json.error(pointer, () -> "E124 is deletable and has another \"click\"");
+        }
+        if (body.does(Verb.SWITCH) && body.material().surfaceSpeed() == 0) {
+            json.error(pointer, () -> "E124 a click cannot switch a body without a surfaceSpeed");
+        }
+        boolean needsMotion = body.does(Verb.FREEZE) || body.does(Verb.LIGHT);
+        if (needsMotion && !body.isDynamic()) {
+            String verb = body.verb().orElseThrow().title();
+            json.error(pointer, () -> "E124 a click cannot " + verb + " what forces do not move");
+        }
+        if (body.does(Verb.LIGHT) != body.handling().charge().isPresent()) {
+            json.error(pointer, () -> "E126 a \"blast\" belongs to a body that a click lights");
+        }
+        switching(json, pointer, body.does(Verb.SWITCH));
+    }
+
+    /** E126: only what a click switches can begin on or off. */
+    static void switching(Document json, String pointer, boolean isSwitch) {
+        if (json.node(pointer).has("on") && !isSwitch) {
+            json.error(pointer + "/on", () -> "E126 \"on\" belongs to what a click switches");
+        }
+    }
+}
