@@ -16,10 +16,12 @@ import rigibo.backend.effect.ContinuousImpacts;
 import rigibo.backend.effect.Drag;
 import rigibo.backend.effect.Effect;
 import rigibo.backend.effect.Effects;
+import rigibo.backend.effect.Fan;
 import rigibo.backend.effect.Field;
 import rigibo.backend.effect.Friction;
 import rigibo.backend.effect.Gravity;
 import rigibo.backend.effect.Joints;
+import rigibo.backend.effect.Magnet;
 import rigibo.backend.effect.Restitution;
 import rigibo.backend.effect.RollingResistance;
 import rigibo.backend.effect.Rotation;
@@ -68,6 +70,16 @@ class NeutralEffectsTest {
                                                 usual,
                                                 MATERIAL,
                                                 new CentralForce(1, 2, 0, -2)),
+                                        neutral(
+                                                accuracy,
+                                                usual,
+                                                MATERIAL,
+                                                new Fan(new Fan.Jet(0, -9, 1.5, 99, 99, 0))),
+                                        neutral(
+                                                accuracy,
+                                                usual,
+                                                MATERIAL,
+                                                new Magnet(new Magnet.Pole(1, 2, 0, 99))),
                                         neutral(
                                                 accuracy,
                                                 usual,

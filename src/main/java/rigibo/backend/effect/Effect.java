@@ -23,6 +23,8 @@ public sealed interface Effect
                 Field,
                 CentralForce,
                 Buoyancy,
+                Fan,
+                Magnet,
                 Thrust,
                 ContinuousImpacts,
                 Joints,

@@ -2,8 +2,6 @@ package rigibo.backend.force;
 
 import rigibo.backend.effect.AirDrag;
 import rigibo.backend.effect.Wind;
-import rigibo.backend.geometry.Outline;
-import rigibo.backend.geometry.Shape;
 import rigibo.backend.geometry.ShapeKind;
 
 /** F = −½·ρ·c·A·|u|·u, where u is the velocity relative to the air and A the width across it. */
@@ -11,6 +9,7 @@ final class AirDragForce implements ChangingForce {
 
     private final double half;
     private final Wind wind;
+    private final Extent across = new Extent();
 
     AirDragForce(AirDrag air, Wind wind) {
         half = air.density() * air.coefficient() / 2;
@@ -33,7 +32,7 @@ final class AirDragForce implements ChangingForce {
      * Width of the shape across its velocity relative to the air, m; {@code speed} is the amount of
      * that velocity.
      */
-    private static double widthAcross(Instant at, double ux, double uy, double speed) {
+    private double widthAcross(Instant at, double ux, double uy, double speed) {
         if (at.shape.kind() == ShapeKind.CIRCLE) {
             return 2 * at.boundingRadius;
         }
@@ -41,21 +40,7 @@ final class AirDragForce implements ChangingForce {
         double y = uy / speed;
         double acrossX = at.sin() * x - at.cos() * y;
         double acrossY = at.sin() * y + at.cos() * x;
-        return width(at.shape, acrossX, acrossY);
-    }
-
-    /** Extent of a shape with all its parts along a unit direction of its own frame, m. */
-    private static double width(Shape shape, double x, double y) {
-        double least = Double.POSITIVE_INFINITY;
-        double most = Double.NEGATIVE_INFINITY;
-        for (int part = 0; part < shape.parts(); part++) {
-            Outline outline = shape.outline(part);
-            for (int i = 0; i < outline.corners() && !shape.isSensor(part); i++) {
-                double along = x * outline.cornerX(i) + y * outline.cornerY(i);
-                least = Math.min(least, along - outline.radius());
-                most = Math.max(most, along + outline.radius());
-            }
-        }
-        return most - least;
+        across.measure(at.shape, acrossX, acrossY);
+        return across.most - across.least;
     }
 }

@@ -5,8 +5,10 @@ import rigibo.backend.effect.Buoyancy;
 import rigibo.backend.effect.CentralForce;
 import rigibo.backend.effect.Drag;
 import rigibo.backend.effect.Effects;
+import rigibo.backend.effect.Fan;
 import rigibo.backend.effect.Field;
 import rigibo.backend.effect.Gravity;
+import rigibo.backend.effect.Magnet;
 import rigibo.backend.effect.Wind;
 import rigibo.backend.storage.Bodies;
 
@@ -34,6 +36,8 @@ public final class ChangingForces {
                                 list.add(
                                         new BuoyantForce(
                                                 water, effects.find(Gravity.class).get())));
+        effects.find(Fan.class).ifPresent(fan -> list.add(new FanForce(fan)));
+        effects.find(Magnet.class).ifPresent(magnet -> list.add(new MagnetForce(magnet)));
         effects.find(Field.class).ifPresent(field -> list.add(new FieldForce(field)));
         forces = list.toArray(ChangingForce[]::new);
     }

@@ -2,6 +2,7 @@ package rigibo.backend.force;
 
 import rigibo.backend.geometry.Angle;
 import rigibo.backend.geometry.Shape;
+import rigibo.backend.setup.Filter;
 import rigibo.backend.storage.Bodies;
 
 /**
@@ -25,6 +26,9 @@ public final class Instant {
     public double inverseInertia;
     public double boundingRadius;
     public double drag;
+
+    /** Bits of the categories that the body belongs to. */
+    public int category;
 
     /** Time, s since the pool was made. */
     public double time;
@@ -59,6 +63,7 @@ public final class Instant {
         inverseInertia = bodies.inverseInertiaOf(slot);
         boundingRadius = bodies.boundingRadius[slot];
         drag = bodies.drag == null ? 0 : bodies.drag[slot];
+        category = bodies.category == null ? Filter.ALL.category() : bodies.category[slot];
     }
 
     /** Adds a force in N at the centre of mass. */

@@ -7,9 +7,11 @@ import rigibo.backend.effect.Contacts;
 import rigibo.backend.effect.ContinuousImpacts;
 import rigibo.backend.effect.Drag;
 import rigibo.backend.effect.Effect;
+import rigibo.backend.effect.Fan;
 import rigibo.backend.effect.Friction;
 import rigibo.backend.effect.Gravity;
 import rigibo.backend.effect.Joints;
+import rigibo.backend.effect.Magnet;
 import rigibo.backend.effect.Restitution;
 import rigibo.backend.effect.RollingResistance;
 import rigibo.backend.effect.Rotation;
@@ -19,14 +21,21 @@ import rigibo.backend.effect.SurfaceSpeed;
 import rigibo.backend.effect.Thrust;
 import rigibo.backend.effect.Wind;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Function;
+import java.util.stream.DoubleStream;
 
 /**
  * How each effect is converted to numbers; a new effect needs one line here. An effect that holds a
  * function needs none, since it is not written but passed again by the caller.
  */
 final class EffectForms {
+
+    /** Numbers of a jet of a fan, and of a pole of a magnet. */
+    private static final int JET = 6;
+
+    private static final int POLE = 5;
 
     private static final List<Form<? extends Effect>> FORMS =
             List.of(
@@ -63,6 +72,8 @@ final class EffectForms {
                             3,
                             b -> new double[] {b.level(), b.density(), b.drag()},
                             n -> new Buoyancy(n[0], n[1], n[2])),
+                    form(Fan.class, Form.ANY, EffectForms::numbersOf, EffectForms::fanOf),
+                    form(Magnet.class, Form.ANY, EffectForms::numbersOf, EffectForms::magnetOf),
                     plain(new ContinuousImpacts()),
                     plain(new Sensors()),
                     plain(new Joints()),
@@ -91,6 +102,48 @@ final class EffectForms {
                                                 "declares the effect "
                                                         + name
                                                         + ", for which there is no form"));
+    }
+
+    private static double[] numbersOf(Fan fan) {
+        DoubleStream.Builder numbers = DoubleStream.builder();
+        for (Fan.Jet jet : fan.jets()) {
+            numbers.add(jet.x()).add(jet.y()).add(jet.angle());
+            numbers.add(jet.width()).add(jet.reach()).add(jet.force());
+        }
+        return numbers.build().toArray();
+    }
+
+    private static Fan fanOf(double[] n) {
+        requireWhole("jets of a fan", n, JET);
+        List<Fan.Jet> jets = new ArrayList<>();
+        for (int i = 0; i < n.length; i += JET) {
+            jets.add(new Fan.Jet(n[i], n[i + 1], n[i + 2], n[i + 3], n[i + 4], n[i + 5]));
+        }
+        return new Fan(jets);
+    }
+
+    private static double[] numbersOf(Magnet magnet) {
+        DoubleStream.Builder numbers = DoubleStream.builder();
+        for (Magnet.Pole pole : magnet.poles()) {
+            numbers.add(pole.x()).add(pole.y()).add(pole.strength());
+            numbers.add(pole.reach()).add(pole.category());
+        }
+        return numbers.build().toArray();
+    }
+
+    private static Magnet magnetOf(double[] n) {
+        requireWhole("poles of a magnet", n, POLE);
+        List<Magnet.Pole> poles = new ArrayList<>();
+        for (int i = 0; i < n.length; i += POLE) {
+            poles.add(new Magnet.Pole(n[i], n[i + 1], n[i + 2], n[i + 3], (int) n[i + 4]));
+        }
+        return new Magnet(poles);
+    }
+
+    private static void requireWhole(String what, double[] numbers, int each) {
+        if (numbers.length % each != 0) {
+            throw new IllegalArgumentException(what + " are cut short");
+        }
     }
 
     private static Form<Effect> plain(Effect effect) {

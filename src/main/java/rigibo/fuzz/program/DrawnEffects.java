@@ -11,12 +11,14 @@ import rigibo.backend.effect.ContinuousImpacts;
 import rigibo.backend.effect.Drag;
 import rigibo.backend.effect.Effect;
 import rigibo.backend.effect.Effects;
+import rigibo.backend.effect.Fan;
 import rigibo.backend.effect.Field;
 import rigibo.backend.effect.FieldFunction;
 import rigibo.backend.effect.Friction;
 import rigibo.backend.effect.Gravity;
 import rigibo.backend.effect.Gusts;
 import rigibo.backend.effect.Joints;
+import rigibo.backend.effect.Magnet;
 import rigibo.backend.effect.Restitution;
 import rigibo.backend.effect.RollingResistance;
 import rigibo.backend.effect.Rotation;
@@ -78,6 +80,12 @@ final class DrawnEffects {
             drawCentralForce();
         }
         if (chance.happens(0.15)) {
+            drawFan();
+        }
+        if (chance.happens(0.15)) {
+            drawMagnet();
+        }
+        if (chance.happens(0.15)) {
             drawn.add(field());
         }
     }
@@ -137,6 +145,30 @@ final class DrawnEffects {
                 new Stated<>(
                         call("new CentralForce", x, y, strength, power),
                         () -> new CentralForce(x, y, strength, power)));
+    }
+
+    private void drawFan() {
+        double x = temper.placeX(chance);
+        double y = temper.placeY(chance);
+        double angle = chance.between(-4, 4);
+        double width = 1e-3 + temper.factor(chance, 1e9);
+        double reach = 1e-3 + temper.factor(chance, 1e9);
+        double force = temper.factor(chance, 1e50);
+        drawn.add(
+                new Stated<>(
+                        "new Fan(" + call("new Fan.Jet", x, y, angle, width, reach, force) + ")",
+                        () -> new Fan(new Fan.Jet(x, y, angle, width, reach, force))));
+    }
+
+    private void drawMagnet() {
+        double x = temper.placeX(chance);
+        double y = temper.placeY(chance);
+        double strength = temper.factor(chance, 1e50);
+        double reach = 1e-3 + temper.factor(chance, 1e9);
+        drawn.add(
+                new Stated<>(
+                        "new Magnet(" + call("new Magnet.Pole", x, y, strength, reach) + ")",
+                        () -> new Magnet(new Magnet.Pole(x, y, strength, reach))));
     }
 
     private Stated<Effect> field() {

@@ -8,10 +8,12 @@ import rigibo.backend.effect.ContinuousImpacts;
 import rigibo.backend.effect.Drag;
 import rigibo.backend.effect.Effect;
 import rigibo.backend.effect.Effects;
+import rigibo.backend.effect.Fan;
 import rigibo.backend.effect.Field;
 import rigibo.backend.effect.Friction;
 import rigibo.backend.effect.Gravity;
 import rigibo.backend.effect.Joints;
+import rigibo.backend.effect.Magnet;
 import rigibo.backend.effect.Restitution;
 import rigibo.backend.effect.RollingResistance;
 import rigibo.backend.effect.Rotation;
@@ -47,13 +49,18 @@ record OwnClasses(List<Class<? extends Effect>> owners, List<String> classes) {
                     of(AirDrag.class, "force.AirDragForce"),
                     of(Buoyancy.class, "force.BuoyantForce", "force.Submerged"),
                     of(CentralForce.class, "force.CentralPull"),
+                    of(Fan.class, "force.FanForce"),
+                    of(Magnet.class, "force.MagnetForce"),
                     of(Field.class, "force.FieldForce"),
+                    ofAny(List.of(AirDrag.class, Fan.class), "force.Extent"),
                     ofAny(
                             List.of(
                                     AirDrag.class,
                                     Buoyancy.class,
                                     CentralForce.class,
+                                    Fan.class,
                                     Field.class,
+                                    Magnet.class,
                                     Wind.class),
                             "force.Instant",
                             "flight.Course",

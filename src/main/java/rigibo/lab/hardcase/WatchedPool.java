@@ -12,8 +12,10 @@ import rigibo.backend.effect.CentralForce;
 import rigibo.backend.effect.Drag;
 import rigibo.backend.effect.Effect;
 import rigibo.backend.effect.Effects;
+import rigibo.backend.effect.Fan;
 import rigibo.backend.effect.Field;
 import rigibo.backend.effect.Gravity;
+import rigibo.backend.effect.Magnet;
 import rigibo.backend.effect.SurfaceSpeed;
 import rigibo.backend.effect.Thrust;
 import rigibo.backend.effect.Wind;
@@ -40,6 +42,8 @@ final class WatchedPool {
                     Wind.class,
                     Buoyancy.class,
                     CentralForce.class,
+                    Fan.class,
+                    Magnet.class,
                     Field.class);
 
     private final Trial trial;

@@ -9,8 +9,10 @@ import rigibo.backend.effect.Contacts;
 import rigibo.backend.effect.Drag;
 import rigibo.backend.effect.Effect;
 import rigibo.backend.effect.Effects;
+import rigibo.backend.effect.Fan;
 import rigibo.backend.effect.Field;
 import rigibo.backend.effect.Friction;
+import rigibo.backend.effect.Magnet;
 import rigibo.backend.effect.Restitution;
 import rigibo.backend.effect.RollingResistance;
 import rigibo.backend.effect.Sleep;
@@ -39,6 +41,8 @@ public enum EnergyKind {
                     SurfaceSpeed.class,
                     Wind.class,
                     CentralForce.class,
+                    Fan.class,
+                    Magnet.class,
                     Buoyancy.class);
 
     /** Sleep belongs here: it takes the last of the motion. */

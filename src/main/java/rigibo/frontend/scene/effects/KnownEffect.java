@@ -8,10 +8,12 @@ import rigibo.backend.effect.ContinuousImpacts;
 import rigibo.backend.effect.Drag;
 import rigibo.backend.effect.Effect;
 import rigibo.backend.effect.Effects;
+import rigibo.backend.effect.Fan;
 import rigibo.backend.effect.Field;
 import rigibo.backend.effect.Friction;
 import rigibo.backend.effect.Gravity;
 import rigibo.backend.effect.Joints;
+import rigibo.backend.effect.Magnet;
 import rigibo.backend.effect.Restitution;
 import rigibo.backend.effect.RollingResistance;
 import rigibo.backend.effect.Rotation;
@@ -41,6 +43,8 @@ enum KnownEffect {
     DRAG(Drag.class),
     BUOYANCY(Buoyancy.class),
     CENTRAL_FORCE(CentralForce.class),
+    FAN(Fan.class),
+    MAGNET(Magnet.class),
     FIELD(Field.class),
     THRUST(Thrust.class),
     JOINTS(Joints.class),

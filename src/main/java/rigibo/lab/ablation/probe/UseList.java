@@ -9,11 +9,13 @@ import rigibo.backend.effect.ContinuousImpacts;
 import rigibo.backend.effect.Drag;
 import rigibo.backend.effect.Effect;
 import rigibo.backend.effect.Effects;
+import rigibo.backend.effect.Fan;
 import rigibo.backend.effect.Field;
 import rigibo.backend.effect.FieldPoint;
 import rigibo.backend.effect.Friction;
 import rigibo.backend.effect.Gravity;
 import rigibo.backend.effect.Joints;
+import rigibo.backend.effect.Magnet;
 import rigibo.backend.effect.Restitution;
 import rigibo.backend.effect.RollingResistance;
 import rigibo.backend.effect.Rotation;
@@ -44,6 +46,11 @@ final class UseList {
     private static final Gravity EARTH = new Gravity(0, -9.81);
     private static final Effects WEIGHT = Effects.of(EARTH);
     private static final double HEAVY = 2;
+
+    /** A stream and a magnet, m, that reach every body of a row. */
+    private static final Fan.Jet WIND_TUNNEL = new Fan.Jet(0, -1e5, Math.PI / 2, 1e6, 1e6, 0);
+
+    private static final Magnet.Pole LODESTONE = new Magnet.Pole(0, 0, 0, 1e6);
 
     private UseList() {}
 
@@ -113,6 +120,8 @@ final class UseList {
                         body -> body.mass(HEAVY),
                         body -> body.mass(1)),
                 centralForce(),
+                fan(),
+                magnet(),
                 row(
                         WEIGHT,
                         new Buoyancy(-500, 2, 1),
@@ -199,6 +208,30 @@ final class UseList {
                 WEIGHT,
                 share -> new CentralForce(0, 0, share == Share.NONE ? 0 : 1e-3, 1),
                 "it acts on every body; neutral at the strength 0",
+                alone(same()),
+                alone(same()),
+                Use.NO_PUSH,
+                NONE_OR_ALL);
+    }
+
+    private static Use fan() {
+        return new Use(
+                ROW,
+                WEIGHT,
+                share -> new Fan(WIND_TUNNEL.force(share == Share.NONE ? 0 : 1e-3)),
+                "its one stream is wide enough for all; neutral at the force 0",
+                alone(same()),
+                alone(same()),
+                Use.NO_PUSH,
+                NONE_OR_ALL);
+    }
+
+    private static Use magnet() {
+        return new Use(
+                ROW,
+                WEIGHT,
+                share -> new Magnet(LODESTONE.strength(share == Share.NONE ? 0 : 1e-3)),
+                "its one magnet reaches all; neutral at the strength 0",
                 alone(same()),
                 alone(same()),
                 Use.NO_PUSH,
