@@ -39,7 +39,7 @@ public record Fan(List<Jet> jets) implements Effect {
      *
      * @param x world x of the middle of its mouth, m
      * @param y world y of the middle of its mouth, m, up
-     * @param angle direction in which it blows, rad, counter-clockwise from the right
+     * @param angle direction of the stream, rad, counter-clockwise from the right
      * @param width across, m, positive
      * @param reach along, m, positive
      * @param force at the mouth for each metre of a body's width, N/m; a negative one sucks

@@ -79,6 +79,11 @@ final class Stage {
         for (RigidBody each : game.balls()) {
             body(canvas, each, Skin.BALL, Canvas.Mood.PLAIN);
         }
+        for (Piece piece : game.pieces()) {
+            if (piece.isAlive()) {
+                Streams.draw(canvas, camera, piece, game.steps());
+            }
+        }
         JointPicture.draw(canvas, camera, game.pool().joints(), this::placement);
         spectacle.drawRopes(new JointPen(canvas, camera));
         for (Piece piece : game.pieces()) {

@@ -203,6 +203,14 @@ public final class Desk {
         change(verb.isPresent() ? Joinery.inFormatTwo(next) : next);
     }
 
+    /** Makes a body a fan or magnet, or no longer; levels of format 2 have them. */
+    public void source(String pointer, JsonNode stated, boolean isThere) {
+        change(
+                isThere
+                        ? Joinery.inFormatTwo(draft().with(pointer, stated))
+                        : draft().without(pointer));
+    }
+
     /** Adds a copy beside the selected body and selects it. */
     public void duplicate() {
         item().filter(Desk::isBody)

@@ -87,6 +87,8 @@ public final class EffectUse {
         used.put("joints", !draft.at(JointEntry.JOINTS).isEmpty());
         used.put("buoyancy", draft.at("/world/water").isObject());
         List<Item> items = draft.items();
+        used.put("fan", items.stream().anyMatch(item -> item.node().has("fan")));
+        used.put("magnet", items.stream().anyMatch(item -> item.node().has("magnet")));
         for (Member member : MEMBERS) {
             used.put(member.effect, items.stream().anyMatch(member::isUsedBy));
         }

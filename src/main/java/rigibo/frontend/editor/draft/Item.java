@@ -104,11 +104,12 @@ public record Item(String pointer, ObjectNode node) {
     }
 
     /**
-     * The verbs of clicks that fit it, besides deleting: belts are switched, what moves freezes.
+     * The verbs of clicks that fit it, besides deleting: belts, fans and magnets are switched, what
+     * moves freezes.
      */
     public List<Verb> fitting() {
         List<Verb> fitting = new ArrayList<>();
-        if (number("surfaceSpeed", 0) != 0) {
+        if (number("surfaceSpeed", 0) != 0 || node.has("fan") || node.has("magnet")) {
             fitting.add(Verb.SWITCH);
         }
         if (!isFixed()) {

@@ -25,6 +25,8 @@ public final class EffectPane {
                     "buoyancy",
                     "drag",
                     "joints",
+                    "fan",
+                    "magnet",
                     "continuous-impacts",
                     "sleep");
 

@@ -74,6 +74,9 @@ final class ItemPane {
         if (!item.isDeletable()) {
             click(fields, item);
         }
+        if (item.isFixed()) {
+            SourcePane.draw(fields, item);
+        }
         Desk desk = fields.desk();
         fields.column().button(fields.words("copy"), fields.words("copy.told"), desk::duplicate);
     }

@@ -4,9 +4,11 @@ import rigibo.backend.effect.Contacts;
 import rigibo.backend.effect.Drag;
 import rigibo.backend.effect.Effect;
 import rigibo.backend.effect.Effects;
+import rigibo.backend.effect.Fan;
 import rigibo.backend.effect.Friction;
 import rigibo.backend.effect.Gravity;
 import rigibo.backend.effect.Joints;
+import rigibo.backend.effect.Magnet;
 import rigibo.backend.effect.Restitution;
 import rigibo.backend.effect.RollingResistance;
 import rigibo.backend.effect.Rotation;
@@ -19,6 +21,8 @@ import tools.jackson.databind.JsonNode;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
+import java.util.function.Predicate;
 import java.util.function.ToDoubleFunction;
 
 /**
@@ -57,11 +61,24 @@ final class EffectRules {
         if (declared.declares(Joints.class) && sketch.joints().isEmpty()) {
             unused("joints");
         }
+        source("fan", Fan.class, body -> body.source().jet().isPresent());
+        source("magnet", Magnet.class, body -> body.source().pole().isPresent());
         if (declared.declares(Thrust.class)) {
             unused("thrust");
         }
         if (!declared.declares(Contacts.class)) {
             undeclared("contacts", "the ball has to stay on the platform");
+        }
+    }
+
+    private void source(String title, Class<? extends Effect> effect, Predicate<LevelBody> has) {
+        Optional<Located<LevelBody>> user =
+                sketch.bodies().stream().filter(body -> has.test(body.part())).findFirst();
+        if (declared.declares(effect) && user.isEmpty()) {
+            unused(title);
+        }
+        if (!declared.declares(effect) && user.isPresent()) {
+            undeclared(title, user.get().pointer() + "/" + title + " is there");
         }
     }
 

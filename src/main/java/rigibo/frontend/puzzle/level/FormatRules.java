@@ -11,7 +11,9 @@ import java.util.Set;
 final class FormatRules {
 
     private static final Set<String> SHAPES = Set.of("capsule", "compound", "chain");
-    private static final List<String> MEMBERS = List.of("path", "oneWay", "click", "on", "blast");
+    private static final Set<String> EFFECTS = Set.of("joints", "fan", "magnet");
+    private static final List<String> MEMBERS =
+            List.of("path", "oneWay", "click", "on", "blast", "fan", "magnet");
 
     private FormatRules() {}
 
@@ -23,8 +25,8 @@ final class FormatRules {
             tell(json, "/joints", "\"joints\"");
         }
         for (JsonNode effect : json.node("/world/effects")) {
-            if (effect.asString("").equals("joints")) {
-                tell(json, "/world/effects", "the effect \"joints\"");
+            if (EFFECTS.contains(effect.asString(""))) {
+                tell(json, "/world/effects", "the effect \"" + effect.asString() + "\"");
             }
         }
         for (int i = 0; i < json.node("/bodies").size(); i++) {

@@ -46,13 +46,13 @@ public record Handling(Optional<Verb> verb, boolean isOn, Optional<Charge> charg
     }
 
     /** Whether a click switches it, and it is off at the start. */
-    boolean beginsOff() {
+    public boolean beginsOff() {
         return verb.filter(Verb.SWITCH::equals).isPresent() && !isOn;
     }
 
     /**
      * E124: what a click does to a body does not fit it; E126: members that only a switch or a bomb
-     * has, or a bomb without its blast.
+     * has, or a bomb without its blast; E127: a fan or magnet that moves.
      */
     static void check(Document json, Located<LevelBody> at) {
         LevelBody body = at.part();
@@ -61,8 +61,12 @@ public record Handling(Optional<Verb> verb, boolean isOn, Optional<Charge> charg
         if (node.path("deletable").asBoolean(false) && node.has("click")) {
             json.error(pointer, () -> "E124 is deletable and has another \"click\"");
         }
-        if (body.does(Verb.SWITCH) && body.material().surfaceSpeed() == 0) {
-            json.error(pointer, () -> "E124 a click cannot switch a body without a surfaceSpeed");
+        boolean runs = body.material().surfaceSpeed() != 0 || body.source().isThere();
+        if (body.does(Verb.SWITCH) && !runs) {
+            json.error(pointer, () -> "E124 a click switches a belt, a fan or a magnet only");
+        }
+        if (body.source().isThere() && body.mobility() != LevelBody.Mobility.STATIC) {
+            json.error(pointer, () -> "E127 a fan or magnet stays where it is: not \"dynamic\"");
         }
         boolean needsMotion = body.does(Verb.FREEZE) || body.does(Verb.LIGHT);
         if (needsMotion && !body.isDynamic()) {

@@ -20,6 +20,7 @@ import java.util.Optional;
  * @param mobility whether it moves
  * @param handling what a click does to it
  * @param path that it is driven along, of a driven body
+ * @param source the stream or pull that comes from it
  */
 public record LevelBody(
         String id,
@@ -32,7 +33,8 @@ public record LevelBody(
         Motion motion,
         Mobility mobility,
         Handling handling,
-        Optional<LevelPath> path) {
+        Optional<LevelPath> path,
+        Source source) {
 
     /** What moves a body. */
     public enum Mobility {
@@ -90,6 +92,7 @@ public record LevelBody(
                 motion,
                 mobility,
                 handling,
-                path);
+                path,
+                source);
     }
 }

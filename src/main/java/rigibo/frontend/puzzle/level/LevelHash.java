@@ -79,6 +79,10 @@ final class LevelHash {
             handling(body.handling());
         }
         body.path().ifPresent(this::path);
+        body.source()
+                .jet()
+                .ifPresent(jet -> numbers(jet.angle(), jet.width(), jet.reach(), jet.force()));
+        body.source().pole().ifPresent(pole -> numbers(pole.strength(), pole.reach()));
     }
 
     private void joint(LevelJoint joint) {

@@ -6,9 +6,11 @@ import rigibo.backend.effect.ContinuousImpacts;
 import rigibo.backend.effect.Drag;
 import rigibo.backend.effect.Effect;
 import rigibo.backend.effect.Effects;
+import rigibo.backend.effect.Fan;
 import rigibo.backend.effect.Friction;
 import rigibo.backend.effect.Gravity;
 import rigibo.backend.effect.Joints;
+import rigibo.backend.effect.Magnet;
 import rigibo.backend.effect.Restitution;
 import rigibo.backend.effect.RollingResistance;
 import rigibo.backend.effect.Rotation;
@@ -74,6 +76,9 @@ final class LevelReader {
             case "drag" -> new Drag();
             case WATER -> water(world.path("water"));
             case "thrust" -> new Thrust();
+            // Their streams and pulls come from bodies, which are added in play.
+            case "fan" -> new Fan();
+            case "magnet" -> new Magnet();
             case "joints" -> new Joints();
             case "continuous-impacts" -> new ContinuousImpacts();
             case "sleep" -> new Sleep();
@@ -130,18 +135,23 @@ final class LevelReader {
         double cos = StrictMath.cos(angle);
         double sin = StrictMath.sin(angle);
         Substance substance = Substance.titled(node.path("material").asString());
+        double x =
+                node.path("x").asDouble() + cos * outline.centroidX() - sin * outline.centroidY();
+        double y =
+                node.path("y").asDouble() + sin * outline.centroidX() + cos * outline.centroidY();
         return new LevelBody(
                 node.path("id").asString(),
                 outline.shape(),
-                node.path("x").asDouble() + cos * outline.centroidX() - sin * outline.centroidY(),
-                node.path("y").asDouble() + sin * outline.centroidX() + cos * outline.centroidY(),
+                x,
+                y,
                 angle,
                 substance,
                 material(node, substance.material()),
                 motion(node),
                 mobility(node),
                 Handling.of(node),
-                path(node, outline));
+                path(node, outline),
+                Source.of(node, x, y, angle));
     }
 
     private static LevelBody.Mobility mobility(JsonNode node) {

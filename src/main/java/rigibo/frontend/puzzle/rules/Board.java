@@ -3,9 +3,15 @@ package rigibo.frontend.puzzle.rules;
 import rigibo.backend.Joint;
 import rigibo.backend.Pool;
 import rigibo.backend.RigidBody;
+import rigibo.backend.effect.Effects;
+import rigibo.backend.effect.Magnet;
 import rigibo.backend.setup.Accuracy;
+import rigibo.backend.setup.BodyDefinition;
+import rigibo.backend.setup.Filter;
 import rigibo.frontend.puzzle.level.Level;
 import rigibo.frontend.puzzle.level.LevelJoint;
+import rigibo.frontend.puzzle.level.Source;
+import rigibo.frontend.puzzle.level.Substance;
 import rigibo.frontend.puzzle.level.World;
 
 import java.util.ArrayList;
@@ -41,14 +47,32 @@ record Board(
     private static final double REACH = 0.13;
 
     static Board of(Level level, Accuracy accuracy) {
-        Pool pool = new Pool(level.world().effects(), accuracy);
+        Effects effects = level.world().effects();
+        boolean hasMagnets = effects.declares(Magnet.class);
+        Pool pool = new Pool(effects, accuracy);
         RigidBody platform = pool.add(level.platform().definition());
         List<Piece> pieces =
                 level.bodies().stream()
-                        .map(body -> new Piece(body, pool.add(body.definition())))
+                        .map(
+                                body -> {
+                                    BodyDefinition made = body.definition();
+                                    boolean isDrawn = hasMagnets && isIron(body.substance());
+                                    return new Piece(body, pool.add(isDrawn ? iron(made) : made));
+                                })
                         .toList();
         List<RigidBody> balls =
-                level.balls().stream().map(ball -> pool.add(ball.definition())).toList();
+                level.balls().stream()
+                        .map(
+                                ball -> {
+                                    boolean isDrawn = hasMagnets && isIron(ball.substance());
+                                    BodyDefinition made = ball.definition();
+                                    return pool.add(isDrawn ? iron(made) : made);
+                                })
+                        .toList();
+        Sources sources = new Sources(pieces);
+        if (sources.areAny()) {
+            pool.effects(sources.in(effects));
+        }
         List<Link> links = new ArrayList<>();
         Board board = new Board(level.world(), pool, platform, pieces, links, balls);
         for (LevelJoint joint : level.joints()) {
@@ -58,6 +82,15 @@ record Board(
             }
         }
         return board;
+    }
+
+    private static boolean isIron(Substance substance) {
+        return substance == Substance.IRON;
+    }
+
+    /** In a category of its own besides the usual one, so that it touches all that others do. */
+    private static BodyDefinition iron(BodyDefinition made) {
+        return made.filter(Filter.ALL.category(Filter.ALL.category() | Source.IRON));
     }
 
     /** The body that a joint names; ids have precedence over the names of balls and platform. */

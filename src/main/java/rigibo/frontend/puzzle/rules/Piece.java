@@ -22,7 +22,7 @@ public final class Piece implements Target {
         this.definition = definition;
         this.body = body;
         beltSpeed = definition.material().surfaceSpeed();
-        isOn = definition.handling().isOn();
+        isOn = !definition.handling().beginsOff();
     }
 
     /** As the level states it. */
@@ -87,7 +87,9 @@ public final class Piece implements Target {
 
     void flip() {
         isOn = !isOn;
-        body.material(body.material().surfaceSpeed(isOn ? beltSpeed : 0));
+        if (beltSpeed != 0) {
+            body.material(body.material().surfaceSpeed(isOn ? beltSpeed : 0));
+        }
     }
 
     void freeze() {

@@ -22,6 +22,7 @@ public final class PuzzleGame {
     private final Level level;
     private final Board board;
     private final List<Ride> rides;
+    private final Sources sources;
     private final Workings workings;
     private final Cooldown cooldown;
     private final HoldClock hold;
@@ -44,7 +45,8 @@ public final class PuzzleGame {
                         .filter(piece -> piece.definition().path().isPresent())
                         .map(piece -> new Ride(piece.definition(), piece.body()))
                         .toList();
-        workings = new Workings(board.pool());
+        sources = new Sources(board.pieces());
+        workings = new Workings(board.pool(), sources);
         cooldown = new Cooldown(Steps.of(limits.cooldown()));
         hold = new HoldClock(Steps.of(limits.hold()), Steps.of(limits.contactGrace()));
         trace.observe(steps, outcome, board.pool());
@@ -258,7 +260,7 @@ public final class PuzzleGame {
      * even if they are switched back, since what happened meanwhile remains.
      */
     public void experiment(Effects effects) {
-        board.pool().effects(effects);
+        board.pool().effects(sources.in(effects));
         isExperiment = true;
     }
 

@@ -16,20 +16,31 @@ final class Workings {
     /** Bombs whose fuses burn, in the order in which they were lit. */
     private final List<Piece> burning = new ArrayList<>();
 
-    Workings(Pool pool) {
+    private final Sources sources;
+
+    Workings(Pool pool, Sources sources) {
         this.pool = pool;
+        this.sources = sources;
     }
 
     /** Does to a target that can be clicked what its verb says. */
     void act(Target target, int steps) {
         if (target instanceof Piece piece) {
             act(piece, steps);
+            refreshSources(piece);
         } else if (target instanceof Link link) {
             if (link.is(Verb.SWITCH)) {
                 link.flip();
             } else {
                 pool.remove(link.joint());
             }
+        }
+    }
+
+    /** A fan or magnet that was switched or deleted changes the effects of the pool. */
+    private void refreshSources(Piece piece) {
+        if (piece.definition().source().isThere()) {
+            pool.effects(sources.in(pool.effects()));
         }
     }
 

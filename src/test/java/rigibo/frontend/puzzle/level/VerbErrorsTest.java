@@ -9,6 +9,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import rigibo.frontend.document.Problem;
 
 import java.util.List;
+import java.util.regex.Pattern;
 
 /** What a level file says of clicks that it cannot mean. */
 class VerbErrorsTest {
@@ -40,7 +41,7 @@ class VerbErrorsTest {
     @CsvSource(
             delimiter = ';',
             value = {
-                "'surfaceSpeed': -2, ; ; E124 a click cannot switch a body without a surfaceSpeed",
+                "'surfaceSpeed': -2, ; ; E124 a click switches a belt, a fan or a magnet only",
                 "'click': 'freeze'; 'click': 'freeze', 'dynamic': false; E124 a click cannot"
                         + " freeze",
                 "'click': 'freeze'; 'click': 'freeze', 'deletable': true; E124 is deletable and"
@@ -55,6 +56,25 @@ class VerbErrorsTest {
                         part.replace('\'', '"').strip(),
                         replacement == null ? "" : replacement.replace('\'', '"'));
         assertThat(text).isNotEqualTo(VerbLevels.MACHINES);
+        assertThat(problems(text)).anyMatch(line -> line.contains(told.replace('\'', '"')));
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = ';',
+            value = {
+                "'dynamic': false, 'click': 'switch', 'on': false,; 'click': 'switch',; E127 a fan",
+                "'fan', 'magnet']; 'magnet']; E140 the effect fan is not declared, but"
+                    + " /bodies/1/fan",
+                "'fan': {'width': 2, 'reach': 6, 'force': 2000};'drag': 0; E140 the effect fan is",
+                "'reach': 8; 'reach': 0; must be 0.05 or more",
+            })
+    void aFanOrMagnetThatCannotBeIsTold(String part, String replacement, String told) {
+        String text =
+                VerbLevels.SOURCES.replaceFirst(
+                        Pattern.quote(part.replace('\'', '"').strip()),
+                        replacement.replace('\'', '"'));
+        assertThat(text).isNotEqualTo(VerbLevels.SOURCES);
         assertThat(problems(text)).anyMatch(line -> line.contains(told.replace('\'', '"')));
     }
 

@@ -91,7 +91,37 @@ public final class VerbLevels {
                     }
                     """;
 
+    /** A fan that blows upwards under a plank of 90 kg, and a magnet over iron and wood. */
+    public static final String SOURCES =
+            HEAD.replace("\"joints\"]", "\"fan\", \"magnet\"]")
+                    + """
+                      "ball": {"x": 0.6, "y": 0.75, "radius": 0.35},
+                      "platform": {"x": 8, "y": 1.2, "w": 1},
+                      "bodies": [
+                        {"id": "floor", "shape": {"type": "box", "w": 9, "h": 0.4}, "x": 4.5, "y": 0.2,
+                         "material": "stone", "dynamic": false},
+                        {"id": "fan", "shape": {"type": "box", "w": 1, "h": 0.3}, "x": 2, "y": 0.55,
+                         "material": "iron", "dynamic": false, "click": "switch", "on": false,
+                         "fan": {"width": 2, "reach": 6, "force": 2000}},
+                        {"id": "plank", "shape": {"type": "box", "w": 0.5, "h": 0.3}, "x": 2, "y": 0.85,
+                         "material": "plank"},
+                        {"id": "magnet", "shape": {"type": "box", "w": 3, "h": 0.4}, "x": 5, "y": 6,
+                         "material": "stone", "dynamic": false, "click": "switch", "on": false,
+                         "magnet": {"strength": 40, "reach": 8}},
+                        {"id": "iron", "shape": {"type": "box", "w": 0.4, "h": 0.4}, "x": 5, "y": 0.6,
+                         "material": "iron"},
+                        {"id": "wood", "shape": {"type": "box", "w": 0.4, "h": 0.4}, "x": 6, "y": 0.6,
+                         "material": "plank"}
+                      ]
+                    }
+                    """;
+
     private VerbLevels() {}
+
+    /** A fan and a magnet. */
+    public static Level sources() {
+        return of(SOURCES);
+    }
 
     /** Machines, a box that freezes, and a bomb. */
     public static Level machines() {

@@ -1,0 +1,48 @@
+package rigibo.frontend.editor.pane;
+
+import rigibo.frontend.editor.draft.Item;
+
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.node.JsonNodeFactory;
+
+/** The fields of the fan or magnet that a fixed body is. */
+final class SourcePane {
+
+    private static final JsonNodeFactory NODES = JsonNodeFactory.instance;
+    private static final Fields.Range ANGLE = new Fields.Range(-360, 360, 5, 90);
+    private static final Fields.Range WIDTH = new Fields.Range(0.05, 20, 0.1, 1);
+    private static final Fields.Range REACH = new Fields.Range(0.05, 50, 0.25, 1);
+    private static final Fields.Range FORCE = new Fields.Range(-100_000, 100_000, 100, 0);
+    private static final Fields.Range PULL = new Fields.Range(-1000, 1000, 1, 0);
+
+    private SourcePane() {}
+
+    static void draw(Fields fields, Item item) {
+        String fan = item.pointer() + "/fan";
+        String magnet = item.pointer() + "/magnet";
+        JsonNode stream = NODES.objectNode().put("width", 1.0).put("reach", 4.0).put("force", 5000);
+        JsonNode pull = NODES.objectNode().put("strength", 30.0).put("reach", 2.5);
+        if (isOn(fields, item, "fan", fan, stream)) {
+            fields.number("fan.angle", fan + "/angle", ANGLE);
+            fields.number("fan.width", fan + "/width", WIDTH);
+            fields.number("fan.reach", fan + "/reach", REACH);
+            fields.number("fan.force", fan + "/force", FORCE);
+        } else if (isOn(fields, item, "magnet", magnet, pull)) {
+            fields.number("magnet.strength", magnet + "/strength", PULL);
+            fields.number("magnet.reach", magnet + "/reach", REACH);
+        }
+    }
+
+    /** A switch that gives the body a member or takes it away; returns whether it has it. */
+    private static boolean isOn(
+            Fields fields, Item item, String member, String pointer, JsonNode usual) {
+        boolean has = item.node().has(member);
+        fields.column()
+                .toggle(
+                        fields.words(member),
+                        has,
+                        fields.words(member + ".told"),
+                        () -> fields.desk().source(pointer, usual, !has));
+        return has;
+    }
+}
