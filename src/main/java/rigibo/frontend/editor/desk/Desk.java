@@ -198,8 +198,8 @@ public final class Desk {
     /**
      * Makes a click in play do something to a body besides deleting; levels of format 2 have it.
      */
-    public void click(Item body, Optional<Verb> verb) {
-        Draft next = draft().with(body.clicked(verb));
+    public void click(Item body, Optional<Verb> verb, boolean isOn) {
+        Draft next = draft().with(body.clicked(verb, isOn));
         change(verb.isPresent() ? Joinery.inFormatTwo(next) : next);
     }
 

@@ -98,6 +98,11 @@ public record Item(String pointer, ObjectNode node) {
         return node.path("deletable").asBoolean(false);
     }
 
+    /** Whether it is a fan or a magnet. */
+    public boolean isSource() {
+        return node.has("fan") || node.has("magnet");
+    }
+
     /** What a click in play does to it besides deleting. */
     public Optional<Verb> verb() {
         return Verb.titled(node.path("click").asString(""));
@@ -109,7 +114,7 @@ public record Item(String pointer, ObjectNode node) {
      */
     public List<Verb> fitting() {
         List<Verb> fitting = new ArrayList<>();
-        if (number("surfaceSpeed", 0) != 0 || node.has("fan") || node.has("magnet")) {
+        if (number("surfaceSpeed", 0) != 0 || isSource()) {
             fitting.add(Verb.SWITCH);
         }
         if (!isFixed()) {
@@ -120,13 +125,16 @@ public record Item(String pointer, ObjectNode node) {
     }
 
     /** Returns this body with a click that does something to it besides deleting, or nothing. */
-    public Item clicked(Optional<Verb> verb) {
+    public Item clicked(Optional<Verb> verb, boolean isOn) {
         ObjectNode changed = JsonNodeFactory.instance.objectNode();
         changed.setAll(node);
         changed.remove(List.of("click", "on", "blast"));
         if (verb.isPresent()) {
             changed.remove("deletable");
             changed.put("click", verb.get().title());
+            if (!isOn) {
+                changed.put("on", false);
+            }
         }
         if (verb.filter(Verb.LIGHT::equals).isPresent()) {
             changed.putObject("blast").put("radius", 1).put("falloff", 1).put("impulse", 1500);

@@ -87,13 +87,16 @@ public record JointEntry(String pointer, ObjectNode node) {
     }
 
     /** Returns this joint with a click acting on it, under an id of its own, or with none. */
-    public JointEntry clicked(Draft draft, Optional<Verb> verb) {
+    public JointEntry clicked(Draft draft, Optional<Verb> verb, boolean isOn) {
         ObjectNode changed = JsonNodeFactory.instance.objectNode();
         changed.setAll(node);
         changed.remove("click");
         changed.remove("on");
         if (verb.isPresent()) {
             changed.put("click", verb.get().title());
+            if (!isOn) {
+                changed.put("on", false);
+            }
             if (id().isEmpty()) {
                 changed.put("id", Ids.free(draft, node.path("type").asString("")));
             }

@@ -10,7 +10,6 @@ import rigibo.frontend.puzzle.level.Verb;
 import rigibo.frontend.scene.Canvas;
 
 import java.util.List;
-import java.util.Optional;
 
 /** The fields of the selected item. */
 final class ItemPane {
@@ -70,7 +69,9 @@ final class ItemPane {
         material(fields, item);
         fields.flag("moves", at + "/dynamic", !item.isFixed());
         fields.flag("deletable", at + "/deletable", item.isDeletable());
-        fields.number("belt", at + "/surfaceSpeed", BELT);
+        if (!item.isSource()) {
+            fields.number("belt", at + "/surfaceSpeed", BELT);
+        }
         if (!item.isDeletable()) {
             click(fields, item);
         }
@@ -81,34 +82,21 @@ final class ItemPane {
         fields.column().button(fields.words("copy"), fields.words("copy.told"), desk::duplicate);
     }
 
-    /** What a click does besides deleting, and what belongs to that. */
+    /** What a click does besides deleting, and the blast of a bomb. */
     private static void click(Fields fields, Item item) {
         List<Verb> fitting = item.fitting();
-        if (fitting.isEmpty()) {
-            return;
+        if (!fitting.isEmpty()) {
+            ClickRow.draw(
+                    fields,
+                    item.node(),
+                    fitting,
+                    next -> fields.desk().click(item, next.verb(), next.isOn()));
         }
-        int now = item.verb().map(fitting::indexOf).orElse(-1);
-        String held = now < 0 ? "none" : fitting.get(now).title();
-        fields.column()
-                .stepper(
-                        fields.words("click"),
-                        new Column.Shown(fields.words("click." + held), Canvas.Font.WORDS, false),
-                        () -> {},
-                        direction -> fields.desk().click(item, next(fitting, now, direction)));
-        if (item.verb().filter(Verb.SWITCH::equals).isPresent()) {
-            fields.flag("on", item.pointer() + "/on", item.node().path("on").asBoolean(true));
-        }
-        if (item.verb().filter(Verb.LIGHT::equals).isPresent()) {
+        if (item.verb().filter(fitting::contains).filter(Verb.LIGHT::equals).isPresent()) {
             fields.number("blast.radius", item.pointer() + "/blast/radius", REACH);
             fields.number("blast.falloff", item.pointer() + "/blast/falloff", REACH);
             fields.number("blast.impulse", item.pointer() + "/blast/impulse", IMPULSE);
         }
-    }
-
-    /** The next of the fitting verbs; none comes before the first and after the last. */
-    private static Optional<Verb> next(List<Verb> fitting, int now, int direction) {
-        int next = Math.floorMod(now + 1 + direction, fitting.size() + 1) - 1;
-        return next < 0 ? Optional.empty() : Optional.of(fitting.get(next));
     }
 
     private static void size(Fields fields, Item item) {

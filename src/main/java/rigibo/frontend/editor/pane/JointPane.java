@@ -5,13 +5,11 @@ import rigibo.frontend.editor.draft.Decimal;
 import rigibo.frontend.editor.draft.Joinery;
 import rigibo.frontend.editor.draft.JointEntry;
 import rigibo.frontend.puzzle.level.LevelJoint;
-import rigibo.frontend.puzzle.level.Verb;
 
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.node.JsonNodeFactory;
 
 import java.util.Locale;
-import java.util.Optional;
 
 /** The fields of the selected joint. */
 final class JointPane {
@@ -51,7 +49,7 @@ final class JointPane {
     private void draw() {
         String name = type.name().toLowerCase(Locale.ROOT);
         Desk desk = fields.desk();
-        fields.column().heading(fields.words("joint." + name));
+        name(name);
         fields.column()
                 .button(
                         fields.words("joint.ends", joint.a(), joint.b()),
@@ -149,31 +147,27 @@ final class JointPane {
         }
     }
 
-    /** Whether a click in play acts on it, and the name by which solutions refer to it. */
-    private void click() {
-        joint.fitting().forEach(this::click);
-        if (joint.verb().isPresent()) {
+    /** A joint that can be clicked has a name, by which solutions refer to it. */
+    private void name(String type) {
+        if (joint.verb().isEmpty()) {
+            fields.column().heading(fields.words("joint." + type));
+        } else {
             fields.text(
                     joint.pointer() + "/id",
-                    "name",
+                    "joint." + type,
                     joint.id(),
                     typed -> fields.desk().rename(joint, typed.trim()));
         }
-        if (joint.verb().filter(Verb.SWITCH::equals).isPresent()) {
-            fields.flag("on", joint.pointer() + "/on", joint.node().path("on").asBoolean(true));
-        }
     }
 
-    private void click(Verb verb) {
-        boolean isOn = joint.verb().filter(verb::equals).isPresent();
-        Optional<Verb> other = isOn ? Optional.empty() : Optional.of(verb);
-        String key = "joint.click." + verb.title();
-        fields.column()
-                .toggle(
-                        fields.words(key),
-                        isOn,
-                        fields.words(key + ".told"),
-                        () -> put(joint.clicked(fields.desk().draft(), other)));
+    private void click() {
+        if (!joint.fitting().isEmpty()) {
+            ClickRow.draw(
+                    fields,
+                    joint.node(),
+                    joint.fitting(),
+                    next -> put(joint.clicked(fields.desk().draft(), next.verb(), next.isOn())));
+        }
     }
 
     /** A switch that gives the joint a member or takes it away; returns whether it has it. */

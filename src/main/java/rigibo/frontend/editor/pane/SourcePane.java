@@ -5,11 +5,10 @@ import rigibo.frontend.editor.draft.Item;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.node.JsonNodeFactory;
 
-/** The fields of the fan or magnet that a fixed body is. */
+/** The fields of the fan or magnet that a fixed body is; it is turned to turn its stream. */
 final class SourcePane {
 
     private static final JsonNodeFactory NODES = JsonNodeFactory.instance;
-    private static final Fields.Range ANGLE = new Fields.Range(-360, 360, 5, 90);
     private static final Fields.Range WIDTH = new Fields.Range(0.05, 20, 0.1, 1);
     private static final Fields.Range REACH = new Fields.Range(0.05, 50, 0.25, 1);
     private static final Fields.Range FORCE = new Fields.Range(-100_000, 100_000, 100, 0);
@@ -22,27 +21,32 @@ final class SourcePane {
         String magnet = item.pointer() + "/magnet";
         JsonNode stream = NODES.objectNode().put("width", 1.0).put("reach", 4.0).put("force", 5000);
         JsonNode pull = NODES.objectNode().put("strength", 30.0).put("reach", 2.5);
-        if (isOn(fields, item, "fan", fan, stream)) {
-            fields.number("fan.angle", fan + "/angle", ANGLE);
+        boolean isFan = item.node().has("fan");
+        boolean isMagnet = item.node().has("magnet");
+        if (!isMagnet) {
+            toggle(fields, "fan", fan, isFan, stream);
+        }
+        if (isFan) {
             fields.number("fan.width", fan + "/width", WIDTH);
             fields.number("fan.reach", fan + "/reach", REACH);
             fields.number("fan.force", fan + "/force", FORCE);
-        } else if (isOn(fields, item, "magnet", magnet, pull)) {
+        } else {
+            toggle(fields, "magnet", magnet, isMagnet, pull);
+        }
+        if (isMagnet) {
             fields.number("magnet.strength", magnet + "/strength", PULL);
             fields.number("magnet.reach", magnet + "/reach", REACH);
         }
     }
 
-    /** A switch that gives the body a member or takes it away; returns whether it has it. */
-    private static boolean isOn(
-            Fields fields, Item item, String member, String pointer, JsonNode usual) {
-        boolean has = item.node().has(member);
+    /** A switch that gives the body a member or takes it away. */
+    private static void toggle(
+            Fields fields, String member, String pointer, boolean has, JsonNode usual) {
         fields.column()
                 .toggle(
                         fields.words(member),
                         has,
                         fields.words(member + ".told"),
                         () -> fields.desk().source(pointer, usual, !has));
-        return has;
     }
 }
