@@ -65,7 +65,7 @@ class VerbErrorsTest {
             value = {
                 "'dynamic': false, 'click': 'switch', 'on': false,; 'click': 'switch',; E127 a fan",
                 "'fan', 'magnet']; 'magnet']; E140 the effect fan is not declared, but"
-                    + " /bodies/1/fan",
+                        + " /bodies/1/fan",
                 "'fan': {'width': 2, 'reach': 6, 'force': 2000};'drag': 0; E140 the effect fan is",
                 "'reach': 8; 'reach': 0; must be 0.05 or more",
             })
