@@ -14,7 +14,7 @@ final class Bombs {
 
     private static final Color CORD = Color.of(0xD9C8A2);
     private static final Color CORD_EDGE = Color.of(0x23190F);
-    private static final Color FLAME = Color.of(0xFFB347);
+    static final Color FLAME = Color.of(0xFFB347);
 
     /** Points of a fuse, its length as a share of the bomb's radius, and its width, m. */
     private static final int POINTS = 9;

@@ -14,7 +14,6 @@ final class Flashes {
     /** How long one is seen, frames. */
     private static final int SEEN = Steps.of(0.45);
 
-    private static final Color FIRE = Color.of(0xFFB347);
     private static final double STRONGEST = 0.8;
 
     private final List<Flash> flashes = new ArrayList<>();
@@ -40,7 +39,7 @@ final class Flashes {
 
     /** A bomb blew up at a point of the world and reaches so far, m. */
     void blast(double x, double y, double reach) {
-        flashes.add(new Flash(x, y, reach, FIRE));
+        flashes.add(new Flash(x, y, reach, Bombs.FLAME));
     }
 
     /** A body of a radius became a stone, m. */

@@ -1,6 +1,7 @@
 package rigibo.frontend.puzzle;
 
 import rigibo.frontend.puzzle.rules.Link;
+import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.joint.JointPen;
 import rigibo.frontend.scene.joint.RopeLine;
 
@@ -23,8 +24,6 @@ final class LooseEnds {
 
     /** Share of its motion that a point keeps in each frame. */
     private static final double KEPT = 0.985;
-
-    private static final double FRAME = 1.0 / 60;
 
     /** By which two ends spring apart, m per frame; without it one could stand upright. */
     private static final double SWING = 0.02;
@@ -115,8 +114,8 @@ final class LooseEnds {
      */
     void step(double gravityX, double gravityY) {
         parts.removeIf(part -> !part.anchor.body().isAlive());
-        double fallX = gravityX * FRAME * FRAME;
-        double fallY = gravityY * FRAME * FRAME;
+        double fallX = gravityX * Scene.STEP * Scene.STEP;
+        double fallY = gravityY * Scene.STEP * Scene.STEP;
         for (Part part : parts) {
             for (int i = 2; i < part.xy.length; i++) {
                 double now = part.xy[i];

@@ -89,7 +89,7 @@ final class Noises {
 
     /** A bomb that fell out of the world did not. */
     private boolean hasBlownUp(Piece bomb) {
-        return !bomb.isAlive() && bomb.fuse().orElseThrow().burnt(game.steps()) == 1;
+        return !bomb.isAlive() && bomb.fuse().orElseThrow().isBurntDown(game.steps());
     }
 
     private static double rim(RigidBody ball) {

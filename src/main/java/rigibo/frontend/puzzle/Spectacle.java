@@ -186,7 +186,7 @@ final class Spectacle {
     }
 
     private void blowUp(Piece bomb, Remains remains) {
-        if (bomb.fuse().filter(fuse -> fuse.burnt(watched.steps()) == 1).isPresent()) {
+        if (bomb.fuse().filter(fuse -> fuse.isBurntDown(watched.steps())).isPresent()) {
             Handling.Charge charge = bomb.definition().handling().charge().orElseThrow();
             Pose at = remains.pose();
             flashes.blast(at.x(), at.y(), charge.radius() + charge.falloff());

@@ -2,6 +2,7 @@ package rigibo.frontend.puzzle;
 
 import rigibo.backend.effect.Fan;
 import rigibo.backend.effect.Magnet;
+import rigibo.frontend.puzzle.level.Steps;
 import rigibo.frontend.puzzle.rules.Piece;
 import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Canvas;
@@ -15,10 +16,8 @@ final class Streams {
 
     private static final double STREAK = 0.45;
 
-    /** Speed of the air on the screen, m/s; the steps of a second. */
+    /** Speed of the air on the screen, m/s. */
     private static final double SPEED = 4;
-
-    private static final double RATE = 60;
 
     /** Distance between two streaks behind each other, m. */
     private static final double PITCH = 1.3;
@@ -57,7 +56,7 @@ final class Streams {
             double aside = ((i + 0.5) / count - 0.5) * jet.width();
             double x = jet.x() - aside * uy;
             double y = jet.y() + aside * ux;
-            double begun = isOn ? SPEED * steps / RATE : 0;
+            double begun = isOn ? SPEED * Steps.seconds(steps) : 0;
             double first = (begun + GOLDEN * i * PITCH) % PITCH;
             double last = isOn ? jet.reach() : PITCH;
             for (double way = first; way < last; way += PITCH) {
@@ -87,7 +86,7 @@ final class Streams {
         double x = camera.screenX(pole.x());
         double y = camera.screenY(pole.y());
         for (int i = 0; i < RINGS && isOn; i++) {
-            double share = 1 - (PULSE * steps / RATE + i / (double) RINGS) % 1;
+            double share = 1 - (PULSE * Steps.seconds(steps) + i / (double) RINGS) % 1;
             double radius = share * pole.reach() * camera.scale();
             canvas.ring(x, y, radius, 2, 1, Color.BAD.alpha(0.45 * (1 - share)));
         }

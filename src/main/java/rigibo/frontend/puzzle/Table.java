@@ -82,7 +82,7 @@ final class Table {
         List<Act> acts = seen.acts();
         for (Act act : acts.subList(clicksBefore, acts.size())) {
             Target target = seen.target(act.target()).orElseThrow();
-            did(target);
+            noises.did(target);
             if (target instanceof Piece piece && !piece.isAlive()) {
                 Pose pose = session.lastPose(piece.body());
                 shownPointer.clicked(pose.x(), pose.y());
@@ -90,10 +90,6 @@ final class Table {
                 shownPointer.clicked(target.x(), target.y());
             }
         }
-    }
-
-    private void did(Target target) {
-        noises.did(target);
     }
 
     /** Throws confetti, unless the player wants less motion. */
@@ -180,7 +176,7 @@ final class Table {
     }
 
     private void done(Target target, OptionalDouble share) {
-        did(target);
+        noises.did(target);
         if (target instanceof Link link) {
             spectacle.cutting(link, share.orElse(Spectacle.MIDDLE));
         }

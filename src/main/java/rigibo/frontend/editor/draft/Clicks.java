@@ -99,7 +99,7 @@ public final class Clicks {
 
     private static List<String> targets(JsonNode solution) {
         return StreamSupport.stream(solution.path("clicks").spliterator(), false)
-                .map(click -> click.path(click.has(JOINT) ? JOINT : BODY).asString(""))
+                .map(Click::targetIn)
                 .toList();
     }
 

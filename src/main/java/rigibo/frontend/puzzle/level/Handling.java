@@ -47,7 +47,12 @@ public record Handling(Optional<Verb> verb, boolean isOn, Optional<Charge> charg
 
     /** Whether a click switches it, and it is off at the start. */
     public boolean beginsOff() {
-        return verb.filter(Verb.SWITCH::equals).isPresent() && !isOn;
+        return does(Verb.SWITCH) && !isOn;
+    }
+
+    /** Whether a click acts by a verb. */
+    boolean does(Verb what) {
+        return verb.filter(what::equals).isPresent();
     }
 
     /**

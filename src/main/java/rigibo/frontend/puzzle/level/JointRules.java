@@ -77,7 +77,7 @@ final class JointRules {
     /** Ropes are cut, pins are pulled; solutions and replays refer to them by their ids. */
     private void click(Located<LevelJoint> at) {
         Optional<Verb> verb = at.part().verb();
-        boolean isSwitch = verb.filter(Verb.SWITCH::equals).isPresent();
+        boolean isSwitch = at.part().handling().does(Verb.SWITCH);
         Handling.switching(sketch.json(), at.pointer(), isSwitch);
         if (isSwitch && !at.part().settings().motor().drives()) {
             tell(at.pointer(), "E124 a click cannot switch a joint without a motor");

@@ -58,7 +58,7 @@ public record LevelBody(
 
     /** Whether a click acts on it by a verb. */
     boolean does(Verb what) {
-        return verb().filter(what::equals).isPresent();
+        return handling.does(what);
     }
 
     public boolean isDynamic() {

@@ -192,8 +192,7 @@ final class LevelReader {
     static Solution solution(JsonNode node) {
         List<Click> clicks = new ArrayList<>();
         for (JsonNode click : node.path("clicks")) {
-            String target = click.has("joint") ? "joint" : "body";
-            clicks.add(new Click(click.path("t").asDouble(), click.path(target).asString()));
+            clicks.add(new Click(click.path("t").asDouble(), Click.targetIn(click)));
         }
         return new Solution(clicks);
     }

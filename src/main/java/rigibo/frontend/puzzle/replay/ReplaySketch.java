@@ -7,6 +7,7 @@ import rigibo.backend.setup.ImpactMode;
 import rigibo.backend.setup.ImpactSearch;
 import rigibo.backend.setup.Integrator;
 import rigibo.frontend.document.Document;
+import rigibo.frontend.puzzle.level.Click;
 import rigibo.frontend.puzzle.rules.Act;
 import rigibo.frontend.puzzle.rules.Checkpoint;
 
@@ -86,9 +87,7 @@ final class ReplaySketch {
                 error(pointer, "is not before the end, which is at step " + end);
             }
             before = Math.max(before, step);
-            JsonNode click = json.node("/clicks/" + i);
-            String target = click.path(click.has("joint") ? "joint" : "body").asString("");
-            acts.add(new Act(step, target));
+            acts.add(new Act(step, Click.targetIn(json.node("/clicks/" + i))));
         }
         return acts;
     }

@@ -48,26 +48,19 @@ record Board(
 
     static Board of(Level level, Accuracy accuracy) {
         Effects effects = level.world().effects();
-        boolean hasMagnets = effects.declares(Magnet.class);
         Pool pool = new Pool(effects, accuracy);
         RigidBody platform = pool.add(level.platform().definition());
         List<Piece> pieces =
                 level.bodies().stream()
                         .map(
-                                body -> {
-                                    BodyDefinition made = body.definition();
-                                    boolean isDrawn = hasMagnets && isIron(body.substance());
-                                    return new Piece(body, pool.add(isDrawn ? iron(made) : made));
-                                })
+                                body ->
+                                        new Piece(
+                                                body,
+                                                add(pool, body.definition(), body.substance())))
                         .toList();
         List<RigidBody> balls =
                 level.balls().stream()
-                        .map(
-                                ball -> {
-                                    boolean isDrawn = hasMagnets && isIron(ball.substance());
-                                    BodyDefinition made = ball.definition();
-                                    return pool.add(isDrawn ? iron(made) : made);
-                                })
+                        .map(ball -> add(pool, ball.definition(), ball.substance()))
                         .toList();
         Sources sources = new Sources(pieces);
         if (sources.areAny()) {
@@ -84,13 +77,14 @@ record Board(
         return board;
     }
 
-    private static boolean isIron(Substance substance) {
-        return substance == Substance.IRON;
-    }
-
-    /** In a category of its own besides the usual one, so that it touches all that others do. */
-    private static BodyDefinition iron(BodyDefinition made) {
-        return made.filter(Filter.ALL.category(Filter.ALL.category() | Source.IRON));
+    /**
+     * Adds a body. What magnets pull is in a category of its own besides the usual one, so that it
+     * touches all that others do.
+     */
+    private static RigidBody add(Pool pool, BodyDefinition made, Substance substance) {
+        boolean isPulled = substance == Substance.IRON && pool.effects().declares(Magnet.class);
+        int category = Filter.ALL.category() | Source.IRON;
+        return pool.add(isPulled ? made.filter(Filter.ALL.category(category)) : made);
     }
 
     /** The body that a joint names; ids have precedence over the names of balls and platform. */

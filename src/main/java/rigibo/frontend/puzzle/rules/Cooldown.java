@@ -19,7 +19,7 @@ final class Cooldown {
         readyAt = now + length;
     }
 
-    /** What is left of it, from 1 just after a click to 0 when ready. */
+    /** Share of the cooldown that remains: 1 just after a click, 0 when the next is allowed. */
     double left(int now) {
         return isReady(now) ? 0 : (readyAt - now) / (double) length;
     }

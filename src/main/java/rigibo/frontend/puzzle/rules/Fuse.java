@@ -17,7 +17,8 @@ public record Fuse(int lit) {
         return Math.min(1, (steps - lit) / (double) LENGTH);
     }
 
-    boolean isBurntDown(int steps) {
+    /** Whether it has burnt down after so many steps. */
+    public boolean isBurntDown(int steps) {
         return steps - lit >= LENGTH;
     }
 }

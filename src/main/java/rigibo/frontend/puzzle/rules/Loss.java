@@ -8,7 +8,7 @@ public enum Loss {
     LEFT_THE_WORLD("left the world"),
     /** All is at rest, the ball is elsewhere, and no click can change that. */
     NOTHING_LEFT_TO_DELETE("nothing left to delete"),
-    /** The same in a level that is not of boxes alone. */
+    /** All is at rest, the ball is elsewhere; for levels whose clicks do more than delete. */
     NOTHING_LEFT_TO_CLICK("nothing left to click"),
     /** The level's time limit has passed. */
     TIME_IS_UP("time is up");

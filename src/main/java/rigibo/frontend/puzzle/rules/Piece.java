@@ -13,7 +13,6 @@ public final class Piece implements Target {
 
     private final LevelBody definition;
     private final RigidBody body;
-    private final double beltSpeed;
     private boolean isOn;
     private boolean isFrozen;
     private Optional<Fuse> fuse = Optional.empty();
@@ -21,7 +20,6 @@ public final class Piece implements Target {
     Piece(LevelBody definition, RigidBody body) {
         this.definition = definition;
         this.body = body;
-        beltSpeed = definition.material().surfaceSpeed();
         isOn = !definition.handling().beginsOff();
     }
 
@@ -77,7 +75,7 @@ public final class Piece implements Target {
 
     /** Speed of its surface while it is on, m/s, positive counter-clockwise; 0 if it is no belt. */
     public double beltSpeed() {
-        return beltSpeed;
+        return definition.material().surfaceSpeed();
     }
 
     /** The fuse of a bomb, once it was lit. */
@@ -87,8 +85,8 @@ public final class Piece implements Target {
 
     void flip() {
         isOn = !isOn;
-        if (beltSpeed != 0) {
-            body.material(body.material().surfaceSpeed(isOn ? beltSpeed : 0));
+        if (beltSpeed() != 0) {
+            body.material(body.material().surfaceSpeed(isOn ? beltSpeed() : 0));
         }
     }
 

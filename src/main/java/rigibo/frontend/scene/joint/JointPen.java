@@ -149,7 +149,7 @@ public final class JointPen {
         motor(x, y, radius, angle, speed, Color.GOOD);
     }
 
-    /** The same arrow in another colour. */
+    /** Draws a motor's arrow, radius in m of the world, in a colour. */
     public void motor(double x, double y, double radius, double angle, double speed, Color color) {
         double way = speed < 0 ? -1 : 1;
         strand.arc(x, y, radius, angle, way);
