@@ -171,4 +171,46 @@ class JointCrowdsTest {
             assertThat(pool.step(Scenes.DT).multiplications()).isBetween(1.0, 2 * 3 + 5 * 12.0);
         }
     }
+
+    /**
+     * A bridge in space, as long as its span but for hinges that are each off by a hundredth of a
+     * millimetre, and so long that it is a crowd. It sags by a millimetre, so that closing its 200
+     * hinges along it moves its middle across: by the circle's segment √(L·n·e/2) in all, 0.3 m.
+     * Planks go no farther than four times what all hinges are off together.
+     */
+    @Test
+    void closingATautBridgeDoesNotThrowIt() {
+        Pool pool = new Pool(JointScenes.SPACE, Accuracy.GAME);
+        int planks = 200;
+        double plank = 0.5;
+        double off = 1e-5;
+        double sag = 1e-3;
+        RigidBody before = pool.add(BodyDefinition.fixed(new Circle(0.05)).at(0, 0.2));
+        for (int i = 0; i < planks; i++) {
+            RigidBody next =
+                    pool.add(
+                            BodyDefinition.dynamic(Polygon.box(plank, 0.125))
+                                    .at((i + 0.5) * plank, 0));
+            pool.join(RevoluteJoint.at(before, next, i * plank, 0));
+            before = next;
+        }
+        RigidBody end = pool.add(BodyDefinition.fixed(new Circle(0.05)).at(planks * plank, 0.2));
+        pool.join(RevoluteJoint.at(before, end, planks * plank, 0));
+        double[] y = new double[planks + 2];
+        for (int i = 1; i <= planks; i++) {
+            double share = (i - 0.5) / planks;
+            y[i] = -4 * sag * share * (1 - share);
+            double slope = -4 * sag * (1 - 2 * share) / (planks * plank);
+            RigidBody body = pool.bodies().get(i);
+            body.moveTo(body.x() + i * off, y[i], Math.atan(slope));
+        }
+        end.moveTo(end.x() + (planks + 1) * off, end.y(), 0);
+        double bottom = y[planks / 2] - 0.0625;
+        pool.add(BodyDefinition.fixed(Polygon.box(0.2, 0.2)).at(50.25, bottom - 0.1));
+        pool.step(Scenes.DT);
+        double most = 4 * (planks + 1) * off;
+        for (int i = 1; i <= planks; i++) {
+            assertThat(pool.bodies().get(i).y()).isCloseTo(y[i], within(most));
+        }
+    }
 }

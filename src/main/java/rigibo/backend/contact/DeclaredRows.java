@@ -92,10 +92,12 @@ final class DeclaredRows {
     /**
      * Writes the rows of the packed island for substeps of h seconds; {@code worthOfImpacts} limits
      * the multiplications spent in this step on solving simultaneous impacts together.
+     *
+     * @param firstKick the length of the kick for which normal impulses were packed, s
      */
-    void begin(double h, double worthOfImpacts) {
+    void begin(double h, double firstKick, double worthOfImpacts) {
         bent.begin();
-        rubbing.begin(h / 2);
+        rubbing.begin(firstKick);
         if (running != null) {
             running.begin();
         }

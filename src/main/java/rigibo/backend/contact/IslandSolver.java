@@ -199,7 +199,7 @@ final class IslandSolver {
 
     private void advance(int island, double start, double h, double dt) {
         builder.build(island, h / 2);
-        declared.begin(h, rounds.worthOfImpacts(substeps + 1));
+        declared.begin(h, h / 2, rounds.worthOfImpacts(substeps + 1));
         declared.foresee(dt - start);
         warmStart.prepare();
         passes.begin(dt, substeps);

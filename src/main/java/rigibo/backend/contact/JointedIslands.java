@@ -187,12 +187,13 @@ final class JointedIslands {
             joints.beginSubsteps(dt / substeps);
         }
         double h = dt / substeps;
-        declared.begin(h, 0);
+        double packedKick = dt / packed / 2;
+        declared.begin(h, packedKick, 0);
         declared.foresee(dt);
         warmStart.prepare();
         overlap.prepareJointed();
         lateJoiners.delayToSubsteps(h);
-        kicks.begin(dt / packed / 2);
+        kicks.begin(packedKick);
         parts.begin(dt / (2 * ((packed + 1) / 2)));
         for (int substep = 0; substep < substeps; substep++) {
             parts.advance(substep * h, h, substep, dt, mayCompose);

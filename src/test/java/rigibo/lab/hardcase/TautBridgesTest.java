@@ -12,7 +12,16 @@ class TautBridgesTest {
     private static final double GAPE = 2.5e-3;
 
     @ParameterizedTest
-    @CsvSource({"DRAFT, 1", "DRAFT, 2", "DRAFT, 3", "GAME, 1", "GAME, 2", "GAME, 3"})
+    @CsvSource({
+        "DRAFT, 1",
+        "DRAFT, 2",
+        "DRAFT, 3",
+        "GAME, 1",
+        "GAME, 2",
+        "GAME, 3",
+        "GAME, 7",
+        "GAME, 9"
+    })
     void stayClosedAndGainNothing(Preset preset, long seed) {
         Sampling sampling = new Sampling(Sampling.Extent.SMALL, seed);
         HardCase.Result result = TautBridges.loaded().run(preset, sampling);

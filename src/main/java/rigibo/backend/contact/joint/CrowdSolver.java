@@ -54,6 +54,7 @@ final class CrowdSolver {
 
     private final BoundedRows bounded;
     private final Responses responses;
+    private final CrowdPlaces places;
     private final CrowdOverlap overlap;
 
     /** By group whether other equations hold in it. */
@@ -98,6 +99,8 @@ final class CrowdSolver {
         settled = SETTLED * tolerance;
         responses = new Responses(data.bodies, motions, rows, factor);
         bounded = new BoundedRows(motions, rows, jointRows, packed, equations, responses);
+        double seen = MISSED_PLACE * tolerance;
+        places = new CrowdPlaces(rows, jointRows, factor, bounded, responses, seen);
         overlap = new CrowdOverlap(motions, contacts, rows, responses, accuracy);
     }
 
@@ -128,7 +131,7 @@ final class CrowdSolver {
         factor.layOut();
         bounded.begin(share);
         factor.begin();
-        correct(h);
+        places.correct(h);
     }
 
     /** Notes how bodies move after a kick and before any impulse. */
@@ -367,62 +370,5 @@ final class CrowdSolver {
             }
         }
         return worst;
-    }
-
-    /**
-     * Takes back what joints are off their places, by moving bodies, at the begin of a part of h
-     * seconds: limits first, then equations, which hold in the end.
-     */
-    private void correct(double h) {
-        double most = Responses.MOST_MOVED * Math.abs(h);
-        double seen = MISSED_PLACE * tolerance;
-        responses.begin();
-        responses.rest();
-        jointRows.measureAnew();
-        boolean isAny = bounded.correct(most, seen);
-        for (int group = 0; group < tree.groups; group++) {
-            if (askBack(group, most) > seen) {
-                isAny = true;
-                factor.solve(group);
-                for (int i = tree.equationStart[group]; i < tree.equationStart[group + 1]; i++) {
-                    int e = tree.equationOf[i];
-                    if (equations.row[e] != EquationList.NONE) {
-                        responses.displace(equations.row[e], factor.answer(e));
-                    }
-                }
-            }
-        }
-        if (isAny) {
-            responses.move(h);
-        }
-    }
-
-    /**
-     * Asks a group to move back by what it is off its places, by so much at most; answers the most,
-     * both as shares of the joints' sizes.
-     */
-    private double askBack(int group, double most) {
-        double farthest = 0;
-        for (int i = tree.equationStart[group]; i < tree.equationStart[group + 1]; i++) {
-            int e = tree.equationOf[i];
-            int row = equations.row[e];
-            double asked = 0;
-            if (row != EquationList.NONE) {
-                double size = jointRows.size(row);
-                double within = Math.max(-most * size, Math.min(most * size, off(row)));
-                asked = -within - responses.along(row);
-                farthest = Math.max(farthest, Math.abs(asked) / size);
-            }
-            factor.ask(e, asked);
-        }
-        return farthest;
-    }
-
-    /** How far a row that holds is off its place, m or rad. */
-    private double off(int row) {
-        if (!rows.holdsPlace[row]) {
-            return 0;
-        }
-        return rows.isEquation(row) ? rows.place[row] : Math.min(0, rows.place[row]);
     }
 }

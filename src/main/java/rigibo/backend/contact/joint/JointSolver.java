@@ -428,7 +428,7 @@ public final class JointSolver {
             results.add();
             return;
         }
-        contactRows.write(h, substep);
+        contactRows.writeAtRest(h, substep);
         double settled = settled(fastest);
         work.begin();
         solver.beginAsBefore(packed, share);

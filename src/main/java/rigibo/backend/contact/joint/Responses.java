@@ -40,8 +40,10 @@ final class Responses {
     private final EquationList equations;
     private final AssemblyTree tree;
 
-    /** Velocities, three by body. */
+    /** Velocities, three by body; and a kept copy of those of one group. */
     private double[] velocity = new double[64];
+
+    private double[] kept = new double[64];
 
     /** By entry of the motions where its velocity is; by group where those of its bodies are. */
     private int[] place = new int[16];
@@ -83,6 +85,7 @@ final class Responses {
         if (place.length < motions.count) {
             place = new int[motions.slots.length];
             velocity = new double[3 * motions.slots.length];
+            kept = new double[3 * motions.slots.length];
             groupPlace = new int[motions.slots.length + 1];
         }
         Arrays.fill(isKnown, 0, rows.count, false);
@@ -144,6 +147,38 @@ final class Responses {
     /** Takes displacements of nobody in place of velocities. */
     void rest() {
         Arrays.fill(velocity, 0, 3 * motions.count, 0);
+    }
+
+    /** Keeps the displacements of a group's bodies. */
+    void keep(int group) {
+        int from = groupPlace[group];
+        System.arraycopy(velocity, from, kept, from, groupPlace[group + 1] - from);
+    }
+
+    /** Goes back to what was kept of a group. */
+    void recall(int group) {
+        int from = groupPlace[group];
+        System.arraycopy(kept, from, velocity, from, groupPlace[group + 1] - from);
+    }
+
+    /** Scales what was added to a group's displacements since they were kept. */
+    void scale(int group, double share) {
+        for (int v = groupPlace[group]; v < groupPlace[group + 1]; v++) {
+            velocity[v] = kept[v] + share * (velocity[v] - kept[v]);
+        }
+    }
+
+    /** The farthest that an outline of a group is displaced since they were kept, m. */
+    double farthest(int group) {
+        double most = 0;
+        for (int i = tree.bodyStart[group]; i < tree.bodyStart[group + 1]; i++) {
+            int entry = equations.entry[tree.bodies[i]];
+            int v = place[entry];
+            double way = Math.abs(velocity[v] - kept[v]) + Math.abs(velocity[v + 1] - kept[v + 1]);
+            double turn = Math.abs(velocity[v + 2] - kept[v + 2]);
+            most = Math.max(most, turn == 0 ? way : way + motions.reach[entry] * turn);
+        }
+        return most;
     }
 
     /**

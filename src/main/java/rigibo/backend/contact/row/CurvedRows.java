@@ -186,18 +186,24 @@ public final class CurvedRows {
     }
 
     /**
-     * Lever of the tangent at the corner of an outline's core, m; 0 for a disc. A rounded shape
-     * that turns about that corner changes nothing at the contact.
+     * Lever of the tangent, m, at the corner of an outline's core, which lies a radius inside of
+     * the outline: a rounded shape that turns about that corner changes nothing at the contact. It
+     * is 0 for a disc. For a face it is where that corner of the other shape is, a radius outside,
+     * since the corner stays in place on the face if it turns with it.
      */
     private double arm(int row, boolean isOfA) {
         int pair = contacts.pair[row];
-        Outline outline = bodies.outline[isOfA ? pairs.shapeA(pair) : pairs.shapeB(pair)];
-        int at = row * PackedContacts.STRIDE;
+        Outline ofA = bodies.outline[pairs.shapeA(pair)];
+        Outline ofB = bodies.outline[pairs.shapeB(pair)];
+        Outline outline = isOfA ? ofA : ofB;
         if (outline.isCentredDisc()) {
             return 0;
         }
+        boolean isFace = pairs.faceOf[pair] == (isOfA ? pairs.bodyA[pair] : pairs.bodyB[pair]);
+        double inside = isFace ? -(isOfA ? ofB : ofA).radius() : outline.radius();
+        int at = row * PackedContacts.STRIDE;
         return isOfA
-                ? contacts.data[at + PackedContacts.LEVER_TA] + outline.radius()
-                : contacts.data[at + PackedContacts.LEVER_TB] - outline.radius();
+                ? contacts.data[at + PackedContacts.LEVER_TA] - inside
+                : contacts.data[at + PackedContacts.LEVER_TB] + inside;
     }
 }

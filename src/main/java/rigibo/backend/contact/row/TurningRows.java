@@ -221,7 +221,7 @@ public final class TurningRows {
     /**
      * Further widening of a gap, m: the face of a contact that turns by φ while the other body
      * slides along it by s draws away by φs. For a rounded shape the sliding point is that of its
-     * core, which does not follow the face.
+     * core, a radius ρ farther from the face, which draws nearer by ρφ²/2.
      */
     private double faceTurnsAway(int row, double h) {
         int pair = contacts.pair[row];
@@ -242,26 +242,39 @@ public final class TurningRows {
         if (other.radius() == 0) {
             return turn * h * motions.slide(contacts, row, armA, armB);
         }
-        double toCentre = isOfA ? armB : -armA;
-        double toCore = other.isCentredDisc() ? toCentre : other.radius();
-        double slide =
-                motions.slide(
-                        contacts, row, isOfA ? armA : coreArmA(row), isOfA ? coreArmB(row) : armB);
-        return turn * (h * slide + turn * toCore / 2);
+        double coreA = isOfA ? armA : coreArmA(row);
+        double coreB = isOfA ? coreArmB(row) : armB;
+        return turn * (h * motions.slide(contacts, row, coreA, coreB) - turn * other.radius() / 2);
     }
 
-    /** Position of A's core at a contact along the normal, from A's centre of mass, m. */
+    /**
+     * Position along the normal, from A's centre of mass, of what of A turns at a contact, m: the
+     * face, or the corner of the core, which lies a radius inside of the outline.
+     */
     private double coreArmA(int row) {
         int a = pairs.shapeA(contacts.pair[row]);
         double arm = contacts.data[row * PackedContacts.STRIDE + PackedContacts.LEVER_TA];
-        return bodies.outline[a].isCentredDisc() ? 0 : arm + bodies.outline[a].radius();
+        if (bodies.outline[a].isCentredDisc()) {
+            return 0;
+        }
+        boolean isFace = isFace(row, pairs.bodyA[contacts.pair[row]]);
+        return isFace ? arm : arm - bodies.outline[a].radius();
     }
 
-    /** Position of B's core at a contact along the normal, from B's centre of mass, m. */
+    /** The same of B, from B's centre of mass, m. */
     private double coreArmB(int row) {
         int b = pairs.shapeB(contacts.pair[row]);
         double arm = contacts.data[row * PackedContacts.STRIDE + PackedContacts.LEVER_TB];
-        return bodies.outline[b].isCentredDisc() ? 0 : arm - bodies.outline[b].radius();
+        if (bodies.outline[b].isCentredDisc()) {
+            return 0;
+        }
+        boolean isFace = isFace(row, pairs.bodyB[contacts.pair[row]]);
+        return isFace ? arm : arm + bodies.outline[b].radius();
+    }
+
+    /** Whether the contact is on a face of a body, which turns about the body as a whole. */
+    private boolean isFace(int row, int slot) {
+        return pairs.faceOf[contacts.pair[row]] == slot;
     }
 
     private boolean isTurningBody(int entry, double left) {

@@ -3,7 +3,6 @@ package rigibo.backend.contact.row;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import org.junit.jupiter.api.Disabled;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -127,7 +126,6 @@ class CurvedRowsTest {
      * A capsule's end rolls about the end of its core, which does not slide along the disc if the
      * body turns about it: at arm −1 + 0.3 from its centre, spin ω moves it by 0.7·ω.
      */
-    @Disabled("the core is sought outside of the outline, a radius beyond the surface")
     @ParameterizedTest
     @ValueSource(booleans = {true, false})
     void endOfTheCoreIsWhatMoves(boolean isFirst) {
@@ -267,6 +265,31 @@ class CurvedRowsTest {
         builder.build(0, 1);
         set(b, Motions.VX, way);
         assertThat(curved.isCurved(ROW, 1)).isEqualTo(isCurved);
+    }
+
+    /** A disc that turns with the face that it is on keeps its place there, whichever is A. */
+    @ParameterizedTest
+    @ValueSource(booleans = {true, false})
+    void discThatTurnsWithAFaceStaysOnIt(boolean isFaceOfA) {
+        BodyDefinition box = BodyDefinition.dynamic(Polygon.box(2, 1));
+        BodyDefinition disc = BodyDefinition.dynamic(new Circle(0.5)).at(0.7, 1);
+        a = island.body(isFaceOfA ? box : disc);
+        b = island.body(isFaceOfA ? disc : box);
+        layBeside();
+        pair = island.contact(a, b, isFaceOfA ? Math.PI / 2 : -Math.PI / 2);
+        island.pairs.faceOf[pair] = isFaceOfA ? a : b;
+        island.point(pair, 0.7, 0.5, 0);
+        builder.build(0, 1);
+        double spin = 2;
+        set(a, Motions.SPIN, spin);
+        set(b, Motions.SPIN, spin);
+        int rider = isFaceOfA ? b : a;
+        set(rider, Motions.VX, -spin);
+        set(rider, Motions.VY, 0.7 * spin);
+        assertThat(curved.isCurved(ROW, 1)).isFalse();
+        // It is 0.3 m from the end: 0.31 m are too many.
+        set(rider, Motions.VX, 0.31 - spin);
+        assertThat(curved.isCurved(ROW, 1)).isTrue();
     }
 
     /** By 1.4 m from A's middle a tenth of B is over A: half of it will be after 0.5 m more. */

@@ -3,7 +3,6 @@ package rigibo.backend.contact.row;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import org.junit.jupiter.api.Disabled;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -119,13 +118,11 @@ class TurnedRowsTest {
         bendOnFaceOfA(new Circle(0.5), 1, 0, 0);
     }
 
-    @Disabled("the core is sought outside of the outline, a radius beyond the surface")
     @Test
     void roundEndOnAFaceThatTurns() {
         bendOnFaceOfA(new Capsule(0.7, 0.2), 0.7, 0.7, 0);
     }
 
-    @Disabled("the core is sought outside of the outline, a radius beyond the surface")
     @Test
     void sharpCornerOnARoundedFaceThatTurns() {
         bendOnFaceOf(new Capsule(2, 0.5), Polygon.box(1, 2), 1.5, 0.5, -1);

@@ -1,0 +1,159 @@
+package rigibo.backend.contact.joint;
+
+/**
+ * Takes back what the joints of a crowd are off their places, by moving bodies: limits first, then
+ * equations, which hold in the end. A chain that is free at one end is closed by moving no body
+ * farther than all of its joints are off together. A bridge as long as its span asks for far more,
+ * for n hinges that are off by e let its middle leave the line by √(L·n·e/2); what lies on it would
+ * be passed by in a single substep.
+ */
+final class CrowdPlaces {
+
+    /** How many times as far as equations are off together outlines may go, since bodies turn. */
+    private static final double FEW = 4;
+
+    /** Compliances of equations that ask for too much, as shares of their responses. */
+    private static final double LEAST_GIVE = 1e-6;
+
+    private static final double MORE_GIVE = 100;
+    private static final double MOST_GIVE = 1e-2;
+
+    private final NeutralRows rows;
+    private final JointRows jointRows;
+    private final EquationFactor factor;
+    private final EquationList equations;
+    private final AssemblyTree tree;
+    private final BoundedRows bounded;
+    private final Responses responses;
+
+    /** What does not count as off, as a share of the joint's size. */
+    private final double seen;
+
+    /** By row: its compliance before equations give way. */
+    private double[] give = new double[64];
+
+    /** What the equations of the group that was asked last are off together, m. */
+    private double asked;
+
+    CrowdPlaces(
+            NeutralRows rows,
+            JointRows jointRows,
+            EquationFactor factor,
+            BoundedRows bounded,
+            Responses responses,
+            double seen) {
+        this.rows = rows;
+        this.jointRows = jointRows;
+        this.factor = factor;
+        equations = factor.equations();
+        tree = factor.tree();
+        this.bounded = bounded;
+        this.responses = responses;
+        this.seen = seen;
+    }
+
+    /** Moves bodies at the start of a part of h seconds whose rows are written and listed. */
+    void correct(double h) {
+        double most = Responses.MOST_MOVED * Math.abs(h);
+        responses.begin();
+        responses.rest();
+        jointRows.measureAnew();
+        boolean isAny = bounded.correct(most, seen);
+        for (int group = 0; group < tree.groups; group++) {
+            if (ask(group, most) > seen) {
+                isAny = true;
+                close(group, most);
+            }
+        }
+        if (isAny) {
+            responses.move(h);
+        }
+    }
+
+    /**
+     * Closes a group that was asked, with the smallest compliance of its equations at which no
+     * outline goes too far (damped least squares, K. Levenberg 1944).
+     */
+    private void close(int group, double most) {
+        responses.keep(group);
+        displace(group);
+        double share = LEAST_GIVE;
+        while (responses.farthest(group) > FEW * asked && share <= MOST_GIVE) {
+            responses.recall(group);
+            giveWay(group, share);
+            ask(group, most);
+            displace(group);
+            hold(group);
+            share *= MORE_GIVE;
+        }
+        double farthest = responses.farthest(group);
+        if (farthest > FEW * asked) {
+            responses.scale(group, FEW * asked / farthest);
+        }
+    }
+
+    private void displace(int group) {
+        factor.solve(group);
+        for (int i = tree.equationStart[group]; i < tree.equationStart[group + 1]; i++) {
+            int e = tree.equationOf[i];
+            if (equations.row[e] != EquationList.NONE) {
+                responses.displace(equations.row[e], factor.answer(e));
+            }
+        }
+    }
+
+    private void giveWay(int group, double share) {
+        if (give.length < rows.count) {
+            give = new double[rows.bodies.length];
+        }
+        for (int i = tree.equationStart[group]; i < tree.equationStart[group + 1]; i++) {
+            int row = equations.row[tree.equationOf[i]];
+            if (row != EquationList.NONE) {
+                give[row] = rows.give[row];
+                rows.give[row] += share * rows.response[row];
+            }
+        }
+        factor.change(group);
+    }
+
+    private void hold(int group) {
+        for (int i = tree.equationStart[group]; i < tree.equationStart[group + 1]; i++) {
+            int row = equations.row[tree.equationOf[i]];
+            if (row != EquationList.NONE) {
+                rows.give[row] = give[row];
+            }
+        }
+        factor.change(group);
+    }
+
+    /**
+     * Asks a group to move back by what it is off its places, by so much at most; answers the most,
+     * both as shares of the joints' sizes.
+     */
+    private double ask(int group, double most) {
+        double farthest = 0;
+        asked = 0;
+        for (int i = tree.equationStart[group]; i < tree.equationStart[group + 1]; i++) {
+            int e = tree.equationOf[i];
+            int row = equations.row[e];
+            double back = 0;
+            if (row != EquationList.NONE) {
+                double size = jointRows.size(row);
+                double within = Math.max(-most * size, Math.min(most * size, off(row)));
+                back = -within - responses.along(row);
+                farthest = Math.max(farthest, Math.abs(back) / size);
+                asked += rows.inMetres(row, Math.abs(back));
+            }
+            factor.ask(e, back);
+        }
+        return farthest;
+    }
+
+    /** How far a row that holds is off its place, m or rad. */
+    private double off(int row) {
+        if (!rows.holdsPlace[row]) {
+            return 0;
+        }
+        return rows.isEquation(row) ? rows.place[row] : Math.min(0, rows.place[row]);
+    }
+}
