@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
@@ -102,9 +103,9 @@ class JointWorkTest {
      * and that takes up to 23 s. Heaps that crept by some 20 µm/s never came to rest.
      */
     @ParameterizedTest
-    @CsvSource({"2, 0", "2, 1", "2, 5", "2, 6", "2, 8", "2, 11", "3, 2", "3, 3", "3, 7", "3, 9"})
-    void heapOfRagdollsComesToRestWhereverItFalls(int count, int millimetres) {
-        Pool pool = heapOfRagdolls(count, millimetres * 1e-3);
+    @ValueSource(ints = {0, 1, 5, 6, 8, 11})
+    void heapOfRagdollsComesToRestWhereverItFalls(int millimetres) {
+        Pool pool = heapOfRagdolls(2, millimetres * 1e-3);
         int steps = 0;
         while (steps < 1500 && pool.bodies().stream().anyMatch(RigidBody::isAwake)) {
             pool.step(Scenes.DT);

@@ -16,6 +16,7 @@ import static rigibo.backend.contact.row.PackedContacts.ROLLING;
 
 import rigibo.backend.contact.row.Motions;
 import rigibo.backend.contact.row.PackedContacts;
+import rigibo.backend.contact.row.Recovery;
 
 /** The packed contacts of an island as neutral rows, and their impulses back. */
 final class ContactRows {
@@ -34,15 +35,18 @@ final class ContactRows {
 
     /**
      * Adds them likewise for a kick after which nothing drifts, as if h seconds were left. A point
-     * that carried a load carries on: it has come to its gap in the drift, but for round-off and
-     * for what was taken back by moving, and over no time any gap lets bodies fall freely.
+     * that carried a load carries on if its gap is no larger than an overlap that is kept: it has
+     * come to it in the drift, but for round-off and for what was taken back by moving, and over no
+     * time any gap lets bodies fall freely.
      */
     void writeAtRest(double h, int substep) {
         int first = rows.count;
         write(h, substep);
         for (int row = first; row < rows.count; row++) {
-            if (rows.load[row] == NeutralRows.NONE && rows.impulse[row] > 0) {
-                int at = rows.contact[row] * PackedContacts.STRIDE;
+            int at = rows.contact[row] * PackedContacts.STRIDE;
+            double closed = Recovery.KEPT_OVERLAP * contacts.data[at + PackedContacts.WIDTH];
+            boolean isPoint = rows.load[row] == NeutralRows.NONE;
+            if (isPoint && rows.impulse[row] > 0 && rows.place[row] <= closed) {
                 rows.target[row] = contacts.data[at + NEARING];
             }
         }

@@ -244,7 +244,8 @@ public final class TurningRows {
         }
         double coreA = isOfA ? armA : coreArmA(row);
         double coreB = isOfA ? coreArmB(row) : armB;
-        return turn * (h * motions.slide(contacts, row, coreA, coreB) - turn * other.radius() / 2);
+        double toCore = isOfA ? armB - coreB : coreA - armA;
+        return turn * (h * motions.slide(contacts, row, coreA, coreB) + turn * toCore / 2);
     }
 
     /**
