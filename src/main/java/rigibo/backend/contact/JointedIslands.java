@@ -116,6 +116,7 @@ final class JointedIslands {
         if (wanted > MORE * substeps || joints.needed.isWedged() && !wasTaut) {
             // An island that became taut within the step oscillates faster than its substeps
             // resolve.
+            lateJoiners.restoreTimes();
             advance(island, dt, wanted);
             joints.tell(dt);
         }

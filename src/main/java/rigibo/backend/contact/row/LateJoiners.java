@@ -20,6 +20,9 @@ public final class LateJoiners {
     /** By entry of the motions: the substep in which it joins. */
     private int[] joinsIn = new int[16];
 
+    /** By entry of the motions: when it joined before it was delayed, s after the step's start. */
+    private double[] joined = new double[16];
+
     public LateJoiners(Bodies bodies, Motions motions, PackedContacts contacts) {
         this.bodies = bodies;
         this.motions = motions;
@@ -72,11 +75,15 @@ public final class LateJoiners {
         if (joinsIn.length < motions.count) {
             joinsIn = new int[motions.slots.length];
         }
+        if (joined.length < motions.count) {
+            joined = new double[motions.slots.length];
+        }
         Arrays.fill(joinsIn, 0, motions.count, PackedContacts.ALWAYS);
         for (int entry = 1; entry < motions.count; entry++) {
             int at = entry * Motions.STRIDE;
             int slot = motions.slots[entry];
             double late = bodies.pileTime[slot];
+            joined[entry] = late;
             if (!bodies.isDriven(slot) && late > 0) {
                 joinsIn[entry] = (int) (late / h);
                 double since = late - joinsIn[entry] * h;
@@ -95,6 +102,16 @@ public final class LateJoiners {
         }
         if (isAny) {
             delayRows();
+        }
+    }
+
+    /**
+     * Restores the times at which the bodies of the packed island joined, before it is advanced
+     * anew: their stored places are those of these times.
+     */
+    public void restoreTimes() {
+        for (int entry = 1; entry < motions.count; entry++) {
+            bodies.pileTime[motions.slots[entry]] = joined[entry];
         }
     }
 

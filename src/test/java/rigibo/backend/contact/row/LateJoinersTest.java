@@ -103,6 +103,18 @@ class LateJoinersTest {
         assertThat(impulse(2)).isZero();
     }
 
+    /** An island that is advanced anew, in other substeps, delays it from the same place again. */
+    @Test
+    void bodyIsDelayedAnew() {
+        joiners.delayToSubsteps(0.2);
+        assertThat(bodies.pileTime[2]).isCloseTo(0.2, within(ROUND_OFF));
+        joiners.restoreTimes();
+        assertThat(bodies.pileTime[2]).isEqualTo(LATE);
+        assertThat(bodies.pileTime[1]).isZero();
+        lay();
+        bodyGoesOnItsParabolaFromTheSubstepInWhichItJoins();
+    }
+
     /** Three substeps straight on, then 0.07 s with its acceleration: where and as it joins. */
     @Test
     void bodyGoesOnItsParabolaFromTheSubstepInWhichItJoins() {
