@@ -175,7 +175,7 @@ public final class Motions {
     }
 
     /** Present gap of a contact, m: that of its nearer point, negative in overlap. */
-    double gap(PackedContacts contacts, int row) {
+    public double gap(PackedContacts contacts, int row) {
         double gap = gap(contacts, row, 0);
         return contacts.points[row] == 2 ? Math.min(gap, gap(contacts, row, 1)) : gap;
     }

@@ -221,7 +221,7 @@ public final class DirectSolver {
             for (int i = 0; i < size; i++) {
                 rows.move(set[i], unknown[i]);
             }
-            limitWay(Recovery.MOST_PUSH * widest * h);
+            limitWay(overlap.mostPush() * widest * h);
         }
     }
 

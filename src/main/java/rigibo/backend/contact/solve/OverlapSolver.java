@@ -32,6 +32,9 @@ public final class OverlapSolver {
      */
     private static final double ALIKE = 30;
 
+    /** Highest speed at which overlap that goes at once moves a body, widths per second. */
+    private static final double MOST_PUSH_AT_ONCE = 0.5;
+
     /** Overlap with the ground that can be seen, in widths. */
     private static final double SHOWS = 0.01;
 
@@ -149,6 +152,15 @@ public final class OverlapSolver {
         }
     }
 
+    /**
+     * Highest speed at which removal of overlap moves a body of the packed island, widths per
+     * second. Where overlap goes at once, a tower that lists by a little at each storey would else
+     * be set upright within a substep, and its top into what stands beside it.
+     */
+    double mostPush() {
+        return last > 0 ? MOST_PUSH_AT_ONCE : Recovery.MOST_PUSH;
+    }
+
     /** Whether the packed island is jammed: calm, and with crushed bodies. */
     public boolean isJammed() {
         return isJammed;
@@ -251,11 +263,12 @@ public final class OverlapSolver {
     private double wanted(int row, int point, double h, double speed) {
         int at = row * PackedContacts.STRIDE;
         double width = contacts.data[at + PackedContacts.WIDTH];
-        double whole = -motions.gap(contacts, row, point);
-        double overlap = whole - kept * width;
+        double overlap = -motions.gap(contacts, row, point) - kept * width;
         double rate = contacts.data[at + PackedContacts.RECOVERY];
         double most = speed * width * h;
-        double wanted = whole < last * width ? overlap : overlap * rate * h / (1 + rate * h);
+        // Both points go alike: one that were raised more would turn the body.
+        boolean isLast = -motions.gap(contacts, row) < last * width;
+        double wanted = isLast ? overlap : overlap * rate * h / (1 + rate * h);
         return overlap > 0 ? Math.min(wanted, most) : 0;
     }
 

@@ -51,6 +51,33 @@ class OverlapSolverTest {
         assertThat(left(FEW, 1.1e-3, Accuracy.GAME, true)).isCloseTo(more, within(1e-15));
     }
 
+    /** Were one point raised at once and the other, a little deeper, not, the body would turn. */
+    @Test
+    void bothPointsOfAContactGoAlike() {
+        assertThat(opens(1.2e-3, 0.95e-3)).isCloseTo(byShare(0.95e-3), within(1e-15));
+        assertThat(opens(0.95e-3, 1.2e-3)).isCloseTo(byShare(1.2e-3), within(1e-15));
+        double kept = Recovery.KEPT_OVERLAP;
+        assertThat(opens(0.9e-3, 0.5e-3)).isCloseTo(0.5e-3 - kept, within(1e-15));
+    }
+
+    private static double byShare(double overlap) {
+        double rate = Recovery.RATE * H;
+        return (overlap - Recovery.KEPT_OVERLAP) * rate / (1 + rate);
+    }
+
+    /** How far the second of two points is to open in a small, calm pile, m. */
+    private double opens(double overlap, double overlapOfSecond) {
+        island.begin(1);
+        island.body(1, 1, 1);
+        int row = island.onGround(1, 0.5, 0.5);
+        overlap(row, overlap);
+        contacts.points[row] = 2;
+        contacts.data[row * PackedContacts.STRIDE + PackedContacts.GAP1] = -overlapOfSecond;
+        OverlapSolver solver = new OverlapSolver(bodies, motions, contacts, Accuracy.GAME);
+        solver.prepare(true);
+        return solver.wanted(row, 1, H);
+    }
+
     /** Ten times the tolerance of impacts, as finely as that asks for, and a thousandth at most. */
     @Test
     void crowdKeepsWhatDoesNotShow() {
