@@ -16,6 +16,7 @@ public final class ContactStage {
     private final Counters counters;
     private final IslandSolver solver;
     private final Bodies bodies;
+    private final DataStorage data;
 
     /** Solves islands with joints or locked axes; null if there cannot be any. */
     private final JointedIslands jointed;
@@ -31,6 +32,7 @@ public final class ContactStage {
             Accuracy accuracy,
             IslandForces forces) {
         bodies = data.bodies;
+        this.data = data;
         islands = data.islands;
         counters = data.counters;
         solver = new IslandSolver(data, narrowphase, effects, accuracy, forces);
@@ -42,6 +44,13 @@ public final class ContactStage {
 
     /** Advances every island to the end of a step of {@code dt} seconds. */
     public void solve(double dt) {
+        solveIslands(dt);
+        if (data.hits != null) {
+            data.hits.tellExpected(bodies, data.pairs);
+        }
+    }
+
+    private void solveIslands(double dt) {
         if (jointed != null) {
             solveJointed(dt);
             return;

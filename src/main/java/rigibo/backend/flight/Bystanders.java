@@ -83,6 +83,11 @@ final class Bystanders {
         reachOfB = reach(b, impact.velocityBX, impact.velocityBY, oldBX, oldBY, left);
     }
 
+    /** Deviation from its path, in widths, up to which a body's neighbours need not be searched. */
+    double allowance() {
+        return allowance;
+    }
+
     /** Reach of a body whose velocity changes, m; other contacts may stop it or throw it back. */
     private double reach(int slot, double vx, double vy, double oldX, double oldY, double left) {
         if (!bodies.isDynamic(slot)) {

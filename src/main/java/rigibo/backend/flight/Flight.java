@@ -49,6 +49,7 @@ public final class Flight {
     private final Bystanders bystanders;
     private final Disturbance disturbance;
     private final Carriers carriers;
+    private final Followers followers;
 
     /** Paths under forces that vary along the path; null if there are none. */
     private final Course course;
@@ -88,6 +89,7 @@ public final class Flight {
                 new Bystanders(data, narrowphase, broadphase, paths, accuracy.impactTolerance());
         carriers = new Carriers(data);
         disturbance = new Disturbance(data, paths, bystanders, this::join);
+        followers = new Followers(data, paths, bystanders, impacts, this::join);
     }
 
     /** Moves every flyer to the end of a step of {@code dt} seconds, impact by impact. */
@@ -104,6 +106,7 @@ public final class Flight {
                 predict(pair, 0, dt);
             }
         }
+        followers.join(dt);
         disturbance.spreadBouncers(dt);
         while (!queue.isEmpty()) {
             double time = queue.firstTime();
@@ -119,6 +122,11 @@ public final class Flight {
         carriers.join(flyer, pileBody);
         paths.land(flyer, time);
         repredict(flyer, time, dt);
+        for (int p = bodies.firstPair[flyer]; p != Pairs.NONE; p = pairs.nextOf(p, flyer)) {
+            if (pairs.points[p] > 0 && !paths.isFlyer(pairs.other(p, flyer))) {
+                impacts.expectHit(p, time, 0, dt);
+            }
+        }
     }
 
     /**

@@ -35,6 +35,14 @@ public final class Hits {
     /** By pair: whether its hit was noted before a solver resolves it. */
     private boolean[] isForetold = new boolean[16];
 
+    /** Pairs whose hits are expected of a solver, and by pair, whether it has not told one yet. */
+    private final Found expected = new Found();
+
+    private boolean[] isExpected = new boolean[16];
+
+    /** Of each of them place, closing speed and time: x, y, speed, time. */
+    private double[] expectedHit = new double[4 * 16];
+
     /** Slots of bodies that were removed since the step; then, by slot, whether a body was. */
     private final Found removed = new Found();
 
@@ -49,6 +57,7 @@ public final class Hits {
         }
         reserve(pairRoom);
         count = 0;
+        expected.clear();
         for (int i = 0; i < removed.count; i++) {
             isRemoved[removed.numbers[i]] = false;
         }
@@ -60,6 +69,9 @@ public final class Hits {
      */
     public void add(
             Bodies bodies, Pairs pairs, int of, double atX, double atY, double closing, double at) {
+        if (of < isExpected.length) {
+            isExpected[of] = false;
+        }
         if (!(closing > 0) || count == MOST) {
             return;
         }
@@ -78,6 +90,42 @@ public final class Hits {
         speed[count] = closing;
         time[count] = at;
         count++;
+    }
+
+    /**
+     * Expects a hit of a pair that is about to meet in a pile. A later call for a pair counts in
+     * place of an earlier one.
+     */
+    public void expect(int of, double atX, double atY, double closing, double at) {
+        if (isExpected.length <= of) {
+            isExpected = Arrays.copyOf(isExpected, Math.max(of + 1, 2 * isExpected.length));
+        }
+        int entry = 4 * expected.count;
+        if (expectedHit.length <= entry) {
+            expectedHit = Arrays.copyOf(expectedHit, 2 * expectedHit.length);
+        }
+        isExpected[of] = true;
+        expected.add(of);
+        expectedHit[entry] = atX;
+        expectedHit[entry + 1] = atY;
+        expectedHit[entry + 2] = closing;
+        expectedHit[entry + 3] = at;
+    }
+
+    /**
+     * Notes the hits that were expected, of pairs that pressed each other in the step and whose
+     * solver has told none: it tells only what may rebound.
+     */
+    public void tellExpected(Bodies bodies, Pairs pairs) {
+        for (int i = expected.count - 1; i >= 0; i--) {
+            int of = expected.numbers[i];
+            if (isExpected[of] && pairs.impulse[of] > 0) {
+                double[] hit = expectedHit;
+                add(bodies, pairs, of, hit[4 * i], hit[4 * i + 1], hit[4 * i + 2], hit[4 * i + 3]);
+            }
+            isExpected[of] = false;
+        }
+        expected.clear();
     }
 
     /** Marks the hit of a pair that was just added as one that a solver will resolve later. */
