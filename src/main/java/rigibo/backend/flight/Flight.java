@@ -50,6 +50,7 @@ public final class Flight {
     private final Disturbance disturbance;
     private final Carriers carriers;
     private final Followers followers;
+    private final ExpectedHits expectedHits;
 
     /** Paths under forces that vary along the path; null if there are none. */
     private final Course course;
@@ -88,8 +89,9 @@ public final class Flight {
         bystanders =
                 new Bystanders(data, narrowphase, broadphase, paths, accuracy.impactTolerance());
         carriers = new Carriers(data);
+        expectedHits = new ExpectedHits(data, paths);
         disturbance = new Disturbance(data, paths, bystanders, this::join);
-        followers = new Followers(data, paths, bystanders, impacts, this::join);
+        followers = new Followers(data, paths, bystanders, expectedHits, this::join);
     }
 
     /** Moves every flyer to the end of a step of {@code dt} seconds, impact by impact. */
@@ -124,7 +126,7 @@ public final class Flight {
         repredict(flyer, time, dt);
         for (int p = bodies.firstPair[flyer]; p != Pairs.NONE; p = pairs.nextOf(p, flyer)) {
             if (pairs.points[p] > 0 && !paths.isFlyer(pairs.other(p, flyer))) {
-                impacts.expectHit(p, time, 0, dt);
+                expectedHits.expect(p, time, 0, dt);
             }
         }
     }

@@ -148,32 +148,6 @@ final class FlightImpacts {
     }
 
     /**
-     * Expects a hit of a body that has just joined a pile before it touched what it then strikes:
-     * it is told if the pile's solver finds that the two press each other. They may close faster
-     * than predicted, by {@code more} m/s.
-     */
-    void expectHit(int pair, double time, double more, double dt) {
-        paths.load(pairs.bodyA[pair], motionA);
-        paths.load(pairs.bodyB[pair], motionB);
-        motionA.poseAt(time, poseA);
-        motionB.poseAt(time, poseB);
-        Impact expected = expectedImpact(pair);
-        double closing = more - expected.slowestParting();
-        double way = Math.max(0, pairs.gap(pair));
-        if (closing > 0) {
-            double later = Math.min(dt - time, way / closing);
-            double x = poseA.x + (expected.armAX[0] + expected.armAX[expected.points - 1]) / 2;
-            double y = poseA.y + (expected.armAY[0] + expected.armAY[expected.points - 1]) / 2;
-            hits.expect(
-                    pair,
-                    x + later * motionA.velocityX,
-                    y + later * motionA.velocityY,
-                    closing,
-                    time + later);
-        }
-    }
-
-    /**
      * Time at which the bounces of the loaded pair end, s after the step's start; may be infinite.
      */
     private double restsAt(int pair, double time, double dt) {

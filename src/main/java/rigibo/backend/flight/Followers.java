@@ -39,8 +39,10 @@ final class Followers {
     private final Pairs pairs;
     private final Trajectories paths;
     private final Bystanders bystanders;
-    private final FlightImpacts impacts;
+    private final ExpectedHits hits;
     private final Disturbance.Joining joining;
+
+    /** Depth in widths from which on a flyer joins. */
     private final double shareThatShows;
 
     /**
@@ -62,13 +64,13 @@ final class Followers {
             DataStorage data,
             Trajectories paths,
             Bystanders bystanders,
-            FlightImpacts impacts,
+            ExpectedHits hits,
             Disturbance.Joining joining) {
         bodies = data.bodies;
         pairs = data.pairs;
         this.paths = paths;
         this.bystanders = bystanders;
-        this.impacts = impacts;
+        this.hits = hits;
         this.joining = joining;
         shareThatShows = SHARE * bystanders.allowance();
     }
@@ -250,7 +252,7 @@ final class Followers {
         joining.join(flyer, slot, 0, dt);
         // Joining measures the contact only for the predicted motions.
         bystanders.isWithinReach(pair, reach, 0, dt);
-        impacts.expectHit(pair, 0, led / dt, dt);
+        hits.expect(pair, 0, led / dt, dt);
         return true;
     }
 
