@@ -8,11 +8,12 @@ import rigibo.backend.storage.Pairs;
 import java.util.Arrays;
 
 /**
- * Leaves out contact points of bodies with several parts that lie between two others on one line.
- * Where the two outer points do not overlap, the ones between them do not either, and whatever
- * forces all of them can exert together, the two outer ones can: the inner rows are redundant. A
- * box made of two halves then stands on two points, as the box does; with six, passes leave a load
- * that the rows share in no unique way, and a landing is answered part by part.
+ * Leaves out contact points of bodies with several parts that lie between two others on one line,
+ * or at the place of another. Where the two outer points do not overlap, the ones between them do
+ * not either, and whatever forces all of them can exert together, the two outer ones can: the inner
+ * rows are redundant. A box made of two halves then stands on two points, as the box does; with
+ * six, passes leave a load that the rows share in no unique way, and a landing is answered part by
+ * part.
  */
 final class InnerPoints {
 
@@ -23,6 +24,7 @@ final class InnerPoints {
 
     private final Bodies bodies;
     private final Pairs pairs;
+    private final OuterPoints outer;
 
     /**
      * By hash of two bodies: the first and the last pair found between them, {@link Pairs#NONE}
@@ -48,42 +50,87 @@ final class InnerPoints {
     private double toBelow;
     private double toAbove;
 
-    InnerPoints(DataStorage data) {
+    InnerPoints(DataStorage data, OuterPoints outer) {
         bodies = data.bodies;
         pairs = data.pairs;
+        this.outer = outer;
     }
 
-    /** Leaves out the inner points of all active pairs at the start of a step of {@code dt} s. */
+    /**
+     * Leaves out the inner points of all active pairs at the start of a step of {@code dt} s. In
+     * flight each pair keeps its own one of two points at one place, or else the impact would
+     * depend on the order of pairs.
+     */
     void leaveOut(double dt) {
         begin(pairs.activeCount);
         for (int i = 0; i < pairs.activeCount; i++) {
             consider(pairs.active[i]);
         }
-        leaveOutOfGroups(dt);
+        leaveOutOfGroups(dt, false);
     }
 
     /**
-     * Leaves out the inner points of a body that joins a pile, whose pairs in that pile were
-     * measured at one time; {@code left} s of the step remain.
+     * Leaves out the inner points of all piles when the flight of a step of {@code dt} s has
+     * measured contacts of those who joined one, and of those beside them; puts the outer two in
+     * one pair.
      */
-    void leaveOut(int body, double left) {
-        int count = 0;
-        for (int p = bodies.firstPair[body]; p != Pairs.NONE; p = pairs.nextOf(p, body)) {
-            count++;
-        }
-        begin(count);
-        for (int p = bodies.firstPair[body]; p != Pairs.NONE; p = pairs.nextOf(p, body)) {
-            int other = pairs.other(p, body);
-            if (!bodies.isDynamic(other) || bodies.piled[other]) {
-                consider(p);
+    void leaveOutOfPiles(double dt) {
+        begin(pairs.activeCount);
+        for (int i = 0; i < pairs.activeCount; i++) {
+            int pair = pairs.active[i];
+            if (isInPile(pairs.bodyA[pair]) && isInPile(pairs.bodyB[pair])) {
+                consider(pair);
             }
         }
-        leaveOutOfGroups(left);
+        leaveOutOfGroups(dt, true);
+        outer.begin();
+        for (int i = 0; i < groupCount; i++) {
+            lendWithin(groups[i]);
+        }
     }
 
-    private void leaveOutOfGroups(double dt) {
+    private void lendWithin(int first) {
+        double width = PairTolerances.width(bodies, pairs.bodyA[first], pairs.bodyB[first]);
+        for (int pair = first; pair != Pairs.NONE; pair = after[pair]) {
+            if (outer.mayTakePart(pair)) {
+                int lender = lenderFor(pair, width);
+                if (lender != Pairs.NONE) {
+                    outer.lend(pair, lender);
+                }
+            }
+        }
+    }
+
+    /** The later pair with one point whose point lies farthest on the line, if there is any. */
+    private int lenderFor(int pair, double width) {
+        int lender = Pairs.NONE;
+        double farthest = SeamPoint.CLOSED * width;
+        for (int other = after[pair]; other != Pairs.NONE; other = after[other]) {
+            if (outer.mayTakePart(other) && isLike(pair, other)) {
+                double along = Math.abs(along(pair, 2 * pair, 2 * other));
+                double height = Math.abs(height(pair, 2 * pair, 2 * other));
+                if (along > farthest && height <= SeamPoint.FLUSH * width + PARALLEL * along) {
+                    farthest = along;
+                    lender = other;
+                }
+            }
+        }
+        return lender;
+    }
+
+    /** Whether two pairs were measured at the same poses of their bodies. */
+    private boolean areOfOneTime(int pair, int other) {
+        return pairs.middleX[pair] == pairs.middleX[other]
+                && pairs.middleY[pair] == pairs.middleY[other];
+    }
+
+    private boolean isInPile(int body) {
+        return !bodies.isDynamic(body) || bodies.piled[body];
+    }
+
+    private void leaveOutOfGroups(double dt, boolean arePiled) {
         for (int i = 0; i < groupCount; i++) {
-            leaveOutOfGroup(groups[i], dt);
+            leaveOutOfGroup(groups[i], dt, arePiled);
         }
     }
 
@@ -153,11 +200,18 @@ final class InnerPoints {
         groups[groupCount++] = first;
     }
 
-    private void leaveOutOfGroup(int first, double dt) {
+    private void leaveOutOfGroup(int first, double dt, boolean arePiled) {
         double width = PairTolerances.width(bodies, pairs.bodyA[first], pairs.bodyB[first]);
         for (int pair = first; pair != Pairs.NONE; pair = after[pair]) {
             for (int i = pairs.points[pair] - 1; i >= 0; i--) {
-                if (isInner(first, pair, 2 * pair + i, width, dt)) {
+                int twin = arePiled ? twinOf(first, pair, 2 * pair + i, width, dt) : Pairs.NONE;
+                if (twin != Pairs.NONE) {
+                    handOver(2 * pair + i, twin, 1);
+                    remove(pair, i);
+                } else if (isInner(first, pair, 2 * pair + i, width, dt)) {
+                    double share = toBelow / (toBelow + toAbove);
+                    handOver(2 * pair + i, above, share);
+                    handOver(2 * pair + i, below, 1 - share);
                     remove(pair, i);
                 }
             }
@@ -217,13 +271,17 @@ final class InnerPoints {
                 + pairs.normalY[pair] * (pairs.pointY[to] - pairs.pointY[from]);
     }
 
-    /** Whether two pairs push along one normal, and their surfaces rub and bounce alike. */
+    /**
+     * Whether two pairs, measured at the same poses, push along one normal, and their surfaces rub
+     * and bounce alike.
+     */
     private boolean isLike(int pair, int other) {
         double nx = pairs.normalX[pair];
         double ny = pairs.normalY[pair];
         double mx = pairs.normalX[other];
         double my = pairs.normalY[other];
-        return nx * mx + ny * my > 0
+        return areOfOneTime(pair, other)
+                && nx * mx + ny * my > 0
                 && Math.abs(nx * my - ny * mx) <= PARALLEL
                 && pairs.frictionOf(pair) == pairs.frictionOf(other)
                 && pairs.elasticityOf(pair) == pairs.elasticityOf(other)
@@ -234,7 +292,8 @@ final class InnerPoints {
         return (bodies.surfaceSpeed == null
                         || pairs.surfaceSpeed(bodies, pair) == pairs.surfaceSpeed(bodies, other))
                 && (bodies.rollingResistance == null
-                        || pairs.rollingLever(bodies, pair) == pairs.rollingLever(bodies, other));
+                        || pairs.rollingLever(bodies, pair) == pairs.rollingLever(bodies, other))
+                && (pairs.passage == null || pairs.passage[pair] == pairs.passage[other]);
     }
 
     /** Distance in m by which the bodies may slide over each other in the step. */
@@ -250,12 +309,38 @@ final class InnerPoints {
         return (Math.abs(speed) + turning * span) * dt;
     }
 
-    /** Removes a point; what it carried passes to the two outer ones by the law of the lever. */
+    /**
+     * The same point of another pair, where edges of two parts end at one place. The pair with more
+     * points keeps it, or else the earlier one: a part that only ends there may be left out as
+     * covered when it is measured again. Both stay where an end is near enough to slide past them
+     * in the step: one pair loses its point then, and no one can tell which before.
+     */
+    private int twinOf(int first, int pair, int point, double width, double dt) {
+        double same = SeamPoint.FLUSH * width;
+        findOuter(first, pair, point);
+        double away = same + slide(pair, toBelow + toAbove, dt);
+        if (toBelow > same && toBelow <= away || toAbove > same && toAbove <= away) {
+            return Pairs.NONE;
+        }
+        boolean isEarlier = true;
+        for (int other = first; other != Pairs.NONE; other = after[other]) {
+            isEarlier &= other != pair;
+            int more = pairs.points[other] - pairs.points[pair];
+            if (other != pair && (more > 0 || more == 0 && isEarlier)) {
+                for (int q = 2 * other; q < 2 * other + pairs.points[other]; q++) {
+                    if (Math.abs(along(pair, point, q)) <= same
+                            && Math.abs(height(pair, point, q)) <= same
+                            && isLike(pair, other)) {
+                        return q;
+                    }
+                }
+            }
+        }
+        return Pairs.NONE;
+    }
+
     private void remove(int pair, int i) {
         int point = 2 * pair + i;
-        double share = toBelow / (toBelow + toAbove);
-        handOver(pairs.normalForce, point, share);
-        handOver(pairs.load, point, share);
         double x = pairs.pointX[point];
         double y = pairs.pointY[point];
         pairs.removePoint(pair, i);
@@ -266,8 +351,9 @@ final class InnerPoints {
         }
     }
 
-    private void handOver(double[] carried, int point, double share) {
-        carried[above] += share * carried[point];
-        carried[below] += (1 - share) * carried[point];
+    /** Adds a share of what a point carried to another one; by the law of the lever, to two. */
+    private void handOver(int from, int to, double share) {
+        pairs.normalForce[to] += share * pairs.normalForce[from];
+        pairs.load[to] += share * pairs.load[from];
     }
 }

@@ -32,6 +32,8 @@ public final class Narrowphase {
     /** Made with the first body that has several parts. */
     private InnerPoints inner;
 
+    private OuterPoints outer;
+
     /** Made with the first shape that is solid on one side only. */
     private Passages passages;
 
@@ -80,18 +82,28 @@ public final class Narrowphase {
             finish(pairs.active[i]);
         }
         if (bodies.mayHaveParts()) {
-            inner = inner == null ? new InnerPoints(data) : inner;
+            if (inner == null) {
+                outer = new OuterPoints(data);
+                inner = new InnerPoints(data, outer);
+            }
             inner.leaveOut(dt);
         }
     }
 
     /**
-     * Leaves out the inner points of a body that has joined a pile, when its contacts there have
-     * been measured; {@code left} s of the step remain.
+     * Leaves out the inner points of all piles at the end of a flight of {@code dt} s, which
+     * measures contacts anew.
      */
-    public void leaveOutInner(int body, double left) {
+    public void leaveOutInner(double dt) {
         if (inner != null) {
-            inner.leaveOut(body, left);
+            inner.leaveOutOfPiles(dt);
+        }
+    }
+
+    /** Gives the points that pairs were lent back, when piles have been solved. */
+    public void giveOuterBack() {
+        if (outer != null) {
+            outer.settle();
         }
     }
 
@@ -239,7 +251,25 @@ public final class Narrowphase {
      */
     public void measureContact(int pair, Pose atA, Pose atB, double reach) {
         measure(pair, atA, atB, reach);
-        seams.leaveOutCovered(pair, atA, atB);
+        seams.leaveOutCovered(pair, atA, atB, false);
+    }
+
+    /** Measures a contact of a pile again within the step, where its bodies are now. */
+    public void measureAgain(int pair, Pose atA, Pose atB, double reach) {
+        int lender = outer == null ? Pairs.NONE : outer.lenderOf(pair);
+        if (lender == Pairs.NONE) {
+            measureOneAgain(pair, atA, atB, reach);
+            return;
+        }
+        int own = outer.giveBack(pair);
+        measureOneAgain(pair, atA, atB, reach);
+        measureOneAgain(lender, atA, atB, reach);
+        outer.lendAgain(pair, own);
+    }
+
+    private void measureOneAgain(int pair, Pose atA, Pose atB, double reach) {
+        measure(pair, atA, atB, reach);
+        seams.leaveOutCovered(pair, atA, atB, true);
     }
 
     /**

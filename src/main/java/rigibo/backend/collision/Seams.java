@@ -19,6 +19,15 @@ final class Seams {
      */
     static final double DEEP = 0.05;
 
+    /** Sine of the angle up to which two faces count as lying flat on each other. */
+    private static final double FLAT = 1e-2;
+
+    /** Round-off of the direction between two points that are closest, and of a surface's end. */
+    private static final double ROUND_OFF = 1e-5;
+
+    /** Cosine of the largest angle by which a normal is turned to a surface. */
+    private static final double STEEPEST = 0.8;
+
     private final Bodies bodies;
     private final Pairs pairs;
 
@@ -31,6 +40,8 @@ final class Seams {
     private double footX;
 
     private double footY;
+
+    private boolean isWithinStep;
 
     Seams(DataStorage data) {
         bodies = data.bodies;
@@ -56,8 +67,17 @@ final class Seams {
         }
     }
 
-    /** Removes the covered points of a contact that was measured at these poses. */
-    void leaveOutCovered(int pair, Pose atA, Pose atB) {
+    /**
+     * Removes the covered points of a contact that was measured at these poses; within the step if
+     * its bodies have moved since they were in contact.
+     */
+    void leaveOutCovered(int pair, Pose atA, Pose atB, boolean isWithin) {
+        isWithinStep = isWithin;
+        leaveOutCoveredAt(pair, atA, atB);
+        isWithinStep = false;
+    }
+
+    private void leaveOutCoveredAt(int pair, Pose atA, Pose atB) {
         if (mayBeCovered(pair)) {
             boolean isMoverA = at.mover == pairs.bodyA[pair];
             at.moverPose.set(isMoverA ? atA : atB);
@@ -81,8 +101,66 @@ final class Seams {
     private void leaveOutInside(int pair, Pose atA, Pose atB) {
         int a = pairs.bodyA[pair];
         int b = pairs.bodyB[pair];
+        boolean isShallow = pairs.gap(pair) >= -DEEP * PairTolerances.width(bodies, a, b);
+        if (isShallow
+                && (leadsInside(pair, pairs.shapeA(pair), atA, pairs.shapeB(pair), 1)
+                        || leadsInside(pair, pairs.shapeB(pair), atB, pairs.shapeA(pair), -1))) {
+            pairs.removePoints(pair);
+            return;
+        }
         leaveOutInside(pair, a, atA, b, atB);
         leaveOutInside(pair, b, atB, a, atA);
+    }
+
+    /**
+     * Whether a contact's normal leads from one part of a body into the next, where nothing can
+     * ever touch; side is 1 if the part is A's and -1 if it is B's. What has just come past the end
+     * of a part within the step is held by the surface that the next part continues.
+     */
+    private boolean leadsInside(int pair, int shape, Pose pose, int other, int side) {
+        Outline outline = bodies.outline[shape];
+        if (!outline.hasInner()) {
+            return false;
+        }
+        double x = side * pairs.normalX[pair];
+        double y = side * pairs.normalY[pair];
+        boolean isOfFace = pairs.faceOf[pair] != Pairs.NONE;
+        int leads =
+                outline.leads(
+                        pose.cos * x + pose.sin * y,
+                        pose.cos * y - pose.sin * x,
+                        isOfFace ? FLAT : ROUND_OFF);
+        // A corner at a seam that lies on a face of the other body is there to be touched.
+        if (leads < 0 || isOfFace) {
+            return leads == Outline.INSIDE;
+        }
+        double outX = outline.outermostX(leads);
+        double outY = outline.outermostY(leads);
+        double toX = pose.cos * outX - pose.sin * outY;
+        double toY = pose.sin * outX + pose.cos * outY;
+        if (!isWithinStep || toX * x + toY * y < STEEPEST) {
+            return true;
+        }
+        turn(pair, side, toX, toY, bodies.outline[other].radius());
+        return false;
+    }
+
+    /** Turns the normal at a corner; what touches it there is round, with a radius in m. */
+    private void turn(int pair, int side, double toX, double toY, double radius) {
+        double x = side * pairs.normalX[pair];
+        double y = side * pairs.normalY[pair];
+        int point = 2 * pair;
+        double cornerX = pairs.pointX[point] - x * pairs.separation[point] / 2;
+        double cornerY = pairs.pointY[point] - y * pairs.separation[point] / 2;
+        double centre = pairs.separation[point] + radius;
+        double separation = centre * (x * toX + y * toY) - radius;
+        pairs.pointX[point] = cornerX + centre * x - (radius + separation / 2) * toX;
+        pairs.pointY[point] = cornerY + centre * y - (radius + separation / 2) * toY;
+        pairs.separation[point] = separation;
+        pairs.normalX[pair] = side * toX;
+        pairs.normalY[pair] = side * toY;
+        pairs.faceOf[pair] = side == 1 ? pairs.bodyA[pair] : pairs.bodyB[pair];
+        pairs.reach[pair] = Double.NaN;
     }
 
     private void leaveOutInside(int pair, int body, Pose pose, int other, Pose otherPose) {

@@ -17,6 +17,7 @@ public final class ContactStage {
     private final IslandSolver solver;
     private final Bodies bodies;
     private final DataStorage data;
+    private final Narrowphase narrowphase;
 
     /** Solves islands with joints or locked axes; null if there cannot be any. */
     private final JointedIslands jointed;
@@ -33,6 +34,7 @@ public final class ContactStage {
             IslandForces forces) {
         bodies = data.bodies;
         this.data = data;
+        this.narrowphase = narrowphase;
         islands = data.islands;
         counters = data.counters;
         solver = new IslandSolver(data, narrowphase, effects, accuracy, forces);
@@ -45,6 +47,7 @@ public final class ContactStage {
     /** Advances every island to the end of a step of {@code dt} seconds. */
     public void solve(double dt) {
         solveIslands(dt);
+        narrowphase.giveOuterBack();
         if (data.hits != null) {
             data.hits.tellExpected(bodies, data.pairs);
         }

@@ -116,6 +116,7 @@ public final class Flight {
             strikeTies(time, dt);
         }
         free.finish(dt);
+        narrowphase.leaveOutInner(dt);
     }
 
     /** Makes a bystander part of a pile. */
@@ -340,9 +341,6 @@ public final class Flight {
             } else {
                 predict(p, time, dt);
             }
-        }
-        if (!paths.isFlyer(slot)) {
-            narrowphase.leaveOutInner(slot, dt - time);
         }
     }
 

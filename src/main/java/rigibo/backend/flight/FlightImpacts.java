@@ -34,6 +34,7 @@ final class FlightImpacts {
 
     private final ImpactLaw law = new ImpactLaw();
     private final Impact impact = new Impact();
+    private final ImpactOfParts ofParts;
     private final TiedImpacts together;
     private final Quarantine quarantine;
     private final Hits hits;
@@ -59,6 +60,7 @@ final class FlightImpacts {
         pairs = data.pairs;
         counters = data.counters;
         this.narrowphase = narrowphase;
+        ofParts = new ImpactOfParts(bodies, pairs, narrowphase);
         this.accuracy = accuracy;
         this.paths = paths;
         this.course = course;
@@ -253,6 +255,7 @@ final class FlightImpacts {
             return;
         }
         expectedImpact(pair);
+        ofParts.widen(impact, pair, poseA, poseB, nearest(pair));
         if (pairs.bodyA[pair] == lander) {
             impact.inverseMassB = 0;
             impact.inverseInertiaB = 0;
@@ -325,8 +328,7 @@ final class FlightImpacts {
     /** Loads the points that touch: those that are as near as the nearest within the tolerance. */
     private void loadImpact(int pair) {
         impact.load(bodies, pairs, pair);
-        double width = PairTolerances.width(bodies, pairs.bodyA[pair], pairs.bodyB[pair]);
-        double nearest = pairs.gap(pair) + accuracy.impactTolerance() * width;
+        double nearest = nearest(pair);
         for (int point = 2 * pair; point < 2 * pair + pairs.points[pair]; point++) {
             if (pairs.separation[point] <= nearest) {
                 impact.addPoint(
@@ -338,6 +340,12 @@ final class FlightImpacts {
                         poseB.y);
             }
         }
+    }
+
+    /** Gap up to which a point of a pair that has met takes part in the impact, m. */
+    private double nearest(int pair) {
+        double width = PairTolerances.width(bodies, pairs.bodyA[pair], pairs.bodyB[pair]);
+        return pairs.gap(pair) + accuracy.impactTolerance() * width;
     }
 
     /**

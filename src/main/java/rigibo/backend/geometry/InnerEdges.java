@@ -1,5 +1,6 @@
 package rigibo.backend.geometry;
 
+import java.util.ArrayList;
 import java.util.List;
 
 /**
@@ -38,8 +39,18 @@ final class InnerEdges {
             isAny |= inner[i];
         }
         if (isAny) {
-            outline.noteInner(inner);
+            outline.noteInner(new CoveredEdges(outline, inner, solidsBeside(part)));
         }
+    }
+
+    private List<Outline> solidsBeside(int part) {
+        List<Outline> solids = new ArrayList<>();
+        for (int other = 0; other < outlines.length; other++) {
+            if (other != part && !parts.get(other).isSensor()) {
+                solids.add(outlines[other]);
+            }
+        }
+        return solids;
     }
 
     private boolean isCovered(int part, int edge) {
@@ -60,9 +71,8 @@ final class InnerEdges {
     }
 
     private boolean isInAnother(int part, double x, double y) {
-        for (int other = 0; other < outlines.length; other++) {
-            boolean isSolid = other != part && !parts.get(other).isSensor();
-            if (isSolid && outlines[other].depth(x, y) > 0) {
+        for (Outline other : solidsBeside(part)) {
+            if (other.depth(x, y) > 0) {
                 return true;
             }
         }

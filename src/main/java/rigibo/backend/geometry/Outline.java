@@ -16,6 +16,11 @@ import java.util.Objects;
  */
 public final class Outline {
 
+    /** Values of {@link #leads}: a direction leads out of the compound, or into another part. */
+    public static final int OUT = -1;
+
+    public static final int INSIDE = -2;
+
     /**
      * Sine of the turn between two edges of a chain below which they count as one straight line.
      */
@@ -39,8 +44,8 @@ public final class Outline {
 
     private final EdgeEnd after;
 
-    /** By edge: whether other parts of the body cover it; null if they cover none. */
-    private boolean[] inner;
+    /** The edges that other parts of the body cover; null if they cover none. */
+    private CoveredEdges inner;
 
     /** A disc centred on the centre of mass. */
     static Outline ofDisc(double radius) {
@@ -191,11 +196,31 @@ public final class Outline {
      * Whether other parts of the body cover an edge all along, so that nothing leaves through it.
      */
     public boolean isInner(int edge) {
-        return inner != null && inner[edge];
+        return inner != null && inner.isCovered(edge);
+    }
+
+    /**
+     * Where a unit direction out of this part, in the shape's own frame, leads: {@link #OUT},
+     * {@link #INSIDE} where another part covers the edge, or past the surface that another part
+     * continues at a corner, by an angle whose sine is greater than {@code sine}. Of that corner,
+     * any other number is told.
+     */
+    public int leads(double x, double y, double sine) {
+        return inner == null ? OUT : inner.leads(x, y, sine);
+    }
+
+    /** The outermost direction at a corner that {@link #leads} told. */
+    public double outermostX(int corner) {
+        return inner.outermostX(corner);
+    }
+
+    /** The outermost direction at a corner that {@link #leads} told. */
+    public double outermostY(int corner) {
+        return inner.outermostY(corner);
     }
 
     /** Notes, once and before the outline is shared, which edges other parts cover. */
-    void noteInner(boolean[] edges) {
+    void noteInner(CoveredEdges edges) {
         inner = edges;
     }
 

@@ -445,6 +445,21 @@ public final class Pairs {
         clearPoint(2 * pair + points[pair]);
     }
 
+    /** Removes all points. */
+    public void removePoints(int pair) {
+        while (points[pair] > 0) {
+            removePoint(pair, points[pair] - 1);
+        }
+    }
+
+    /** Appends a point of another pair, which loses it, to the points of a pair. */
+    public void takePoint(int pair, int other, int i) {
+        movePoint(2 * other + i, 2 * pair + points[pair]);
+        points[pair]++;
+        reach[pair] = Double.NaN;
+        removePoint(other, i);
+    }
+
     private void movePoint(int from, int to) {
         pointX[to] = pointX[from];
         pointY[to] = pointY[from];

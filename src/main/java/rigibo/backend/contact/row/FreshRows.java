@@ -104,7 +104,7 @@ public final class FreshRows {
         // The manifold transfers the values in its columns from its old points to its new ones.
         pairs.normalForce[2 * pair] = contacts.data[at + PackedContacts.IMPULSE0];
         pairs.normalForce[2 * pair + 1] = contacts.data[at + PackedContacts.IMPULSE1];
-        narrowphase.measureContact(pair, poseA, poseB, reach(row, pair, left));
+        narrowphase.measureAgain(pair, poseA, poseB, reach(row, pair, left));
         contacts.data[at + PackedContacts.IMPULSE0] = pairs.normalForce[2 * pair];
         contacts.data[at + PackedContacts.IMPULSE1] = pairs.normalForce[2 * pair + 1];
         double before0 = before(at, pairs.former[2 * pair]);
