@@ -212,6 +212,11 @@ final class DeclaredRows {
         bent.bend(h, closing);
     }
 
+    /** Whether a contact may bounce within the next h seconds. */
+    boolean mayStrike(double h, int substep) {
+        return impacts != null && impacts.mayStrike(h, substep);
+    }
+
     /**
      * Resolves the impacts in a substep of h seconds of an island that is solved whole.
      *

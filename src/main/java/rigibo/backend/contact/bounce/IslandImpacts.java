@@ -43,6 +43,11 @@ public final class IslandImpacts {
         joint.begin(worth);
     }
 
+    /** Whether a contact that carries nothing may bounce within the next h seconds. */
+    public boolean mayStrike(double h, int substep) {
+        return apart.mayStrike(h, substep);
+    }
+
     /**
      * Resolves all impacts that fall into a substep of h seconds of a pile that is solved whole.
      *

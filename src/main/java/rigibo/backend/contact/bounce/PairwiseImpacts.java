@@ -109,6 +109,18 @@ final class PairwiseImpacts {
         }
     }
 
+    /** Whether a contact that carries nothing closes fast enough to bounce within h seconds. */
+    boolean mayStrike(double h, int substep) {
+        for (int i = 0; i < bounces.count; i++) {
+            int row = bounces.elastic[i];
+            if (contacts.firstSubstep[row] <= substep
+                    && strikes(row, h, -bounces.bounceSpeeds[i])) {
+                return true;
+            }
+        }
+        return false;
+    }
+
     private void reserve() {
         if (struckIn.length < motions.count) {
             struckIn = new int[motions.slots.length];

@@ -75,6 +75,53 @@ public final class WarmStart {
         add(1, substep);
     }
 
+    /**
+     * Takes impulses back as far as they drive bodies apart, in a number of passes: what a contact
+     * carried before may be gone. No impulse grows.
+     */
+    public void takeBackWhatParts(int substep, int passes) {
+        for (int pass = 0; pass < passes; pass++) {
+            for (int row = 0; row < contacts.count; row++) {
+                if (contacts.firstSubstep[row] <= substep) {
+                    takeBackWhatParts(row);
+                }
+            }
+        }
+    }
+
+    private void takeBackWhatParts(int row) {
+        double[] d = contacts.data;
+        int at = row * PackedContacts.STRIDE;
+        double j0 = d[at + PackedContacts.IMPULSE0];
+        double j1 = d[at + PackedContacts.IMPULSE1];
+        double both = j0 + j1;
+        if (!(both > 0)) {
+            return;
+        }
+        double parts0 = motions.parting(contacts, row, 0);
+        double less0 = kept(j0, parts0, d[at + PackedContacts.K00]);
+        double parts1 =
+                j1 > 0
+                        ? motions.parting(contacts, row, 1)
+                                + d[at + PackedContacts.K01] * (less0 - j0)
+                        : 0;
+        double less1 = kept(j1, parts1, d[at + PackedContacts.K11]);
+        double share = (less0 + less1) / both;
+        if (share < 1) {
+            addOf(row, -1);
+            d[at + PackedContacts.IMPULSE0] = less0;
+            d[at + PackedContacts.IMPULSE1] = less1;
+            d[at + PackedContacts.IMPULSE_T] *= share;
+            d[at + PackedContacts.IMPULSE_R] *= share;
+            addOf(row, 1);
+        }
+    }
+
+    /** What is left of an impulse in N·s by which a point parts at a speed in m/s. */
+    private static double kept(double impulse, double parts, double response) {
+        return parts > 0 && impulse > 0 ? Math.max(0, impulse - parts / response) : impulse;
+    }
+
     /** Applies a multiple of all impulses to the bodies; −1 takes them back. */
     public void add(double multiple, int substep) {
         for (int row = 0; row < contacts.count; row++) {

@@ -107,6 +107,52 @@ class WarmStartTest {
         assertThat(of(1, PackedContacts.BEFORE1)).isEqualTo(10);
     }
 
+    /** No impulse grows, and what was taken back moves the bodies no more. */
+    @Test
+    void whatPartsIsTakenBack() {
+        SplittableRandom random = new SplittableRandom(6);
+        int taken = 0;
+        for (int i = 0; i < 200; i++) {
+            begin(random);
+            double[] impulses = dense.impulses();
+            double[] before = dense.velocities();
+            warmStart.takeBackWhatParts(0, 1 + i % 3);
+            double[] left = dense.impulses();
+            double[] less = new double[left.length];
+            for (int k = 0; k < left.length; k++) {
+                assertThat(Math.abs(left[k])).isLessThanOrEqualTo(Math.abs(impulses[k]));
+                less[k] = left[k] - impulses[k];
+                taken += less[k] == 0 ? 0 : 1;
+            }
+            double[] change = dense.change(less);
+            for (int k = 3; k < before.length; k++) {
+                assertThat(dense.velocities()[k])
+                        .isCloseTo(before[k] + change[k], within(ROUND_OFF));
+            }
+        }
+        assertThat(taken).isGreaterThan(200);
+    }
+
+    /** A body of 2 kg that a load of 3 N·s drives up at 1 m/s keeps 1 N·s of it and stands. */
+    @Test
+    void whatStandsOnAContactKeepsItsLoad() {
+        island.begin(1);
+        island.body(1, 0.5, 0);
+        int row = island.onGround(1, 0, 0);
+        int at = Motions.STRIDE;
+        island.motions.data[at + Motions.VX] = 0;
+        island.motions.data[at + Motions.VY] = 0;
+        double nx = of(row, PackedContacts.NX);
+        double ny = of(row, PackedContacts.NY);
+        set(row, PackedContacts.IMPULSE0, 3);
+        double speed = 1;
+        island.motions.data[at + Motions.VX] = speed * nx;
+        island.motions.data[at + Motions.VY] = speed * ny;
+        warmStart.takeBackWhatParts(0, 1);
+        assertThat(island.motions.parting(contacts, row, 0)).isCloseTo(0, within(ROUND_OFF));
+        assertThat(of(row, PackedContacts.IMPULSE0)).isCloseTo(1, within(ROUND_OFF));
+    }
+
     /** A load stays; an impact, which was not there in the kick before, starts from nothing. */
     @Test
     void impactsAreLeftOutAndLoadsStay() {
