@@ -4,6 +4,7 @@ import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.HelpCommand;
 import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
@@ -44,11 +45,25 @@ public final class Main implements Runnable {
 
     /** Runs the command, printing to {@code out} and {@code err}; returns the exit code. */
     static int run(PrintWriter out, PrintWriter err, String... arguments) {
-        return new CommandLine(new Main())
-                .setCaseInsensitiveEnumValuesAllowed(true)
+        CommandLine rigibo = new CommandLine(new Main());
+        addHelp(rigibo);
+        return rigibo.setCaseInsensitiveEnumValuesAllowed(true)
                 .setOut(out)
                 .setErr(err)
                 .execute(arguments);
+    }
+
+    /** Lets a command and its subcommands be asked what they do; "help" already can be. */
+    private static void addHelp(CommandLine command) {
+        if (!(command.getCommand() instanceof HelpCommand)) {
+            command.getCommandSpec()
+                    .addOption(
+                            OptionSpec.builder("-h", "--help")
+                                    .usageHelp(true)
+                                    .description("Says what the command does and what it takes.")
+                                    .build());
+        }
+        command.getSubcommands().values().forEach(Main::addHelp);
     }
 
     /** No command at all: says which there are. */

@@ -35,6 +35,28 @@ class MainTest {
                         "help");
     }
 
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "play",
+                "tour",
+                "measure",
+                "monkey",
+                "fuzz",
+                "levels",
+                "levels check",
+                "replay",
+                "record",
+                "cases",
+                "lab",
+                "bench"
+            })
+    void everyCommandSaysWhatItTakes(String command) {
+        assertThat(run((command + " --help").split(" "))).isZero();
+        assertThat(out.toString()).startsWith("Usage: rigibo " + command);
+        assertThat(err.toString()).isEmpty();
+    }
+
     @Test
     void unknownCommandIsRefusedWithUsage() {
         assertThat(run("x")).isEqualTo(2);
