@@ -204,7 +204,7 @@ public final class Narrowphase {
     private void leaveIfDeep(
             int pair, Outline outlineA, Pose atA, Outline outlineB, Pose atB, double reach) {
         double width = PairTolerances.width(bodies, pairs.bodyA[pair], pairs.bodyB[pair]);
-        if (manifold.count > 0 && manifold.deepest() < -Seams.DEEP * width) {
+        if (manifold.count > 0 && manifold.deepest() < -PartSeams.DEEP * width) {
             collider.leave(outlineA, atA, outlineB, atB, reach, manifold);
         }
     }
@@ -251,7 +251,7 @@ public final class Narrowphase {
      */
     public void measureContact(int pair, Pose atA, Pose atB, double reach) {
         measure(pair, atA, atB, reach);
-        seams.leaveOutCovered(pair, atA, atB, false);
+        seams.leaveOutCovered(pair, atA, atB);
     }
 
     /** Measures a contact of a pile again within the step, where its bodies are now. */
@@ -269,7 +269,7 @@ public final class Narrowphase {
 
     private void measureOneAgain(int pair, Pose atA, Pose atB, double reach) {
         measure(pair, atA, atB, reach);
-        seams.leaveOutCovered(pair, atA, atB, true);
+        seams.leaveOutCoveredAgain(pair, atA, atB);
     }
 
     /**

@@ -13,21 +13,6 @@ import rigibo.backend.storage.Pairs;
  */
 final class Seams {
 
-    /**
-     * Overlap, in widths, beyond which any way out of a body with several parts is accepted; so
-     * deep a body did not come over a seam.
-     */
-    static final double DEEP = 0.05;
-
-    /** Sine of the angle up to which two faces count as lying flat on each other. */
-    private static final double FLAT = 1e-2;
-
-    /** Round-off of the direction between two points that are closest, and of a surface's end. */
-    private static final double ROUND_OFF = 1e-5;
-
-    /** Cosine of the largest angle by which a normal is turned to a surface. */
-    private static final double STEEPEST = 0.8;
-
     private final Bodies bodies;
     private final Pairs pairs;
 
@@ -35,19 +20,19 @@ final class Seams {
     private final Pose poseA = new Pose();
     private final Pose poseB = new Pose();
     private final SeamCover cover;
+    private final PartSeams ofParts;
 
     /** Point of a face's plane nearest to the mover, world, m. */
     private double footX;
 
     private double footY;
 
-    private boolean isWithinStep;
-
     Seams(DataStorage data) {
         bodies = data.bodies;
         pairs = data.pairs;
         at = new SeamPoint(data);
         cover = new SeamCover(data, at);
+        ofParts = new PartSeams(data, at, cover);
     }
 
     /**
@@ -60,138 +45,36 @@ final class Seams {
             place(at.fixed, at.fixedPose);
             leaveOut(pair);
         }
-        if (mayBeInside(pair)) {
+        if (ofParts.mayHave(pair)) {
             place(pairs.bodyA[pair], poseA);
             place(pairs.bodyB[pair], poseB);
-            leaveOutInside(pair, poseA, poseB);
+            ofParts.leaveOut(pair, poseA, poseB);
         }
     }
 
-    /**
-     * Removes the covered points of a contact that was measured at these poses; within the step if
-     * its bodies have moved since they were in contact.
-     */
-    void leaveOutCovered(int pair, Pose atA, Pose atB, boolean isWithin) {
-        isWithinStep = isWithin;
-        leaveOutCoveredAt(pair, atA, atB);
-        isWithinStep = false;
+    /** Removes the covered points of a contact that was measured at these poses. */
+    void leaveOutCovered(int pair, Pose atA, Pose atB) {
+        leaveOutOfFixed(pair, atA, atB);
+        if (ofParts.mayHave(pair)) {
+            ofParts.leaveOut(pair, atA, atB);
+        }
     }
 
-    private void leaveOutCoveredAt(int pair, Pose atA, Pose atB) {
+    /** The same for a contact that bodies had at the start of the step and have moved since. */
+    void leaveOutCoveredAgain(int pair, Pose atA, Pose atB) {
+        leaveOutOfFixed(pair, atA, atB);
+        if (ofParts.mayHave(pair)) {
+            ofParts.turnOrLeaveOut(pair, atA, atB);
+        }
+    }
+
+    private void leaveOutOfFixed(int pair, Pose atA, Pose atB) {
         if (mayBeCovered(pair)) {
             boolean isMoverA = at.mover == pairs.bodyA[pair];
             at.moverPose.set(isMoverA ? atA : atB);
             at.fixedPose.set(isMoverA ? atB : atA);
             leaveOut(pair);
         }
-        if (mayBeInside(pair)) {
-            leaveOutInside(pair, atA, atB);
-        }
-    }
-
-    private boolean mayBeInside(int pair) {
-        return bodies.mayHaveParts() && pairs.points[pair] > 0;
-    }
-
-    /**
-     * Removes contact points inside a dynamic body, where two of its parts meet: such a face or
-     * corner looks at the other part. Only touching points are removed. One that is merely near may
-     * reach another place of the face within the step, and a deep one came in through this face.
-     */
-    private void leaveOutInside(int pair, Pose atA, Pose atB) {
-        int a = pairs.bodyA[pair];
-        int b = pairs.bodyB[pair];
-        boolean isShallow = pairs.gap(pair) >= -DEEP * PairTolerances.width(bodies, a, b);
-        if (isShallow
-                && (leadsInside(pair, pairs.shapeA(pair), atA, pairs.shapeB(pair), 1)
-                        || leadsInside(pair, pairs.shapeB(pair), atB, pairs.shapeA(pair), -1))) {
-            pairs.removePoints(pair);
-            return;
-        }
-        leaveOutInside(pair, a, atA, b, atB);
-        leaveOutInside(pair, b, atB, a, atA);
-    }
-
-    /**
-     * Whether a contact's normal leads from one part of a body into the next, where nothing can
-     * ever touch; side is 1 if the part is A's and -1 if it is B's. What has just come past the end
-     * of a part within the step is held by the surface that the next part continues.
-     */
-    private boolean leadsInside(int pair, int shape, Pose pose, int other, int side) {
-        Outline outline = bodies.outline[shape];
-        if (!outline.hasInner()) {
-            return false;
-        }
-        double x = side * pairs.normalX[pair];
-        double y = side * pairs.normalY[pair];
-        boolean isOfFace = pairs.faceOf[pair] != Pairs.NONE;
-        int leads =
-                outline.leads(
-                        pose.cos * x + pose.sin * y,
-                        pose.cos * y - pose.sin * x,
-                        isOfFace ? FLAT : ROUND_OFF);
-        // A corner at a seam that lies on a face of the other body is there to be touched.
-        if (leads < 0 || isOfFace) {
-            return leads == Outline.INSIDE;
-        }
-        double outX = outline.outermostX(leads);
-        double outY = outline.outermostY(leads);
-        double toX = pose.cos * outX - pose.sin * outY;
-        double toY = pose.sin * outX + pose.cos * outY;
-        if (!isWithinStep || toX * x + toY * y < STEEPEST) {
-            return true;
-        }
-        turn(pair, side, toX, toY, bodies.outline[other].radius());
-        return false;
-    }
-
-    /** Turns the normal at a corner; what touches it there is round, with a radius in m. */
-    private void turn(int pair, int side, double toX, double toY, double radius) {
-        double x = side * pairs.normalX[pair];
-        double y = side * pairs.normalY[pair];
-        int point = 2 * pair;
-        double cornerX = pairs.pointX[point] - x * pairs.separation[point] / 2;
-        double cornerY = pairs.pointY[point] - y * pairs.separation[point] / 2;
-        double centre = pairs.separation[point] + radius;
-        double separation = centre * (x * toX + y * toY) - radius;
-        pairs.pointX[point] = cornerX + centre * x - (radius + separation / 2) * toX;
-        pairs.pointY[point] = cornerY + centre * y - (radius + separation / 2) * toY;
-        pairs.separation[point] = separation;
-        pairs.normalX[pair] = side * toX;
-        pairs.normalY[pair] = side * toY;
-        pairs.faceOf[pair] = side == 1 ? pairs.bodyA[pair] : pairs.bodyB[pair];
-        pairs.reach[pair] = Double.NaN;
-    }
-
-    private void leaveOutInside(int pair, int body, Pose pose, int other, Pose otherPose) {
-        int shape = pairs.shapeOf(pair, body);
-        boolean mayBeInside =
-                pairs.points[pair] > 0
-                        && bodies.isDynamic(body)
-                        && (bodies.bodyOf(shape) != shape
-                                || bodies.nextShapeOf(shape) != Pairs.NONE)
-                        && !bodies.outline[shape].isDisc();
-        if (!mayBeInside) {
-            return;
-        }
-        at.isOfParts = true;
-        at.mover = other;
-        at.fixed = body;
-        at.moverShape = pairs.shapeOf(pair, other);
-        at.fixedShape = shape;
-        at.moverPose.set(otherPose);
-        at.fixedPose.set(pose);
-        at.width = PairTolerances.width(bodies, body, other);
-        cover.near = at.touching();
-        for (int i = pairs.points[pair] - 1; i >= 0; i--) {
-            at.look(pair, 2 * pair + i);
-            double gap = pairs.separation[2 * pair + i];
-            boolean isTouching = gap <= at.touching() && gap >= -DEEP * at.width;
-            if (isTouching && cover.isCovered(pair)) {
-                pairs.removePoint(pair, i);
-            }
-        }
-        at.isOfParts = false;
     }
 
     private void place(int slot, Pose pose) {

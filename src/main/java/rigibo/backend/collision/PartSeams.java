@@ -1,0 +1,159 @@
+package rigibo.backend.collision;
+
+import rigibo.backend.geometry.Outline;
+import rigibo.backend.storage.Bodies;
+import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.PairTolerances;
+import rigibo.backend.storage.Pairs;
+
+/**
+ * Removes contact points inside the seams of a dynamic body, where two of its parts meet: such a
+ * face or corner looks at the other part. A contact whose normal leads into a covered edge goes
+ * however far off it is. Of the others only touching points are removed: one that is merely near
+ * may reach another place of the face within the step, and a deep one came in through this face.
+ */
+final class PartSeams {
+
+    /**
+     * Overlap, in widths, beyond which any way out of a body with several parts is accepted; so
+     * deep a body did not come over a seam.
+     */
+    static final double DEEP = 0.05;
+
+    /** Sine of the angle up to which two faces count as lying flat on each other. */
+    private static final double FLAT = 1e-2;
+
+    /** Round-off of the direction between two points that are closest, and of a surface's end. */
+    private static final double ROUND_OFF = 1e-5;
+
+    /** Cosine of the largest angle by which a normal is turned to a surface. */
+    private static final double STEEPEST = 0.8;
+
+    private final Bodies bodies;
+    private final Pairs pairs;
+    private final SeamPoint at;
+    private final SeamCover cover;
+
+    PartSeams(DataStorage data, SeamPoint at, SeamCover cover) {
+        bodies = data.bodies;
+        pairs = data.pairs;
+        this.at = at;
+        this.cover = cover;
+    }
+
+    /** Whether a contact may have points in such a seam. */
+    boolean mayHave(int pair) {
+        return bodies.mayHaveParts() && pairs.points[pair] > 0;
+    }
+
+    /** Removes the points of a contact that was measured at these poses. */
+    void leaveOut(int pair, Pose poseA, Pose poseB) {
+        leaveOut(pair, poseA, poseB, false);
+    }
+
+    /**
+     * The same within the step. What is round and has just come past the end of a part is held by
+     * the surface that the next part continues, to which its normal turns.
+     */
+    void turnOrLeaveOut(int pair, Pose poseA, Pose poseB) {
+        leaveOut(pair, poseA, poseB, true);
+    }
+
+    private void leaveOut(int pair, Pose poseA, Pose poseB, boolean mayTurn) {
+        int a = pairs.bodyA[pair];
+        int b = pairs.bodyB[pair];
+        boolean isShallow = pairs.gap(pair) >= -DEEP * PairTolerances.width(bodies, a, b);
+        if (isShallow
+                && (leadsInside(pair, 1, poseA, mayTurn)
+                        || leadsInside(pair, -1, poseB, mayTurn))) {
+            pairs.removePoints(pair);
+            return;
+        }
+        leaveOutOf(pair, a, poseA, b, poseB);
+        leaveOutOf(pair, b, poseB, a, poseA);
+    }
+
+    /**
+     * Whether a contact's normal leads from one part of a body into the next, where nothing can
+     * ever touch; side is 1 if the part is A's and -1 if it is B's. If the normal may turn, it does
+     * so at the end of a surface.
+     */
+    private boolean leadsInside(int pair, int side, Pose pose, boolean mayTurn) {
+        int shape = side == 1 ? pairs.shapeA(pair) : pairs.shapeB(pair);
+        int other = side == 1 ? pairs.shapeB(pair) : pairs.shapeA(pair);
+        Outline outline = bodies.outline[shape];
+        if (!outline.hasInner()) {
+            return false;
+        }
+        double x = side * pairs.normalX[pair];
+        double y = side * pairs.normalY[pair];
+        boolean isOfFace = pairs.faceOf[pair] != Pairs.NONE;
+        int leads =
+                outline.leads(
+                        pose.cos * x + pose.sin * y,
+                        pose.cos * y - pose.sin * x,
+                        isOfFace ? FLAT : ROUND_OFF);
+        // A corner at a seam that lies on a face of the other body is there to be touched.
+        if (leads < 0 || isOfFace) {
+            return leads == Outline.INSIDE;
+        }
+        double outX = outline.outermostX(leads);
+        double outY = outline.outermostY(leads);
+        double toX = pose.cos * outX - pose.sin * outY;
+        double toY = pose.sin * outX + pose.cos * outY;
+        if (!mayTurn || toX * x + toY * y < STEEPEST) {
+            return true;
+        }
+        turn(pair, side, toX, toY, bodies.outline[other].radius());
+        return false;
+    }
+
+    /** Turns the normal at a corner; what touches it there is round, with a radius in m. */
+    private void turn(int pair, int side, double toX, double toY, double radius) {
+        double x = side * pairs.normalX[pair];
+        double y = side * pairs.normalY[pair];
+        int point = 2 * pair;
+        double cornerX = pairs.pointX[point] - x * pairs.separation[point] / 2;
+        double cornerY = pairs.pointY[point] - y * pairs.separation[point] / 2;
+        double centre = pairs.separation[point] + radius;
+        double separation = centre * (x * toX + y * toY) - radius;
+        pairs.pointX[point] = cornerX + centre * x - (radius + separation / 2) * toX;
+        pairs.pointY[point] = cornerY + centre * y - (radius + separation / 2) * toY;
+        pairs.separation[point] = separation;
+        pairs.normalX[pair] = side * toX;
+        pairs.normalY[pair] = side * toY;
+        pairs.faceOf[pair] = side == 1 ? pairs.bodyA[pair] : pairs.bodyB[pair];
+        pairs.reach[pair] = Double.NaN;
+    }
+
+    private void leaveOutOf(int pair, int body, Pose pose, int other, Pose otherPose) {
+        int shape = pairs.shapeOf(pair, body);
+        boolean mayBeInside =
+                pairs.points[pair] > 0
+                        && bodies.isDynamic(body)
+                        && (bodies.bodyOf(shape) != shape
+                                || bodies.nextShapeOf(shape) != Pairs.NONE)
+                        && !bodies.outline[shape].isDisc();
+        if (!mayBeInside) {
+            return;
+        }
+        at.isOfParts = true;
+        at.mover = other;
+        at.fixed = body;
+        at.moverShape = pairs.shapeOf(pair, other);
+        at.fixedShape = shape;
+        at.moverPose.set(otherPose);
+        at.fixedPose.set(pose);
+        at.width = PairTolerances.width(bodies, body, other);
+        cover.near = at.touching();
+        for (int i = pairs.points[pair] - 1; i >= 0; i--) {
+            at.look(pair, 2 * pair + i);
+            double gap = pairs.separation[2 * pair + i];
+            boolean isTouching = gap <= at.touching() && gap >= -DEEP * at.width;
+            if (isTouching && cover.isCovered(pair)) {
+                pairs.removePoint(pair, i);
+            }
+        }
+        at.isOfParts = false;
+    }
+}
