@@ -22,6 +22,9 @@ final class InnerPoints {
 
     private static final int FEWEST = 64;
 
+    /** Largest slide in a step, in widths, of two bodies that stand on each other. */
+    private static final double HARDLY = 1e-2;
+
     private final Bodies bodies;
     private final Pairs pairs;
     private final OuterPoints outer;
@@ -85,15 +88,15 @@ final class InnerPoints {
         leaveOutOfGroups(dt, true);
         outer.begin();
         for (int i = 0; i < groupCount; i++) {
-            lendWithin(groups[i]);
+            lendWithin(groups[i], dt);
         }
     }
 
-    private void lendWithin(int first) {
+    private void lendWithin(int first, double dt) {
         double width = PairTolerances.width(bodies, pairs.bodyA[first], pairs.bodyB[first]);
         for (int pair = first; pair != Pairs.NONE; pair = after[pair]) {
             if (outer.mayTakePart(pair)) {
-                int lender = lenderFor(pair, width);
+                int lender = lenderFor(pair, width, dt);
                 if (lender != Pairs.NONE) {
                     outer.lend(pair, lender);
                 }
@@ -101,8 +104,11 @@ final class InnerPoints {
         }
     }
 
-    /** The later pair with one point whose point lies farthest on the line, if there is any. */
-    private int lenderFor(int pair, double width) {
+    /**
+     * The later pair with one point whose point lies farthest on the line, if there is any and the
+     * bodies hardly slide or turn on each other: their points stay where they are in the step.
+     */
+    private int lenderFor(int pair, double width, double dt) {
         int lender = Pairs.NONE;
         double farthest = SeamPoint.CLOSED * width;
         for (int other = after[pair]; other != Pairs.NONE; other = after[other]) {
@@ -115,7 +121,7 @@ final class InnerPoints {
                 }
             }
         }
-        return lender;
+        return slide(pair, farthest, dt) <= HARDLY * width ? lender : Pairs.NONE;
     }
 
     /** Whether two pairs were measured at the same poses of their bodies. */

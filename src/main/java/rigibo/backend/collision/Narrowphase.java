@@ -190,7 +190,7 @@ public final class Narrowphase {
             Outline outlineB = bodies.outline[pairs.shapeB(pair)];
             collider.collide(outlineA, atA, outlineB, atB, reach, manifold);
             if (outlineA.hasInner() || outlineB.hasInner()) {
-                leaveIfDeep(pair, outlineA, atA, outlineB, atB, reach);
+                leave(pair, outlineA, atA, outlineB, atB, reach);
             }
         }
         double x = middle(pair, atA.x, atB.x);
@@ -201,12 +201,25 @@ public final class Narrowphase {
         pairs.reach[pair] = Double.NaN;
     }
 
-    private void leaveIfDeep(
+    /**
+     * A face that another part covers is no way out of a body. What comes over a seam leaves
+     * through the face beside it, if that is near; what is deep, through any other one.
+     */
+    private void leave(
             int pair, Outline outlineA, Pose atA, Outline outlineB, Pose atB, double reach) {
         double width = PairTolerances.width(bodies, pairs.bodyA[pair], pairs.bodyB[pair]);
-        if (manifold.count > 0 && manifold.deepest() < -PartSeams.DEEP * width) {
+        double deepest = manifold.count > 0 ? manifold.deepest() : 0;
+        boolean isDeep = deepest < -PartSeams.DEEP * width;
+        if (isDeep || deepest < 0 && leadsInside(outlineA, atA, outlineB, atB)) {
             collider.leave(outlineA, atA, outlineB, atB, reach, manifold);
         }
+    }
+
+    private boolean leadsInside(Outline outlineA, Pose atA, Outline outlineB, Pose atB) {
+        double x = manifold.normalX;
+        double y = manifold.normalY;
+        return PartSeams.leadsInside(outlineA, atA, x, y)
+                || PartSeams.leadsInside(outlineB, atB, -x, -y);
     }
 
     /**

@@ -26,6 +26,9 @@ final class PartSeams {
     /** Round-off of the direction between two points that are closest, and of a surface's end. */
     private static final double ROUND_OFF = 1e-5;
 
+    /** Height above a surface, in widths, up to which a body slides on it. */
+    private static final double LEVEL = 1e-3;
+
     /** Cosine of the largest angle by which a normal is turned to a surface. */
     private static final double STEEPEST = 0.8;
 
@@ -46,6 +49,15 @@ final class PartSeams {
         return bodies.mayHaveParts() && pairs.points[pair] > 0;
     }
 
+    /** Whether a normal out of a part at a pose leads into another part that lies on its face. */
+    static boolean leadsInside(Outline part, Pose pose, double x, double y) {
+        return part.hasInner() && leads(part, pose, x, y, FLAT) == Outline.INSIDE;
+    }
+
+    private static int leads(Outline part, Pose pose, double x, double y, double sine) {
+        return part.leads(pose.cos * x + pose.sin * y, pose.cos * y - pose.sin * x, sine);
+    }
+
     /** Removes the points of a contact that was measured at these poses. */
     void leaveOut(int pair, Pose poseA, Pose poseB) {
         leaveOut(pair, poseA, poseB, false);
@@ -59,15 +71,16 @@ final class PartSeams {
         leaveOut(pair, poseA, poseB, true);
     }
 
-    private void leaveOut(int pair, Pose poseA, Pose poseB, boolean mayTurn) {
+    private void leaveOut(int pair, Pose poseA, Pose poseB, boolean isWithinStep) {
         int a = pairs.bodyA[pair];
         int b = pairs.bodyB[pair];
-        boolean isShallow = pairs.gap(pair) >= -DEEP * PairTolerances.width(bodies, a, b);
-        if (isShallow
-                && (leadsInside(pair, 1, poseA, mayTurn)
-                        || leadsInside(pair, -1, poseB, mayTurn))) {
-            pairs.removePoints(pair);
-            return;
+        double width = PairTolerances.width(bodies, a, b);
+        if (pairs.gap(pair) >= -DEEP * width) {
+            if (leadsInside(pair, 1, poseA, width, isWithinStep)
+                    || leadsInside(pair, -1, poseB, width, isWithinStep)) {
+                pairs.removePoints(pair);
+                return;
+            }
         }
         leaveOutOf(pair, a, poseA, b, poseB);
         leaveOutOf(pair, b, poseB, a, poseA);
@@ -75,12 +88,10 @@ final class PartSeams {
 
     /**
      * Whether a contact's normal leads from one part of a body into the next, where nothing can
-     * ever touch; side is 1 if the part is A's and -1 if it is B's. If the normal may turn, it does
-     * so at the end of a surface.
+     * ever touch; side is 1 if the part is A's and -1 if it is B's.
      */
-    private boolean leadsInside(int pair, int side, Pose pose, boolean mayTurn) {
+    private boolean leadsInside(int pair, int side, Pose pose, double width, boolean isWithinStep) {
         int shape = side == 1 ? pairs.shapeA(pair) : pairs.shapeB(pair);
-        int other = side == 1 ? pairs.shapeB(pair) : pairs.shapeA(pair);
         Outline outline = bodies.outline[shape];
         if (!outline.hasInner()) {
             return false;
@@ -88,24 +99,31 @@ final class PartSeams {
         double x = side * pairs.normalX[pair];
         double y = side * pairs.normalY[pair];
         boolean isOfFace = pairs.faceOf[pair] != Pairs.NONE;
-        int leads =
-                outline.leads(
-                        pose.cos * x + pose.sin * y,
-                        pose.cos * y - pose.sin * x,
-                        isOfFace ? FLAT : ROUND_OFF);
+        int leads = leads(outline, pose, x, y, isOfFace ? FLAT : ROUND_OFF);
         // A corner at a seam that lies on a face of the other body is there to be touched.
         if (leads < 0 || isOfFace) {
             return leads == Outline.INSIDE;
         }
+        int other = side == 1 ? pairs.shapeB(pair) : pairs.shapeA(pair);
+        double radius = bodies.outline[other].radius();
+        double centre = pairs.separation[2 * pair] + radius;
         double outX = outline.outermostX(leads);
         double outY = outline.outermostY(leads);
         double toX = pose.cos * outX - pose.sin * outY;
         double toY = pose.sin * outX + pose.cos * outY;
-        if (!mayTurn || toX * x + toY * y < STEEPEST) {
-            return true;
+        double above = x * toX + y * toY;
+        if (centre * above - radius > LEVEL * width) {
+            // It may come down on the corner.
+            return false;
         }
-        turn(pair, side, toX, toY, bodies.outline[other].radius());
-        return false;
+        boolean isHeld =
+                outline.rises(leads)
+                        ? centre * Math.sqrt(1 - above * above) < DEEP * width
+                        : isWithinStep && above >= STEEPEST;
+        if (isHeld) {
+            turn(pair, side, toX, toY, radius);
+        }
+        return !isHeld;
     }
 
     /** Turns the normal at a corner; what touches it there is round, with a radius in m. */

@@ -3,7 +3,6 @@ package rigibo.backend.collision;
 import rigibo.backend.geometry.Outline;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
-import rigibo.backend.storage.PairTolerances;
 import rigibo.backend.storage.Pairs;
 
 /**

@@ -45,7 +45,7 @@ public final class Compound implements Shape {
         for (int i = 0; i < outlines.length; i++) {
             reach = Math.max(reach, outlines[i].boundingRadius());
             if (!parts.get(i).isSensor()) {
-                narrowest = Math.min(narrowest, outlines[i].smallestWidth());
+                narrowest = Math.min(narrowest, outlines[i].openWidth());
             }
             covered += parts.get(i).shape().area();
         }
@@ -226,7 +226,10 @@ public final class Compound implements Shape {
         return boundingRadius;
     }
 
-    /** The smallest width in m of all parts that are not sensors. */
+    /**
+     * The smallest width in m at any part that is not a sensor; where two parts meet, the shape
+     * goes on.
+     */
     @Override
     public double smallestWidth() {
         return smallestWidth;

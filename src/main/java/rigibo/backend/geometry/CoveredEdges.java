@@ -12,87 +12,121 @@ final class CoveredEdges {
     /** Distance from a corner at which the directions out of it are searched, in widths. */
     private static final double BESIDE = 1e-3;
 
+    /** Angle up to which a surface counts as going straight on, rad. */
+    private static final double LEVEL = 1e-2;
+
+    /** Cosine from which on two edges count as opposite ones. */
+    private static final double OPPOSITE = -0.99;
+
     /** Halvings of a right angle, down to 1e-6 rad. */
     private static final int HALVINGS = 21;
 
     private final Outline outline;
+    private final List<Outline> others;
     private final boolean[] isCovered;
 
-    /** By edge: the outermost directions at its first and at its last corner. */
-    private final double[] firstX;
+    /** By corner, twice an edge's number and 1 more at its end: the outermost direction. */
+    private final double[] outermostX;
 
-    private final double[] firstY;
-    private final double[] lastX;
-    private final double[] lastY;
+    private final double[] outermostY;
+
+    /** By corner: whether the neighbouring part rises there. */
+    private final boolean[] rises;
 
     /** Looks at the outline of a part with some covered edges among those of all parts. */
     CoveredEdges(Outline outline, boolean[] isCovered, List<Outline> others) {
         this.outline = outline;
         this.isCovered = isCovered;
-        int edges = isCovered.length;
-        firstX = new double[edges];
-        firstY = new double[edges];
-        lastX = new double[edges];
-        lastY = new double[edges];
-        for (int i = 0; i < edges; i++) {
-            firstX[i] = outline.normalX(i);
-            firstY[i] = outline.normalY(i);
-            lastX[i] = outline.normalX(i);
-            lastY[i] = outline.normalY(i);
+        this.others = others;
+        int corners = 2 * isCovered.length;
+        outermostX = new double[corners];
+        outermostY = new double[corners];
+        rises = new boolean[corners];
+        for (int i = 0; i < isCovered.length; i++) {
             if (!isCovered[i]) {
-                turnToSurface(i, others);
+                if (isCovered[previous(i)]) {
+                    follow(2 * i);
+                }
+                if (isCovered[next(i)]) {
+                    follow(2 * i + 1);
+                }
             }
         }
     }
 
-    /** Turns the outermost directions of an edge to where the neighbouring part's surface goes. */
-    private void turnToSurface(int edge, List<Outline> others) {
+    /** Follows the surface from a corner to where the neighbouring part goes on with it. */
+    private void follow(int corner) {
+        int edge = corner / 2;
+        double turn = corner % 2 == 0 ? -surfaceTurn(corner) : surfaceTurn(corner);
         double nx = outline.normalX(edge);
         double ny = outline.normalY(edge);
-        if (isCovered[next(edge)]) {
-            double turn = surfaceTurn(edge, next(edge), 1, others);
-            lastX[edge] = Angle.cos(turn) * nx - Angle.sin(turn) * ny;
-            lastY[edge] = Angle.sin(turn) * nx + Angle.cos(turn) * ny;
-        }
-        if (isCovered[previous(edge)]) {
-            double turn = surfaceTurn(edge, edge, -1, others);
-            firstX[edge] = Angle.cos(turn) * nx - Angle.sin(turn) * ny;
-            firstY[edge] = Angle.sin(turn) * nx + Angle.cos(turn) * ny;
-        }
+        outermostX[corner] = Angle.cos(turn) * nx - Angle.sin(turn) * ny;
+        outermostY[corner] = Angle.sin(turn) * nx + Angle.cos(turn) * ny;
+        rises[corner] = isInside(corner, -LEVEL);
     }
 
-    /**
-     * Angle in rad by which the surface turns away from an edge at a corner, positive at its end
-     * and negative at its start (side 1 and -1); 0 where it goes straight on, or rises.
-     */
-    private double surfaceTurn(int edge, int corner, int side, List<Outline> others) {
-        double reach = BESIDE * outline.smallestWidth();
-        double alongX = -side * outline.normalY(edge) * reach;
-        double alongY = side * outline.normalX(edge) * reach;
+    /** Angle in rad by which the surface turns away at a corner; about 0 where it does not. */
+    private double surfaceTurn(int corner) {
         double outside = 0;
         double inside = Math.PI / 2;
         for (int i = 0; i < HALVINGS; i++) {
-            double turn = side * (outside + inside) / 2;
-            double x =
-                    outline.cornerX(corner) + Angle.cos(turn) * alongX - Angle.sin(turn) * alongY;
-            double y =
-                    outline.cornerY(corner) + Angle.sin(turn) * alongX + Angle.cos(turn) * alongY;
-            if (isInAny(others, x, y)) {
-                inside = (outside + inside) / 2;
+            double turn = (outside + inside) / 2;
+            if (isInside(corner, turn)) {
+                inside = turn;
             } else {
-                outside = (outside + inside) / 2;
+                outside = turn;
             }
         }
-        return side * inside;
+        return inside;
     }
 
-    private static boolean isInAny(List<Outline> others, double x, double y) {
+    /**
+     * Whether another part is beside a corner, along its edge beyond it, turned towards the inside
+     * by an angle in rad.
+     */
+    private boolean isInside(int corner, double angle) {
+        double distance = BESIDE * outline.smallestWidth();
+        int edge = corner / 2;
+        boolean isEnd = corner % 2 == 1;
+        int side = isEnd ? 1 : -1;
+        int at = isEnd ? next(edge) : edge;
+        double alongX = -side * outline.normalY(edge) * distance;
+        double alongY = side * outline.normalX(edge) * distance;
+        double cos = Angle.cos(side * angle);
+        double sin = Angle.sin(side * angle);
+        double x = outline.cornerX(at) + cos * alongX - sin * alongY;
+        double y = outline.cornerY(at) + sin * alongX + cos * alongY;
         for (Outline other : others) {
             if (other.depth(x, y) > 0) {
                 return true;
             }
         }
         return false;
+    }
+
+    /**
+     * Smallest width in m between two edges through which something leaves: at a covered one the
+     * body goes on. Infinite where there are none.
+     */
+    double openWidth() {
+        double least = Double.POSITIVE_INFINITY;
+        for (int i = 0; i < isCovered.length; i++) {
+            if (!isCovered[i] && !goesOnOpposite(i)) {
+                least = Math.min(least, outline.extent(i));
+            }
+        }
+        return least + 2 * outline.radius();
+    }
+
+    private boolean goesOnOpposite(int edge) {
+        boolean goesOn = false;
+        for (int i = 0; i < isCovered.length; i++) {
+            double along =
+                    outline.normalX(edge) * outline.normalX(i)
+                            + outline.normalY(edge) * outline.normalY(i);
+            goesOn |= isCovered[i] && along < OPPOSITE;
+        }
+        return goesOn;
     }
 
     private int next(int edge) {
@@ -132,21 +166,28 @@ final class CoveredEdges {
         if (isCovered[edge] && isCovered[after]) {
             return Outline.INSIDE;
         }
-        if (isCovered[after] && lastX[edge] * y - lastY[edge] * x > sine) {
-            return 2 * edge + 1;
+        int end = 2 * edge + 1;
+        if (isCovered[after] && outermostX[end] * y - outermostY[end] * x > sine) {
+            return end;
         }
-        if (isCovered[edge] && x * firstY[after] - y * firstX[after] > sine) {
-            return 2 * after;
+        int start = 2 * after;
+        if (isCovered[edge] && x * outermostY[start] - y * outermostX[start] > sine) {
+            return start;
         }
         return Outline.OUT;
     }
 
-    /** The outermost direction at a corner of an edge, as {@link #leads} tells it. */
+    /** The outermost direction at a corner, as {@link #leads} tells it. */
     double outermostX(int corner) {
-        return corner % 2 == 0 ? firstX[corner / 2] : lastX[corner / 2];
+        return outermostX[corner];
     }
 
     double outermostY(int corner) {
-        return corner % 2 == 0 ? firstY[corner / 2] : lastY[corner / 2];
+        return outermostY[corner];
+    }
+
+    /** Whether the neighbouring part rises at a corner. */
+    boolean rises(int corner) {
+        return rises[corner];
     }
 }

@@ -219,6 +219,19 @@ public final class Outline {
         return inner.outermostY(corner);
     }
 
+    /** Whether the part that begins at a corner that {@link #leads} told rises there. */
+    public boolean rises(int corner) {
+        return inner.rises(corner);
+    }
+
+    /**
+     * Smallest width of the body at this part, m: where another part covers an edge, the body goes
+     * on. Infinite if other parts surround it.
+     */
+    double openWidth() {
+        return inner == null ? smallestWidth : inner.openWidth();
+    }
+
     /** Notes, once and before the outline is shared, which edges other parts cover. */
     void noteInner(CoveredEdges edges) {
         inner = edges;
@@ -365,16 +378,21 @@ public final class Outline {
     private double narrowest() {
         double least = normalX.length == 0 ? 0 : Double.POSITIVE_INFINITY;
         for (int i = 0; i < normalX.length; i++) {
-            double deepest = 0;
-            for (int j = 0; j < cornerX.length; j++) {
-                double across =
-                        normalX[i] * (cornerX[i] - cornerX[j])
-                                + normalY[i] * (cornerY[i] - cornerY[j]);
-                deepest = Math.max(deepest, across);
-            }
-            least = Math.min(least, deepest);
+            least = Math.min(least, extent(i));
         }
         return least;
+    }
+
+    /** How far the core extends from an edge, m. */
+    double extent(int edge) {
+        double deepest = 0;
+        for (int j = 0; j < cornerX.length; j++) {
+            double across =
+                    normalX[edge] * (cornerX[edge] - cornerX[j])
+                            + normalY[edge] * (cornerY[edge] - cornerY[j]);
+            deepest = Math.max(deepest, across);
+        }
+        return deepest;
     }
 
     private boolean findBox() {

@@ -83,4 +83,23 @@ class CoveredEdgesTest {
         assertThat(outline.outermostX(corner)).isCloseTo(Math.sin(slope), within(2e-6));
         assertThat(outline.outermostY(corner)).isCloseTo(Math.cos(slope), within(2e-6));
     }
+
+    /** Strips of a box are as wide as the box, an L as its legs. */
+    @Test
+    void widthIsThatOfTheWhole() {
+        Compound strips =
+                Compound.of(
+                        Part.of(Polygon.box(0.25, 1)).at(-0.25, 0),
+                        Part.of(Polygon.box(0.25, 1)),
+                        Part.of(Polygon.box(0.25, 1)).at(0.25, 0));
+        assertThat(strips.smallestWidth()).isCloseTo(1, within(1e-12));
+        Compound angle =
+                Compound.of(
+                        Part.of(Polygon.box(0.8, 0.2)),
+                        Part.of(Polygon.box(0.2, 0.5)).at(-0.3, 0.35));
+        assertThat(angle.smallestWidth()).isCloseTo(0.2, within(1e-12));
+        Compound surrounded =
+                Compound.of(Part.of(Polygon.box(3, 2)), Part.of(Polygon.box(0.1, 0.1)));
+        assertThat(surrounded.smallestWidth()).isCloseTo(2, within(1e-12));
+    }
 }

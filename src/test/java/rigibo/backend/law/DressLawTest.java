@@ -45,7 +45,7 @@ class DressLawTest {
         "ROUNDED, FINE, 1e-3, 150, 4000",
         "ROUNDED, EXACT, 1e-3, 150, 4000",
         "IN_PARTS, DRAFT, 1e-2, 150, 4000",
-        "IN_PARTS, GAME, 3e-3, 150, 4000",
+        "IN_PARTS, GAME, 1e-3, 150, 4000",
         "IN_PARTS, FINE, 1e-3, 150, 4000",
         "IN_PARTS, EXACT, 1e-3, 150, 4000",
         "LOCKED, DRAFT, 1e-2, 150, 4000",
