@@ -316,10 +316,10 @@ final class InnerPoints {
     }
 
     /**
-     * The same point of another pair, where edges of two parts end at one place. The pair with more
-     * points keeps it, or else the earlier one: a part that only ends there may be left out as
-     * covered when it is measured again. Both stay where an end is near enough to slide past them
-     * in the step: one pair loses its point then, and no one can tell which before.
+     * The same point of another pair, where edges of two parts end at one place. A later pair keeps
+     * it if it has more points, or else the earlier one: a part that only ends there may be left
+     * out as covered when it is measured again. Both stay where an end is near enough to slide past
+     * them in the step: one pair loses its point then, and no one can tell which before.
      */
     private int twinOf(int first, int pair, int point, double width, double dt) {
         double same = SeamPoint.FLUSH * width;
@@ -331,8 +331,8 @@ final class InnerPoints {
         boolean isEarlier = true;
         for (int other = first; other != Pairs.NONE; other = after[other]) {
             isEarlier &= other != pair;
-            int more = pairs.points[other] - pairs.points[pair];
-            if (other != pair && (more > 0 || more == 0 && isEarlier)) {
+            boolean hasMore = pairs.points[other] > pairs.points[pair];
+            if (other != pair && (isEarlier || hasMore)) {
                 for (int q = 2 * other; q < 2 * other + pairs.points[other]; q++) {
                     if (Math.abs(along(pair, point, q)) <= same
                             && Math.abs(height(pair, point, q)) <= same
