@@ -28,6 +28,7 @@ public final class Narrowphase {
     private final StillContacts still;
     private final Collider collider = new Collider();
     private final Seams seams;
+    private final WayOut wayOut;
 
     /** Made with the first body that has several parts. */
     private InnerPoints inner;
@@ -53,6 +54,7 @@ public final class Narrowphase {
         counters = data.counters;
         still = data.stillContacts;
         seams = new Seams(data);
+        wayOut = new WayOut(data, collider, manifold);
         former = new FormerPoints(data, manifold);
         this.data = data;
     }
@@ -190,7 +192,7 @@ public final class Narrowphase {
             Outline outlineB = bodies.outline[pairs.shapeB(pair)];
             collider.collide(outlineA, atA, outlineB, atB, reach, manifold);
             if (outlineA.hasInner() || outlineB.hasInner()) {
-                leave(pair, outlineA, atA, outlineB, atB, reach);
+                wayOut.take(pair, atA, atB, reach);
             }
         }
         double x = middle(pair, atA.x, atB.x);
@@ -199,27 +201,6 @@ public final class Narrowphase {
         pairs.middleX[pair] = x;
         pairs.middleY[pair] = y;
         pairs.reach[pair] = Double.NaN;
-    }
-
-    /**
-     * A face that another part covers is no way out of a body. What comes over a seam leaves
-     * through the face beside it, if that is near; what is deep, through any other one.
-     */
-    private void leave(
-            int pair, Outline outlineA, Pose atA, Outline outlineB, Pose atB, double reach) {
-        double width = PairTolerances.width(bodies, pairs.bodyA[pair], pairs.bodyB[pair]);
-        double deepest = manifold.count > 0 ? manifold.deepest() : 0;
-        boolean isDeep = deepest < -PartSeams.DEEP * width;
-        if (isDeep || deepest < 0 && leadsInside(outlineA, atA, outlineB, atB)) {
-            collider.leave(outlineA, atA, outlineB, atB, reach, manifold);
-        }
-    }
-
-    private boolean leadsInside(Outline outlineA, Pose atA, Outline outlineB, Pose atB) {
-        double x = manifold.normalX;
-        double y = manifold.normalY;
-        return PartSeams.leadsInside(outlineA, atA, x, y)
-                || PartSeams.leadsInside(outlineB, atB, -x, -y);
     }
 
     /**
