@@ -21,6 +21,11 @@ final class CoveredEdges {
     /** Halvings of a right angle, down to 1e-6 rad. */
     private static final int HALVINGS = 21;
 
+    /** Steps through other parts, in widths, and halvings of the last one, down to round-off. */
+    private static final double THICKNESS_STEP = 0.1;
+
+    private static final int FINE_HALVINGS = 50;
+
     private final Outline outline;
     private final List<Outline> others;
     private final boolean[] isCovered;
@@ -96,6 +101,10 @@ final class CoveredEdges {
         double sin = Angle.sin(side * angle);
         double x = outline.cornerX(at) + cos * alongX - sin * alongY;
         double y = outline.cornerY(at) + sin * alongX + cos * alongY;
+        return isInAny(x, y);
+    }
+
+    private boolean isInAny(double x, double y) {
         for (Outline other : others) {
             if (other.depth(x, y) > 0) {
                 return true;
@@ -105,14 +114,14 @@ final class CoveredEdges {
     }
 
     /**
-     * Smallest width in m between two edges through which something leaves: at a covered one the
-     * body goes on. Infinite where there are none.
+     * Smallest width in m of the body at this part. Where another part covers the opposite edge, it
+     * is how far the body goes on from the middle of an edge. Infinite if all edges are covered.
      */
     double openWidth() {
         double least = Double.POSITIVE_INFINITY;
         for (int i = 0; i < isCovered.length; i++) {
-            if (!isCovered[i] && !goesOnOpposite(i)) {
-                least = Math.min(least, outline.extent(i));
+            if (!isCovered[i]) {
+                least = Math.min(least, goesOnOpposite(i) ? thickness(i) : outline.extent(i));
             }
         }
         return least + 2 * outline.radius();
@@ -127,6 +136,32 @@ final class CoveredEdges {
             goesOn |= isCovered[i] && along < OPPOSITE;
         }
         return goesOn;
+    }
+
+    /** Way in m from the middle of an edge through all parts, to where they end. */
+    private double thickness(int edge) {
+        double inside = outline.extent(edge);
+        double step = THICKNESS_STEP * outline.smallestWidth();
+        while (isInAny(edge, inside + step)) {
+            inside += step;
+        }
+        double outside = inside + step;
+        for (int i = 0; i < FINE_HALVINGS; i++) {
+            double middle = (inside + outside) / 2;
+            if (isInAny(edge, middle)) {
+                inside = middle;
+            } else {
+                outside = middle;
+            }
+        }
+        return inside;
+    }
+
+    /** Whether another part is so many metres below the middle of an edge. */
+    private boolean isInAny(int edge, double below) {
+        double x = (outline.cornerX(edge) + outline.cornerX(next(edge))) / 2;
+        double y = (outline.cornerY(edge) + outline.cornerY(next(edge))) / 2;
+        return isInAny(x - below * outline.normalX(edge), y - below * outline.normalY(edge));
     }
 
     private int next(int edge) {

@@ -92,7 +92,15 @@ class CoveredEdgesTest {
                         Part.of(Polygon.box(0.25, 1)).at(-0.25, 0),
                         Part.of(Polygon.box(0.25, 1)),
                         Part.of(Polygon.box(0.25, 1)).at(0.25, 0));
-        assertThat(strips.smallestWidth()).isCloseTo(1, within(1e-12));
+        assertThat(strips.smallestWidth()).isCloseTo(0.75, within(1e-12));
+        Part quarter = Part.of(Polygon.box(0.5, 0.4));
+        Compound quarters =
+                Compound.of(
+                        quarter.at(-0.25, -0.2),
+                        quarter.at(0.25, -0.2),
+                        quarter.at(0.25, 0.2),
+                        quarter.at(-0.25, 0.2));
+        assertThat(quarters.smallestWidth()).isCloseTo(0.8, within(1e-12));
         Compound angle =
                 Compound.of(
                         Part.of(Polygon.box(0.8, 0.2)),
