@@ -75,15 +75,16 @@ final class PartSeams {
         int a = pairs.bodyA[pair];
         int b = pairs.bodyB[pair];
         double width = PairTolerances.width(bodies, a, b);
-        if (pairs.gap(pair) >= -DEEP * width) {
-            if (leadsInside(pair, 1, poseA, width, isWithinStep)
-                    || leadsInside(pair, -1, poseB, width, isWithinStep)) {
-                pairs.removePoints(pair);
-                return;
-            }
+        boolean isInside =
+                pairs.gap(pair) >= -DEEP * width
+                        && (leadsInside(pair, 1, poseA, width, isWithinStep)
+                                || leadsInside(pair, -1, poseB, width, isWithinStep));
+        if (isInside) {
+            pairs.removePoints(pair);
+        } else {
+            leaveOutOf(pair, a, poseA, b, poseB);
+            leaveOutOf(pair, b, poseB, a, poseA);
         }
-        leaveOutOf(pair, a, poseA, b, poseB);
-        leaveOutOf(pair, b, poseB, a, poseA);
     }
 
     /**
@@ -118,7 +119,7 @@ final class PartSeams {
         }
         boolean isHeld =
                 outline.rises(leads)
-                        ? centre * Math.sqrt(1 - above * above) < DEEP * width
+                        ? centre * Math.abs(x * toY - y * toX) < DEEP * width
                         : isWithinStep && above >= STEEPEST;
         if (isHeld) {
             turn(pair, side, toX, toY, radius);
