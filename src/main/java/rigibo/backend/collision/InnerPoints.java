@@ -210,11 +210,13 @@ final class InnerPoints {
         double width = PairTolerances.width(bodies, pairs.bodyA[first], pairs.bodyB[first]);
         for (int pair = first; pair != Pairs.NONE; pair = after[pair]) {
             for (int i = pairs.points[pair] - 1; i >= 0; i--) {
-                int twin = arePiled ? twinOf(first, pair, 2 * pair + i, width, dt) : Pairs.NONE;
+                findOuter(first, pair, 2 * pair + i);
+                double away = SeamPoint.FLUSH * width + slide(pair, toBelow + toAbove, dt);
+                int twin = arePiled ? twinOf(first, pair, 2 * pair + i, width, away) : Pairs.NONE;
                 if (twin != Pairs.NONE) {
                     handOver(2 * pair + i, twin, 1);
                     remove(pair, i);
-                } else if (isInner(first, pair, 2 * pair + i, width, dt)) {
+                } else if (isInner(pair, 2 * pair + i, width, away)) {
                     double share = toBelow / (toBelow + toAbove);
                     handOver(2 * pair + i, above, share);
                     handOver(2 * pair + i, below, 1 - share);
@@ -225,16 +227,11 @@ final class InnerPoints {
     }
 
     /**
-     * Whether a point lies between two others, farther from both than it may slide in the step, and
-     * is not deeper than the line through them.
+     * Whether a point lies between the outer two, more than {@code away} m from both, which is how
+     * far it may slide in the step, and is not deeper than the line through them.
      */
-    private boolean isInner(int first, int pair, int point, double width, double dt) {
-        findOuter(first, pair, point);
-        if (below == Pairs.NONE || above == Pairs.NONE) {
-            return false;
-        }
-        double away = SeamPoint.FLUSH * width + slide(pair, toBelow + toAbove, dt);
-        if (!(Math.min(toBelow, toAbove) > away)) {
+    private boolean isInner(int pair, int point, double width, double away) {
+        if (below == Pairs.NONE || above == Pairs.NONE || !(Math.min(toBelow, toAbove) > away)) {
             return false;
         }
         double share = toBelow / (toBelow + toAbove);
@@ -316,15 +313,14 @@ final class InnerPoints {
     }
 
     /**
-     * The same point of another pair, where edges of two parts end at one place. A later pair keeps
-     * it if it has more points, or else the earlier one: a part that only ends there may be left
-     * out as covered when it is measured again. Both stay where an end is near enough to slide past
-     * them in the step: one pair loses its point then, and no one can tell which before.
+     * Finds a point of another pair at the same place, where edges of two parts end. A later pair
+     * keeps it if it has more points, or else the earlier one: a part that only ends there may be
+     * left out as covered when it is measured again. Both stay where an outer point is within
+     * {@code away} m and may slide past them in the step: one pair loses its point then, and no one
+     * can tell which before.
      */
-    private int twinOf(int first, int pair, int point, double width, double dt) {
+    private int twinOf(int first, int pair, int point, double width, double away) {
         double same = SeamPoint.FLUSH * width;
-        findOuter(first, pair, point);
-        double away = same + slide(pair, toBelow + toAbove, dt);
         if (toBelow > same && toBelow <= away || toAbove > same && toAbove <= away) {
             return Pairs.NONE;
         }

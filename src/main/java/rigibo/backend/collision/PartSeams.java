@@ -64,8 +64,9 @@ final class PartSeams {
     }
 
     /**
-     * The same within the step. What is round and has just come past the end of a part is held by
-     * the surface that the next part continues, to which its normal turns.
+     * Removes the points of a contact measured again, at poses within the step. Round bodies that
+     * have just come past the end of a part are held by the surface that the next part continues:
+     * their normal turns to it.
      */
     void turnOrLeaveOut(int pair, Pose poseA, Pose poseB) {
         leaveOut(pair, poseA, poseB, true);

@@ -59,7 +59,7 @@ final class Seams {
         }
     }
 
-    /** The same for a contact that bodies had at the start of the step and have moved since. */
+    /** Removes the covered points of a contact measured again, at poses within the step. */
     void leaveOutCoveredAgain(int pair, Pose atA, Pose atB) {
         leaveOutOfFixed(pair, atA, atB);
         if (ofParts.mayHave(pair)) {

@@ -131,7 +131,7 @@ final class Followers {
         double closing = closing(pair, dt);
         push(pair, slot, closing, ownMass(by), nx, ny);
         for (int way = 2 * by; way < 2 * by + 2; way++) {
-            double led = wayX[way] * nx + wayY[way] * ny;
+            double led = led(way, nx, ny);
             if (led > 0) {
                 push(pair, slot, closing + led, mass[way], nx, ny);
             }
@@ -150,7 +150,7 @@ final class Followers {
             return;
         }
         int way = 2 * slot;
-        if (wayX[way] * nx + wayY[way] * ny < 0) {
+        if (led(way, nx, ny) < 0) {
             way++;
         }
         if (led > GROWN * lengthOf(way)) {

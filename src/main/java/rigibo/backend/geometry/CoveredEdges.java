@@ -105,8 +105,13 @@ final class CoveredEdges {
     }
 
     private boolean isInAny(double x, double y) {
-        for (Outline other : others) {
-            if (other.depth(x, y) > 0) {
+        return isInAny(others, x, y);
+    }
+
+    /** Whether a point lies in one of these outlines. */
+    static boolean isInAny(List<Outline> outlines, double x, double y) {
+        for (Outline outline : outlines) {
+            if (outline.depth(x, y) > 0) {
                 return true;
             }
         }

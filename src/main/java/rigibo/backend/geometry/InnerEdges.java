@@ -32,14 +32,15 @@ final class InnerEdges {
 
     private void note(int part) {
         Outline outline = outlines[part];
+        List<Outline> beside = solidsBeside(part);
         boolean[] inner = new boolean[outline.edges()];
         boolean isAny = false;
         for (int i = 0; i < inner.length; i++) {
-            inner[i] = isCovered(part, i);
+            inner[i] = isCovered(outline, i, beside);
             isAny |= inner[i];
         }
         if (isAny) {
-            outline.noteInner(new CoveredEdges(outline, inner, solidsBeside(part)));
+            outline.noteInner(new CoveredEdges(outline, inner, beside));
         }
     }
 
@@ -53,8 +54,7 @@ final class InnerEdges {
         return solids;
     }
 
-    private boolean isCovered(int part, int edge) {
-        Outline outline = outlines[part];
+    private static boolean isCovered(Outline outline, int edge, List<Outline> others) {
         int next = (edge + 1) % outline.corners();
         double before = outline.radius() + BEFORE * outline.smallestWidth();
         for (int i = 0; i < PLACES; i++) {
@@ -63,19 +63,10 @@ final class InnerEdges {
             double y = outline.cornerY(edge);
             x += along * (outline.cornerX(next) - x) + before * outline.normalX(edge);
             y += along * (outline.cornerY(next) - y) + before * outline.normalY(edge);
-            if (!isInAnother(part, x, y)) {
+            if (!CoveredEdges.isInAny(others, x, y)) {
                 return false;
             }
         }
         return true;
-    }
-
-    private boolean isInAnother(int part, double x, double y) {
-        for (Outline other : solidsBeside(part)) {
-            if (other.depth(x, y) > 0) {
-                return true;
-            }
-        }
-        return false;
     }
 }

@@ -117,7 +117,7 @@ public final class WarmStart {
         }
     }
 
-    /** What is left of an impulse in N·s by which a point parts at a speed in m/s. */
+    /** An impulse in N·s, less what lets its point part at a speed in m/s; at least 0. */
     private static double kept(double impulse, double parts, double response) {
         return parts > 0 && impulse > 0 ? Math.max(0, impulse - parts / response) : impulse;
     }
