@@ -153,6 +153,21 @@ final class Bystanders {
     }
 
     /**
+     * Makes pairs of a body with everything within a reach (m) of where it is at the start and
+     * where it is expected at the end of a step of dt seconds.
+     */
+    void lookAlong(int slot, double dt, double reach) {
+        double speed = length(bodies.velocityX[slot], bodies.velocityY[slot]);
+        double way = (speed + (bodies.turns() ? turning(slot, 0) : 0)) * dt;
+        if (way <= reach) {
+            lookRound(slot, 0, reach + way);
+        } else {
+            lookRound(slot, 0, reach);
+            lookRound(slot, dt, reach);
+        }
+    }
+
+    /**
      * Measures a pair one of whose bodies, in a pile, has a reach of {@code reach} m for the rest
      * ({@code left} s) of the step; returns whether the other body is within it. Two bodies that
      * were in piles from the start of the step are measured at their poses there, others at {@code

@@ -91,7 +91,7 @@ public final class Flight {
         carriers = new Carriers(data);
         expectedHits = new ExpectedHits(data, paths);
         disturbance = new Disturbance(data, paths, bystanders, this::join);
-        followers = new Followers(data, paths, bystanders, expectedHits, this::join);
+        followers = new Followers(data, paths, bystanders, expectedHits, this::join, accuracy);
     }
 
     /** Moves every flyer to the end of a step of {@code dt} seconds, impact by impact. */

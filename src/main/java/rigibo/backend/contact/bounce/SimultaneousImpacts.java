@@ -3,11 +3,11 @@ package rigibo.backend.contact.bounce;
 import rigibo.backend.contact.row.Kick;
 import rigibo.backend.contact.row.Motions;
 import rigibo.backend.contact.row.PackedContacts;
-import rigibo.backend.contact.row.Recovery;
 import rigibo.backend.impact.Impact;
 import rigibo.backend.impact.TiedImpacts;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.KeptOverlap;
 import rigibo.backend.storage.Pairs;
 
 import java.util.Arrays;
@@ -314,7 +314,7 @@ final class SimultaneousImpacts {
         load(row, at);
         boolean strikes = false;
         for (int point = 0; point < contacts.points[row]; point++) {
-            double touching = TOUCHING * Recovery.KEPT_OVERLAP * d[at + PackedContacts.WIDTH];
+            double touching = TOUCHING * KeptOverlap.LEAST * d[at + PackedContacts.WIDTH];
             if (gapAt(row, point, time) <= touching) {
                 contacts.addPoint(row, point, impact);
                 strikes |= strikes(row, point, time);

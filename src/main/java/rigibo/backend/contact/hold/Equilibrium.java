@@ -8,6 +8,7 @@ import rigibo.backend.setup.Correction;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.Islands;
+import rigibo.backend.storage.KeptOverlap;
 import rigibo.backend.storage.PairTolerances;
 import rigibo.backend.storage.Pairs;
 
@@ -154,7 +155,7 @@ public final class Equilibrium {
     private boolean areContactsSteady(int island, double dt) {
         reserve();
         isOverlapping = false;
-        kept = Recovery.keptIfCalm(PackedContacts.areCrowd(islands, island), accuracy);
+        kept = KeptOverlap.ifCalm(PackedContacts.areCrowd(islands, island), accuracy);
         kept += Recovery.overlapOf(Stillness.STILL, dt);
         for (int i = islands.bodyStart[island]; i < islands.bodyStart[island + 1]; i++) {
             int slot = islands.bodies[i];

@@ -16,7 +16,7 @@ import static rigibo.backend.contact.row.PackedContacts.ROLLING;
 
 import rigibo.backend.contact.row.Motions;
 import rigibo.backend.contact.row.PackedContacts;
-import rigibo.backend.contact.row.Recovery;
+import rigibo.backend.storage.KeptOverlap;
 
 /** The packed contacts of an island as neutral rows, and their impulses back. */
 final class ContactRows {
@@ -44,7 +44,7 @@ final class ContactRows {
         write(h, substep);
         for (int row = first; row < rows.count; row++) {
             int at = rows.contact[row] * PackedContacts.STRIDE;
-            double closed = Recovery.KEPT_OVERLAP * contacts.data[at + PackedContacts.WIDTH];
+            double closed = KeptOverlap.LEAST * contacts.data[at + PackedContacts.WIDTH];
             boolean isPoint = rows.load[row] == NeutralRows.NONE;
             if (isPoint && rows.impulse[row] > 0 && rows.place[row] <= closed) {
                 rows.target[row] = contacts.data[at + NEARING];

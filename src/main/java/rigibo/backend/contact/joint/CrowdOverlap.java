@@ -4,6 +4,7 @@ import rigibo.backend.contact.row.Motions;
 import rigibo.backend.contact.row.PackedContacts;
 import rigibo.backend.contact.row.Recovery;
 import rigibo.backend.setup.Accuracy;
+import rigibo.backend.storage.KeptOverlap;
 
 /**
  * Removes overlap in an island whose equations are eliminated. Bodies are displaced as impulses
@@ -65,7 +66,7 @@ final class CrowdOverlap {
             push = new double[rows.bodies.length];
         }
         count = 0;
-        double kept = Recovery.kept(contacts.areCrowd(), accuracy);
+        double kept = KeptOverlap.of(contacts.areCrowd(), accuracy);
         for (int row = 0; row < rows.count; row++) {
             if (rows.contact[row] != NeutralRows.NONE && rows.load[row] == NeutralRows.NONE) {
                 find(row, kept, h);

@@ -4,6 +4,7 @@ import rigibo.backend.contact.row.Motions;
 import rigibo.backend.contact.row.PackedContacts;
 import rigibo.backend.contact.row.Recovery;
 import rigibo.backend.setup.Accuracy;
+import rigibo.backend.storage.KeptOverlap;
 
 /**
  * Removes overlap in an island with locked axes. Bodies are displaced as impulses of their rows
@@ -28,7 +29,7 @@ public final class RowOverlap {
      * together part two bodies no faster than {@link Recovery#MOST_PUSH}.
      */
     public void correct(double h, int passes) {
-        double kept = Recovery.kept(contacts.areCrowd(), accuracy);
+        double kept = KeptOverlap.of(contacts.areCrowd(), accuracy);
         for (int pass = 0; pass < passes; pass++) {
             for (int i = 0; i < rows.count; i++) {
                 int row = pass % 2 == 0 ? i : rows.count - 1 - i;

@@ -6,7 +6,7 @@ import static rigibo.backend.contact.solve.FlatRows.TANGENT;
 import rigibo.backend.contact.row.Displacement;
 import rigibo.backend.contact.row.Motions;
 import rigibo.backend.contact.row.PackedContacts;
-import rigibo.backend.contact.row.Recovery;
+import rigibo.backend.storage.KeptOverlap;
 
 import java.util.Arrays;
 
@@ -246,7 +246,7 @@ public final class DirectSolver {
     private boolean isOnGround(int row, int point) {
         double width = contacts.data[row * PackedContacts.STRIDE + PackedContacts.WIDTH];
         return row >= contacts.groundStart
-                && motions.gap(contacts, row, point) <= Recovery.KEPT_OVERLAP * width;
+                && motions.gap(contacts, row, point) <= KeptOverlap.LEAST * width;
     }
 
     /**

@@ -11,6 +11,7 @@ import rigibo.backend.contact.row.PackedContacts;
 import rigibo.backend.contact.row.Recovery;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.storage.Bodies;
+import rigibo.backend.storage.KeptOverlap;
 
 /**
  * Removes overlap by moving bodies instead of accelerating them. A velocity that parts bodies would
@@ -86,8 +87,8 @@ public final class OverlapSolver {
         isJammed = isCalm && contacts.isAnyCrushed && motions.massRatio() <= ALIKE;
         raises = isCrowd && !isJammed;
         jam.reserve();
-        kept = isCalm ? Recovery.keptIfCalm(isCrowd, accuracy) : Recovery.kept(isCrowd, accuracy);
-        last = isCalm && !isCrowd ? Recovery.kept(true, accuracy) : 0;
+        kept = isCalm ? KeptOverlap.ifCalm(isCrowd, accuracy) : KeptOverlap.of(isCrowd, accuracy);
+        last = isCalm && !isCrowd ? KeptOverlap.of(true, accuracy) : 0;
     }
 
     /**
@@ -97,7 +98,7 @@ public final class OverlapSolver {
     public void prepareJointed() {
         isJammed = false;
         raises = false;
-        kept = Recovery.kept(contacts.areCrowd(), accuracy);
+        kept = KeptOverlap.of(contacts.areCrowd(), accuracy);
         last = 0;
     }
 

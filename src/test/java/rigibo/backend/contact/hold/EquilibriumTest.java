@@ -20,6 +20,7 @@ import rigibo.backend.setup.BodyType;
 import rigibo.backend.setup.Correction;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.KeptOverlap;
 import rigibo.backend.storage.Pairs;
 
 /**
@@ -230,7 +231,7 @@ class EquilibriumTest {
     /** What would be taken back of it in a step must show: 10⁻⁹ widths. */
     @Test
     void overlapIsToldFromWhatIsKept() {
-        double kept = Recovery.KEPT_OVERLAP + Recovery.overlapOf(Stillness.STILL, DT);
+        double kept = KeptOverlap.LEAST + Recovery.overlapOf(Stillness.STILL, DT);
         pairs.separation[0] = -0.9999 * kept;
         assertThat(isOverlapping(Accuracy.GAME)).isFalse();
         pairs.separation[1] = -1.0001 * kept;
@@ -277,7 +278,7 @@ class EquilibriumTest {
         bodies.velocityX[BOX] = 1.1e-6 / DT;
         assertThat(test.mayLast(0, DT)).isFalse();
         bodies.velocityX[BOX] = 0;
-        pairs.separation[0] = -2 * Recovery.KEPT_OVERLAP;
+        pairs.separation[0] = -2 * KeptOverlap.LEAST;
         assertThat(test.mayLast(0, DT)).isFalse();
     }
 }

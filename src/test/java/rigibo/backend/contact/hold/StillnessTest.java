@@ -19,6 +19,7 @@ import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Rotation;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.storage.Bodies;
+import rigibo.backend.storage.KeptOverlap;
 
 /**
  * A body of 2 kg, half a metre wide, on the ground under 10 m/s², whose contact carries 3 N·s: in a
@@ -136,10 +137,10 @@ class StillnessTest {
         correcting.begin();
         int at = row * PackedContacts.STRIDE;
         contacts.data[at + PackedContacts.RECOVERY] = Recovery.RATE;
-        contacts.data[at + PackedContacts.GAP0] = -0.9 * Recovery.KEPT_OVERLAP;
+        contacts.data[at + PackedContacts.GAP0] = -0.9 * KeptOverlap.LEAST;
         overlap.prepare(true);
         assertThat(correcting.isAtRest(0, H, SUBSTEPS, KICK)).isTrue();
-        contacts.data[at + PackedContacts.GAP0] = -1.1 * Recovery.KEPT_OVERLAP;
+        contacts.data[at + PackedContacts.GAP0] = -1.1 * KeptOverlap.LEAST;
         assertThat(correcting.isAtRest(0, H, SUBSTEPS, KICK)).isFalse();
     }
 

@@ -12,6 +12,7 @@ import rigibo.backend.impact.Impact;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.Islands;
+import rigibo.backend.storage.KeptOverlap;
 
 /** What is asked of all contacts of an island at once, and how much overlap is taken back. */
 class PackedContactsTest {
@@ -198,12 +199,12 @@ class PackedContactsTest {
     @Test
     void crowdsKeepMore() {
         Accuracy fine = Accuracy.GAME.withImpactTolerance(2e-5);
-        assertThat(Recovery.kept(false, fine)).isEqualTo(1e-5);
-        assertThat(Recovery.keptIfCalm(false, fine)).isEqualTo(1e-5);
-        assertThat(Recovery.kept(true, fine)).isCloseTo(2e-4, within(ROUND_OFF));
-        assertThat(Recovery.keptIfCalm(true, fine)).isCloseTo(4e-4, within(ROUND_OFF));
-        assertThat(Recovery.kept(true, Accuracy.GAME.withImpactTolerance(1e-3))).isEqualTo(1e-3);
-        assertThat(Recovery.kept(true, Accuracy.GAME.withImpactTolerance(1e-9))).isEqualTo(1e-5);
+        assertThat(KeptOverlap.of(false, fine)).isEqualTo(1e-5);
+        assertThat(KeptOverlap.ifCalm(false, fine)).isEqualTo(1e-5);
+        assertThat(KeptOverlap.of(true, fine)).isCloseTo(2e-4, within(ROUND_OFF));
+        assertThat(KeptOverlap.ifCalm(true, fine)).isCloseTo(4e-4, within(ROUND_OFF));
+        assertThat(KeptOverlap.of(true, Accuracy.GAME.withImpactTolerance(1e-3))).isEqualTo(1e-3);
+        assertThat(KeptOverlap.of(true, Accuracy.GAME.withImpactTolerance(1e-9))).isEqualTo(1e-5);
     }
 
     /** Kick times pull, and what its contacts gave it; friction counts whichever way it goes. */

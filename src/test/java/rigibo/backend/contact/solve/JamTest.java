@@ -18,6 +18,7 @@ import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Rotation;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.storage.Bodies;
+import rigibo.backend.storage.KeptOverlap;
 
 import java.util.SplittableRandom;
 
@@ -72,7 +73,7 @@ class JamTest {
 
     /** Of what is more than the kept overlap. */
     private static double parted(double by) {
-        return (1 - LEFT) * (by - Recovery.KEPT_OVERLAP * WIDTH);
+        return (1 - LEFT) * (by - KeptOverlap.LEAST * WIDTH);
     }
 
     /** Each of the two by the share of the other's mass. */
@@ -146,7 +147,7 @@ class JamTest {
         assertThat(now[7]).isCloseTo(0, within(ROUND_OFF));
         // Seen from the middle each gap closes by half as fast, as the other half comes back.
         double left = Math.pow(1 - 0.5 * Recovery.RATE * H / (1 + Recovery.RATE * H), 12);
-        double opened = (1 - left) * (0.02 - Recovery.KEPT_OVERLAP * WIDTH);
+        double opened = (1 - left) * (0.02 - KeptOverlap.LEAST * WIDTH);
         assertThat(now[10]).isCloseTo(opened, within(ROUND_OFF));
         assertThat(now[4]).isCloseTo(-opened, within(ROUND_OFF));
     }
@@ -169,7 +170,7 @@ class JamTest {
     @CsvSource({"0.9, false", "1.1, true"})
     void whatHardlyMovesStays(double times, boolean isMoved) {
         double way = times * 0.04 * MOST;
-        double overlaps = 2 * way / (1 - LEFT) + Recovery.KEPT_OVERLAP * WIDTH;
+        double overlaps = 2 * way / (1 - LEFT) + KeptOverlap.LEAST * WIDTH;
         island.begin(2);
         island.body(1, 1, 0);
         island.body(2, 1, 0);

@@ -13,6 +13,7 @@ import rigibo.backend.effect.Contacts;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.storage.Bodies;
+import rigibo.backend.storage.KeptOverlap;
 
 /** Overlap that is taken back, of bodies that lie on the ground and do not turn. */
 class OverlapSolverTest {
@@ -35,7 +36,7 @@ class OverlapSolverTest {
         double overlap = 5e-4;
         double left = left(FEW, overlap, Accuracy.GAME);
         double rate = Recovery.RATE * H;
-        double kept = Recovery.KEPT_OVERLAP;
+        double kept = KeptOverlap.LEAST;
         double truth = kept + (overlap - kept) / (1 + rate);
         assertThat(left).isCloseTo(truth, within(1e-15));
     }
@@ -43,7 +44,7 @@ class OverlapSolverTest {
     /** A small, calm pile loses the last of its overlap at once, so that it can rest. */
     @Test
     void calmFewLoseTheLastAtOnce() {
-        double kept = Recovery.KEPT_OVERLAP;
+        double kept = KeptOverlap.LEAST;
         assertThat(left(FEW, 0.9e-3, Accuracy.GAME, true)).isCloseTo(kept, within(1e-15));
         double atFine = left(FEW, 0.9e-3, Accuracy.FINE, true);
         assertThat(atFine).isEqualTo(left(FEW, 0.9e-3, Accuracy.FINE, false));
@@ -56,13 +57,13 @@ class OverlapSolverTest {
     void bothPointsOfAContactGoAlike() {
         assertThat(opens(1.2e-3, 0.95e-3)).isCloseTo(byShare(0.95e-3), within(1e-15));
         assertThat(opens(0.95e-3, 1.2e-3)).isCloseTo(byShare(1.2e-3), within(1e-15));
-        double kept = Recovery.KEPT_OVERLAP;
+        double kept = KeptOverlap.LEAST;
         assertThat(opens(0.9e-3, 0.5e-3)).isCloseTo(0.5e-3 - kept, within(1e-15));
     }
 
     private static double byShare(double overlap) {
         double rate = Recovery.RATE * H;
-        return (overlap - Recovery.KEPT_OVERLAP) * rate / (1 + rate);
+        return (overlap - KeptOverlap.LEAST) * rate / (1 + rate);
     }
 
     /** How far the second of two points is to open in a small, calm pile, m. */

@@ -19,6 +19,7 @@ import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Rotation;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.storage.Bodies;
+import rigibo.backend.storage.KeptOverlap;
 
 import java.util.SplittableRandom;
 
@@ -51,7 +52,7 @@ class OverlapWaysTest {
 
     /** The share rate·h/(1 + rate·h) of what is not kept, at three widths a second at most. */
     private static double wanted(double overlap) {
-        double over = Math.max(0, overlap - 2 * Recovery.KEPT_OVERLAP);
+        double over = Math.max(0, overlap - 2 * KeptOverlap.LEAST);
         return Math.min(over * 30 * H / (1 + 30 * H), Recovery.MOST_PUSH * 2 * H);
     }
 
@@ -171,7 +172,7 @@ class OverlapWaysTest {
         island.begin(1);
         island.body(1, 1, 1);
         int row = island.onGround(1, 0.5, 0.5);
-        double kept = 2 * Recovery.KEPT_OVERLAP;
+        double kept = 2 * KeptOverlap.LEAST;
         overlap(row, first * kept, second * kept);
         contacts.points[row] = points;
         contacts.firstSubstep[row] = joins;

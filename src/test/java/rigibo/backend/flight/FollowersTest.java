@@ -1,0 +1,126 @@
+package rigibo.backend.flight;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+import rigibo.backend.geometry.Circle;
+import rigibo.backend.setup.Accuracy;
+import rigibo.backend.setup.BodyDefinition;
+import rigibo.backend.setup.Material;
+
+/**
+ * Discs that fly behind a column which a wall stops: discs 2 m wide that move at 0.2 m/s into a
+ * wall are led off their paths by 0.1 m in half a second. In a column of eight, an impact at its
+ * foot by itself disturbs its end by millimetres only, since each disc gets half of the one ahead.
+ */
+class FollowersTest {
+
+    private static final double DT = 0.5;
+
+    private static final int COLUMN = 8;
+
+    /** Where the column of eight ends, m. */
+    private static final double END = 2 * COLUMN - 1;
+
+    private final Air air = new Air(Accuracy.GAME);
+
+    private int disc(double x, double velocityX) {
+        return air.add(
+                BodyDefinition.dynamic(new Circle(1))
+                        .at(x, 0)
+                        .velocity(velocityX, 0)
+                        .mass(1)
+                        .material(new Material(1, 0, 0)));
+    }
+
+    private int piled(double x, double velocityX) {
+        int slot = disc(x, velocityX);
+        air.pile(slot);
+        return slot;
+    }
+
+    /** Puts up the column; returns its end. */
+    private int column(double velocityX) {
+        int last = 0;
+        for (int i = 0; i < COLUMN; i++) {
+            last = piled(2 * i, velocityX);
+        }
+        return last;
+    }
+
+    /** It would never meet the disc ahead of it, which goes as fast, but for the wall. */
+    @ParameterizedTest
+    @CsvSource({"0.02, true", "0.08, true", "0.12, false", "0.5, false"})
+    void whatAColumnCouldBeLedIntoJoins(double gap, boolean joins) {
+        air.add(Air.wall(-1, -1));
+        column(-0.2);
+        int follower = disc(END + 1 + gap, -0.2);
+        air.fly(DT);
+
+        assertThat(air.bodies.piled[follower]).isEqualTo(joins);
+        if (joins) {
+            assertThat(air.bodies.pileTime[follower]).isZero();
+        }
+    }
+
+    /** What joins may be led into the next one. */
+    @Test
+    void oneFollowerBringsTheNext() {
+        air.add(Air.wall(-1, -1));
+        column(-0.2);
+        int[] followers = new int[4];
+        for (int i = 0; i < followers.length; i++) {
+            followers[i] = disc(END + 1 + 0.01 + 2.01 * i, -0.2);
+        }
+        int last = disc(END + 1 + 0.5 + 2.01 * followers.length, -0.2);
+        air.fly(DT);
+
+        for (int follower : followers) {
+            assertThat(air.bodies.piled[follower]).isTrue();
+        }
+        assertThat(air.bodies.piled[last]).isFalse();
+    }
+
+    /** Nothing stops a column that falls freely. */
+    @Test
+    void columnThatIsNotStoppedLeadsNobodyOff() {
+        column(-0.2);
+        int follower = disc(END + 1.02, -0.2);
+        air.fly(DT);
+
+        assertThat(air.bodies.piled[follower]).isFalse();
+    }
+
+    /** A wall that comes along at their speed does not close in on them. */
+    @Test
+    void frameOfReferenceDoesNotMatter() {
+        air.add(
+                BodyDefinition.kinematic(new Circle(1))
+                        .at(-2, 0)
+                        .velocity(-5, 0)
+                        .material(new Material(1, 0, 0)));
+        column(-5);
+        int follower = disc(END + 1.02, -5);
+        air.fly(DT);
+
+        assertThat(air.bodies.piled[follower]).isFalse();
+    }
+
+    /**
+     * Two columns that a step leads into each other get a contact, though they are 0.05 m apart.
+     */
+    @Test
+    void bodiesOfPilesWithinReachGetAContact() {
+        air.add(Air.wall(-1, -1));
+        int last = column(-0.2);
+        int behind = piled(END + 1.05, -0.2);
+        air.fly(DT);
+
+        int pair = air.pairOf(last, behind);
+        assertThat(pair).isNotNegative();
+        assertThat(air.pairs.points[pair]).isEqualTo(1);
+    }
+}

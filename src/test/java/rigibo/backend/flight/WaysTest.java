@@ -1,0 +1,169 @@
+package rigibo.backend.flight;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+import rigibo.backend.geometry.Circle;
+import rigibo.backend.setup.Accuracy;
+import rigibo.backend.setup.BodyDefinition;
+import rigibo.backend.storage.Found;
+
+import java.util.Arrays;
+
+/**
+ * How far discs on a line may be led off in half a second, by what is ahead of them. All of them
+ * are 2 m wide.
+ */
+class WaysTest {
+
+    private static final double DT = 0.5;
+
+    /** Ways from a hundredth of a millimetre on count, and 2 mm of overlap are kept. */
+    private static final double LEAST = 5e-6;
+
+    private static final double KEPT = 1e-3;
+
+    /** Round-off of places of some metres, and that of a dozen sums of them. */
+    private static final double ROUND_OFF = 1e-13;
+
+    private final Air air = new Air(Accuracy.EXACT);
+
+    private int disc(double x, double velocityX, double mass) {
+        return air.add(
+                BodyDefinition.dynamic(new Circle(1)).at(x, 0).velocity(velocityX, 0).mass(mass));
+    }
+
+    /** The ways along the contacts of bodies that follow each other. */
+    private Ways waysOf(boolean isFirstFirst, int... bodies) {
+        air.meet(DT);
+        Ways ways = new Ways(air.storage.data, LEAST, KEPT);
+        ways.begin();
+        for (int i = 0; i < bodies.length - 1; i++) {
+            int first = isFirstFirst ? i : bodies.length - 2 - i;
+            ways.add(air.pairOf(bodies[first], bodies[first + 1]), DT);
+        }
+        ways.handOn();
+        return ways;
+    }
+
+    private static int[] numbers(Found found) {
+        return Arrays.copyOf(found.numbers, found.count);
+    }
+
+    /** They close at 0.5 m/s over 0.1 m, and would be 0.15 m in each other. */
+    @Test
+    void ofTwoTheLighterOneIsLedFarther() {
+        int a = disc(0, 0.3, 1);
+        int b = disc(2.1, -0.2, 3);
+        Ways ways = waysOf(true, a, b);
+
+        assertThat(ways.ledTo(a, -1, 0)).isEqualTo(0.15 * 3 / 4, within(ROUND_OFF));
+        assertThat(ways.ledTo(b, 1, 0)).isEqualTo(0.15 / 4, within(ROUND_OFF));
+        assertThat(ways.ledTo(a, 1, 0)).isZero();
+        assertThat(ways.ledTo(a, 0, 1)).isZero();
+        assertThat(ways.reach(a)).isEqualTo(0.15 * 3 / 4, within(ROUND_OFF));
+    }
+
+    /** What is fixed gives no way: the other one takes all of it. */
+    @Test
+    void whatIsFixedPushesInFull() {
+        int wall = air.add(Air.wall(-1, -1));
+        int a = disc(0, -0.2, 7);
+        Ways ways = waysOf(true, wall, a);
+
+        assertThat(ways.ledTo(a, 1, 0)).isEqualTo(0.1, within(ROUND_OFF));
+        assertThat(numbers(ways.led)).containsExactly(a);
+    }
+
+    /** No contact of a column closes but the one with the wall, and yet its end is stopped. */
+    @ParameterizedTest
+    @ValueSource(booleans = {true, false})
+    void wayGoesAlongAColumnInAnyOrderOfContacts(boolean isWallFirst) {
+        int[] bodies = new int[12];
+        bodies[0] = air.add(Air.wall(-1, -1));
+        for (int i = 1; i < bodies.length; i++) {
+            bodies[i] = disc(2 * (i - 1), -0.2, i);
+        }
+        Ways ways = waysOf(isWallFirst, bodies);
+
+        for (int i = 1; i < bodies.length; i++) {
+            assertThat(ways.ledTo(bodies[i], 1, 0)).isEqualTo(0.1, within(ROUND_OFF));
+        }
+    }
+
+    /** Each is faster than the one ahead of it: what is closed adds up. */
+    @Test
+    void waysAddUp() {
+        int[] bodies = new int[8];
+        bodies[0] = air.add(Air.wall(-1, -1));
+        double sum = 0;
+        for (int i = 1; i < bodies.length; i++) {
+            bodies[i] = disc(2 * (i - 1), -0.02 * i, 1);
+        }
+        Ways ways = waysOf(true, bodies);
+
+        for (int i = 1; i < bodies.length; i++) {
+            sum += 0.02 * DT;
+            assertThat(ways.ledTo(bodies[i], 1, 0)).isEqualTo(sum, within(ROUND_OFF));
+        }
+    }
+
+    /** A contact found later hands on what its bodies have by then. */
+    @Test
+    void laterContactsTakePart() {
+        int wall = air.add(Air.wall(-1, -1));
+        int a = disc(0, -0.2, 1);
+        int b = disc(2, -0.2, 1);
+        Ways ways = waysOf(true, wall, a);
+        assertThat(ways.ledTo(b, 1, 0)).isZero();
+
+        ways.add(air.pairOf(a, b), DT);
+        ways.handOn();
+
+        assertThat(ways.contacts()).isEqualTo(2);
+        assertThat(ways.ledTo(b, 1, 0)).isEqualTo(0.1, within(ROUND_OFF));
+    }
+
+    /** Overlap that nothing removes leads nobody off; what is beyond it does. */
+    @Test
+    void overlapThatIsKeptDoesNotCount() {
+        int a = disc(0, 0, 1);
+        int b = disc(2 - 0.9 * 2 * KEPT, 0, 1);
+        int c = disc(40, 0, 1);
+        int d = disc(42 - 0.1 - 2 * KEPT, 0, 1);
+        Ways resting = waysOf(true, a, b);
+        Ways removed = waysOf(true, c, d);
+
+        assertThat(resting.led.count).isZero();
+        assertThat(removed.ledTo(d, 1, 0)).isEqualTo(0.05, within(ROUND_OFF));
+    }
+
+    /** Contacts that move along with their bodies' frame are those at rest. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0, 0.25, -1024})
+    void nothingDependsOnTheFrame(double speed) {
+        int a = disc(0, speed + 0.5, 1);
+        int b = disc(2, speed, 1);
+        int c = disc(4, speed - 0.25, 1);
+        Ways ways = waysOf(true, a, b, c);
+
+        // The middle one is led by half of what it closes, and two thirds of the sum are the end's.
+        assertThat(ways.ledTo(c, 1, 0)).isEqualTo((0.125 + 0.125) * 2 / 3, within(ROUND_OFF));
+        assertThat(ways.ledTo(a, -1, 0)).isEqualTo((0.25 + 0.0625) * 2 / 3, within(ROUND_OFF));
+    }
+
+    @Test
+    void whatSleepsIsNotLed() {
+        int a = disc(0, 0.5, 1);
+        int b = disc(2, 0, 1);
+        air.bodies.awake[b] = false;
+        Ways ways = waysOf(true, a, b);
+
+        assertThat(ways.ledTo(b, 1, 0)).isZero();
+        assertThat(ways.ledTo(a, -1, 0)).isEqualTo(0.125, within(ROUND_OFF));
+    }
+}
