@@ -67,7 +67,8 @@ final class BenchCommand implements Callable<Integer> {
             paramLabel = "ENGINE",
             split = ",",
             description =
-                    "rigibo, dyn4j, gdx-box2d, jbox2d; all that are at hand unless said otherwise.")
+                    "rigibo, dyn4j, gdx-box2d, jbox2d, and box2d and rapier once ./rigibo peers has"
+                            + " built them; all that are at hand unless said otherwise.")
     private List<String> engines = List.of();
 
     @Option(
