@@ -46,7 +46,7 @@ public final class PuzzleGame {
                         .map(piece -> new Ride(piece.definition(), piece.body()))
                         .toList();
         sources = new Sources(board.pieces());
-        workings = new Workings(board.pool(), sources);
+        workings = new Workings(board.pool(), board.pieces(), sources);
         cooldown = new Cooldown(Steps.of(limits.cooldown()));
         hold = new HoldClock(Steps.of(limits.hold()), Steps.of(limits.contactGrace()));
         trace.observe(steps, outcome, board.pool());

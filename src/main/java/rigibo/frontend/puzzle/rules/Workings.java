@@ -2,6 +2,10 @@ package rigibo.frontend.puzzle.rules;
 
 import rigibo.backend.Explosion;
 import rigibo.backend.Pool;
+import rigibo.backend.RigidBody;
+import rigibo.backend.geometry.Circle;
+import rigibo.backend.geometry.Placement;
+import rigibo.backend.setup.Filter;
 import rigibo.frontend.puzzle.level.Handling;
 import rigibo.frontend.puzzle.level.Verb;
 
@@ -12,14 +16,16 @@ import java.util.List;
 final class Workings {
 
     private final Pool pool;
+    private final List<Piece> pieces;
 
     /** Bombs whose fuses burn, in the order in which they were lit. */
     private final List<Piece> burning = new ArrayList<>();
 
     private final Sources sources;
 
-    Workings(Pool pool, Sources sources) {
+    Workings(Pool pool, List<Piece> pieces, Sources sources) {
         this.pool = pool;
+        this.pieces = pieces;
         this.sources = sources;
     }
 
@@ -49,12 +55,14 @@ final class Workings {
             case DELETE -> pool.remove(piece.body());
             case SWITCH -> piece.flip();
             case FREEZE -> piece.freeze();
-            case LIGHT -> {
-                piece.light(new Fuse(steps));
-                burning.add(piece);
-            }
+            case LIGHT -> light(piece, steps);
             case CUT, PULL -> throw new IllegalArgumentException("not a joint: " + piece.id());
         }
+    }
+
+    private void light(Piece bomb, int steps) {
+        bomb.light(new Fuse(steps));
+        burning.add(bomb);
     }
 
     /** Blows up what is due, before the next step. */
@@ -63,20 +71,34 @@ final class Workings {
         for (Piece bomb : List.copyOf(burning)) {
             if (bomb.fuse().orElseThrow().isBurntDown(steps)) {
                 burning.remove(bomb);
-                blow(bomb);
+                blow(bomb, steps);
             }
         }
     }
 
-    private void blow(Piece bomb) {
+    /** Blows a bomb up, which lights the bombs within reach. */
+    private void blow(Piece bomb, int steps) {
         Handling.Charge charge = bomb.definition().handling().charge().orElseThrow();
         Explosion blast =
                 Explosion.at(bomb.x(), bomb.y())
                         .radius(charge.radius())
                         .falloff(charge.falloff())
                         .impulsePerMetre(charge.impulse());
+        List<Piece> reached = bombsWithin(charge.radius() + charge.falloff(), bomb);
         pool.remove(bomb.body());
         pool.explode(blast);
+        reached.forEach(next -> light(next, steps));
+    }
+
+    /** The bombs not lit yet of which some part is within a distance (m) of a bomb's centre. */
+    private List<Piece> bombsWithin(double distance, Piece bomb) {
+        List<RigidBody> near = new ArrayList<>();
+        Placement centre = new Placement(bomb.x(), bomb.y(), 0);
+        pool.overlapping(new Circle(distance), centre, Filter.ALL, near::add);
+        return pieces.stream()
+                .filter(piece -> piece.is(Verb.LIGHT) && piece.isClickable())
+                .filter(piece -> near.contains(piece.body()))
+                .toList();
     }
 
     /** Whether a fuse burns, so that something is going to move. */

@@ -116,6 +116,32 @@ public final class VerbLevels {
                     }
                     """;
 
+    /**
+     * Four bombs in a row, without weight, whose weak blasts reach 2 m: each but the last is within
+     * reach of the one before it.
+     */
+    public static final String BOMBS =
+            HEAD.replace("-9.81", "0")
+                    + """
+                      "ball": {"x": 0.6, "y": 8.75, "radius": 0.35},
+                      "platform": {"x": 2, "y": 8.2, "w": 3},
+                      "bodies": [
+                        {"id": "first", "shape": {"type": "circle", "r": 0.3}, "x": 1, "y": 1,
+                         "material": "iron", "click": "light",
+                         "blast": {"radius": 1.5, "falloff": 0.5, "impulse": 0.001}},
+                        {"id": "near", "shape": {"type": "circle", "r": 0.3}, "x": 3.29, "y": 1,
+                         "material": "iron", "click": "light",
+                         "blast": {"radius": 1.5, "falloff": 0.5, "impulse": 0.001}},
+                        {"id": "next", "shape": {"type": "circle", "r": 0.3}, "x": 5.58, "y": 1,
+                         "material": "iron", "click": "light",
+                         "blast": {"radius": 1.5, "falloff": 0.5, "impulse": 0.001}},
+                        {"id": "far", "shape": {"type": "circle", "r": 0.3}, "x": 7.89, "y": 1,
+                         "material": "iron", "click": "light",
+                         "blast": {"radius": 1.5, "falloff": 0.5, "impulse": 0.001}}
+                      ]
+                    }
+                    """;
+
     private VerbLevels() {}
 
     /** A fan and a magnet. */
