@@ -37,12 +37,14 @@ final class Hud {
     private static final double BUTTON_WIDTH = 96;
 
     private final Level level;
+    private final Lesson lesson;
 
     /** Share of real time at which the world runs. */
     private double pace = 1;
 
-    Hud(Level level) {
+    Hud(Level level, Lesson lesson) {
         this.level = level;
+        this.lesson = lesson;
     }
 
     void paced(double share) {
@@ -123,7 +125,9 @@ final class Hud {
     private Optional<String> state(Words words, Session session, Refusal refusal) {
         Optional<String> refused =
                 refusal.reason().map(why -> words.of("puzzle.refused." + key(why)));
-        return refused.or(() -> late(words)).or(() -> keyOfState(session).map(words::of));
+        return refused.or(() -> late(words))
+                .or(() -> lesson.words(session.game()).map(words::of))
+                .or(() -> keyOfState(session).map(words::of));
     }
 
     private Optional<String> late(Words words) {

@@ -1,5 +1,7 @@
 package rigibo.frontend.puzzle;
 
+import rigibo.backend.Pool;
+import rigibo.backend.RayHit;
 import rigibo.frontend.puzzle.rules.Link;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.joint.JointPen;
@@ -7,10 +9,11 @@ import rigibo.frontend.scene.joint.RopeLine;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 
 /**
- * The two parts of each rope that was cut, which fall and then hang from what the rope held. They
- * are drawn and touch nothing: a rope has no mass in the game.
+ * The two parts of each rope that was cut, which fall and then hang from what the rope held, or lie
+ * on what is below. They are drawn and push nothing: a rope has no mass in the game.
  */
 final class LooseEnds {
 
@@ -30,6 +33,9 @@ final class LooseEnds {
 
     /** Radius of the pin that still holds a part, m. */
     private static final double PIN = 0.05;
+
+    /** Distance from a surface at which the middle of a cord lies on it, m. */
+    private static final double LIES = 0.03;
 
     private final List<Part> parts = new ArrayList<>();
 
@@ -85,17 +91,31 @@ final class LooseEnds {
         b.swing(SWING);
     }
 
-    /** A rope was cut earlier: its parts hang straight down. */
-    void hang(Link link, double share) {
-        hang(part(link.a(), share * link.definition().length()));
-        hang(part(link.b(), (1 - share) * link.definition().length()));
+    /** A rope was cut earlier: its parts hang straight down, as far as they come. */
+    void hang(Link link, double share, Pool pool) {
+        hang(part(link.a(), share * link.definition().length()), pool);
+        hang(part(link.b(), (1 - share) * link.definition().length()), pool);
     }
 
-    private static void hang(Part part) {
-        if (part.anchor.body().isAlive()) {
-            for (int i = 0; i < part.points(); i++) {
-                part.at(i, part.anchor.x(), part.anchor.y() - i * part.piece);
-            }
+    private static void hang(Part part, Pool pool) {
+        if (!part.anchor.body().isAlive()) {
+            return;
+        }
+        part.at(0, part.anchor.x(), part.anchor.y());
+        for (int i = 1; i < part.points(); i++) {
+            double x = part.xy[2 * i - 2];
+            double y = part.xy[2 * i - 1];
+            part.at(i, x, y - part.piece);
+            lay(part, i, x, y, pool);
+        }
+    }
+
+    /** Stops a point that came from (x, y) at the first body on its way, but for its own. */
+    private static void lay(Part part, int point, double x, double y, Pool pool) {
+        Optional<RayHit> met = pool.rayCast(x, y, part.xy[2 * point], part.xy[2 * point + 1]);
+        if (met.isPresent() && !met.get().body().equals(part.anchor.body())) {
+            RayHit hit = met.get();
+            part.at(point, hit.x() + LIES * hit.normalX(), hit.y() + LIES * hit.normalY());
         }
     }
 
@@ -111,8 +131,9 @@ final class LooseEnds {
      *
      * @param gravityX m/s²
      * @param gravityY m/s², up
+     * @param pool the bodies on which the parts may lie
      */
-    void step(double gravityX, double gravityY) {
+    void step(double gravityX, double gravityY, Pool pool) {
         parts.removeIf(part -> !part.anchor.body().isAlive());
         double fallX = gravityX * Scene.STEP * Scene.STEP;
         double fallY = gravityY * Scene.STEP * Scene.STEP;
@@ -127,6 +148,9 @@ final class LooseEnds {
             part.xy[1] = part.anchor.y();
             for (int round = 0; round < ROUNDS; round++) {
                 keepLengths(part);
+            }
+            for (int i = 1; i < part.points(); i++) {
+                lay(part, i, part.before[2 * i], part.before[2 * i + 1], pool);
             }
         }
     }

@@ -46,11 +46,11 @@ final class Panels {
         }
     }
 
-    Panels(Level level, Session session, View view, Words words) {
+    Panels(Level level, Session session, View view, Words words, Lesson lesson) {
         this.session = session;
         this.view = view;
         this.words = words;
-        hud = new Hud(level);
+        hud = new Hud(level, lesson);
         effects = new EffectsDrawer(new LevelEffects(level, session, words));
         hint = new HintPlate(level.hint().in(words.locale()), !level.solutions().isEmpty());
     }

@@ -30,6 +30,7 @@ public final class PuzzleScene implements Scene {
     private final Table table;
     private final Panels panels;
     private final Tally tally;
+    private final Lesson lesson;
     private Optional<Solution> solution = Optional.empty();
     private boolean isShiftHeld;
 
@@ -42,8 +43,9 @@ public final class PuzzleScene implements Scene {
         session = new Session(level, Accuracy.GAME);
         view = new View(level.world());
         table = new Table(session, view.camera(), new Noises(director.sounds(), session.game()));
-        panels = new Panels(level, session, view, director.words());
         tally = new Tally(director, level);
+        lesson = Lesson.of(levels, number, tally.isSolved());
+        panels = new Panels(level, session, view, director.words(), lesson);
     }
 
     @Override
@@ -60,6 +62,7 @@ public final class PuzzleScene implements Scene {
             ended(game);
         }
         panels.turn();
+        lesson.turn();
     }
 
     private void ended(PuzzleGame game) {
@@ -79,6 +82,7 @@ public final class PuzzleScene implements Scene {
     @Override
     public void draw(Canvas canvas) {
         table.draw(canvas, motion());
+        lesson.draw(canvas, session, view.camera(), motion());
         panels.draw(canvas, table.refusal(), hasHint(), motion());
         table.drawPointer(canvas, motion());
     }

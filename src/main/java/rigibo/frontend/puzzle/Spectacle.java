@@ -89,7 +89,7 @@ final class Spectacle {
         if (game.steps() != steps) {
             dust.raise(game.pool());
             World world = game.level().world();
-            looseEnds.step(world.gravityX(), world.gravityY());
+            looseEnds.step(world.gravityX(), world.gravityY(), game.pool());
             belts.step(game);
             steps = game.steps();
         }
@@ -116,7 +116,12 @@ final class Spectacle {
         belts.clear();
         flashes.clear();
         acts = game.acts().size();
-        game.acts().forEach(act -> rope(act).ifPresent(it -> looseEnds.hang(it, cut(act))));
+        game.acts()
+                .forEach(
+                        act ->
+                                rope(act)
+                                        .ifPresent(
+                                                it -> looseEnds.hang(it, cut(act), game.pool())));
     }
 
     /** A rope that a click cut. */

@@ -60,6 +60,11 @@ final class Tally {
         }
     }
 
+    /** Whether the player ever solved the level. */
+    boolean isSolved() {
+        return director.progress().of(level.id(), hash).isSolved();
+    }
+
     /** Failures still missing before the hint is offered; 0 if it may be shown. */
     int failuresToHint() {
         return Math.max(0, PATIENCE - director.progress().of(level.id(), hash).failures());
