@@ -258,16 +258,16 @@ class FlightTest {
     void whatIsFoundByLookingRoundIsStruckWhilePairsGrow() {
         air.pile(air.add(Air.disc(0, 0.5, 1)));
         air.pile(air.add(Air.disc(2, -0.5, 1)));
-        int beside = air.add(Air.body(new Circle(1), 1).at(4.6, 2.6));
-        int striker = air.add(Air.body(new Circle(1), 1).at(7.1, 2.6).velocity(-2, 0));
+        int beside = air.add(Air.body(new Circle(1), 1).at(4.8, 2.6));
+        int striker = air.add(Air.body(new Circle(1), 1).at(7.3, 2.6).velocity(-2, 0));
         for (int i = 0; i < 100; i++) {
             air.add(BodyDefinition.fixed(new Circle(1e-3)).at(-1.9, 1.9));
         }
         air.fly(0.5);
 
         assertThat(air.pairOf(1, beside)).isGreaterThan(99);
-        assertThat(air.bodies.x[beside]).isEqualTo(4.6 - 2 * 0.25, within(PLACE));
-        assertThat(air.bodies.x[striker]).isEqualTo(6.6, within(PLACE));
+        assertThat(air.bodies.x[beside]).isEqualTo(4.8 - 2 * 0.25, within(PLACE));
+        assertThat(air.bodies.x[striker]).isEqualTo(6.8, within(PLACE));
     }
 
     /** A disc beside a body of a pile that another strikes: within its reach it joins, else not. */
