@@ -57,9 +57,42 @@ class FollowersTest {
     void whatAColumnCouldBeLedIntoJoins(double gap, boolean joins) {
         air.add(Air.wall(-1, -1));
         column(-0.2);
-        int follower = disc(END + 1 + gap, -0.2);
-        air.fly(DT);
+        requireJoined(joins, disc(END + 1 + gap, -0.2));
+    }
 
+    /** To the other side. */
+    @ParameterizedTest
+    @CsvSource({"0.02, true", "0.08, true", "0.12, false", "0.5, false"})
+    void andSoDoesItsMirrorImage(double gap, boolean joins) {
+        air.add(Air.wall(1, 1));
+        for (int i = 0; i < COLUMN; i++) {
+            piled(-2 * i, 0.2);
+        }
+        requireJoined(joins, disc(-END - 1 - gap, 0.2));
+    }
+
+    /** A depth of a hundredth of a metre, 1/200 of a width, is left to the next step. */
+    @ParameterizedTest
+    @CsvSource({"0.018, false", "0.022, true"})
+    void whatIsLedByLittleLeavesFlyersAlone(double speed, boolean joins) {
+        air.add(Air.wall(-1, -1));
+        column(-speed);
+        requireJoined(joins, disc(END + 1, -speed));
+    }
+
+    /** It falls by 0.125 m in the step, and the column does not. */
+    @ParameterizedTest
+    @CsvSource({"0.2, true", "0.24, false"})
+    void whatFallsIntoTheColumnJoins(double gap, boolean joins) {
+        air.add(Air.wall(-1, -1));
+        column(-0.2);
+        int follower = disc(END + 1 + gap, -0.2);
+        air.bodies.accelerationX[follower] = -1;
+        requireJoined(joins, follower);
+    }
+
+    private void requireJoined(boolean joins, int follower) {
+        air.fly(DT);
         assertThat(air.bodies.piled[follower]).isEqualTo(joins);
         if (joins) {
             assertThat(air.bodies.pileTime[follower]).isZero();

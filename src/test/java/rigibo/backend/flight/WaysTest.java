@@ -5,8 +5,10 @@ import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
+import rigibo.backend.effect.Contacts;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.BodyDefinition;
@@ -154,6 +156,82 @@ class WaysTest {
         // The middle one is led by half of what it closes, and two thirds of the sum are the end's.
         assertThat(ways.ledTo(c, 1, 0)).isEqualTo((0.125 + 0.125) * 2 / 3, within(ROUND_OFF));
         assertThat(ways.ledTo(a, -1, 0)).isEqualTo((0.25 + 0.0625) * 2 / 3, within(ROUND_OFF));
+    }
+
+    /** They close at 0.5 m/s along (0.6, 0.8), with and without turning. */
+    @ParameterizedTest
+    @ValueSource(booleans = {true, false})
+    void waysGoAlongTheNormal(boolean turns) {
+        Air skew = turns ? air : new Air(Accuracy.EXACT, new Contacts());
+        int a = skew.add(BodyDefinition.dynamic(new Circle(1)).velocity(0.3, 0.4).mass(1));
+        int b = skew.add(BodyDefinition.dynamic(new Circle(1)).at(1.2, 1.6).mass(3));
+        skew.meet(DT);
+        Ways ways = new Ways(skew.storage.data, LEAST, KEPT);
+        ways.begin();
+        ways.add(skew.pairOf(a, b), DT);
+        ways.handOn();
+
+        assertThat(ways.ledTo(b, 0.6, 0.8)).isEqualTo(0.25 / 4, within(ROUND_OFF));
+        assertThat(ways.ledTo(b, 1, 0)).isEqualTo(0.6 * 0.25 / 4, within(ROUND_OFF));
+        assertThat(ways.ledTo(b, 0.8, -0.6)).isEqualTo(0, within(ROUND_OFF));
+        assertThat(ways.ledTo(a, -0.6, -0.8)).isEqualTo(0.25 * 3 / 4, within(ROUND_OFF));
+        assertThat(ways.reach(b)).isEqualTo(0.25 / 4, within(ROUND_OFF));
+    }
+
+    /** What is pushed from both sides may be led to either, and farther to one. */
+    @Test
+    void aBodyHasAWayAndOneAgainstIt() {
+        int a = disc(0, 0.2, 1);
+        int b = disc(2, 0, 1);
+        int c = disc(4, -0.4, 1);
+        Ways ways = waysOf(true, a, b, c);
+
+        // By half of what it closes with a; and by two thirds of it, and of what b closes with c.
+        assertThat(ways.ledTo(b, 1, 0)).isEqualTo(0.05, within(ROUND_OFF));
+        assertThat(ways.ledTo(b, -1, 0)).isEqualTo(0.1, within(ROUND_OFF));
+        assertThat(ways.reach(b)).isEqualTo(0.1, within(ROUND_OFF));
+        assertThat(ways.ledTo(c, 1, 0)).isEqualTo((0.05 + 0.2) * 2 / 3, within(ROUND_OFF));
+        assertThat(ways.ledTo(a, -1, 0)).isEqualTo((0.1 + 0.1) * 2 / 3, within(ROUND_OFF));
+    }
+
+    /** From 10 µm on, for discs 2 m wide. */
+    @ParameterizedTest
+    @CsvSource({"0.9, false", "1.1, true"})
+    void shortWaysAreLeftOut(double share, boolean isLed) {
+        int wall = air.add(Air.wall(-1, -1));
+        int a = disc(0, -share * 2 * LEAST / DT, 1);
+        Ways ways = waysOf(true, wall, a);
+
+        assertThat(ways.led.count).isEqualTo(isLed ? 1 : 0);
+    }
+
+    /** A column that is done waits for one that is not, and nobody else takes part. */
+    @Test
+    void columnsDoNotMatterToEachOther() {
+        int[] bodies = new int[9];
+        bodies[0] = air.add(Air.wall(-1, -1));
+        for (int i = 1; i < bodies.length; i++) {
+            bodies[i] = disc(2 * (i - 1), i % 2 == 0 ? -0.3 : -0.2, i);
+        }
+        int a = disc(100, 0.5, 1);
+        int b = disc(102, 0, 1);
+        Ways alone = waysOf(false, bodies);
+        double[] led = new double[bodies.length];
+        for (int i = 1; i < bodies.length; i++) {
+            led[i] = alone.ledTo(bodies[i], 1, 0);
+        }
+        Ways both = new Ways(air.storage.data, LEAST, KEPT);
+        both.begin();
+        both.add(air.pairOf(a, b), DT);
+        for (int i = bodies.length - 2; i >= 0; i--) {
+            both.add(air.pairOf(bodies[i], bodies[i + 1]), DT);
+        }
+        both.handOn();
+
+        for (int i = 1; i < bodies.length; i++) {
+            assertThat(both.ledTo(bodies[i], 1, 0)).isEqualTo(led[i]);
+        }
+        assertThat(both.ledTo(b, 1, 0)).isEqualTo(0.125, within(ROUND_OFF));
     }
 
     @Test
