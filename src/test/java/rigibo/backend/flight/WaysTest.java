@@ -234,6 +234,37 @@ class WaysTest {
         assertThat(both.ledTo(b, 1, 0)).isEqualTo(0.125, within(ROUND_OFF));
     }
 
+    /** Nothing is left of a step in the next one, in which there is a crowd, too. */
+    @Test
+    void everyStepBeginsAnew() {
+        int wall = air.add(Air.wall(-1, -1));
+        int a = disc(0, -0.2, 1);
+        int b = disc(2, -0.2, 1);
+        Ways ways = waysOf(true, wall, a, b);
+        int[] crowd = new int[50];
+        for (int i = 0; i < crowd.length; i++) {
+            crowd[i] = disc(100 + 2 * i, i == 0 ? 0.4 : 0, 1);
+        }
+        air.meet(DT);
+        ways.begin();
+        assertThat(ways.contacts()).isZero();
+        assertThat(ways.led.count).isZero();
+        assertThat(ways.reach(a)).isZero();
+        for (int i = 0; i < crowd.length - 1; i++) {
+            ways.add(air.pairOf(crowd[i], crowd[i + 1]), DT);
+        }
+        ways.handOn();
+
+        assertThat(ways.reach(b)).isZero();
+        // Each takes what all behind it push by: of n equal discs the next gets n parts of n + 1.
+        double way = 0.2;
+        for (int i = 1; i < crowd.length; i++) {
+            way *= i / (i + 1.0);
+            assertThat(ways.ledTo(crowd[i], 1, 0)).isEqualTo(way, within(ROUND_OFF));
+        }
+        assertThat(ways.led.count).isEqualTo(crowd.length);
+    }
+
     @Test
     void whatSleepsIsNotLed() {
         int a = disc(0, 0.5, 1);
