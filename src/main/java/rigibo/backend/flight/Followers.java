@@ -143,8 +143,7 @@ final class Followers {
 
     /** Whether a way in m is so far that a flyer has to join. */
     private boolean shows(int pair, double way) {
-        double width = PairTolerances.width(bodies, pairs.bodyA[pair], pairs.bodyB[pair]);
-        return way > shareThatShows * width;
+        return way > shareThatShows * ways.width(pair);
     }
 
     /** How far a body may be led towards the other one of a contact, m. */

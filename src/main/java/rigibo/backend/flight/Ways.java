@@ -230,7 +230,8 @@ final class Ways {
         return most;
     }
 
-    private double width(int pair) {
+    /** Width of a contact, m. */
+    double width(int pair) {
         return PairTolerances.width(bodies, pairs.bodyA[pair], pairs.bodyB[pair]);
     }
 

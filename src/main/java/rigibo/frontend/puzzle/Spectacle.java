@@ -116,12 +116,9 @@ final class Spectacle {
         belts.clear();
         flashes.clear();
         acts = game.acts().size();
-        game.acts()
-                .forEach(
-                        act ->
-                                rope(act)
-                                        .ifPresent(
-                                                it -> looseEnds.hang(it, cut(act), game.pool())));
+        for (Act act : game.acts()) {
+            rope(act).ifPresent(it -> looseEnds.hang(it, cut(act), game.pool()));
+        }
     }
 
     /** A rope that a click cut. */

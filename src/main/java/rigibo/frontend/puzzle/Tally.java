@@ -6,6 +6,7 @@ import rigibo.frontend.puzzle.replay.ReplayShelf;
 import rigibo.frontend.puzzle.rules.Outcome;
 import rigibo.frontend.puzzle.rules.PuzzleGame;
 import rigibo.frontend.scene.Director;
+import rigibo.frontend.scene.LevelProgress;
 
 import java.io.IOException;
 import java.util.Optional;
@@ -62,11 +63,15 @@ final class Tally {
 
     /** Whether the player ever solved the level. */
     boolean isSolved() {
-        return director.progress().of(level.id(), hash).isSolved();
+        return known().isSolved();
     }
 
     /** Failures still missing before the hint is offered; 0 if it may be shown. */
     int failuresToHint() {
-        return Math.max(0, PATIENCE - director.progress().of(level.id(), hash).failures());
+        return Math.max(0, PATIENCE - known().failures());
+    }
+
+    private LevelProgress known() {
+        return director.progress().of(level.id(), hash);
     }
 }

@@ -126,23 +126,26 @@ public final class VerbLevels {
                       "ball": {"x": 0.6, "y": 8.75, "radius": 0.35},
                       "platform": {"x": 2, "y": 8.2, "w": 3},
                       "bodies": [
-                        {"id": "first", "shape": {"type": "circle", "r": 0.3}, "x": 1, "y": 1,
-                         "material": "iron", "click": "light",
-                         "blast": {"radius": 1.5, "falloff": 0.5, "impulse": 0.001}},
-                        {"id": "near", "shape": {"type": "circle", "r": 0.3}, "x": 3.29, "y": 1,
-                         "material": "iron", "click": "light",
-                         "blast": {"radius": 1.5, "falloff": 0.5, "impulse": 0.001}},
-                        {"id": "next", "shape": {"type": "circle", "r": 0.3}, "x": 5.58, "y": 1,
-                         "material": "iron", "click": "light",
-                         "blast": {"radius": 1.5, "falloff": 0.5, "impulse": 0.001}},
-                        {"id": "far", "shape": {"type": "circle", "r": 0.3}, "x": 7.89, "y": 1,
-                         "material": "iron", "click": "light",
-                         "blast": {"radius": 1.5, "falloff": 0.5, "impulse": 0.001}}
-                      ]
-                    }
-                    """;
+                    """
+                    + bomb("first", 1)
+                    + ","
+                    + bomb("near", 3.29)
+                    + ","
+                    + bomb("next", 5.58)
+                    + ","
+                    + bomb("far", 7.89)
+                    + "]}";
 
     private VerbLevels() {}
+
+    private static String bomb(String id, double x) {
+        return """
+        {"id": "%s", "shape": {"type": "circle", "r": 0.3}, "x": %s, "y": 1,
+         "material": "iron", "click": "light",
+         "blast": {"radius": 1.5, "falloff": 0.5, "impulse": 0.001}}
+        """
+                .formatted(id, x);
+    }
 
     /** A fan and a magnet. */
     public static Level sources() {
