@@ -3,6 +3,8 @@ package rigibo.backend;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -26,6 +28,7 @@ import java.util.List;
 import java.util.SplittableRandom;
 
 /** Where something must give, bodies that move do, and say so; what nobody moves never does. */
+@Execution(ExecutionMode.CONCURRENT)
 class CrushedTest {
 
     private static final Material MATTER = new Material(1, 0.5, 0.2);

@@ -3,6 +3,8 @@ package rigibo.backend;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
@@ -21,6 +23,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /** Walls that move as they are told, and what they meet and carry. */
+@Execution(ExecutionMode.CONCURRENT)
 class DrivenInPileTest {
 
     private static final Material ROUGH = new Material(1, 0.6, 0);

@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
@@ -29,6 +31,7 @@ import java.util.Set;
 import java.util.stream.Collectors;
 
 /** A pool restored from its snapshot is the pool: it goes on to the same bits. */
+@Execution(ExecutionMode.CONCURRENT)
 class SnapshotTest {
 
     /** In the middle of contacts: bodies lie in heaps, fall, bounce, sleep and are driven. */

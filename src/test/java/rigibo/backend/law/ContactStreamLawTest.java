@@ -1,5 +1,7 @@
 package rigibo.backend.law;
 
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -22,6 +24,7 @@ import java.util.Set;
  * Of any two bodies the steps tell BEGIN, PERSIST in every further step, END, and so on, whatever
  * is edited in between, and of nobody any more once all are gone.
  */
+@Execution(ExecutionMode.CONCURRENT)
 class ContactStreamLawTest {
 
     private static final int TRAY = 3;

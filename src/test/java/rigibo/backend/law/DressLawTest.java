@@ -2,6 +2,8 @@ package rigibo.backend.law;
 
 import org.junit.jupiter.api.Disabled;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -16,6 +18,7 @@ import java.util.function.LongFunction;
  * and kinds. Scenes and occasions differ: where bodies pass each other or lie on a shelf, fewer
  * contacts are loaded.
  */
+@Execution(ExecutionMode.CONCURRENT)
 class DressLawTest {
 
     /** The scene of locked bodies that gains more than it may. */

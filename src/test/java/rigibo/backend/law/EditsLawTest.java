@@ -2,6 +2,8 @@ package rigibo.backend.law;
 
 import org.junit.jupiter.api.Disabled;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -18,6 +20,7 @@ import java.util.List;
 import java.util.Optional;
 
 /** A pool may be changed between any two steps. */
+@Execution(ExecutionMode.CONCURRENT)
 class EditsLawTest {
 
     private static final Seeds SEEDS = Seeds.upTo(120);

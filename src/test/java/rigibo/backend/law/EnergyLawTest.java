@@ -2,6 +2,8 @@ package rigibo.backend.law;
 
 import org.junit.jupiter.api.Disabled;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -13,6 +15,7 @@ import java.util.function.LongFunction;
 import java.util.function.ToLongFunction;
 
 /** Where nothing is driven, energy only gets less. */
+@Execution(ExecutionMode.CONCURRENT)
 class EnergyLawTest {
 
     private static final Seeds SEEDS = Seeds.upTo(300);

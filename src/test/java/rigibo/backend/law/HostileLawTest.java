@@ -2,6 +2,8 @@ package rigibo.backend.law;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -13,6 +15,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /** Whatever numbers a pool accepts, a step ends with numbers, and who is far away is not told. */
+@Execution(ExecutionMode.CONCURRENT)
 class HostileLawTest {
 
     private static final int SCENES = 8;

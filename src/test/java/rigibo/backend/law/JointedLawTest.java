@@ -2,6 +2,8 @@ package rigibo.backend.law;
 
 import org.junit.jupiter.api.Disabled;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -17,6 +19,7 @@ import java.util.Optional;
 import java.util.function.LongFunction;
 
 /** What holds for bodies that nothing joins holds for joined ones. */
+@Execution(ExecutionMode.CONCURRENT)
 class JointedLawTest {
 
     private static final int FEW = 4;

@@ -2,6 +2,8 @@ package rigibo.backend.law;
 
 import org.junit.jupiter.api.Disabled;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -11,6 +13,7 @@ import java.lang.annotation.Retention;
 import java.lang.annotation.RetentionPolicy;
 
 /** What holds of sleep and of edits holds for bodies of every shape and kind. */
+@Execution(ExecutionMode.CONCURRENT)
 class KindsLawTest {
 
     private static final Seeds SEEDS = Seeds.upTo(60);

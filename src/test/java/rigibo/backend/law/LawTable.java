@@ -39,14 +39,19 @@ final class LawTable {
         }
     }
 
-    /** The method that holds the law. */
+    /** The test that holds the law: others may wait further down the same thread's stack. */
     private static String test() {
         return StackWalker.getInstance()
                 .walk(
                         frames ->
-                                frames.filter(frame -> frame.getClassName().endsWith("Test"))
+                                frames.dropWhile(frame -> !isTest(frame))
+                                        .takeWhile(LawTable::isTest)
                                         .reduce((inner, outer) -> outer))
                 .map(StackWalker.StackFrame::getMethodName)
                 .orElseThrow();
+    }
+
+    private static boolean isTest(StackWalker.StackFrame frame) {
+        return frame.getClassName().endsWith("Test");
     }
 }

@@ -4,12 +4,15 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
 import rigibo.backend.setup.Accuracy;
 
 import java.util.Optional;
 
 /** The harness itself: a law that breaks is told with its seed and its fewest bodies. */
+@Execution(ExecutionMode.CONCURRENT)
 class LawsTest {
 
     /** Broken wherever a body starts to the right of a metre and another to the left. */

@@ -1,5 +1,7 @@
 package rigibo.backend.law;
 
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
@@ -11,6 +13,7 @@ import rigibo.backend.StepReport;
 import java.util.Optional;
 
 /** Bodies alone in space: what one gains the others lose. */
+@Execution(ExecutionMode.CONCURRENT)
 class MomentumLawTest {
 
     private static final Seeds SEEDS = Seeds.upTo(300);

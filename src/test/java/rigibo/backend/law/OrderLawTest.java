@@ -1,5 +1,7 @@
 package rigibo.backend.law;
 
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
@@ -12,6 +14,7 @@ import java.util.List;
 import java.util.Optional;
 
 /** The laws of motion know neither numbers nor strangers. */
+@Execution(ExecutionMode.CONCURRENT)
 class OrderLawTest {
 
     private static final Seeds SEEDS = Seeds.upTo(300);

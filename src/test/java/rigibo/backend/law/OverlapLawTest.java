@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Disabled;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
@@ -20,6 +22,7 @@ import java.util.Optional;
 import java.util.function.LongFunction;
 
 /** Bodies do not sink into each other. */
+@Execution(ExecutionMode.CONCURRENT)
 class OverlapLawTest {
 
     private static final Seeds SEEDS = Seeds.upTo(300);

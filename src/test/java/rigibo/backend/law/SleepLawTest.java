@@ -2,6 +2,8 @@ package rigibo.backend.law;
 
 import org.junit.jupiter.api.Disabled;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -19,6 +21,7 @@ import java.util.stream.Collectors;
  * Sleep saves time and changes nothing else. Only scenes of which all fell asleep are compared: the
  * bodies in them are what is counted.
  */
+@Execution(ExecutionMode.CONCURRENT)
 class SleepLawTest {
 
     private static final Sleep SLEEP = new Sleep();

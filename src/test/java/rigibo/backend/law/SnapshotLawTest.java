@@ -1,5 +1,7 @@
 package rigibo.backend.law;
 
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -12,6 +14,7 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 
 /** A pool restored at any step goes on to the same bits and the same hash, whatever is declared. */
+@Execution(ExecutionMode.CONCURRENT)
 class SnapshotLawTest {
 
     private static final int STEPS = 160;

@@ -1,6 +1,8 @@
 package rigibo.backend.law;
 
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -17,6 +19,7 @@ import java.util.Optional;
  * of the bodies, and much more where they graze. So where round-off differs at all, only a scene's
  * first {@value #FEW} impacts are compared, which at most are one after the other.
  */
+@Execution(ExecutionMode.CONCURRENT)
 class SymmetryLawTest {
 
     private static final Seeds SEEDS = Seeds.upTo(300);

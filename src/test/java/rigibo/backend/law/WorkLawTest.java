@@ -3,6 +3,8 @@ package rigibo.backend.law;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -25,6 +27,7 @@ import rigibo.backend.setup.Material;
 import rigibo.backend.setup.SolveMethod;
 
 /** What moves is solved with so much work for each of its rows, however many there are. */
+@Execution(ExecutionMode.CONCURRENT)
 class WorkLawTest {
 
     /** A contact solved once in a pass, in multiplications. */

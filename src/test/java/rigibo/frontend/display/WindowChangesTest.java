@@ -3,6 +3,7 @@ package rigibo.frontend.display;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Isolated;
 
 import rigibo.backend.geometry.Circle;
 import rigibo.frontend.scene.Canvas;
@@ -11,6 +12,7 @@ import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Skin;
 
 /** One window after the other. */
+@Isolated
 class WindowChangesTest {
 
     private static final int CHANGES = 50;

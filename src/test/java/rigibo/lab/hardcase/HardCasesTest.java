@@ -2,6 +2,8 @@ package rigibo.lab.hardcase;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -13,6 +15,7 @@ import java.util.stream.Stream;
  * Every held case at GAME and at EXACT, and at DRAFT where that is held to the limits of a game;
  * its class derives the truth and the limits.
  */
+@Execution(ExecutionMode.CONCURRENT)
 class HardCasesTest {
 
     static Stream<Arguments> heldCases() {

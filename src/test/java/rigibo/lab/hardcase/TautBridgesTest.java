@@ -2,10 +2,13 @@ package rigibo.lab.hardcase;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** What falls on bridges as long as their span: not all of the case's own limits are reached. */
+@Execution(ExecutionMode.CONCURRENT)
 class TautBridgesTest {
 
     /** m: a share of a plank's height that may be overlap, a fiftieth. */
