@@ -17,8 +17,10 @@ import java.util.function.Consumer;
  * @param title what is true of it, as a sentence
  * @param limitedFrom the fastest preset that is held to the case's own limits
  * @param scenes simulates every variant
+ * @param finding why it does not reach its truth everywhere, or empty
  */
-record JointCase(String row, String title, Preset limitedFrom, Consumer<Trial> scenes)
+record JointCase(
+        String row, String title, Preset limitedFrom, Consumer<Trial> scenes, String finding)
         implements HardCase {
 
     /** Most that what a joint holds may be off, m. */
@@ -34,7 +36,7 @@ record JointCase(String row, String title, Preset limitedFrom, Consumer<Trial> s
     private static final Effects SPACE = EARTH.without(Gravity.class);
 
     JointCase(String row, String title, Consumer<Trial> scenes) {
-        this(row, title, Preset.GAME, scenes);
+        this(row, title, Preset.GAME, scenes, "");
     }
 
     @Override

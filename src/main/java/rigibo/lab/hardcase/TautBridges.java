@@ -48,7 +48,11 @@ final class TautBridges {
 
     static HardCase loaded() {
         String title = "a bridge as long as its span stays closed under what falls on it";
-        return new JointCase("J12/taut", title, Preset.DRAFT, TautBridges::fallOnAll);
+        String finding =
+                "A row as long as its span sags by the square root of what its hinges come apart"
+                        + " by. Where they are closed again, by micrometres, the row rises by"
+                        + " millimetres, and nothing pays for its height.";
+        return new JointCase("J12/taut", title, Preset.DRAFT, TautBridges::fallOnAll, finding);
     }
 
     private static void fallOnAll(Trial trial) {
