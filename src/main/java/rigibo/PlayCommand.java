@@ -62,6 +62,7 @@ final class PlayCommand implements Callable<Integer> {
             // While the window's library starts.
             CompletableFuture.runAsync(Catalog::entries);
             display.opensFilesBy(Catalog::dropped);
+            display.opensCodesBy(Catalog::pasted);
             display.run(first());
             return 0;
         } catch (DisplayException | IllegalArgumentException e) {

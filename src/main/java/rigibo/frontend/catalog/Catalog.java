@@ -92,6 +92,13 @@ public final class Catalog {
         return PlayerFiles.read(files).scene(director);
     }
 
+    /**
+     * The scene of a code that was pasted, or one that shows its errors; nothing of another text.
+     */
+    public static Optional<Scene> pasted(Director director, String text) {
+        return PlayerFiles.pasted(director, text);
+    }
+
     /** The main menu. */
     public static Scene menu(Director director) {
         return new MenuScene(director, entries());

@@ -38,6 +38,7 @@ public final class Display implements Director {
     private final Toast toast = new Toast();
     private final Gamepad gamepad = new Gamepad(button -> input().gamepad(button));
     private Optional<BiFunction<Director, List<Path>, Scene>> opener = Optional.empty();
+    private Optional<BiFunction<Director, String, Optional<Scene>>> decoder = Optional.empty();
     private Words words;
     private Window window;
     private Scene scene;
@@ -197,6 +198,31 @@ public final class Display implements Director {
     /** Sets the function that makes a scene of files which are dropped on a window. */
     public void opensFilesBy(BiFunction<Director, List<Path>, Scene> opening) {
         opener = Optional.of(opening);
+    }
+
+    /** Sets the function that makes a scene of a code that is pasted; none of what is no code. */
+    public void opensCodesBy(BiFunction<Director, String, Optional<Scene>> decoding) {
+        decoder = Optional.of(decoding);
+    }
+
+    @Override
+    public void say(String told) {
+        toast.say(told);
+    }
+
+    @Override
+    public void copy(String text) {
+        window.copy(text);
+        toast.say(words.of("toast.copied", text.length()));
+    }
+
+    @Override
+    public void paste() {
+        String text = window.pasted();
+        if (!scene.pasted(text)) {
+            decoder.flatMap(decoding -> decoding.apply(this, text))
+                    .ifPresentOrElse(this::show, () -> toast.say(words.of("toast.no-code")));
+        }
     }
 
     void dropped(List<Path> files) {

@@ -25,16 +25,19 @@ final class Input {
     private final Runnable close;
     private final Runnable fullScreen;
     private final Runnable mute;
+    private final Runnable paste;
     private double x = -1;
     private double y = -1;
     private int windowWidth = Scene.WIDTH;
     private int windowHeight = Scene.HEIGHT;
+    private boolean isControlHeld;
 
-    Input(Scene scene, Runnable close, Runnable fullScreen, Runnable mute) {
+    Input(Scene scene, Runnable close, Runnable fullScreen, Runnable mute, Runnable paste) {
         this.scene = scene;
         this.close = close;
         this.fullScreen = fullScreen;
         this.mute = mute;
+        this.paste = paste;
     }
 
     /** The window's size in window coordinates, which need not be pixels. */
@@ -83,6 +86,7 @@ final class Input {
         if ((held & (GLFW_MOD_CONTROL | GLFW_MOD_SUPER)) != 0) {
             modifiers.add(Modifier.CONTROL);
         }
+        isControlHeld = modifiers.contains(Modifier.CONTROL);
         scene.held(modifiers);
     }
 
@@ -119,6 +123,8 @@ final class Input {
             escape();
         } else if (key == GLFW_KEY_F11) {
             once(fullScreen, action);
+        } else if (key == GLFW_KEY_V && isControlHeld) {
+            once(paste, action);
         } else if (key == GLFW_KEY_M && !scene.isTyping()) {
             once(mute, action);
         } else if (KEYS.containsKey(key)) {

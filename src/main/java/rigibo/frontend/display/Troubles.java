@@ -1,5 +1,6 @@
 package rigibo.frontend.display;
 
+import static org.lwjgl.glfw.GLFW.GLFW_FORMAT_UNAVAILABLE;
 import static org.lwjgl.opengl.GL33C.GL_NO_ERROR;
 import static org.lwjgl.opengl.GL33C.glGetError;
 
@@ -14,11 +15,14 @@ final class Troubles {
     private final List<String> list = new ArrayList<>();
     private final GLFWErrorCallback listener =
             GLFWErrorCallback.create(
-                    (code, words) ->
-                            list.add(
-                                    String.format(
-                                            "GLFW 0x%X: %s",
-                                            code, GLFWErrorCallback.getDescription(words))));
+                    (code, words) -> hear(code, GLFWErrorCallback.getDescription(words)));
+
+    private void hear(int code, String words) {
+        // A clipboard without text is no trouble.
+        if (code != GLFW_FORMAT_UNAVAILABLE) {
+            list.add(String.format("GLFW 0x%X: %s", code, words));
+        }
+    }
 
     /** Collects GLFW's errors from now on. */
     void listen() {

@@ -57,7 +57,13 @@ final class Window {
         glfwSwapInterval(vsync ? 1 : 0);
         choice.renderer(glGetString(GL_RENDERER));
         painter = new Painter();
-        input = new Input(scene, this::close, display::toggleFullScreen, display::toggleMute);
+        input =
+                new Input(
+                        scene,
+                        this::close,
+                        display::toggleFullScreen,
+                        display::toggleMute,
+                        display::paste);
         listen();
         listenToDrops(display::dropped);
         fill(display.settings().isFullScreen());
@@ -121,6 +127,16 @@ final class Window {
 
     Input input() {
         return input;
+    }
+
+    void copy(String text) {
+        glfwSetClipboardString(handle, text);
+    }
+
+    /** The text on the clipboard, empty if there is none. */
+    String pasted() {
+        String text = glfwGetClipboardString(handle);
+        return text == null ? "" : text;
     }
 
     boolean wantsToClose() {

@@ -45,6 +45,7 @@ final class Commands {
             case D -> desk.duplicate();
             case N -> shop.beginNew();
             case O -> shop.showFiles();
+            case C -> shop.copyCode();
             default -> {}
         }
     }

@@ -167,6 +167,16 @@ final class EditorScene implements Scene {
         }
     }
 
+    /** While a draft is played, a code leads elsewhere as it does from any level. */
+    @Override
+    public boolean pasted(String text) {
+        boolean isMine = played().isEmpty();
+        if (isMine) {
+            shop.paste(text);
+        }
+        return isMine;
+    }
+
     @Override
     public boolean isTyping() {
         return played().map(Scene::isTyping).orElseGet(shop.typing()::isOn);

@@ -57,6 +57,7 @@ final class Panes {
         bar.button("save", !shop.drawer().isSaved(shop.desk().draft()), shop::save);
         bar.button("test", true, shop::startTest);
         bar.button("check", !shop.isProving(), shop::check);
+        bar.button("code", true, shop::copyCode);
         String name = shop.drawer().file().map(file -> file.getFileName().toString()).orElse("");
         String star = shop.drawer().isSaved(shop.desk().draft()) ? "" : "* ";
         pane.text(bar.rest(), star + name, Canvas.Align.RIGHT, Color.TEXT_DIM);

@@ -86,6 +86,16 @@ final class TestRun implements Director {
     }
 
     @Override
+    public void say(String words) {
+        director.say(words);
+    }
+
+    @Override
+    public void copy(String text) {
+        director.copy(text);
+    }
+
+    @Override
     public void tell(String notice) {
         director.tell(notice);
     }

@@ -1,5 +1,6 @@
 package rigibo.frontend.editor;
 
+import rigibo.frontend.document.ShareCode;
 import rigibo.frontend.editor.desk.Desk;
 import rigibo.frontend.editor.desk.Inspection;
 import rigibo.frontend.editor.desk.Typing;
@@ -253,6 +254,28 @@ final class Workshop {
         try {
             begin(DraftFiles.open(file));
             say("opened", file.toString());
+        } catch (IOException unreadable) {
+            trouble(unreadable.getMessage());
+        }
+    }
+
+    /** Puts the draft on the clipboard, as a code. */
+    void copyCode() {
+        typing.end();
+        remark = "";
+        Optional<String> code = ShareCode.of(ShareCode.Kind.LEVEL, desk.draft().document());
+        code.ifPresentOrElse(director::copy, () -> say("too-long"));
+    }
+
+    /** Opens the level of a code; a text goes to the field that is typed into. */
+    void paste(String text) {
+        if (typing.isOn()) {
+            text.codePoints().forEach(typing::typed);
+            return;
+        }
+        try {
+            begin(DraftFiles.ofCode(text));
+            say("pasted");
         } catch (IOException unreadable) {
             trouble(unreadable.getMessage());
         }

@@ -30,6 +30,12 @@ public final class LevelsScene implements Scene {
     private static final double FOOT_TOP = HEIGHT - 58;
     private static final double FOOT_HEIGHT = 40;
     private static final double WATCH_WIDTH = 200;
+    private static final double BUTTON_TOP = 22;
+    private static final double BUTTON_WIDTH = 130;
+    private static final double BUTTON_HEIGHT = 42;
+
+    /** Number of tiles before those of the levels. */
+    private static final int BUTTONS = 2;
 
     private final Director director;
     private final Words words;
@@ -54,14 +60,15 @@ public final class LevelsScene implements Scene {
         this.director = director;
         words = director.words();
         levels = LevelList.of(entries, director.progress());
-        layOut(levels.levels().isEmpty() ? 0 : levels.next() + 1);
+        layOut(levels.levels().isEmpty() ? 0 : levels.next() + BUTTONS);
         bringIntoSight();
     }
 
-    /** The tiles: first the way back, then the levels; rows out of sight have none. */
+    /** The tiles: the way back, codes, then the levels; rows out of sight have none. */
     private void layOut(int chosen) {
         List<Tile> laid = new ArrayList<>();
-        laid.add(new Tile(EDGE, 22, 130, 42, this::drawBack, director::showMenu));
+        laid.add(button(EDGE, this::drawBack, director::showMenu));
+        laid.add(button(EDGE + BUTTON_WIDTH + GAP, this::drawPaste, director::paste));
         for (int i = 0; i < levels.levels().size(); i++) {
             int level = i;
             laid.add(
@@ -76,8 +83,16 @@ public final class LevelsScene implements Scene {
         tiles = new Tiles(laid, chosen);
     }
 
+    private static Tile button(double x, Tile.Look look, Runnable action) {
+        return new Tile(x, BUTTON_TOP, BUTTON_WIDTH, BUTTON_HEIGHT, look, action);
+    }
+
     private void drawBack(Canvas canvas, Tile tile, boolean isChosen) {
         Print.button(canvas, tile, "‹  " + words.of("menu.back"), isChosen);
+    }
+
+    private void drawPaste(Canvas canvas, Tile tile, boolean isChosen) {
+        Print.button(canvas, tile, words.of("menu.paste"), isChosen);
     }
 
     private void drawCard(Canvas canvas, Tile tile, int level, boolean isChosen) {
@@ -101,7 +116,8 @@ public final class LevelsScene implements Scene {
     }
 
     private OptionalInt chosenLevel() {
-        return tiles.chosen() == 0 ? OptionalInt.empty() : OptionalInt.of(tiles.chosen() - 1);
+        int level = tiles.chosen() - BUTTONS;
+        return level < 0 ? OptionalInt.empty() : OptionalInt.of(level);
     }
 
     private void bringIntoSight() {

@@ -17,6 +17,8 @@ enum Command {
     SOLUTION,
     /** Shows the player's own winning try again. */
     REPLAY,
+    /** Puts the winning try on the clipboard, as a code. */
+    COPY,
     /** Ends what is being shown. */
     STOP,
     NEXT,

@@ -134,14 +134,14 @@ final class Panels {
         if (session.isShowing()) {
             return List.of(Command.PAUSE, Command.SLOWER, Command.STOP);
         }
-        List<Command> commands =
-                new ArrayList<>(
-                        List.of(
-                                Command.RESTART,
-                                Command.UNDO,
-                                Command.PAUSE,
-                                Command.SLOWER,
-                                Command.EFFECTS));
+        List<Command> commands = new ArrayList<>(List.of(Command.RESTART, Command.UNDO));
+        if (session.game().isSolved()) {
+            commands.add(Command.COPY);
+        } else {
+            commands.add(Command.PAUSE);
+            commands.add(Command.SLOWER);
+        }
+        commands.add(Command.EFFECTS);
         if (hasHint) {
             commands.add(Command.HINT);
         }

@@ -1,6 +1,8 @@
 package rigibo.frontend.puzzle;
 
 import rigibo.frontend.document.Problem;
+import rigibo.frontend.document.Problems;
+import rigibo.frontend.document.ShareCode;
 import rigibo.frontend.puzzle.level.Level;
 import rigibo.frontend.puzzle.level.LevelLoader;
 import rigibo.frontend.puzzle.level.LoadedLevel;
@@ -18,8 +20,11 @@ import java.util.Optional;
 import java.util.function.Function;
 import java.util.stream.Stream;
 
-/** Files given by the player: levels to play, or a replay to watch. */
+/** Files given by the player, or the code of one: levels to play, or a replay to watch. */
 public final class PlayerFiles {
+
+    /** What messages call a code. */
+    private static final String CODE = "code";
 
     private final List<Level> levels = new ArrayList<>();
     private final List<Problem> errors = new ArrayList<>();
@@ -39,6 +44,29 @@ public final class PlayerFiles {
         return read;
     }
 
+    /** Reads a code. */
+    private static PlayerFiles read(String code) {
+        PlayerFiles read = new PlayerFiles();
+        Problems problems = new Problems(CODE);
+        ShareCode.read(code, problems).ifPresent(read::add);
+        read.errors.addAll(problems.inOrder());
+        return read;
+    }
+
+    private void add(ShareCode code) {
+        switch (code.kind()) {
+            case LEVEL -> add(new LevelLoader().parse(CODE, code.text()));
+            case REPLAY -> add(new ReplayLoader(Levels.all()).parse(CODE, code.text()));
+        }
+    }
+
+    /** The scene of a pasted code, or one that shows its errors; nothing if it is no code. */
+    public static Optional<Scene> pasted(Director director, String text) {
+        return Optional.of(text)
+                .filter(ShareCode::isMeantBy)
+                .map(code -> read(code).scene(director));
+    }
+
     private static boolean isReplay(Path file) {
         return file.toString().endsWith(ReplayShelf.ENDING);
     }
@@ -51,11 +79,12 @@ public final class PlayerFiles {
     private void addReplays(List<Path> files) {
         List<Level> known = Stream.concat(levels.stream(), Levels.all().stream()).toList();
         ReplayLoader loader = new ReplayLoader(known);
-        for (Path file : files) {
-            LoadedReplay loaded = loader.load(file);
-            errors.addAll(loaded.problems());
-            recording = recording.or(loaded::recording);
-        }
+        files.stream().map(loader::load).forEach(this::add);
+    }
+
+    private void add(LoadedReplay loaded) {
+        errors.addAll(loaded.problems());
+        recording = recording.or(loaded::recording);
     }
 
     /**

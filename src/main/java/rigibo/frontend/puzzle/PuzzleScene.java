@@ -3,6 +3,7 @@ package rigibo.frontend.puzzle;
 import rigibo.backend.setup.Accuracy;
 import rigibo.frontend.puzzle.level.Level;
 import rigibo.frontend.puzzle.level.Solution;
+import rigibo.frontend.puzzle.replay.Recording;
 import rigibo.frontend.puzzle.rules.Outcome;
 import rigibo.frontend.puzzle.rules.PuzzleGame;
 import rigibo.frontend.scene.Canvas;
@@ -141,6 +142,7 @@ public final class PuzzleScene implements Scene {
             case E -> run(Command.EFFECTS);
             case H -> run(Command.HINT);
             case V -> run(Command.SOLUTION);
+            case C -> run(Command.COPY);
             case BACKSPACE -> run(Command.UNDO);
             case S -> session.pace(session.pace().slower());
             case N -> session.pace(session.pace().faster());
@@ -199,6 +201,7 @@ public final class PuzzleScene implements Scene {
             case HINT -> hint();
             case SOLUTION -> showSolution();
             case REPLAY -> session.showAgain();
+            case COPY -> copy();
             case STOP -> session.stopShow();
             case NEXT -> director.show(new PuzzleScene(director, levels, number + 1));
             case LEVELS -> director.showLevels();
@@ -246,6 +249,12 @@ public final class PuzzleScene implements Scene {
             tally.givenUp(session.game());
             panels.shut();
             session.show(level.solutions().get(0));
+        }
+    }
+
+    private void copy() {
+        if (session.game().isSolved() && !session.isShowing()) {
+            Replays.copy(director, Recording.of(session.game()));
         }
     }
 

@@ -97,6 +97,7 @@ final class ReplayScene implements Scene {
             case LEFT, S -> speed = speed.slower();
             case RIGHT, N -> speed = speed.faster();
             case R -> begin();
+            case C -> Replays.copy(director, recording);
             default -> {}
         }
     }

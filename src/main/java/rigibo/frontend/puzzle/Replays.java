@@ -3,6 +3,8 @@ package rigibo.frontend.puzzle;
 import rigibo.frontend.document.Problem;
 import rigibo.frontend.puzzle.level.Level;
 import rigibo.frontend.puzzle.replay.LoadedReplay;
+import rigibo.frontend.puzzle.replay.Recording;
+import rigibo.frontend.puzzle.replay.ReplayCode;
 import rigibo.frontend.puzzle.replay.ReplayLoader;
 import rigibo.frontend.puzzle.replay.ReplayShelf;
 import rigibo.frontend.scene.Director;
@@ -53,6 +55,14 @@ public final class Replays {
     private static Optional<Scene> told(Director director, ReplayShelf shelf) {
         List<Problem> told = shelf.ofOtherRevisions();
         return told.isEmpty() ? Optional.empty() : Optional.of(new ProblemsScene(director, told));
+    }
+
+    /** Puts a run on the clipboard, as a code. */
+    static void copy(Director director, Recording run) {
+        ReplayCode.of(run)
+                .ifPresentOrElse(
+                        director::copy,
+                        () -> director.say(director.words().of("toast.run-too-long")));
     }
 
     /** Reads a replay file and reports all of its errors at once. */

@@ -63,6 +63,15 @@ public interface Director {
         player().forgetNotices();
     }
 
+    /** Shows a few words for a moment. */
+    default void say(String words) {}
+
+    /** Puts a text on the clipboard, and says so. */
+    default void copy(String text) {}
+
+    /** Opens what is on the clipboard, if it is the code of a level or replay. */
+    default void paste() {}
+
     /** Adds a message to the player, a sentence or two. */
     default void tell(String notice) {
         player().tell(notice);

@@ -60,6 +60,11 @@ public interface Scene {
         return false;
     }
 
+    /** A text was pasted; returns whether the scene had a use for it. */
+    default boolean pasted(String text) {
+        return false;
+    }
+
     /** Esc was pressed; returns whether the scene had a use for it and is not to be left. */
     default boolean escaped() {
         return false;

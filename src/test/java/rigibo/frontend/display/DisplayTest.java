@@ -21,6 +21,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 
 /** Real windows with real OpenGL. */
 class DisplayTest {
@@ -134,6 +135,38 @@ class DisplayTest {
         display.run(null);
         assertThat(made).containsExactly("a.json", "b.replay.json");
         assertThat(shown.get(shown.size() - 1)).isSameAs(ofFiles);
+    }
+
+    /** The scene that a code makes replaces the one in which it was pasted. */
+    @Test
+    void pastesWhatWasCopiedAndComplainsOfNothing() {
+        List<String> pasted = new ArrayList<>();
+        Display display = display(new Everything());
+        Everything ofCode = new Everything();
+        display.opensCodesBy(
+                (director, text) -> {
+                    pasted.add(text);
+                    return text.isEmpty() ? Optional.empty() : Optional.of(ofCode);
+                });
+        display.accompany(
+                new Display.Companion() {
+                    @Override
+                    public void beforeTurn(Display of, Scene scene) {
+                        if (scene == ofCode) {
+                            of.quit();
+                        } else if (pasted.isEmpty()) {
+                            of.copy("");
+                            of.paste();
+                            of.copy("RIGIBO-Größe");
+                        } else {
+                            of.input().modifiers(GLFW.GLFW_MOD_CONTROL);
+                            of.input().key(GLFW.GLFW_KEY_V, GLFW.GLFW_PRESS);
+                        }
+                    }
+                });
+        display.run(null);
+        assertThat(pasted).containsExactly("", "RIGIBO-Größe");
+        assertThat(display.troubles()).isEmpty();
     }
 
     @Test

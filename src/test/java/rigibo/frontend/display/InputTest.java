@@ -66,7 +66,8 @@ class InputTest {
                     scene,
                     () -> told.add("left"),
                     () -> told.add("full screen"),
-                    () -> told.add("mute"));
+                    () -> told.add("mute"),
+                    () -> told.add("paste"));
 
     @Test
     void escapeLeavesOnlyASceneThatHasNoUseForIt() {
@@ -113,6 +114,15 @@ class InputTest {
             input.key(key, GLFW_RELEASE);
         }
         assertThat(told).containsExactly("mute", "full screen");
+    }
+
+    @Test
+    void controlAndVPasteOncePerPress() {
+        input.key(GLFW_KEY_V, GLFW_PRESS);
+        input.modifiers(GLFW_MOD_CONTROL);
+        input.key(GLFW_KEY_V, GLFW_PRESS);
+        input.key(GLFW_KEY_V, GLFW_REPEAT);
+        assertThat(told).containsExactly("V", "held [CONTROL]", "paste");
     }
 
     @Test

@@ -13,6 +13,8 @@ import rigibo.frontend.editor.file.DraftFiles;
 import rigibo.frontend.puzzle.level.LevelLoader;
 import rigibo.frontend.puzzle.level.LevelShelf;
 import rigibo.frontend.puzzle.level.LoadedLevel;
+import rigibo.frontend.puzzle.replay.Recordings;
+import rigibo.frontend.puzzle.replay.ReplayCode;
 import rigibo.frontend.scene.Key;
 import rigibo.frontend.scene.Modifier;
 import rigibo.frontend.scene.PointerButton;
@@ -21,6 +23,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.EnumSet;
+import java.util.List;
 import java.util.Optional;
 
 class EditorSceneTest {
@@ -95,6 +98,53 @@ class EditorSceneTest {
         assertThat(levels().resolve("new-level.json")).exists();
         assertThat(author.look().texts())
                 .anyMatch(text -> text.startsWith("Saved, but it cannot be played yet"));
+    }
+
+    @Test
+    void aLevelBecomesACodeAndIsOpenedFromOne() {
+        Author author = drop();
+        Draft made = author.draft();
+        author.control(Key.C);
+        author.press("Code");
+        assertThat(author.director.copied).hasSize(2);
+        author.control(Key.N);
+        assertThat(author.scene.pasted(author.director.copied.get(1))).isTrue();
+        assertThat(author.draft().document()).isEqualTo(made.document());
+        assertThat(author.look().texts()).anyMatch(text -> text.startsWith("Opened from a code"));
+        author.press("Save");
+        assertThat(levels().resolve("new-level.json")).exists();
+    }
+
+    @Test
+    void whatIsNoCodeOfALevelLeavesTheDraftAndSaysWhy() {
+        Author author = drop();
+        Draft before = author.draft();
+        for (String text : List.of("", "hello", "RIGIBO-LEVEL-AAAA", replay())) {
+            author.scene.pasted(text);
+            assertThat(author.draft()).isSameAs(before);
+            assertThat(author.look().texts())
+                    .anyMatch(said -> said.startsWith("This did not work: code"));
+        }
+    }
+
+    private static String replay() {
+        return ReplayCode.of(Recordings.sound()).orElseThrow();
+    }
+
+    @Test
+    void whatIsPastedWhileTypingIsWritten() {
+        Author author = Author.withNewLevel(folder);
+        author.press("New level");
+        author.scene.pasted(" of\n ours");
+        author.type("");
+        assertThat(author.draft().at("/title/en").asString()).isEqualTo("New level of ours");
+    }
+
+    @Test
+    void aPlayedDraftLeavesCodesToTheWindow() {
+        Author author = drop();
+        author.scene.keyPressed(Key.T);
+        assertThat(author.scene.pasted(replay())).isFalse();
     }
 
     @Test

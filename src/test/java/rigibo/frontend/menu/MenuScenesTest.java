@@ -63,6 +63,14 @@ class MenuScenesTest {
         assertLegible(scene);
     }
 
+    @Test
+    void codesArePastedByAButton() {
+        LevelsScene scene = new LevelsScene(director, Entries.levels(3));
+        click(scene, "Paste code");
+        assertThat(director.asked).containsExactly("paste");
+        assertLegible(scene);
+    }
+
     private static void assertLegible(Scene scene) {
         assertThat(Legibility.faults(scene)).as(scene.title()).isEmpty();
     }

@@ -6,11 +6,18 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
+import rigibo.frontend.document.Problems;
+import rigibo.frontend.document.ShareCode;
+import rigibo.frontend.puzzle.replay.LoadedReplay;
+import rigibo.frontend.puzzle.replay.Proof;
+import rigibo.frontend.puzzle.replay.ReplayLoader;
 import rigibo.frontend.puzzle.rules.Loss;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Key;
 import rigibo.frontend.scene.Settings;
 import rigibo.frontend.scene.Words;
+
+import java.util.List;
 
 /** What is said when a try is won or lost, and what can be done then. */
 class EndOfATryTest {
@@ -80,6 +87,18 @@ class EndOfATryTest {
         assertThat(played.director.asked).containsExactly("levels");
         played.press("Next level");
         assertThat(played.director.shown).hasSize(1);
+    }
+
+    @Test
+    void aSolvedTryIsCopiedAsACodeThatPlaysBackTheSame() {
+        played.keys(Key.C);
+        assertThat(played.director.copied).as("before it is solved").isEmpty();
+        played.solve().press("Copy as code");
+        String code = played.director.copied.get(0);
+        String text = ShareCode.read(code, new Problems("code")).orElseThrow().text();
+        LoadedReplay read = new ReplayLoader(List.of(played.level)).parse("code", text);
+        assertThat(read.problems()).isEmpty();
+        assertThat(Proof.of(read.recording().orElseThrow()).isSame()).isTrue();
     }
 
     @Test

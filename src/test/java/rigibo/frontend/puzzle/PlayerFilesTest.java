@@ -9,14 +9,21 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
+import rigibo.backend.setup.Accuracy;
+import rigibo.frontend.document.ShareCode;
+import rigibo.frontend.puzzle.level.LevelShelf;
 import rigibo.frontend.puzzle.level.LevelTexts;
 import rigibo.frontend.puzzle.replay.Recording;
 import rigibo.frontend.puzzle.replay.Recordings;
+import rigibo.frontend.puzzle.replay.ReplayCode;
 import rigibo.frontend.puzzle.replay.ReplayShelf;
 import rigibo.frontend.scene.Legibility;
 import rigibo.frontend.scene.RecordingCanvas;
 import rigibo.frontend.scene.RecordingDirector;
 import rigibo.frontend.scene.Scene;
+
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -63,6 +70,46 @@ class PlayerFilesTest {
                 .contains("This cannot be opened", "belongs to the level");
         assertThatThrownBy(() -> PlayerFiles.read(List.of(replay)).sound())
                 .hasMessageContaining("belongs to the level \"drop\", which is not here");
+    }
+
+    private Scene paste(String code) {
+        return PlayerFiles.pasted(director, code).orElseThrow();
+    }
+
+    private static String code(String level) {
+        JsonNode document = JsonMapper.shared().readTree(level);
+        return ShareCode.of(ShareCode.Kind.LEVEL, document).orElseThrow();
+    }
+
+    @Test
+    void theLevelOfACodeIsPlayed() {
+        assertThat(paste(code(LevelTexts.SOUND))).isInstanceOf(PuzzleScene.class);
+    }
+
+    @Test
+    void eachLevelOfTheGameHasACode() throws IOException {
+        for (Path file : LevelShelf.files()) {
+            assertThat(paste(code(Files.readString(file)))).isInstanceOf(PuzzleScene.class);
+        }
+    }
+
+    @Test
+    void theReplayOfACodeIsWatchedIfItsLevelIsOneOfTheGame() {
+        Recording known = Recordings.of(Levels.all().get(0), Accuracy.GAME);
+        assertThat(paste(ReplayCode.of(known).orElseThrow())).isInstanceOf(ReplayScene.class);
+        Recording foreign = Recordings.sound();
+        assertThat(RecordingCanvas.of(paste(ReplayCode.of(foreign).orElseThrow())).texts())
+                .anyMatch(words -> words.contains("belongs to the level \"drop\""));
+    }
+
+    @Test
+    void whatIsWrongWithACodeIsTold() {
+        String whole = code(LevelTexts.SOUND);
+        Scene cut = paste(whole.substring(0, whole.length() - 9));
+        assertThat(String.join("", RecordingCanvas.of(cut).texts())).contains("is damaged");
+        Scene unsound = paste(code(LevelTexts.with("\"radius\": 0.35", "\"radius\": -1")));
+        assertThat(String.join("", RecordingCanvas.of(unsound).texts())).contains("/ball/radius");
+        assertThat(PlayerFiles.pasted(director, "something else")).isEmpty();
     }
 
     @ParameterizedTest

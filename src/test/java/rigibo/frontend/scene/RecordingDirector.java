@@ -14,7 +14,13 @@ public final class RecordingDirector implements Director {
     /** What was to be heard. */
     public final RecordingSounds sounds = new RecordingSounds();
 
-    /** What else was asked for: menu, levels, quit. */
+    /** What was put on the clipboard. */
+    public final List<String> copied = new ArrayList<>();
+
+    /** What was said for a moment. */
+    public final List<String> said = new ArrayList<>();
+
+    /** What else was asked for: menu, levels, quit, paste. */
     public final List<String> asked = new ArrayList<>();
 
     /** Where solved runs are kept. */
@@ -53,6 +59,21 @@ public final class RecordingDirector implements Director {
     @Override
     public void quit() {
         asked.add("quit");
+    }
+
+    @Override
+    public void say(String words) {
+        said.add(words);
+    }
+
+    @Override
+    public void copy(String text) {
+        copied.add(text);
+    }
+
+    @Override
+    public void paste() {
+        asked.add("paste");
     }
 
     @Override

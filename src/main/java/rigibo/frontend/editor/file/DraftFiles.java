@@ -1,6 +1,8 @@
 package rigibo.frontend.editor.file;
 
 import rigibo.frontend.document.Document;
+import rigibo.frontend.document.Problems;
+import rigibo.frontend.document.ShareCode;
 import rigibo.frontend.editor.draft.Draft;
 import rigibo.frontend.editor.draft.NewLevel;
 import rigibo.frontend.puzzle.level.LevelLoader;
@@ -22,6 +24,9 @@ import java.util.stream.Stream;
 public final class DraftFiles {
 
     private static final String ENDING = ".json";
+
+    /** What messages call a code. */
+    private static final String CODE = "code";
 
     /** A level's id has 40 characters at most; this leaves room for a number. */
     private static final int LONGEST = 36;
@@ -46,14 +51,35 @@ public final class DraftFiles {
         if (!Files.exists(file)) {
             return new DraftFile(NewLevel.draft(), Optional.of(file));
         }
-        LoadedLevel loaded = new LevelLoader().load(file);
+        Draft draft = draft(file.toString(), new LevelLoader().load(file));
+        return new DraftFile(draft, Optional.of(file));
+    }
+
+    private static Draft draft(String name, LoadedLevel loaded) throws IOException {
         String unread = loaded.problems().isEmpty() ? "" : loaded.problems().get(0).toString();
         try {
-            Draft draft = Draft.of(loaded.document().orElseThrow(() -> new IOException(unread)));
-            return new DraftFile(draft, Optional.of(file));
+            return Draft.of(loaded.document().orElseThrow(() -> new IOException(unread)));
         } catch (IllegalArgumentException foreign) {
-            throw new IOException(file + ": " + foreign.getMessage());
+            throw new IOException(name + ": " + foreign.getMessage());
         }
+    }
+
+    /**
+     * The level of a code, which has no file yet.
+     *
+     * @throws IOException when it is no code of a level that can be edited, saying why
+     */
+    public static DraftFile ofCode(String code) throws IOException {
+        Problems problems = new Problems(CODE);
+        Optional<ShareCode> read = ShareCode.read(code, problems);
+        if (read.isEmpty()) {
+            throw new IOException(problems.inOrder().get(0).toString());
+        }
+        if (read.get().kind() != ShareCode.Kind.LEVEL) {
+            throw new IOException(CODE + ": is that of a replay");
+        }
+        Draft draft = draft(CODE, new LevelLoader().parse(CODE, read.get().text()));
+        return new DraftFile(draft, Optional.empty());
     }
 
     /** The player's levels by name, then those of the game. */

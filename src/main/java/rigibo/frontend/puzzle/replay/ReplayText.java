@@ -19,6 +19,11 @@ final class ReplayText {
     private ReplayText() {}
 
     static String of(Recording recording) {
+        ObjectNode root = document(recording);
+        return JSON.writerWithDefaultPrettyPrinter().writeValueAsString(root) + "\n";
+    }
+
+    static ObjectNode document(Recording recording) {
         ObjectNode root = JSON.createObjectNode();
         root.put("format", ReplayLoader.FORMAT);
         root.put("game", GameVersion.present());
@@ -30,7 +35,7 @@ final class ReplayText {
         for (Checkpoint checkpoint : recording.checkpoints()) {
             hashes.put(Integer.toString(checkpoint.step()), Hex.of(checkpoint.hash()));
         }
-        return JSON.writerWithDefaultPrettyPrinter().writeValueAsString(root) + "\n";
+        return root;
     }
 
     private static void level(ObjectNode node, Recording recording) {
