@@ -41,6 +41,9 @@ final class Window {
     private final int[] height = new int[1];
     private boolean isFull;
 
+    /** Whether a frame was shown: nobody can mean what is pressed before. */
+    private boolean isSeen;
+
     /**
      * Opens a window.
      *
@@ -75,15 +78,19 @@ final class Window {
         glfwSetMouseButtonCallback(
                 handle,
                 (window, button, action, mods) -> {
-                    input.modifiers(mods);
-                    input.mouseButton(button, action);
+                    if (isSeen) {
+                        input.modifiers(mods);
+                        input.mouseButton(button, action);
+                    }
                 });
         glfwSetScrollCallback(handle, (window, dx, dy) -> input.scroll(dy));
         glfwSetKeyCallback(
                 handle,
                 (window, key, code, action, mods) -> {
-                    input.modifiers(mods, key, action);
-                    input.key(asLabelled(key, code), action);
+                    if (isSeen) {
+                        input.modifiers(mods, key, action);
+                        input.key(asLabelled(key, code), action);
+                    }
                 });
         glfwSetCharCallback(handle, (window, codePoint) -> input.character(codePoint));
         glfwSetWindowSizeCallback(handle, (window, w, h) -> input.windowSize(w, h));
@@ -182,6 +189,7 @@ final class Window {
     /** Shows the frame that was drawn. */
     void swap() {
         glfwSwapBuffers(handle);
+        isSeen = true;
     }
 
     /** Writes the frame that was drawn, but not yet shown, to a PNG file. */

@@ -41,6 +41,10 @@ public final class MenuScene implements Scene {
     private final Director director;
     private final Words words;
     private final Tiles tiles;
+
+    /** Which of the tiles quits. */
+    private final int quit;
+
     private final NoticePlate notice;
     private final Playground playground = new Playground();
     private final String tagline;
@@ -60,6 +64,7 @@ public final class MenuScene implements Scene {
             laid.add(play(levels));
         }
         laid.addAll(row());
+        quit = laid.size() - 1;
         laid.addAll(cards(entries.stream().filter(entry -> !entry.isLevel()).toList()));
         tiles = new Tiles(laid, 0);
     }
@@ -212,12 +217,18 @@ public final class MenuScene implements Scene {
         }
     }
 
+    /** Dismisses a notice; otherwise asks by choosing the button that quits, and then quits. */
     @Override
     public boolean escaped() {
-        boolean isReading = notice.isShown();
-        if (isReading) {
+        if (notice.isShown()) {
             notice.dismiss();
+            return true;
         }
-        return isReading;
+        boolean isAsked = tiles.chosen() == quit;
+        if (!isAsked) {
+            tiles.choose(quit);
+            director.say(words.of("menu.leave"));
+        }
+        return !isAsked;
     }
 }

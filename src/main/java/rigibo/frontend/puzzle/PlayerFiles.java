@@ -1,5 +1,7 @@
 package rigibo.frontend.puzzle;
 
+import rigibo.frontend.document.FileText;
+import rigibo.frontend.document.Pack;
 import rigibo.frontend.document.Problem;
 import rigibo.frontend.document.Problems;
 import rigibo.frontend.document.ShareCode;
@@ -32,16 +34,34 @@ public final class PlayerFiles {
 
     private PlayerFiles() {}
 
-    /** Reads the files. A replay may come with its level; of several replays one is watched. */
-    public static PlayerFiles read(List<Path> files) {
+    /**
+     * Reads files, folders and zip files. A replay may come with its level; of several replays one
+     * is watched.
+     */
+    public static PlayerFiles read(List<Path> given) {
         PlayerFiles read = new PlayerFiles();
+        List<Pack.Entry> texts = new ArrayList<>();
+        given.forEach(place -> texts.addAll(read.texts(place)));
         LevelLoader loader = new LevelLoader();
-        files.stream().filter(file -> !isReplay(file)).map(loader::load).forEach(read::add);
-        List<Path> replays = files.stream().filter(PlayerFiles::isReplay).toList();
+        texts.stream()
+                .filter(file -> !isReplay(file))
+                .map(file -> loader.parse(file.name(), file.text()))
+                .forEach(read::add);
+        List<Pack.Entry> replays = texts.stream().filter(PlayerFiles::isReplay).toList();
         if (!replays.isEmpty()) {
             read.addReplays(replays);
         }
         return read;
+    }
+
+    private List<Pack.Entry> texts(Path place) {
+        if (Pack.is(place)) {
+            return Pack.read(place, errors);
+        }
+        Problems problems = new Problems(place.toString());
+        Optional<String> text = FileText.read(place, problems);
+        errors.addAll(problems.inOrder());
+        return text.map(one -> new Pack.Entry(place.toString(), one)).stream().toList();
     }
 
     /** Reads a code. */
@@ -67,8 +87,8 @@ public final class PlayerFiles {
                 .map(code -> read(code).scene(director));
     }
 
-    private static boolean isReplay(Path file) {
-        return file.toString().endsWith(ReplayShelf.ENDING);
+    private static boolean isReplay(Pack.Entry file) {
+        return file.name().endsWith(ReplayShelf.ENDING);
     }
 
     private void add(LoadedLevel loaded) {
@@ -76,10 +96,10 @@ public final class PlayerFiles {
         loaded.problems().stream().filter(Problem::isError).forEach(errors::add);
     }
 
-    private void addReplays(List<Path> files) {
+    private void addReplays(List<Pack.Entry> files) {
         List<Level> known = Stream.concat(levels.stream(), Levels.all().stream()).toList();
         ReplayLoader loader = new ReplayLoader(known);
-        files.stream().map(loader::load).forEach(this::add);
+        files.stream().map(file -> loader.parse(file.name(), file.text())).forEach(this::add);
     }
 
     private void add(LoadedReplay loaded) {

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.lwjgl.glfw.GLFW;
+import org.lwjgl.glfw.GLFWMouseButtonCallback;
 
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
@@ -135,6 +136,33 @@ class DisplayTest {
         display.run(null);
         assertThat(made).containsExactly("a.json", "b.replay.json");
         assertThat(shown.get(shown.size() - 1)).isSameAs(ofFiles);
+    }
+
+    @Test
+    void aClickCountsOnlyOnceThereIsAPicture() {
+        Everything scene = new Everything();
+        Display display = display(scene);
+        List<Integer> heard = new ArrayList<>();
+        display.accompany(
+                new Display.Companion() {
+                    @Override
+                    public void beforeTurn(Display of, Scene shown) {
+                        clickAsGlfwDoes();
+                        heard.add(scene.heard.size());
+                        if (heard.size() == 2) {
+                            of.quit();
+                        }
+                    }
+                });
+        display.run(null);
+        assertThat(heard).containsExactly(0, 1);
+    }
+
+    private static void clickAsGlfwDoes() {
+        long window = GLFW.glfwGetCurrentContext();
+        GLFWMouseButtonCallback callback = GLFW.glfwSetMouseButtonCallback(window, null);
+        GLFW.glfwSetMouseButtonCallback(window, callback);
+        callback.invoke(window, GLFW.GLFW_MOUSE_BUTTON_LEFT, GLFW.GLFW_PRESS, 0);
     }
 
     /** The scene that a code makes replaces the one in which it was pasted. */

@@ -64,6 +64,18 @@ class MenuScenesTest {
     }
 
     @Test
+    void escapeAsksBeforeItQuits() {
+        MenuScene menu = new MenuScene(director, Entries.all(3));
+        assertThat(menu.escaped()).as("asks").isTrue();
+        assertThat(director.said).containsExactly("Esc or Enter again quits");
+        press(menu, Key.UP);
+        assertThat(menu.escaped()).as("asks anew").isTrue();
+        assertThat(menu.escaped()).as("quits").isFalse();
+        press(menu, Key.ENTER);
+        assertThat(director.asked).containsExactly("quit");
+    }
+
+    @Test
     void codesArePastedByAButton() {
         LevelsScene scene = new LevelsScene(director, Entries.levels(3));
         click(scene, "Paste code");
@@ -161,7 +173,8 @@ class MenuScenesTest {
         director.tell(NOTICE);
         MenuScene menu = new MenuScene(director, Entries.all(6));
         assertThat(menu.escaped()).isTrue();
-        assertThat(menu.escaped()).isFalse();
+        assertThat(director.notices()).isEmpty();
+        assertThat(director.said).as("asked whether to quit").isEmpty();
     }
 
     @Test

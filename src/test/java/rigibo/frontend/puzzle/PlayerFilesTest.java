@@ -72,6 +72,17 @@ class PlayerFilesTest {
                 .hasMessageContaining("belongs to the level \"drop\", which is not here");
     }
 
+    @Test
+    void theLevelsOfAFolderArePlayedInTheOrderOfTheirNames() throws IOException {
+        Path pack = Files.createDirectory(folder.resolve("pack"));
+        Files.writeString(pack.resolve("2.json"), LevelTexts.SOUND);
+        Files.writeString(pack.resolve("1.json"), LevelTexts.with("\"Drop\"", "\"First\""));
+        Scene scene = open(pack);
+        assertThat(scene.title()).contains("First");
+        assertThat(RecordingCanvas.of(open(folder.resolve("none.zip"))).texts())
+                .contains("This cannot be opened");
+    }
+
     private Scene paste(String code) {
         return PlayerFiles.pasted(director, code).orElseThrow();
     }

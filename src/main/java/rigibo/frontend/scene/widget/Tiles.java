@@ -33,6 +33,11 @@ public final class Tiles {
         return chosen;
     }
 
+    /** Chooses one of them, from 0. */
+    public void choose(int tile) {
+        chosen = tile;
+    }
+
     /** The pointer moved, px: what is under it is chosen. */
     public void pointerMoved(double x, double y) {
         int under = at(x, y);
