@@ -41,13 +41,7 @@ final class CanvasSketch implements Sketch {
 
     @Override
     public void line(double x1, double y1, double x2, double y2, Tone tone) {
-        canvas.line(
-                camera.screenX(x1),
-                camera.screenY(y1),
-                camera.screenX(x2),
-                camera.screenY(y2),
-                boldness * LINE,
-                color(tone));
+        canvas.line(camera, x1, y1, x2, y2, boldness * LINE, color(tone));
     }
 
     @Override

@@ -127,12 +127,7 @@ final class Belts {
     }
 
     private static void line(Canvas canvas, Camera camera, Pose from, Pose to, Color color) {
-        canvas.line(
-                camera.screenX(from.x()),
-                camera.screenY(from.y()),
-                camera.screenX(to.x()),
-                camera.screenY(to.y()),
-                STROKE * camera.scale(),
-                color);
+        double width = STROKE * camera.scale();
+        canvas.line(camera, from.x(), from.y(), to.x(), to.y(), width, color);
     }
 }

@@ -65,20 +65,9 @@ final class Streams {
                 Color color = (isOn ? Color.ICE : Color.EDGE).alpha(AIR * left);
                 double toX = x + end * ux;
                 double toY = y + end * uy;
-                line(canvas, camera, x + way * ux, y + way * uy, toX, toY, color);
+                canvas.line(camera, x + way * ux, y + way * uy, toX, toY, 2, color);
             }
         }
-    }
-
-    private static void line(
-            Canvas canvas, Camera camera, double x1, double y1, double x2, double y2, Color color) {
-        canvas.line(
-                camera.screenX(x1),
-                camera.screenY(y1),
-                camera.screenX(x2),
-                camera.screenY(y2),
-                2,
-                color);
     }
 
     private static void pull(

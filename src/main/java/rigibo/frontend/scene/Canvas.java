@@ -60,6 +60,18 @@ public interface Canvas {
     /** A straight line on the screen. */
     void line(double x1, double y1, double x2, double y2, double width, Color color);
 
+    /** A straight line between two points of the world, m, as a camera sees it. */
+    default void line(
+            Camera camera, double x1, double y1, double x2, double y2, double width, Color color) {
+        line(
+                camera.screenX(x1),
+                camera.screenY(y1),
+                camera.screenX(x2),
+                camera.screenY(y2),
+                width,
+                color);
+    }
+
     /** A line through a number of points x₀, y₀, x₁, y₁, … of the screen, round at its corners. */
     void curve(double[] xy, int points, double width, Color color);
 

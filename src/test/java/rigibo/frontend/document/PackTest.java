@@ -61,7 +61,8 @@ class PackTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"../a.json", "a/../../b.json", "/etc/a.json", "x\\..\\a.json", "C:a.json"})
+    @ValueSource(
+            strings = {"../a.json", "a/../../b.json", "/etc/a.json", "x\\..\\a.json", "C:a.json"})
     void pathsThatLeadOutAreRefused(String name) throws IOException {
         assertThat(texts(zip(name))).isEmpty();
         assertThat(error()).contains("leads out of the pack");

@@ -38,12 +38,6 @@ public final class Outlines {
     }
 
     static void line(Canvas canvas, Camera camera, Point a, Point b, Color color) {
-        canvas.line(
-                camera.screenX(a.x()),
-                camera.screenY(a.y()),
-                camera.screenX(b.x()),
-                camera.screenY(b.y()),
-                WIDTH,
-                color);
+        canvas.line(camera, a.x(), a.y(), b.x(), b.y(), WIDTH, color);
     }
 }

@@ -28,6 +28,7 @@ import java.util.Optional;
  * @param pieces the level's bodies in the file's order, including deleted ones
  * @param links the joints on which clicks act, in the file's order
  * @param balls the balls; last in the pool, so that a click on one finds it
+ * @param sources the fans and magnets among the pieces
  */
 record Board(
         World world,
@@ -35,7 +36,8 @@ record Board(
         RigidBody platform,
         List<Piece> pieces,
         List<Link> links,
-        List<RigidBody> balls) {
+        List<RigidBody> balls,
+        Sources sources) {
 
     /**
      * Distance outside the world at which a body is removed, m; the ball is judged at the edge
@@ -67,7 +69,7 @@ record Board(
             pool.effects(sources.in(effects));
         }
         List<Link> links = new ArrayList<>();
-        Board board = new Board(level.world(), pool, platform, pieces, links, balls);
+        Board board = new Board(level.world(), pool, platform, pieces, links, balls, sources);
         for (LevelJoint joint : level.joints()) {
             Joint joined = pool.join(joint.definition(board.end(joint.a()), board.end(joint.b())));
             if (joint.verb().isPresent()) {

@@ -22,7 +22,6 @@ public final class PuzzleGame {
     private final Level level;
     private final Board board;
     private final List<Ride> rides;
-    private final Sources sources;
     private final Workings workings;
     private final Cooldown cooldown;
     private final HoldClock hold;
@@ -45,8 +44,7 @@ public final class PuzzleGame {
                         .filter(piece -> piece.definition().path().isPresent())
                         .map(piece -> new Ride(piece.definition(), piece.body()))
                         .toList();
-        sources = new Sources(board.pieces());
-        workings = new Workings(board.pool(), board.pieces(), sources);
+        workings = new Workings(board.pool(), board.pieces(), board.sources());
         cooldown = new Cooldown(Steps.of(limits.cooldown()));
         hold = new HoldClock(Steps.of(limits.hold()), Steps.of(limits.contactGrace()));
         trace.observe(steps, outcome, board.pool());
@@ -230,11 +228,6 @@ public final class PuzzleGame {
         return board.pieces();
     }
 
-    /** The joints on which clicks act, in the file's order, also those that are gone. */
-    public List<Link> links() {
-        return List.copyOf(board.links());
-    }
-
     /** All that has an id: the pieces, then the links; also what is gone. */
     public List<Target> targets() {
         return board.targets();
@@ -260,7 +253,7 @@ public final class PuzzleGame {
      * even if they are switched back, since what happened meanwhile remains.
      */
     public void experiment(Effects effects) {
-        board.pool().effects(sources.in(effects));
+        board.pool().effects(board.sources().in(effects));
         isExperiment = true;
     }
 

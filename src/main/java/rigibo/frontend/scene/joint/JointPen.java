@@ -44,13 +44,7 @@ public final class JointPen {
     }
 
     private void line(double x1, double y1, double x2, double y2, double width, Color color) {
-        canvas.line(
-                camera.screenX(x1),
-                camera.screenY(y1),
-                camera.screenX(x2),
-                camera.screenY(y2),
-                width,
-                color);
+        canvas.line(camera, x1, y1, x2, y2, width, color);
     }
 
     private void disc(double x, double y, double radius, Color color) {
