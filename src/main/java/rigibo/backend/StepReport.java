@@ -115,9 +115,17 @@ public final class StepReport {
         return counters.deepestOverlap;
     }
 
+    /**
+     * Searches for bodies in flight around those of piles, of which each that is struck or led off
+     * its path takes one or two, and none what rests.
+     */
+    public int searches() {
+        return counters.searches;
+    }
+
     /** Tests of whether a shape is inside a sensor whose fixture it overlaps. */
     public int sensed() {
-        return data.counters.sensed;
+        return counters.sensed;
     }
 
     /**

@@ -6,6 +6,7 @@ import rigibo.backend.collision.Pose;
 import rigibo.backend.impact.Impact;
 import rigibo.backend.impact.ImpactLaw;
 import rigibo.backend.storage.Bodies;
+import rigibo.backend.storage.Counters;
 import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.PairTolerances;
 import rigibo.backend.storage.Pairs;
@@ -35,6 +36,7 @@ final class Bystanders {
 
     private final Bodies bodies;
     private final Pairs pairs;
+    private final Counters counters;
     private final Narrowphase narrowphase;
     private final Broadphase broadphase;
     private final Trajectories paths;
@@ -55,6 +57,7 @@ final class Bystanders {
         allowance = 2 * Math.sqrt(impactTolerance);
         bodies = data.bodies;
         pairs = data.pairs;
+        counters = data.counters;
         this.narrowphase = narrowphase;
         this.broadphase = broadphase;
         this.paths = paths;
@@ -148,6 +151,7 @@ final class Bystanders {
 
     /** Makes pairs of a body with everything within a reach (m) of it at a time (s). */
     void lookRound(int slot, double time, double reach) {
+        counters.searches++;
         paths.poseAt(slot, time, poseA);
         broadphase.lookRound(slot, poseA.x, poseA.y, poseA.cos, poseA.sin, reach);
     }

@@ -29,6 +29,9 @@ public final class Counters {
 
     public double multiplications;
 
+    /** Number of searches for what is around a body of a pile. */
+    public int searches;
+
     /** Number of tests whether a shape is inside a sensor. */
     public int sensed;
 
@@ -56,6 +59,7 @@ public final class Counters {
         Arrays.fill(rowsBy, 0);
         contactSolves = 0;
         multiplications = 0;
+        searches = 0;
         sensed = 0;
         deepestOverlap = 0;
         quarantinedCount = 0;

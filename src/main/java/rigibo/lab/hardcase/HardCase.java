@@ -44,21 +44,30 @@ public interface HardCase {
 
     /** Runs the case twice, for the second run must end in the same bits. */
     default Result run(Preset preset, Sampling sampling) {
-        return run(preset, sampling, UnaryOperator.identity());
-    }
-
-    /** Runs a few variants of the case with each body put together of parts. */
-    default Result runInParts(Preset preset) {
-        return run(preset, Sampling.USUAL, InParts::of);
-    }
-
-    private Result run(Preset preset, Sampling sampling, UnaryOperator<BodyDefinition> made) {
-        Trial first = new Trial(preset, limitedFrom(), sampling, made);
-        run(first);
-        Trial second = new Trial(preset, limitedFrom(), sampling, made);
-        run(second);
-        first.compare(second);
+        Trial first = trial(preset, sampling, UnaryOperator.identity());
+        first.compare(trial(preset, sampling, UnaryOperator.identity()));
         return new Result(this, preset, first.measures(), first.work());
+    }
+
+    /** Runs a few variants of the case once. */
+    default Result runOnce(Preset preset) {
+        return runOnce(preset, UnaryOperator.identity());
+    }
+
+    /** Runs a few variants of the case once, with each body put together of parts. */
+    default Result runInParts(Preset preset) {
+        return runOnce(preset, InParts::of);
+    }
+
+    private Result runOnce(Preset preset, UnaryOperator<BodyDefinition> made) {
+        Trial trial = trial(preset, Sampling.USUAL, made);
+        return new Result(this, preset, trial.measures(), trial.work());
+    }
+
+    private Trial trial(Preset preset, Sampling sampling, UnaryOperator<BodyDefinition> made) {
+        Trial trial = new Trial(preset, limitedFrom(), sampling, made);
+        run(trial);
+        return trial;
     }
 
     /** What came of a run that broke off. */

@@ -15,18 +15,22 @@ final class LawTable {
 
     private LawTable() {}
 
+    static boolean isWanted() {
+        return System.getProperty("rigibo.laws") != null;
+    }
+
     static void note(Seeds seeds, Preset preset, Asked asked, Quota quota) {
-        String file = System.getProperty("rigibo.laws");
-        if (file == null) {
+        if (!isWanted()) {
             return;
         }
+        String file = System.getProperty("rigibo.laws");
         String line =
                 String.format(
                         Locale.ROOT,
                         "| %s | %s | %d | %,d %s | %,d | %.2g |%n",
                         test(),
                         preset,
-                        seeds.all().size(),
+                        seeds.asked().size(),
                         asked.times(),
                         quota.what(),
                         quota.least(),
