@@ -39,6 +39,18 @@ final class CrateDemo implements Demo {
     private static final double BLAST_RADIUS = 4;
     private static final double LEDGE_X = 6.2;
 
+    /** The ledge's left edge, m. */
+    private static final double EDGE_X = LEDGE_X - 0.8;
+
+    /** Where stacks stand, and pyramids that do not reach the ledge from there, m. */
+    private static final double MIDDLE = 2.4;
+
+    /** Widest pyramid that the ground has room for to the left of the ledge, m. */
+    private static final double ROOM = 15;
+
+    /** Distance of a pyramid from the ledge, m. */
+    private static final double GAP = 0.1;
+
     /** Speed of the floor where surfaces run, m/s; a negative one carries bodies to the right. */
     private static final double BELT_SPEED = -0.8;
 
@@ -49,6 +61,10 @@ final class CrateDemo implements Demo {
 
     private RigidBody edgeBox;
     private double size = 0.6;
+
+    /** Rows of a pyramid; twenty hold 210 boxes. */
+    private double rows = 8;
+
     private double mass = 1;
     private double ratio = 1;
     private double overhang = 0.4;
@@ -106,16 +122,18 @@ final class CrateDemo implements Demo {
     private void stack(int count) {
         clear();
         for (int i = 0; i < count; i++) {
-            stack.put(crate(2.4, (i + 0.5) * size, i == count - 1 ? ratio : 1), 2.4);
+            stack.put(crate(MIDDLE, (i + 0.5) * size, i == count - 1 ? ratio : 1), MIDDLE);
         }
     }
 
     private void pyramid() {
         clear();
-        int base = 8;
+        double pitch = 1.04 * size;
+        int base = (int) Math.min(Math.round(rows), ROOM / pitch);
+        double middle = Math.min(MIDDLE, EDGE_X - GAP - base * pitch / 2);
         for (int row = 0; row < base; row++) {
             for (int i = 0; i < base - row; i++) {
-                double x = 2.4 + (i - (base - row - 1) / 2.0) * 1.04 * size;
+                double x = middle + (i - (base - row - 1) / 2.0) * pitch;
                 stack.put(crate(x, (row + 0.5) * size, row == base - 1 ? ratio : 1), x);
             }
         }
@@ -144,11 +162,10 @@ final class CrateDemo implements Demo {
         if (edgeBox != null && edgeBox.isAlive()) {
             bench.remove(edgeBox);
         }
-        double edge = LEDGE_X - 0.8;
         edgeBox =
                 bench.add(
                         BodyDefinition.dynamic(Polygon.box(1, 0.5))
-                                .at(edge + 0.5 - overhang, 1.45)
+                                .at(EDGE_X + 0.5 - overhang, 1.45)
                                 .name("on the edge"),
                         Skin.ICE);
     }
@@ -160,7 +177,8 @@ final class CrateDemo implements Demo {
                 new Button(words.of("crate.stack", 10), () -> stack(10)),
                 new Button(words.of("crate.stack", 20), () -> stack(20)),
                 new Button(words.of("crate.pyramid"), this::pyramid),
-                new Button(words.of("crate.blast"), () -> blast(2.4, 0.3)),
+                new Button(words.of("crate.blast"), () -> blast(MIDDLE, 0.3)),
+                new Slider(words.of("crate.rows"), "%.0f", 4, 20, 1, () -> rows, v -> rows = v),
                 new Slider(
                         words.of("crate.size"),
                         "%.1f m",
