@@ -26,6 +26,9 @@ public record ShareCode(Kind kind, String text) {
     /** Most letters of a code: more are too many to be pasted anywhere. */
     public static final int MOST_LETTERS = 2_000;
 
+    /** What messages call a code. */
+    public static final String NAME = "code";
+
     private static final String START = "RIGIBO-";
 
     /** B of the checksum. */
@@ -65,8 +68,9 @@ public record ShareCode(Kind kind, String text) {
     public static Optional<ShareCode> read(String pasted, Problems problems) {
         String letters = pasted.replaceAll("\\s", "");
         if (letters.length() > MOST_LETTERS) {
-            String number = String.format(Locale.ROOT, "%,d", letters.length());
-            return refused(problems, "has " + number + " letters, and a code at most 2,000");
+            String words = "has %,d letters, and a code at most %,d";
+            return refused(
+                    problems, String.format(Locale.ROOT, words, letters.length(), MOST_LETTERS));
         }
         for (Kind kind : Kind.values()) {
             String start = kind.start();

@@ -25,9 +25,6 @@ import java.util.stream.Stream;
 /** Files given by the player, or the code of one: levels to play, or a replay to watch. */
 public final class PlayerFiles {
 
-    /** What messages call a code. */
-    private static final String CODE = "code";
-
     private final List<Level> levels = new ArrayList<>();
     private final List<Problem> errors = new ArrayList<>();
     private Optional<Recording> recording = Optional.empty();
@@ -67,7 +64,7 @@ public final class PlayerFiles {
     /** Reads a code. */
     private static PlayerFiles read(String code) {
         PlayerFiles read = new PlayerFiles();
-        Problems problems = new Problems(CODE);
+        Problems problems = new Problems(ShareCode.NAME);
         ShareCode.read(code, problems).ifPresent(read::add);
         read.errors.addAll(problems.inOrder());
         return read;
@@ -75,8 +72,8 @@ public final class PlayerFiles {
 
     private void add(ShareCode code) {
         switch (code.kind()) {
-            case LEVEL -> add(new LevelLoader().parse(CODE, code.text()));
-            case REPLAY -> add(new ReplayLoader(Levels.all()).parse(CODE, code.text()));
+            case LEVEL -> add(new LevelLoader().parse(ShareCode.NAME, code.text()));
+            case REPLAY -> add(new ReplayLoader(Levels.all()).parse(ShareCode.NAME, code.text()));
         }
     }
 

@@ -13,17 +13,18 @@ import java.util.Locale;
  */
 final class LawTable {
 
+    private static final String FILE = System.getProperty("rigibo.laws");
+
     private LawTable() {}
 
     static boolean isWanted() {
-        return System.getProperty("rigibo.laws") != null;
+        return FILE != null;
     }
 
     static void note(Seeds seeds, Preset preset, Asked asked, Quota quota) {
         if (!isWanted()) {
             return;
         }
-        String file = System.getProperty("rigibo.laws");
         String line =
                 String.format(
                         Locale.ROOT,
@@ -37,7 +38,7 @@ final class LawTable {
                         asked.nearest());
         try {
             Files.writeString(
-                    Path.of(file), line, StandardOpenOption.CREATE, StandardOpenOption.APPEND);
+                    Path.of(FILE), line, StandardOpenOption.CREATE, StandardOpenOption.APPEND);
         } catch (IOException cause) {
             throw new UncheckedIOException(cause);
         }

@@ -25,9 +25,6 @@ public final class DraftFiles {
 
     private static final String ENDING = ".json";
 
-    /** What messages call a code. */
-    private static final String CODE = "code";
-
     /** A level's id has 40 characters at most; this leaves room for a number. */
     private static final int LONGEST = 36;
 
@@ -70,15 +67,16 @@ public final class DraftFiles {
      * @throws IOException when it is no code of a level that can be edited, saying why
      */
     public static DraftFile ofCode(String code) throws IOException {
-        Problems problems = new Problems(CODE);
+        Problems problems = new Problems(ShareCode.NAME);
         Optional<ShareCode> read = ShareCode.read(code, problems);
         if (read.isEmpty()) {
             throw new IOException(problems.inOrder().get(0).toString());
         }
         if (read.get().kind() != ShareCode.Kind.LEVEL) {
-            throw new IOException(CODE + ": is that of a replay");
+            throw new IOException(ShareCode.NAME + ": is that of a replay");
         }
-        Draft draft = draft(CODE, new LevelLoader().parse(CODE, read.get().text()));
+        Draft draft =
+                draft(ShareCode.NAME, new LevelLoader().parse(ShareCode.NAME, read.get().text()));
         return new DraftFile(draft, Optional.empty());
     }
 
