@@ -22,12 +22,6 @@ class ProblemsTest {
     /** Whose errors at the faster presets are beyond what EXACT promises. */
     private static final Set<String> TOLD_APART = Set.of("R3", "R4", "R13", "R17", "R19");
 
-    /**
-     * Where elimination is beyond its budget in one step of the run, at GAME and FINE, and passes
-     * err by 2e-5; DRAFT and EXACT solve it.
-     */
-    private static final String BEYOND_BUDGET = "R7";
-
     /** Those that do not take minutes; small ones of the crowds are in CrowdProblemTest. */
     private static List<Problem> problems() {
         return Problems.all().stream().filter(one -> !one.isLong()).toList();
@@ -62,9 +56,7 @@ class ProblemsTest {
     }
 
     private static List<Problem> solvedByAll() {
-        return problems().stream()
-                .filter(one -> !TOLD_APART.contains(one.id()) && !one.id().equals(BEYOND_BUDGET))
-                .toList();
+        return problems().stream().filter(one -> !TOLD_APART.contains(one.id())).toList();
     }
 
     /** At every preset, from the fastest to the most exact. */

@@ -10,10 +10,23 @@ import java.util.Arrays;
  * pile to the other. Contacts that share a body are then near each other, and the envelope of the
  * factor stays narrow (E. Cuthill and J. McKee, Reducing the bandwidth of sparse symmetric
  * matrices, 1969).
+ *
+ * <p>A body that many others lie on would couple all of their contacts. If that is most of the
+ * work, it becomes a hub, whose velocity is an unknown of its own: it connects no contacts, and
+ * those between hubs and immovable bodies come last.
  */
 final class ContactOrder {
 
     private static final int NONE = -1;
+
+    /** Number of contacts above which a body may become a hub: more than an equal one is among. */
+    private static final int MANY = 8;
+
+    /** Most hubs. */
+    static final int MOST_HUBS = 4;
+
+    /** Most work with hubs, as a share of that without, for which there are any. */
+    private static final double WORTH_HUBS = 0.5;
 
     private final PackedContacts contacts;
     private final Motions motions;
@@ -23,8 +36,19 @@ final class ContactOrder {
 
     int[] place = new int[64];
 
-    /** By place: the first place whose contact shares a body with the contact here. */
+    /**
+     * By place: the first place whose contact shares a body with the contact here, not a hub; for a
+     * contact of hubs alone, that of the first of its kind.
+     */
     int[] firstNeighbour = new int[64];
+
+    /** The hubs' offsets in the motions, and their number. */
+    final int[] hubs = new int[MOST_HUBS];
+
+    int hubCount;
+
+    /** Number of contacts before those that have no movable body except hubs. */
+    int beforeHubs;
 
     /**
      * The contacts of body {@code b}: {@code ofBodies[start[b]]} to {@code ofBodies[start[b + 1]]}.
@@ -42,16 +66,86 @@ final class ContactOrder {
     void find() {
         reserve();
         listContacts();
+        hubCount = 0;
+        orderAll();
+        double withoutHubs = work();
+        chooseHubs();
+        if (hubCount > 0) {
+            orderAll();
+            if (work() > WORTH_HUBS * withoutHubs) {
+                hubCount = 0;
+                orderAll();
+            }
+        }
+    }
+
+    private void chooseHubs() {
+        for (int body = 1; body < motions.count && hubCount < MOST_HUBS; body++) {
+            int offset = body * Motions.STRIDE;
+            if (start[body + 1] - start[body] > MANY && connects(offset)) {
+                hubs[hubCount++] = offset;
+            }
+        }
+    }
+
+    boolean isHub(int offset) {
+        for (int i = 0; i < hubCount; i++) {
+            if (hubs[i] == offset) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /**
+     * Estimated multiplications of factoring the rows of all contacts, from their envelope, with
+     * the unknowns of hubs.
+     */
+    double work() {
+        double work = 0;
+        int ofHubs = FlatRows.AXES * hubCount;
+        for (int at = 0; at < contacts.count; at++) {
+            double width = FlatRows.KINDS * (at - firstNeighbour[at] + 1);
+            double ofHub = at < beforeHubs ? width * ofHubs : ofHubs * (width + ofHubs / 2.0);
+            work += FlatRows.KINDS * (width * width / 2 + ofHub);
+        }
+        return work + ofHubs * ofHubs * ofHubs / 6.0;
+    }
+
+    private void orderAll() {
+        Arrays.fill(place, 0, contacts.count, NONE);
         int from = 0;
-        while (from < contacts.count) {
-            // The contact reached last is at an end of the pile; from there the levels are narrow.
-            int any = firstWithoutPlace();
-            int reached = walk(any, from);
-            int end = order[reached - 1];
-            forget(from, reached);
-            from = walk(end, from);
+        for (int row = 0; row < contacts.count; row++) {
+            if (place[row] == NONE && isConnected(row)) {
+                // The contact reached last is at an end of the pile; from there levels are narrow.
+                int reached = walk(row, from);
+                int end = order[reached - 1];
+                forget(from, reached);
+                from = walk(end, from);
+            }
+        }
+        beforeHubs = from;
+        for (int row = 0; row < contacts.count; row++) {
+            if (place[row] == NONE) {
+                place[row] = from;
+                order[from++] = row;
+            }
         }
         findNeighbours();
+    }
+
+    private boolean isConnected(int row) {
+        return connects(contacts.bodyA[row]) || connects(contacts.bodyB[row]);
+    }
+
+    /**
+     * Whether a body connects its contacts. One that is not moved by impulses, as the ground,
+     * offset 0, does not, since it passes none on.
+     */
+    boolean connects(int offset) {
+        double[] m = motions.data;
+        return (m[offset + Motions.INVERSE_MASS] > 0 || m[offset + Motions.INVERSE_INERTIA] > 0)
+                && !isHub(offset);
     }
 
     private void reserve() {
@@ -64,7 +158,6 @@ final class ContactOrder {
         if (start.length <= motions.count) {
             start = new int[motions.slots.length + 1];
         }
-        Arrays.fill(place, 0, contacts.count, NONE);
     }
 
     /**
@@ -89,14 +182,6 @@ final class ContactOrder {
         return offset / Motions.STRIDE;
     }
 
-    private int firstWithoutPlace() {
-        int row = 0;
-        while (place[row] != NONE) {
-            row++;
-        }
-        return row;
-    }
-
     /** Gives places from {@code from} on to all contacts connected with a contact. */
     private int walk(int first, int from) {
         int end = from;
@@ -111,11 +196,10 @@ final class ContactOrder {
 
     /**
      * Gives places from {@code from} on to the contacts of a body that have none; returns the end.
-     * The ground, offset 0, connects no contacts, since it passes no impulse on.
      */
     private int takeNeighbours(int offset, int from) {
         int end = from;
-        if (offset != 0) {
+        if (connects(offset)) {
             int body = body(offset);
             for (int i = start[body]; i < start[body + 1]; i++) {
                 if (place[ofBodies[i]] == NONE) {
@@ -135,14 +219,15 @@ final class ContactOrder {
 
     private void findNeighbours() {
         for (int i = 0; i < contacts.count; i++) {
-            int first = Math.min(i, firstOf(contacts.bodyA[order[i]], i));
+            int last = i < beforeHubs || hubCount == 0 ? i : beforeHubs;
+            int first = Math.min(last, firstOf(contacts.bodyA[order[i]], i));
             firstNeighbour[i] = Math.min(first, firstOf(contacts.bodyB[order[i]], i));
         }
     }
 
     private int firstOf(int offset, int otherwise) {
         int first = otherwise;
-        if (offset != 0) {
+        if (connects(offset)) {
             int body = body(offset);
             for (int i = start[body]; i < start[body + 1]; i++) {
                 first = Math.min(first, place[ofBodies[i]]);

@@ -14,6 +14,9 @@ final class FlatRows {
     static final int KINDS = SingleRows.ROWS_PER_CONTACT;
     static final int TANGENT = SingleRows.TANGENT;
 
+    /** Unknowns of a hub: its velocity along x and y, and its spin. */
+    static final int AXES = 3;
+
     private final Motions motions;
     private final PackedContacts contacts;
     private final ContactOrder order;
@@ -83,7 +86,7 @@ final class FlatRows {
         leverA[k] = la;
         leverB[k] = lb;
         give[k] = givesWay;
-        answer[k] = response(k, k);
+        answer[k] = response(k, k, true);
     }
 
     private void reserve() {
@@ -207,30 +210,52 @@ final class FlatRows {
         return k % KINDS == TANGENT ? 0 : sliding[k / KINDS];
     }
 
-    /** Speed that a unit impulse of one row, with its friction, gives another, 1/kg. */
+    /**
+     * Speed that a unit impulse of one row, with its friction, gives another through bodies that
+     * are not hubs, 1/kg.
+     */
     double answerTo(int i, int j) {
         double slides = slides(j);
-        double direct = response(i, j);
-        return slides == 0 ? direct : direct + slides * response(i, j - j % KINDS + TANGENT);
+        double direct = response(i, j, false);
+        return slides == 0 ? direct : direct + slides * response(i, j - j % KINDS + TANGENT, false);
     }
 
-    /** Speed that a unit impulse of one row gives another, 1/kg. */
-    double response(int i, int j) {
+    /**
+     * The speed that a hub's velocity along an axis, over the square root of the inverse mass
+     * there, gives a row, 1/√kg; and so the impulse on the hub from a unit impulse of the row.
+     */
+    double ofHub(int k, int hub, int axis) {
+        double sum = 0;
+        if (bodyB[k] == hub) {
+            sum += axis == 0 ? directionX[k] : axis == 1 ? directionY[k] : leverB[k];
+        }
+        if (bodyA[k] == hub) {
+            sum -= axis == 0 ? directionX[k] : axis == 1 ? directionY[k] : leverA[k];
+        }
+        int column = axis < 2 ? Motions.INVERSE_MASS : Motions.INVERSE_INERTIA;
+        return sum == 0 ? 0 : sum * Math.sqrt(motions.data[hub + column]);
+    }
+
+    /** The impulse that a unit impulse of a row, with its friction, brings to a hub, 1/√kg. */
+    double toHub(int k, int hub, int axis) {
+        double slides = slides(k);
+        double direct = ofHub(k, hub, axis);
+        return slides == 0 ? direct : direct + slides * ofHub(k - k % KINDS + TANGENT, hub, axis);
+    }
+
+    /** Speed that a unit impulse of one row gives another, through hubs or not, 1/kg. */
+    private double response(int i, int j, boolean throughHubs) {
         double direct = directionX[i] * directionX[j] + directionY[i] * directionY[j];
         int a = bodyA[i];
         int b = bodyB[i];
         double sum = 0;
-        if (a == bodyA[j]) {
-            sum += through(a, direct, leverA[i] * leverA[j]);
+        if (throughHubs || !order.isHub(a)) {
+            sum += a == bodyA[j] ? through(a, direct, leverA[i] * leverA[j]) : 0;
+            sum -= a == bodyB[j] ? through(a, direct, leverA[i] * leverB[j]) : 0;
         }
-        if (b == bodyB[j]) {
-            sum += through(b, direct, leverB[i] * leverB[j]);
-        }
-        if (a == bodyB[j]) {
-            sum -= through(a, direct, leverA[i] * leverB[j]);
-        }
-        if (b == bodyA[j]) {
-            sum -= through(b, direct, leverB[i] * leverA[j]);
+        if (throughHubs || !order.isHub(b)) {
+            sum += b == bodyB[j] ? through(b, direct, leverB[i] * leverB[j]) : 0;
+            sum -= b == bodyA[j] ? through(b, direct, leverB[i] * leverA[j]) : 0;
         }
         return sum;
     }

@@ -11,8 +11,17 @@ import java.util.Arrays;
  * as L·U within its envelope, which in a stack is a band of six rows. If contacts slide, their
  * loads cause friction too, and K + s·μ·J·M⁻¹·Tᵀ is not symmetric. If none slides, U = D·Lᵀ takes
  * half the work.
+ *
+ * <p>The velocity V of a hub is unknown, too: K then counts the other bodies alone, its rows read
+ * K·Δj + H·V = −w, and what they bring to the hub is its momentum, Hᵀ·Δj − V = 0, where V and the
+ * columns H count the hub's mass by halves. Hubs come after all rows they share with other bodies.
  */
 final class RowFactor {
+
+    private static final int NONE = -1;
+
+    /** Most unknowns of hubs. */
+    private static final int MOST_OF_HUBS = FlatRows.AXES * ContactOrder.MOST_HUBS;
 
     /** Work of solving a row of a set besides factoring, in multiplications. */
     private static final int WORK_OF_ROW = 60;
@@ -25,10 +34,10 @@ final class RowFactor {
     private final ContactOrder order;
 
     /** The factored set, in the order of contacts. */
-    private int[] factored = new int[64];
+    private int[] factored = new int[0];
 
     /** By row of the factored set: s·μ of a sliding contact's normal, otherwise 0. */
-    private double[] sliding = new double[64];
+    private double[] sliding = new double[0];
 
     private boolean isSymmetric = true;
     private int size;
@@ -36,7 +45,15 @@ final class RowFactor {
     private final EnvelopeFactor factor = new EnvelopeFactor();
 
     /** By place in the order: the first row of the set from there on. */
-    private int[] firstInSet = new int[65];
+    private int[] firstInSet = new int[0];
+
+    /** Number of rows of the factored set before the unknowns of hubs, and of these unknowns. */
+    private int beforeHubs = NONE;
+
+    private int ofHubs;
+
+    /** The unknowns of rows and hubs, if there are hubs. */
+    private double[] withHubs = new double[0];
 
     /** Multiplications made besides those of factoring. */
     private double work;
@@ -62,17 +79,14 @@ final class RowFactor {
      * that may be loaded.
      */
     double workOfAll() {
-        double all = 0;
-        for (int place = 0; place < contacts.count; place++) {
-            double width = FlatRows.KINDS * (place - order.firstNeighbour[place] + 1);
-            all += FlatRows.KINDS * width * width / 2;
-        }
         double loaded = contacts.shareLoaded();
-        return loaded * loaded * loaded * all;
+        return loaded * loaded * loaded * order.work();
     }
 
     void forget() {
         size = 0;
+        beforeHubs = NONE;
+        ofHubs = 0;
         factor.lay(0);
     }
 
@@ -93,12 +107,12 @@ final class RowFactor {
     }
 
     private void reserve() {
-        if (firstInSet.length <= contacts.count
-                || factored.length < FlatRows.KINDS * contacts.count) {
+        if (withHubs.length < FlatRows.KINDS * contacts.count + MOST_OF_HUBS) {
             int capacity = FlatRows.KINDS * contacts.pair.length;
             factored = Arrays.copyOf(factored, capacity);
             sliding = Arrays.copyOf(sliding, capacity);
-            factor.reserve(capacity);
+            factor.reserve(capacity + MOST_OF_HUBS);
+            withHubs = new double[capacity + MOST_OF_HUBS];
             firstInSet = new int[contacts.pair.length + 1];
         }
     }
@@ -120,14 +134,31 @@ final class RowFactor {
             isSymmetric &= sliding[i] == 0;
         }
         size = count;
+        int before = beforeHubs;
         findPlaces();
         layEnvelope();
-        for (int i = same; i < size; i++) {
-            factor.clear(i);
-            writeEntries(i);
-            // Of a redundant row only its compliance is left on the diagonal.
-            factor.eliminate(i, isSymmetric, rows.give[factored[i]]);
+        for (int i = same; i < beforeHubs; i++) {
+            writeRow(i);
         }
+        if (same < beforeHubs || beforeHubs != before) {
+            writeHubs();
+        }
+        for (int i = Math.max(same, beforeHubs); i < size; i++) {
+            writeRow(i);
+        }
+    }
+
+    private void writeRow(int i) {
+        int at = place(i);
+        factor.clear(at);
+        writeEntries(i);
+        // Of a redundant row only its compliance is left on the diagonal.
+        factor.eliminate(at, isSymmetric, rows.give[factored[i]]);
+    }
+
+    /** The place of a row of the set among all unknowns. */
+    private int place(int i) {
+        return i < beforeHubs ? i : i + ofHubs;
     }
 
     private boolean isFactored(int i, int k) {
@@ -144,14 +175,47 @@ final class RowFactor {
             }
         }
         firstInSet[contacts.count] = size;
+        beforeHubs = firstInSet[order.beforeHubs];
+        ofHubs = FlatRows.AXES * order.hubCount;
     }
 
     /** Lays out the envelope: a row's begins at the first row that may share a body with it. */
     private void layEnvelope() {
         for (int i = 0; i < size; i++) {
-            factor.first[i] = firstInSet[order.firstNeighbour[factored[i] / FlatRows.KINDS]];
+            factor.first[place(i)] = firstInSet[order.firstNeighbour[factored[i] / FlatRows.KINDS]];
         }
-        factor.lay(size);
+        for (int i = 0; i < ofHubs; i++) {
+            factor.first[beforeHubs + i] = firstOfHub(i / FlatRows.AXES);
+        }
+        factor.lay(size + ofHubs);
+    }
+
+    /** The first row of the set that acts on a hub. */
+    private int firstOfHub(int hub) {
+        int entry = order.hubs[hub] / Motions.STRIDE;
+        int first = order.beforeHubs;
+        for (int at = order.start[entry]; at < order.start[entry + 1]; at++) {
+            first = Math.min(first, order.place[order.ofBodies[at]]);
+        }
+        return firstInSet[first];
+    }
+
+    /** Writes the equations of the hubs' momenta. */
+    private void writeHubs() {
+        for (int at = beforeHubs; at < beforeHubs + ofHubs; at++) {
+            int hub = order.hubs[(at - beforeHubs) / FlatRows.AXES];
+            int axis = (at - beforeHubs) % FlatRows.AXES;
+            factor.clear(at);
+            for (int i = factor.first[at]; i < beforeHubs; i++) {
+                factor.writeLower(at, i, rows.toHub(factored[i], hub, axis));
+                if (!isSymmetric) {
+                    factor.writeUpper(at, i, rows.ofHub(factored[i], hub, axis));
+                }
+            }
+            work += WORK_OF_ENTRY * (beforeHubs - factor.first[at]);
+            factor.writeLower(at, at, -1);
+            factor.eliminate(at, isSymmetric, 0);
+        }
     }
 
     /** Writes the responses between a row and those before it that share a body with it. */
@@ -160,11 +224,26 @@ final class RowFactor {
         writeEntries(i, contacts.bodyA[row]);
         writeEntries(i, contacts.bodyB[row]);
         int k = factored[i];
-        factor.writeLower(i, i, rows.answerTo(k, k) + rows.give[k]);
+        int at = place(i);
+        factor.writeLower(at, at, rows.answerTo(k, k) + rows.give[k]);
+        if (i >= beforeHubs) {
+            writeEntriesOfHubs(at, k);
+        }
+    }
+
+    private void writeEntriesOfHubs(int at, int k) {
+        for (int i = 0; i < ofHubs; i++) {
+            int hub = order.hubs[i / FlatRows.AXES];
+            int axis = i % FlatRows.AXES;
+            factor.writeLower(at, beforeHubs + i, rows.ofHub(k, hub, axis));
+            if (!isSymmetric) {
+                factor.writeUpper(at, beforeHubs + i, rows.toHub(k, hub, axis));
+            }
+        }
     }
 
     private void writeEntries(int i, int body) {
-        if (body == 0) {
+        if (!order.connects(body)) {
             return;
         }
         int entry = body / Motions.STRIDE;
@@ -196,6 +275,16 @@ final class RowFactor {
 
     /** Solves the factored set for a right-hand side, in place. */
     void solve(double[] unknown) {
-        factor.solve(unknown);
+        if (ofHubs == 0) {
+            factor.solve(unknown);
+            return;
+        }
+        int after = size - beforeHubs;
+        System.arraycopy(unknown, 0, withHubs, 0, beforeHubs);
+        Arrays.fill(withHubs, beforeHubs, beforeHubs + ofHubs, 0);
+        System.arraycopy(unknown, beforeHubs, withHubs, beforeHubs + ofHubs, after);
+        factor.solve(withHubs);
+        System.arraycopy(withHubs, 0, unknown, 0, beforeHubs);
+        System.arraycopy(withHubs, beforeHubs + ofHubs, unknown, beforeHubs, after);
     }
 }

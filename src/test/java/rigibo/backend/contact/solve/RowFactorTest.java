@@ -16,6 +16,15 @@ import java.util.stream.IntStream;
 /** Sets of rows that are factored within their envelope, against Gauss's elimination of all. */
 class RowFactorTest {
 
+    /** Highest friction of contacts that slide. */
+    private static final double SLIDES = 0.3;
+
+    /**
+     * That on hubs, where the compliance that keeps sets from being singular is most of what rows
+     * answer to: with more, some pivot would be less than it, and taken for redundant.
+     */
+    private static final double SLIDES_ON_HUBS = 0.1;
+
     private final PackedIsland island = new PackedIsland();
     private final ContactOrder order = new ContactOrder(island.motions, island.contacts);
     private final FlatRows rows = new FlatRows(island.motions, island.contacts, order);
@@ -23,10 +32,19 @@ class RowFactorTest {
 
     /** Bodies in a chain with some more contacts, along normals and with levers at random. */
     private void heap(SplittableRandom random, int bodies) {
+        bodies(random, bodies);
+        link(random, bodies);
+        lay();
+    }
+
+    private void bodies(SplittableRandom random, int bodies) {
         island.begin(bodies);
         for (int body = 1; body <= bodies; body++) {
             island.body(body, random.nextDouble(0.5, 2), random.nextDouble(0.5, 2));
         }
+    }
+
+    private void link(SplittableRandom random, int bodies) {
         for (int body = 1; body <= bodies; body++) {
             contact(random, body - 1, body);
             int other = random.nextInt(bodies + 1);
@@ -34,6 +52,9 @@ class RowFactorTest {
                 contact(random, Math.min(other, body), Math.max(other, body));
             }
         }
+    }
+
+    private void lay() {
         order.find();
         rows.layOut();
         factor.forget();
@@ -59,17 +80,89 @@ class RowFactorTest {
         SplittableRandom random = new SplittableRandom(slides ? 1 : 2);
         for (int i = 0; i < 300; i++) {
             heap(random, 1 + random.nextInt(12));
-            for (int place = 0; place < island.contacts.count; place++) {
-                boolean isSliding = slides && random.nextBoolean();
-                rows.sliding[place] = isSliding ? random.nextDouble(-0.3, 0.3) : 0;
-            }
-            int[] set =
-                    IntStream.range(0, FlatRows.KINDS * island.contacts.count)
-                            .filter(k -> k % FlatRows.KINDS != FlatRows.TANGENT || !slides)
-                            .filter(k -> random.nextInt(4) > 0)
-                            .toArray();
-            assertSolves(random, set);
+            assertThat(order.hubCount).isZero();
+            assertSolves(random, anySet(random, slides ? SLIDES : 0));
         }
+    }
+
+    /**
+     * Many bodies on one or two that lie on the ground and on each other, some of the many on both,
+     * and some of them beside each other: the velocities of the two are unknowns.
+     */
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void whatLiesOnHubsSolvesItsMatrix(boolean slides) {
+        SplittableRandom random = new SplittableRandom(slides ? 4 : 5);
+        int[] asked = new int[3];
+        for (int i = 0; i < 300; i++) {
+            int bodies = 20 + random.nextInt(10);
+            int hubs = 1 + random.nextInt(2);
+            bodies(random, bodies);
+            contact(random, 0, 1);
+            contact(random, 0, 1 + random.nextInt(hubs));
+            for (int body = 2; body <= bodies; body++) {
+                contact(random, body <= hubs ? 1 : 1 + random.nextInt(hubs), body);
+                if (body > hubs + 1 && random.nextInt(4) == 0) {
+                    contact(random, random.nextBoolean() ? body - 1 : hubs, body);
+                }
+            }
+            lay();
+            asked[order.hubCount]++;
+            for (int again = 0; again < 3; again++) {
+                assertSolves(random, anySet(random, slides ? SLIDES_ON_HUBS : 0));
+            }
+        }
+        assertThat(asked[1]).isGreaterThan(80);
+        assertThat(asked[2]).isGreaterThan(80);
+    }
+
+    /** One body that carries n others: 3 unknowns of its own in place of n² couplings. */
+    @Test
+    void workOnAHubGrowsAsItsContactsDo() {
+        SplittableRandom random = new SplittableRandom(6);
+        double[] work = new double[3];
+        for (int i = 0; i < work.length; i++) {
+            int bodies = 10 << i;
+            bodies(random, bodies);
+            contact(random, 0, 1);
+            for (int body = 2; body <= bodies; body++) {
+                contact(random, 1, body);
+            }
+            lay();
+            assertThat(order.hubCount).isOne();
+            factor.clearWork();
+            assertSolves(random, anySet(random, 0));
+            work[i] = factor.work();
+        }
+        assertThat(work[1]).isLessThan(2.5 * work[0]);
+        assertThat(work[2]).isLessThan(2.5 * work[1]);
+    }
+
+    /** In a pile of equals that is long enough none is a hub, though each has many contacts. */
+    @Test
+    void aBandHasNoHubs() {
+        SplittableRandom random = new SplittableRandom(7);
+        bodies(random, 40);
+        for (int body = 1; body <= 40; body++) {
+            for (int below = Math.max(0, body - 5); below < body; below++) {
+                contact(random, below, body);
+            }
+        }
+        lay();
+        assertThat(order.hubCount).isZero();
+        assertSolves(random, anySet(random, 0));
+    }
+
+    private int[] anySet(SplittableRandom random, double friction) {
+        boolean slides = friction > 0;
+        for (int place = 0; place < island.contacts.count; place++) {
+            boolean isSliding = slides && random.nextBoolean();
+            rows.sliding[place] = isSliding ? random.nextDouble(-friction, friction) : 0;
+        }
+        return IntStream.range(0, FlatRows.KINDS * island.contacts.count)
+                .filter(k -> k % FlatRows.KINDS != FlatRows.TANGENT || !slides)
+                .filter(k -> random.nextInt(4) > 0)
+                .toArray();
     }
 
     /** A set that begins as the one before is factored anew only from there on. */
@@ -102,12 +195,25 @@ class RowFactorTest {
             double sum = rows.give[set[i]] * found[i];
             double scale = 1;
             for (int j = 0; j < set.length; j++) {
-                double term = rows.answerTo(set[i], set[j]) * found[j];
+                double term = answerTo(set[i], set[j]) * found[j];
                 sum += term;
                 scale += Math.abs(term);
             }
             // Some 40 rows: each of them loses a few digits of the sum of all terms.
             assertThat(sum).isCloseTo(asked[i], within(1e-10 * scale));
         }
+    }
+
+    /**
+     * Speed that a unit impulse of one row, with its friction, gives another through all bodies.
+     */
+    private double answerTo(int i, int j) {
+        double sum = rows.answerTo(i, j);
+        for (int hub = 0; hub < order.hubCount; hub++) {
+            for (int axis = 0; axis < FlatRows.AXES; axis++) {
+                sum += rows.ofHub(i, order.hubs[hub], axis) * rows.toHub(j, order.hubs[hub], axis);
+            }
+        }
+        return sum;
     }
 }
