@@ -15,6 +15,8 @@ import rigibo.lab.bench.query.QueryReport;
 import rigibo.lab.bench.scene.BenchScene;
 import rigibo.lab.bench.scene.BenchScenes;
 import rigibo.lab.bench.scene.MovingScenes;
+import rigibo.lab.bench.workers.WorkersBench;
+import rigibo.lab.bench.workers.WorkersReport;
 import rigibo.lab.engine.Engine;
 import rigibo.lab.engine.Engines;
 import rigibo.lab.precision.Environment;
@@ -29,6 +31,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /** Times steps of large scenes, beside other engines. */
@@ -45,6 +48,7 @@ final class BenchCommand implements Callable<Integer> {
     private static final String QUERIED = "GAME";
     private static final int MOST_ROUNDS = 100;
     private static final int MOST_STEPS = 100_000;
+    private static final int MOST_WORKERS = 64;
 
     @Option(
             names = "--scenes",
@@ -109,6 +113,16 @@ final class BenchCommand implements Callable<Integer> {
     private boolean areQueries;
 
     @Option(
+            names = "--workers",
+            paramLabel = "N",
+            split = ",",
+            description =
+                    "Numbers of workers, such as 1,2: the moving scenes by ours alone at GAME, each"
+                        + " step by every number in turn, by the wall clock. It needs as many cores"
+                        + " that do nothing else.")
+    private List<Integer> workers = List.of();
+
+    @Option(
             names = "--preset",
             paramLabel = "PRESET",
             split = ",",
@@ -153,6 +167,7 @@ final class BenchCommand implements Callable<Integer> {
             requireWithin("--steps", steps, MOST_STEPS);
         }
         requireWithin("--runs", runs, MOST_ROUNDS);
+        workers.forEach(count -> requireWithin("--workers", count, MOST_WORKERS));
         Destination.requireFile(spec, "--csv", csv);
         Destination.requireFile(spec, "--markdown", page);
         Destination.requireDirectory(spec, "--out", out);
@@ -172,7 +187,19 @@ final class BenchCommand implements Callable<Integer> {
         if (areQueries) {
             return ask();
         }
+        if (!workers.isEmpty()) {
+            return share();
+        }
         return moving.isEmpty() ? study() : move();
+    }
+
+    private List<String> share() throws IOException {
+        WorkersBench bench = new WorkersBench(movingScenes(), workers, movingSteps(), runs);
+        WorkersReport report = bench.run(this::tell);
+        if (page != null) {
+            MeasuredPart.write(page, report.markdown(environment().provenance()));
+        }
+        return report.text();
     }
 
     private List<String> ask() throws IOException {
@@ -197,20 +224,27 @@ final class BenchCommand implements Callable<Integer> {
                 .make(Optional.ofNullable(csv), Optional.ofNullable(page), this::tell);
     }
 
-    private List<String> move() throws IOException {
+    /** Those that were named; all if none was. */
+    private List<BenchScene> movingScenes() {
         List<BenchScene> known = MovingScenes.all();
-        boolean isAll = moving.equals(List.of(ALL));
-        if (!isAll) {
-            Options.requireKnown(
-                    spec, "--moving", moving, known.stream().map(BenchScene::name).toList());
+        if (moving.isEmpty() || moving.equals(List.of(ALL))) {
+            return known;
         }
+        Options.requireKnown(
+                spec, "--moving", moving, known.stream().map(BenchScene::name).toList());
+        return known.stream().filter(scene -> moving.contains(scene.name())).toList();
+    }
+
+    private int movingSteps() {
+        return steps == null ? MovingScenes.STEPS : steps;
+    }
+
+    private List<String> move() throws IOException {
         MovingBench bench =
                 new MovingBench(
-                        known.stream()
-                                .filter(scene -> isAll || moving.contains(scene.name()))
-                                .toList(),
+                        movingScenes(),
                         chosenEngines().stream().flatMap(this::contestants).toList(),
-                        steps == null ? MovingScenes.STEPS : steps,
+                        movingSteps(),
                         runs,
                         out);
         MovingReport report = bench.run(this::tell);
@@ -278,11 +312,12 @@ final class BenchCommand implements Callable<Integer> {
 
     /** How often scenes are timed, and which of them move. */
     private String timed() {
-        if (moving.isEmpty()) {
+        if (moving.isEmpty() && workers.isEmpty()) {
             return " --rounds " + rounds;
         }
-        return " --moving "
-                + String.join(",", moving)
+        String counts = workers.stream().map(String::valueOf).collect(Collectors.joining(","));
+        return (moving.isEmpty() ? "" : " --moving " + String.join(",", moving))
+                + (counts.isEmpty() ? "" : " --workers " + counts)
                 + (presets.isEmpty() ? "" : " --preset " + String.join(",", presets))
                 + " --runs "
                 + runs;

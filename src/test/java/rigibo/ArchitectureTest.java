@@ -37,6 +37,9 @@ class ArchitectureTest {
     private static final String BACKEND = "rigibo.backend";
     private static final String FRONTEND = "rigibo.frontend";
 
+    /** The only room that knows threads: where there are none, nothing else is missing. */
+    private static final String TEAM = BACKEND + ".team";
+
     /** What the engine shows of itself; only these rooms are seen from outside it. */
     private static final String[] PUBLIC_FACE = {
         BACKEND, BACKEND + ".geometry", BACKEND + ".setup", BACKEND + ".effect"
@@ -60,7 +63,7 @@ class ArchitectureTest {
 
     static Stream<Room> backendRooms() {
         String[][] fromLeftToRight = {
-            {"geometry"},
+            {"geometry", "team"},
             {"setup"},
             {"effect"},
             {"storage"},
@@ -182,6 +185,8 @@ class ArchitectureTest {
         classes()
                 .that()
                 .resideInAPackage("rigibo.backend..")
+                .and()
+                .resideOutsideOfPackage(TEAM)
                 .should()
                 .onlyDependOnClassesThat(
                         resideInAPackage("rigibo.backend..")
@@ -215,6 +220,8 @@ class ArchitectureTest {
         noClasses()
                 .that()
                 .resideInAPackage("rigibo.backend..")
+                .and()
+                .resideOutsideOfPackage(TEAM)
                 .should()
                 .dependOnClassesThat(
                         DescribedPredicate.describe(

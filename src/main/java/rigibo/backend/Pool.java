@@ -15,6 +15,7 @@ import rigibo.backend.step.StepPlan;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.JointStore;
+import rigibo.backend.team.Team;
 
 import java.util.List;
 import java.util.Optional;
@@ -24,7 +25,8 @@ import java.util.function.LongSupplier;
 /**
  * A world of rigid bodies: it holds the bodies and joints, steps them through time and answers
  * queries. The same calls give the same bits on every machine. Not thread-safe: only one thread may
- * use a pool at a time. All units are SI, y points up, and angles are counter-clockwise.
+ * use a pool at a time, though {@link #workers(int)} let a step use several cores. All units are
+ * SI, y points up, and angles are counter-clockwise.
  *
  * <pre>{@code
  * Pool world = new Pool(); // gravity, contacts, rotation, friction, restitution, sleep
@@ -35,7 +37,7 @@ import java.util.function.LongSupplier;
  * }
  * }</pre>
  */
-public final class Pool {
+public final class Pool implements AutoCloseable {
 
     /** Revision of the simulation: raised with every change that alters the bits of results. */
     public static final int REVISION = Snapshot.REVISION;
@@ -79,6 +81,7 @@ public final class Pool {
     private PoolJoints joints;
 
     private final PoolTotals totals;
+    private final PoolWorkers workers = new PoolWorkers();
     private final BodyList bodies = new BodyList();
     private LongSupplier clock = NO_CLOCK;
     private double time;
@@ -312,6 +315,40 @@ public final class Pool {
         Require.present("Pool.accuracy", accuracy);
         busy.requireChangeable("change the accuracy");
         plan.compile(plan.effects(), accuracy);
+    }
+
+    /** The number of workers that share a step: 1 unless {@link #workers(int)} said otherwise. */
+    public int workers() {
+        return workers.count();
+    }
+
+    /**
+     * Sets the number of workers that share a step, the thread that steps among them. The same
+     * calls give the same bits for any number. More workers than cores are allowed and only slower.
+     * Steps with little to share are made by one worker. Islands are shared unless a force varies
+     * along the path or a body has several parts; everything else of a step is not.
+     *
+     * @param count 1 to 64; the threads of the others are daemons, and are parked between steps
+     * @throws IllegalArgumentException when the count is out of its range
+     * @throws IllegalStateException when called within a step or from a visitor
+     */
+    public void workers(int count) {
+        Require.within("Pool.workers", count, 1, Team.MOST);
+        busy.requireChangeable("change the number of workers");
+        if (count != workers.count()) {
+            plan.share(workers.hire(count));
+        }
+    }
+
+    /**
+     * Ends the threads of further workers; the pool goes on with one. They also end when nothing
+     * refers to the pool any more.
+     *
+     * @throws IllegalStateException when called within a step or from a visitor
+     */
+    @Override
+    public void close() {
+        workers(1);
     }
 
     /** The declared effects: what the pool simulates. */

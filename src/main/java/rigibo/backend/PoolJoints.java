@@ -20,9 +20,13 @@ final class PoolJoints {
     private final JointList joints = new JointList();
     private final List<JointBreak> broken = new ArrayList<>();
 
+    /** Slots of the joints that broke in the last step. */
+    private final Found brokenSlots;
+
     PoolJoints(Pool pool, DataStorage data, StepPlan plan) {
         this.pool = pool;
         store = data.joints;
+        brokenSlots = data.broken;
         joinery = new Joinery(pool, data, plan);
     }
 
@@ -85,7 +89,7 @@ final class PoolJoints {
     /** Removes the joints that broke in the last step, and records them. */
     void followBreaks() {
         broken.clear();
-        Found slots = store.broken;
+        Found slots = brokenSlots;
         for (int i = 0; i < slots.count; i++) {
             Joint joint = joints.atSlot(slots.numbers[i]);
             // A gear whose joint broke in the same step was removed with that joint.

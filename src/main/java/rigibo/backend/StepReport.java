@@ -86,6 +86,14 @@ public final class StepReport {
     }
 
     /**
+     * Islands that workers shared; 0 where there was too little to share, or one worker. It is the
+     * one figure of a report that depends on {@link Pool#workers(int)}, besides times.
+     */
+    public int sharedIslands() {
+        return counters.sharedIslands;
+    }
+
+    /**
      * Solver rows of the islands that were solved by the given method; all together {@link
      * #rows()}.
      */

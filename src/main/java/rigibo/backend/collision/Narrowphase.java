@@ -102,6 +102,11 @@ public final class Narrowphase {
         }
     }
 
+    /** Whether pairs lend each other points, which one worker alone may measure again. */
+    public boolean isLending() {
+        return outer != null;
+    }
+
     /** Gives the points that pairs were lent back, when piles have been solved. */
     public void giveOuterBack() {
         if (outer != null) {

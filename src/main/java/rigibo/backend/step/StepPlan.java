@@ -41,6 +41,7 @@ import rigibo.backend.setup.ImpactMode;
 import rigibo.backend.setup.Integrator;
 import rigibo.backend.setup.StepStage;
 import rigibo.backend.storage.DataStorage;
+import rigibo.backend.team.Team;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -61,9 +62,18 @@ public final class StepPlan {
     /** The broad phase; null where contacts are not declared. */
     private Broadphase broadphase;
 
+    /** Shares the work of stages that can be shared; null for one worker. */
+    private Team team;
+
     /** A plan for the data of a pool. */
     public StepPlan(DataStorage data, Effects effects, Accuracy accuracy) {
         this.data = data;
+        compile(effects, accuracy);
+    }
+
+    /** Shares the work from the next step on; null for one worker. */
+    public void share(Team workers) {
+        team = workers;
         compile(effects, accuracy);
     }
 
@@ -193,7 +203,7 @@ public final class StepPlan {
         add(
                 StepStage.CONTACT,
                 "solve islands in " + accuracy.substeps() + " substeps: " + rowsInWords(),
-                new ContactStage(data, narrowphase, effects, accuracy, forces)::solve);
+                new ContactStage(data, narrowphase, effects, accuracy, forces, team)::solve);
     }
 
     private String rowsInWords() {

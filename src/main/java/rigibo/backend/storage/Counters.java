@@ -29,6 +29,9 @@ public final class Counters {
 
     public double multiplications;
 
+    /** Islands that several workers shared. */
+    public int sharedIslands;
+
     /** Number of searches for what is around a body of a pile. */
     public int searches;
 
@@ -59,6 +62,7 @@ public final class Counters {
         Arrays.fill(rowsBy, 0);
         contactSolves = 0;
         multiplications = 0;
+        sharedIslands = 0;
         searches = 0;
         sensed = 0;
         deepestOverlap = 0;
@@ -81,7 +85,7 @@ public final class Counters {
     }
 
     /** Notes, once, a body that was put to rest. */
-    void quarantine(int slot) {
+    public void quarantine(int slot) {
         for (int i = 0; i < quarantinedCount; i++) {
             if (quarantined[i] == slot) {
                 return;

@@ -10,19 +10,19 @@ public final class DataStorage {
 
     public final Bodies bodies;
     public final Pairs pairs;
-    public final Roster roster = new Roster();
-    public final Islands islands = new Islands();
+    public final Roster roster;
+    public final Islands islands;
     public final StillContacts stillContacts;
     public final Counters counters = new Counters();
 
     /** Slots of the bodies to which forces were applied since the last step; some appear twice. */
-    public final Found thrusting = new Found();
+    public final Found thrusting;
 
     /**
      * Slots of the bodies that are driven to a target pose; some appear twice, and some have
      * arrived.
      */
-    public final Found steered = new Found();
+    public final Found steered;
 
     /**
      * Shapes near sensors, and the paths of struck bodies; both are null while no shape is a
@@ -38,6 +38,9 @@ public final class DataStorage {
     /** The joints; null where none are declared. */
     public JointStore joints;
 
+    /** Joints that broke in this step, in the order in which they did. */
+    public final Found broken = new Found();
+
     /** An empty store, for islands with locked axes where no joints are declared. */
     private JointStore noJoints;
 
@@ -48,8 +51,42 @@ public final class DataStorage {
     public DataStorage(Effects effects) {
         bodies = new Bodies(effects);
         pairs = new Pairs(effects);
+        roster = new Roster();
+        islands = new Islands();
+        thrusting = new Found();
+        steered = new Found();
         stillContacts = new StillContacts(bodies, pairs);
         declareJoints(effects);
+    }
+
+    private DataStorage(DataStorage shared) {
+        bodies = shared.bodies;
+        pairs = shared.pairs;
+        roster = shared.roster;
+        islands = shared.islands;
+        thrusting = shared.thrusting;
+        steered = shared.steered;
+        stillContacts = shared.stillContacts;
+        joints = shared.joints;
+        noJoints = shared.noJoints;
+        hits = shared.hits == null ? null : new Hits();
+    }
+
+    /**
+     * The same state for another worker, with lists of its own for what several islands would add
+     * to: impacts, broken joints and bodies put to rest. It is valid until effects change.
+     */
+    public DataStorage forWorker() {
+        return new DataStorage(this);
+    }
+
+    /** Begins work on islands that are shared: lists are empty. */
+    public void beginShared(DataStorage shared) {
+        counters.clear();
+        broken.clear();
+        if (hits != null) {
+            hits.beginShared(shared.hits);
+        }
     }
 
     /** Makes the store of joints if they are declared, and drops it if not. */

@@ -92,6 +92,34 @@ public final class Hits {
         count++;
     }
 
+    /** Begins a list of a worker's own: what is noted by pair is shared, since pairs are not. */
+    void beginShared(Hits shared) {
+        isForetold = shared.isForetold;
+        isExpected = shared.isExpected;
+        count = 0;
+    }
+
+    /** Adds hits of a worker's own list. */
+    public void append(Hits other, int from, int to) {
+        for (int i = from; i < to && count < MOST; i++) {
+            if (count == bodyA.length) {
+                grow();
+            }
+            pair[count] = other.pair[i];
+            bodyA[count] = other.bodyA[i];
+            bodyB[count] = other.bodyB[i];
+            partA[count] = other.partA[i];
+            partB[count] = other.partB[i];
+            x[count] = other.x[i];
+            y[count] = other.y[i];
+            normalX[count] = other.normalX[i];
+            normalY[count] = other.normalY[i];
+            speed[count] = other.speed[i];
+            time[count] = other.time[i];
+            count++;
+        }
+    }
+
     /**
      * Expects a hit of a pair that is about to meet in a pile. A later call for a pair counts in
      * place of an earlier one.

@@ -125,9 +125,6 @@ public final class JointStore {
     /** Joints that this step visits, since one of their bodies is awake; in slot order. */
     public final Found active = new Found();
 
-    /** Joints that broke in this step. */
-    public final Found broken = new Found();
-
     /** By body: the first joint of its list. By joint: the next one in the lists of A and of B. */
     private int[] firstOf = new int[FIRST_CAPACITY];
 

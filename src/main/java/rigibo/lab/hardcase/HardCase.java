@@ -42,10 +42,10 @@ public interface HardCase {
         return run(preset, Sampling.USUAL);
     }
 
-    /** Runs the case twice, for the second run must end in the same bits. */
+    /** Runs the case twice: the second run, by several workers, must end in the same bits. */
     default Result run(Preset preset, Sampling sampling) {
-        Trial first = trial(preset, sampling, UnaryOperator.identity());
-        first.compare(trial(preset, sampling, UnaryOperator.identity()));
+        Trial first = trial(preset, sampling, UnaryOperator.identity(), 1);
+        first.compare(trial(preset, sampling, UnaryOperator.identity(), Trial.SEVERAL));
         return new Result(this, preset, first.measures(), first.work());
     }
 
@@ -60,12 +60,13 @@ public interface HardCase {
     }
 
     private Result runOnce(Preset preset, UnaryOperator<BodyDefinition> made) {
-        Trial trial = trial(preset, Sampling.USUAL, made);
+        Trial trial = trial(preset, Sampling.USUAL, made, 1);
         return new Result(this, preset, trial.measures(), trial.work());
     }
 
-    private Trial trial(Preset preset, Sampling sampling, UnaryOperator<BodyDefinition> made) {
-        Trial trial = new Trial(preset, limitedFrom(), sampling, made);
+    private Trial trial(
+            Preset preset, Sampling sampling, UnaryOperator<BodyDefinition> made, int workers) {
+        Trial trial = new Trial(preset, limitedFrom(), sampling, made, workers);
         run(trial);
         return trial;
     }

@@ -34,10 +34,14 @@ public final class Trial {
     /** A prime, so that the order of hashes counts. */
     private static final long HASH_FACTOR = 0x100000001b3L;
 
+    /** Workers of a run by several: more than most machines' tests have cores to spare. */
+    static final int SEVERAL = 3;
+
     private final Preset preset;
     private final Preset limitedFrom;
     private final Sampling sampling;
     private final UnaryOperator<BodyDefinition> made;
+    private final int workers;
     private final Map<String, Measure> measures = new LinkedHashMap<>();
     private final Map<String, Measure> invariants = new LinkedHashMap<>();
     private final Work work = new Work();
@@ -46,14 +50,16 @@ public final class Trial {
 
     /**
      * A run at a preset of a case whose own figures are limited from another on, with bodies made
-     * of the case's in some way.
+     * of the case's in some way, by a number of workers.
      */
     Trial(
             Preset preset,
             Preset limitedFrom,
             Sampling sampling,
-            UnaryOperator<BodyDefinition> made) {
+            UnaryOperator<BodyDefinition> made,
+            int workers) {
         this.made = made;
+        this.workers = workers;
         this.preset = preset;
         this.limitedFrom = limitedFrom;
         this.sampling = sampling;
@@ -61,6 +67,10 @@ public final class Trial {
 
     Preset preset() {
         return preset;
+    }
+
+    int workers() {
+        return workers;
     }
 
     /** Which variants a case of many is to try. */

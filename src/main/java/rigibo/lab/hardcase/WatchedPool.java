@@ -66,6 +66,7 @@ final class WatchedPool {
         this.trial = trial;
         this.variant = variant;
         pool = new Pool(effects, trial.preset().accuracy());
+        pool.workers(trial.workers());
         gravity = effects.find(Gravity.class).orElse(new Gravity(0, 0));
         balance = new Balance(gravity);
         isEnergyKept = FROM_OUTSIDE.stream().noneMatch(effects::declares);

@@ -26,7 +26,7 @@ class FlatPlateBowlTest {
         "1500, 1, 4.39"
     })
     void boxLosesWhatTheKinksTake(int plates, double lap, double radius) {
-        Trial trial = new Trial(Preset.GAME, Preset.GAME, Sampling.USUAL, body -> body);
+        Trial trial = new Trial(Preset.GAME, Preset.GAME, Sampling.USUAL, body -> body, 1);
         FlatPlateBowl.ofBox().swing(trial, new PlateBowl(radius, plates, lap));
         assertThat(trial.measures()).allMatch(Measure::passes);
     }

@@ -27,7 +27,7 @@ class MovingInstrumentsTest {
     }
 
     private static Trial trial() {
-        return new Trial(Preset.GAME, Preset.DRAFT, Sampling.USUAL, body -> body);
+        return new Trial(Preset.GAME, Preset.DRAFT, Sampling.USUAL, body -> body, 1);
     }
 
     private static Measure measured(Trial trial, String name) {
@@ -135,7 +135,7 @@ class MovingInstrumentsTest {
         Trial held = trial();
         held.measure("x", 3.5, "m", limits);
         assertThat(measured(held, "x").passes()).isFalse();
-        Trial reporting = new Trial(Preset.DRAFT, Preset.GAME, Sampling.USUAL, body -> body);
+        Trial reporting = new Trial(Preset.DRAFT, Preset.GAME, Sampling.USUAL, body -> body, 1);
         reporting.measure("x", 3.5, "m", limits);
         assertThat(measured(reporting, "x").isReported()).isTrue();
     }

@@ -2,6 +2,7 @@ package rigibo.backend.contact.joint;
 
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.Found;
 import rigibo.backend.storage.JointStore;
 
 /** The impulses of joints: kept from kick to kick, summed over a step, and stored at its end. */
@@ -9,6 +10,7 @@ final class JointResults {
 
     private final Bodies bodies;
     private final JointStore joints;
+    private final Found broken;
     private final PackedJoints packed;
     private final NeutralRows rows;
 
@@ -25,6 +27,7 @@ final class JointResults {
     JointResults(DataStorage data, PackedJoints packed, NeutralRows rows) {
         bodies = data.bodies;
         joints = data.jointsOrNone();
+        broken = data.broken;
         this.packed = packed;
         this.rows = rows;
     }
@@ -140,7 +143,7 @@ final class JointResults {
         double force = joints.breakForce[joint];
         if (x * x + y * y > force * force
                 || Math.abs(joints.reactionTurn[joint]) > joints.breakTorque[joint]) {
-            joints.broken.add(joint);
+            broken.add(joint);
         }
     }
 }

@@ -1,0 +1,2 @@
+/** The threads that share the work of a step. */
+package rigibo.backend.team;

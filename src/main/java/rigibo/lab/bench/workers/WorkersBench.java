@@ -1,0 +1,96 @@
+package rigibo.lab.bench.workers;
+
+import com.sun.management.OperatingSystemMXBean;
+
+import rigibo.backend.Pool;
+import rigibo.backend.setup.Accuracy;
+import rigibo.lab.bench.scene.BenchScene;
+import rigibo.lab.bench.scene.Scene;
+import rigibo.lab.engine.RigiBoEngine;
+import rigibo.lab.engine.World;
+
+import java.lang.management.ManagementFactory;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.function.Consumer;
+
+/**
+ * Lets pools with different numbers of workers make each step of a scene in turn, and times it by
+ * the wall clock: what a player waits for.
+ *
+ * @param scenes in the order of the report
+ * @param workers numbers of workers; the first is what the others are compared with
+ * @param steps of each scene
+ * @param runs by whose median each step is timed, after one that is not
+ */
+public record WorkersBench(List<BenchScene> scenes, List<Integer> workers, int steps, int runs) {
+
+    private static final double DT = 1.0 / 60;
+    private static final OperatingSystemMXBean SYSTEM =
+            (OperatingSystemMXBean) ManagementFactory.getOperatingSystemMXBean();
+
+    /** A pool and what lets its scene go on. */
+    private record Going(Pool pool, World world, Scene scene) {
+
+        static Going of(BenchScene scene, int workers) {
+            Scene built = scene.scene().get();
+            Pool pool = new Pool(built.effects(), Accuracy.GAME);
+            pool.workers(workers);
+            World world = RigiBoEngine.world(pool);
+            built.build(world);
+            return new Going(pool, world, built);
+        }
+    }
+
+    /**
+     * Times them all.
+     *
+     * @param tell is told how far it is
+     */
+    public WorkersReport run(Consumer<String> tell) {
+        List<WorkersCourse> courses = new ArrayList<>();
+        for (BenchScene scene : scenes) {
+            List<WorkersCourse> found =
+                    workers.stream()
+                            .map(count -> new WorkersCourse(scene, count, steps, runs))
+                            .toList();
+            for (int run = -1; run < runs; run++) {
+                tell.accept(scene.name() + ", run " + (run + 1) + " of " + runs);
+                time(scene, run, found);
+            }
+            courses.addAll(found);
+        }
+        return new WorkersReport(courses, workers.get(0));
+    }
+
+    /** The pools take turns at being first, since the first finds the cache colder. */
+    private void time(BenchScene scene, int run, List<WorkersCourse> courses) {
+        Going[] going =
+                courses.stream()
+                        .map(course -> Going.of(scene, course.workers()))
+                        .toArray(Going[]::new);
+        long[] hashes = new long[going.length];
+        for (int step = 0; step < steps; step++) {
+            for (int i = 0; i < going.length; i++) {
+                int turn = (step + i) % going.length;
+                Going one = going[turn];
+                one.scene.driver().drive(one.world, step);
+                long used = SYSTEM.getProcessCpuTime();
+                long before = System.nanoTime();
+                one.pool.step(DT);
+                long after = System.nanoTime();
+                if (run >= 0) {
+                    double all = SYSTEM.getProcessCpuTime() - used;
+                    courses.get(turn).note(run, step, after - before, all, one.pool.report());
+                }
+                hashes[turn] = one.pool.stateHash();
+            }
+            if (Arrays.stream(hashes).distinct().count() > 1) {
+                throw new IllegalStateException(
+                        scene.name() + ": other bits by other workers after step " + (step + 1));
+            }
+        }
+        Arrays.stream(going).forEach(one -> one.pool.close());
+    }
+}

@@ -1,0 +1,62 @@
+package rigibo.lab.bench.workers;
+
+import rigibo.lab.report.Amount;
+import rigibo.lab.report.Table;
+
+import java.util.List;
+import java.util.Locale;
+
+/** What workers bring, for a terminal and for a page. */
+public final class WorkersReport {
+
+    private final List<WorkersCourse> courses;
+    private final int comparedWith;
+
+    WorkersReport(List<WorkersCourse> courses, int comparedWith) {
+        this.courses = courses;
+        this.comparedWith = comparedWith;
+    }
+
+    /** For a terminal. */
+    public List<String> text() {
+        return table().text();
+    }
+
+    /** The measured part of a page of Markdown. */
+    public String markdown(String provenance) {
+        return provenance + "\n\n" + table().markdown();
+    }
+
+    private Table table() {
+        return new Table(
+                List.of(
+                        "scene",
+                        "workers",
+                        "mean",
+                        "p99",
+                        "most",
+                        "times as fast",
+                        "processor time",
+                        "steps that share"),
+                courses.stream().map(this::row).toList());
+    }
+
+    private List<String> row(WorkersCourse course) {
+        double first =
+                courses.stream()
+                        .filter(other -> other.scene().equals(course.scene()))
+                        .filter(other -> other.workers() == comparedWith)
+                        .findFirst()
+                        .orElseThrow()
+                        .mean();
+        return List.of(
+                course.scene().name(),
+                "" + course.workers(),
+                Amount.time(course.mean()),
+                Amount.time(course.tail()),
+                Amount.time(course.most()),
+                Amount.digits(first / course.mean()),
+                Amount.time(course.ofProcess()),
+                String.format(Locale.ROOT, "%.0f %%", 100 * course.shared()));
+    }
+}

@@ -1,0 +1,2 @@
+/** What further workers bring: the same steps by one and by several. */
+package rigibo.lab.bench.workers;

@@ -1,0 +1,137 @@
+package rigibo.backend.team;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+import java.util.Arrays;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.CountDownLatch;
+
+@Timeout(60)
+class TeamTest {
+
+    private static final int PIECES = 2_000;
+
+    /**
+     * Whoever comes in time takes what is left, and nobody is still at it when the call returns.
+     */
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2, 3, 8})
+    void allWorkIsDoneOnce(int workers) {
+        int[] done = new int[200];
+        Set<Thread> by = ConcurrentHashMap.newKeySet();
+        try (Team team = new Team(workers)) {
+            assertThat(team.size()).isEqualTo(workers);
+            for (int piece = 1; piece <= PIECES; piece++) {
+                team.run(
+                        worker -> {
+                            by.add(Thread.currentThread());
+                            for (int i = team.next(); i < done.length; i = team.next()) {
+                                done[i]++;
+                            }
+                        });
+                int expected = piece;
+                assertThat(Arrays.stream(done)).allMatch(times -> times == expected);
+            }
+        }
+        assertThat(by).contains(Thread.currentThread()).hasSizeLessThanOrEqualTo(workers);
+        assertThat(by).allMatch(one -> one == Thread.currentThread() || one.isDaemon());
+    }
+
+    /** A caller that waits for the others finds them, however long they take to wake up. */
+    @ParameterizedTest
+    @ValueSource(ints = {2, 3, 8})
+    void workersHaveNumbersOfTheirOwn(int workers) {
+        Thread[] by = new Thread[workers];
+        try (Team team = new Team(workers)) {
+            team.run(waiting(by));
+        }
+        assertThat(by).doesNotHaveDuplicates().doesNotContainNull();
+        assertThat(by[0]).isSameAs(Thread.currentThread());
+    }
+
+    /** Work at which the caller waits until every worker has begun. */
+    private static Team.Shared waiting(Thread[] by) {
+        CountDownLatch begun = new CountDownLatch(by.length);
+        return worker -> {
+            by[worker] = Thread.currentThread();
+            begun.countDown();
+            try {
+                begun.await();
+            } catch (InterruptedException interrupted) {
+                throw new AssertionError(interrupted);
+            }
+        };
+    }
+
+    @Test
+    void failuresReachTheCallerAndTheTeamGoesOn() {
+        try (Team team = new Team(3)) {
+            for (int failing = 0; failing < 3; failing++) {
+                int who = failing;
+                Team.Shared all = waiting(new Thread[3]);
+                assertThatIllegalStateException()
+                        .isThrownBy(
+                                () ->
+                                        team.run(
+                                                worker -> {
+                                                    all.run(worker);
+                                                    if (worker == who) {
+                                                        throw new ArithmeticException("by one");
+                                                    }
+                                                }))
+                        .withRootCauseInstanceOf(ArithmeticException.class);
+                Thread[] by = new Thread[3];
+                team.run(waiting(by));
+                assertThat(by).doesNotContainNull();
+            }
+        }
+    }
+
+    @Test
+    void threadsEndWithTheTeam() throws InterruptedException {
+        Thread[] by = new Thread[2];
+        try (Team team = new Team(2)) {
+            team.run(waiting(by));
+            assertThat(by[1].isAlive()).isTrue();
+        }
+        by[1].join();
+    }
+
+    /** Its thread holds on to the team, not to what the team works for. */
+    @Test
+    void threadsEndWhenTheirOwnerIsForgotten() throws InterruptedException {
+        Thread[] by = new Thread[2];
+        Object owner = new Object();
+        Team team = new Team(2);
+        team.closeWith(owner);
+        team.run(waiting(by));
+        assertThat(by[1].isAlive()).isTrue();
+        owner = null;
+        while (by[1].isAlive()) {
+            System.gc();
+            by[1].join(10);
+        }
+    }
+
+    /** Threads that wait for work give their core away after a moment. */
+    @Test
+    void whoHasNothingToDoIsParked() throws InterruptedException {
+        Thread[] by = new Thread[2];
+        try (Team team = new Team(2)) {
+            team.run(waiting(by));
+            while (by[1].getState() != Thread.State.WAITING) {
+                Thread.sleep(1);
+            }
+            Thread[] again = new Thread[2];
+            team.run(waiting(again));
+            assertThat(again).isEqualTo(by);
+        }
+    }
+}
