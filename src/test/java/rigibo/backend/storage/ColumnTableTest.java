@@ -65,6 +65,7 @@ public class ColumnTableTest {
                     Map.entry("DataStorage.pairs", "a table"),
                     Map.entry("DataStorage.joints", "a table, null where none are declared"),
                     Map.entry("DataStorage.noJoints", "a table that stays empty"),
+                    Map.entry("DataStorage.broken", "empty after a step; PoolJoints.followBreaks"),
                     Map.entry("DataStorage.thrusting", "follows from forces; BodyEditor.derive"),
                     Map.entry("DataStorage.time", OF_A_STEP),
                     Map.entry("DataStorage.visits", "saved beside the tables; State.visitVisits"),
