@@ -5,6 +5,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
+import rigibo.backend.Pool;
 import rigibo.lab.bench.BenchStudy;
 import rigibo.lab.bench.Inquiry;
 import rigibo.lab.bench.moving.Contestant;
@@ -48,7 +49,6 @@ final class BenchCommand implements Callable<Integer> {
     private static final String QUERIED = "GAME";
     private static final int MOST_ROUNDS = 100;
     private static final int MOST_STEPS = 100_000;
-    private static final int MOST_WORKERS = 64;
 
     @Option(
             names = "--scenes",
@@ -167,7 +167,7 @@ final class BenchCommand implements Callable<Integer> {
             requireWithin("--steps", steps, MOST_STEPS);
         }
         requireWithin("--runs", runs, MOST_ROUNDS);
-        workers.forEach(count -> requireWithin("--workers", count, MOST_WORKERS));
+        workers.forEach(count -> requireWithin("--workers", count, Pool.MOST_WORKERS));
         Destination.requireFile(spec, "--csv", csv);
         Destination.requireFile(spec, "--markdown", page);
         Destination.requireDirectory(spec, "--out", out);

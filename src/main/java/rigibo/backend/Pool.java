@@ -25,7 +25,7 @@ import java.util.function.LongSupplier;
 /**
  * A world of rigid bodies: it holds the bodies and joints, steps them through time and answers
  * queries. The same calls give the same bits on every machine. Not thread-safe: only one thread may
- * use a pool at a time, though {@link #workers(int)} let a step use several cores. All units are
+ * use a pool at a time, though {@link #workers(int)} lets a step use several cores. All units are
  * SI, y points up, and angles are counter-clockwise.
  *
  * <pre>{@code
@@ -47,6 +47,9 @@ public final class Pool implements AutoCloseable {
 
     /** Shortest step accepted, s; changes over a shorter step drown in the round-off of doubles. */
     public static final double SHORTEST_STEP = 1e-9;
+
+    /** Most workers that {@link #workers(int)} accepts. */
+    public static final int MOST_WORKERS = Team.MOST;
 
     /** Most bodies or pairs that {@link #reserve} accepts: their columns take about 1 GB. */
     private static final int MOST_ROOM = 1 << 22;
@@ -333,7 +336,7 @@ public final class Pool implements AutoCloseable {
      * @throws IllegalStateException when called within a step or from a visitor
      */
     public void workers(int count) {
-        Require.within("Pool.workers", count, 1, Team.MOST);
+        Require.within("Pool.workers", count, 1, MOST_WORKERS);
         busy.requireChangeable("change the number of workers");
         if (count != workers.count()) {
             plan.share(workers.hire(count));

@@ -89,9 +89,8 @@ final class PoolJoints {
     /** Removes the joints that broke in the last step, and records them. */
     void followBreaks() {
         broken.clear();
-        Found slots = brokenSlots;
-        for (int i = 0; i < slots.count; i++) {
-            Joint joint = joints.atSlot(slots.numbers[i]);
+        for (int i = 0; i < brokenSlots.count; i++) {
+            Joint joint = joints.atSlot(brokenSlots.numbers[i]);
             // A gear whose joint broke in the same step was removed with that joint.
             if (joint != null) {
                 broken.add(
@@ -103,7 +102,7 @@ final class PoolJoints {
                 remove(joint);
             }
         }
-        slots.clear();
+        brokenSlots.clear();
     }
 
     List<JointBreak> broken() {

@@ -58,7 +58,7 @@ final class SharedIslands implements Team.Shared {
         notes = new SharedNotes(data, workers);
     }
 
-    /** Whether there is enough to share; finds the order in which islands are taken. */
+    /** Whether there is enough to share besides the largest island. */
     boolean isWorthwhile() {
         int largest = 0;
         int all = 0;

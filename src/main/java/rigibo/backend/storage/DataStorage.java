@@ -73,8 +73,8 @@ public final class DataStorage {
     }
 
     /**
-     * The same state for another worker, with lists of its own for what several islands would add
-     * to: impacts, broken joints and bodies put to rest. It is valid until effects change.
+     * A view of the same state for another worker, valid until effects change. Three lists to which
+     * several islands append are its own: impacts, broken joints and bodies put to rest.
      */
     public DataStorage forWorker() {
         return new DataStorage(this);

@@ -38,7 +38,7 @@ public final class Team implements AutoCloseable {
         static final Cleaner CLEANER = Cleaner.create();
     }
 
-    /** A piece of work that all workers do at once. */
+    /** A piece of work that workers share. */
     @FunctionalInterface
     public interface Shared {
 
@@ -64,10 +64,10 @@ public final class Team implements AutoCloseable {
     }
 
     /**
-     * Lets workers do their shares, and returns when all that began are done. A worker whom the
-     * caller's own share leaves nothing to do, since it took longer to wake up, does not begin: the
-     * shares must be such that any number of workers, the caller among them, do all the work. What
-     * the caller wrote before is seen by all workers, and what they wrote by the caller.
+     * Lets workers do their shares, and returns when all that began are done. A worker that has not
+     * woken up when the caller is done does not begin, so that the caller alone must be able to do
+     * all of the work. What the caller wrote before is seen by all workers, and what they wrote by
+     * the caller.
      */
     public void run(Shared shared) {
         work = shared;

@@ -34,7 +34,7 @@ public final class Trial {
     /** A prime, so that the order of hashes counts. */
     private static final long HASH_FACTOR = 0x100000001b3L;
 
-    /** Workers of a run by several: more than most machines' tests have cores to spare. */
+    /** Workers of the second run of a case. */
     static final int SEVERAL = 3;
 
     private final Preset preset;

@@ -1,14 +1,13 @@
 package rigibo.lab.bench.workers;
 
 import rigibo.backend.StepReport;
+import rigibo.lab.bench.probe.StepTimes;
 import rigibo.lab.bench.scene.BenchScene;
 
 import java.util.Arrays;
 
 /** Times of the steps of a scene by a number of workers. */
 final class WorkersCourse {
-
-    private static final double TAIL = 0.99;
 
     private final BenchScene scene;
     private final int workers;
@@ -47,35 +46,18 @@ final class WorkersCourse {
         return sharedSteps / (double) wall.length;
     }
 
-    /** Mean over the steps of the medians over the runs, ns. */
-    double mean() {
-        return Arrays.stream(medians(wall)).average().orElseThrow();
+    /** What the player waits for, by the medians over the runs, ns. */
+    StepTimes wall() {
+        return medians(wall);
     }
 
-    double ofProcess() {
-        return Arrays.stream(medians(processor)).average().orElseThrow();
+    /** Processor time of all threads of the process, likewise. */
+    StepTimes processor() {
+        return medians(processor);
     }
 
-    double tail() {
-        double[] sorted = medians(wall);
-        return sorted[(int) (TAIL * (sorted.length - 1))];
-    }
-
-    double most() {
-        double[] sorted = medians(wall);
-        return sorted[sorted.length - 1];
-    }
-
-    /** Medians over the runs, ascending. */
-    private static double[] medians(double[][] times) {
-        return Arrays.stream(times)
-                .mapToDouble(
-                        runs -> {
-                            double[] sorted = runs.clone();
-                            Arrays.sort(sorted);
-                            return sorted[sorted.length / 2];
-                        })
-                .sorted()
-                .toArray();
+    private static StepTimes medians(double[][] times) {
+        return new StepTimes(
+                Arrays.stream(times).mapToDouble(runs -> new StepTimes(runs).median()).toArray());
     }
 }

@@ -1,5 +1,6 @@
 package rigibo.lab.bench.workers;
 
+import rigibo.lab.bench.probe.StepTimes;
 import rigibo.lab.report.Amount;
 import rigibo.lab.report.Table;
 
@@ -48,15 +49,17 @@ public final class WorkersReport {
                         .filter(other -> other.workers() == comparedWith)
                         .findFirst()
                         .orElseThrow()
+                        .wall()
                         .mean();
+        StepTimes wall = course.wall();
         return List.of(
                 course.scene().name(),
                 "" + course.workers(),
-                Amount.time(course.mean()),
-                Amount.time(course.tail()),
-                Amount.time(course.most()),
-                Amount.digits(first / course.mean()),
-                Amount.time(course.ofProcess()),
+                Amount.time(wall.mean()),
+                Amount.time(wall.p99()),
+                Amount.time(wall.max()),
+                Amount.digits(first / wall.mean()),
+                Amount.time(course.processor().mean()),
                 String.format(Locale.ROOT, "%.0f %%", 100 * course.shared()));
     }
 }
