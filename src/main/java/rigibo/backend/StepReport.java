@@ -86,11 +86,19 @@ public final class StepReport {
     }
 
     /**
-     * Islands that workers shared; 0 where there was too little to share, or one worker. It is the
-     * one figure of a report that depends on {@link Pool#workers(int)}, besides times.
+     * Islands that workers shared; 0 where there was too little to share, or one worker. With
+     * {@link #splits()} and times it is what of a report depends on {@link Pool#workers(int)}.
      */
     public int sharedIslands() {
         return counters.sharedIslands;
+    }
+
+    /**
+     * Number of times that work was split among workers, islands, pairs or contacts of one colour;
+     * 0 with one worker, and where there is too little to share.
+     */
+    public int splits() {
+        return counters.splits;
     }
 
     /**

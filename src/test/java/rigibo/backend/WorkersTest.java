@@ -15,6 +15,7 @@ import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Joints;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
+import rigibo.backend.geometry.Shape;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.Material;
@@ -151,6 +152,52 @@ class WorkersTest {
         return pool.bodies().indexOf(body);
     }
 
+    /**
+     * A heap is one island: its contacts are shared colour by colour. Beside it lie piles, which
+     * are shared as wholes, and discs and boxes on belts, so that contacts of all kinds come along.
+     */
+    @ParameterizedTest
+    @ValueSource(ints = {2, 3, 8})
+    void heapsAreSharedToo(int workers) {
+        int splits = 0;
+        int most = 0;
+        try (Pool one = heap(1);
+                Pool several = heap(workers)) {
+            for (int step = 0; step < 150; step++) {
+                StepReport expected = one.step(DT);
+                StepReport found = several.step(DT);
+                assertThat(several.stateHash()).as("step %d", step).isEqualTo(one.stateHash());
+                assertThat(words(several)).as("step %d", step).isEqualTo(words(one));
+                assertThat(found.contactSolves()).isEqualTo(expected.contactSolves());
+                assertThat(expected.splits()).isZero();
+                splits += found.splits() > 50 ? 1 : 0;
+                most = Math.max(most, found.contacts());
+            }
+        }
+        assertThat(splits).as("steps with shared passes").isGreaterThan(60);
+        assertThat(most).isGreaterThan(1_000);
+    }
+
+    /** A thousand bodies, thrown into a trough, and piles and a belt beside it. */
+    private static Pool heap(int workers) {
+        Pool pool = crowd(workers);
+        SplittableRandom random = new SplittableRandom(11);
+        pool.add(BodyDefinition.fixed(Polygon.box(40, 1)).at(200, -0.5));
+        pool.add(BodyDefinition.fixed(Polygon.box(1, 30)).at(190, 15));
+        pool.add(BodyDefinition.fixed(Polygon.box(1, 30)).at(210, 15));
+        Material material = new Material(1, 0.3, 0.5);
+        for (int i = 0; i < 1_000; i++) {
+            Shape shape = i % 3 == 0 ? new Circle(0.2) : Polygon.box(0.5, 0.3);
+            double x = 191 + 0.6 * (i % 30) + random.nextDouble(0.05);
+            pool.add(
+                    BodyDefinition.dynamic(shape)
+                            .at(x, 0.5 + 0.5 * (i / 30))
+                            .velocity(random.nextDouble(-2, 2), -4)
+                            .material(material));
+        }
+        return pool;
+    }
+
     /** The number is no part of a pool's state: it may change from step to step. */
     @Test
     void workersComeAndGo() {
@@ -183,7 +230,7 @@ class WorkersTest {
             pile(pool, random, 6 * pile, 0);
         }
         for (int step = 0; step < 120; step++) {
-            assertThat(pool.step(DT).sharedIslands()).isZero();
+            assertThat(pool.step(DT).splits()).isZero();
         }
         pool.close();
     }

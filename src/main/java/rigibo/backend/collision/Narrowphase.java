@@ -9,6 +9,7 @@ import rigibo.backend.storage.PairTolerances;
 import rigibo.backend.storage.Pairs;
 import rigibo.backend.storage.Roster;
 import rigibo.backend.storage.StillContacts;
+import rigibo.backend.team.Team;
 
 /**
  * The narrow phase: fills the manifolds of all candidate pairs with a moving body. A pair gets
@@ -19,6 +20,11 @@ public final class Narrowphase {
 
     /** Smallest displacement that can be seen, per metre of body. */
     private static final double SHOWS = 0.02;
+
+    /** Number of active pairs from which on they are shared, and of those in a piece. */
+    private static final int WORTHWHILE = 512;
+
+    private static final int GRAIN = 128;
 
     private final Bodies bodies;
     private final Pairs pairs;
@@ -45,6 +51,17 @@ public final class Narrowphase {
     private final Pose poseA = new Pose();
     private final Pose poseB = new Pose();
 
+    /** Shares the measuring of many pairs; null for one worker. */
+    private Team team;
+
+    /** By worker: what measures pairs for it; this is the first. */
+    private Narrowphase[] helpers = {this};
+
+    private final Team.Pieces measuringPieces = this::measurePiece;
+
+    /** Length of the step in progress, s. */
+    private double dt;
+
     /** The narrow phase of a storage. */
     public Narrowphase(DataStorage data) {
         bodies = data.bodies;
@@ -57,6 +74,21 @@ public final class Narrowphase {
         wayOut = new WayOut(data, collider, manifold);
         former = new FormerPoints(data, manifold);
         this.data = data;
+    }
+
+    /** Lets a team measure pairs where they are many. */
+    public void share(Team workers) {
+        team = workers;
+        helpers = new Narrowphase[workers.size()];
+        helpers[0] = this;
+        for (int i = 1; i < helpers.length; i++) {
+            helpers[i] = new Narrowphase(data.forWorker());
+        }
+    }
+
+    /** What measures pairs for a worker of the team; number 0 is this. */
+    public Narrowphase of(int worker) {
+        return helpers[worker];
     }
 
     /** Lists the active pairs and fills their manifolds for a step of {@code dt} seconds. */
@@ -115,26 +147,32 @@ public final class Narrowphase {
     }
 
     private void measureActive(double dt) {
-        if (bodies.turns()) {
-            for (int i = 0; i < pairs.activeCount; i++) {
-                measureIfMoved(pairs.active[i], dt, turningReach(pairs.active[i], dt));
-            }
+        this.dt = dt;
+        // All bodies are compared in any case, because the next step compares with the poses of
+        // this one.
+        for (int i = 0; i < pairs.activeCount; i++) {
+            whereabouts.compare(bodies, pairs.bodyA[pairs.active[i]]);
+            whereabouts.compare(bodies, pairs.bodyB[pairs.active[i]]);
+        }
+        if (team != null && pairs.activeCount >= WORTHWHILE) {
+            team.split(pairs.activeCount, GRAIN, measuringPieces);
         } else {
-            for (int i = 0; i < pairs.activeCount; i++) {
-                measureIfMoved(pairs.active[i], dt, reach(pairs.active[i], dt, 0, 0));
-            }
+            measurePiece(0, pairs.activeCount, 0);
         }
     }
 
-    private void measureIfMoved(int pair, double dt, double reach) {
-        // Both bodies are compared in any case, because the next step compares with the poses of
-        // this one.
-        boolean hasA = whereabouts.hasStayed(bodies, pairs.bodyA[pair]);
-        boolean hasB = whereabouts.hasStayed(bodies, pairs.bodyB[pair]);
-        if (hasA && hasB && isMeasured(pair, dt, reach)) {
-            goOn(pair);
-        } else {
-            measure(pair, dt, reach);
+    private void measurePiece(int from, int to, int worker) {
+        for (int i = from; i < to; i++) {
+            int pair = pairs.active[i];
+            boolean hasStayed =
+                    whereabouts.hasStayed(pairs.bodyA[pair])
+                            && whereabouts.hasStayed(pairs.bodyB[pair]);
+            double reach = reach(pair, dt);
+            if (hasStayed && isMeasured(pair, dt, reach)) {
+                goOn(pair);
+            } else {
+                helpers[worker].measure(pair, dt, reach);
+            }
         }
     }
 

@@ -38,11 +38,8 @@ final class Whereabouts {
         }
     }
 
-    /**
-     * Whether a body is where it was when it was last compared; for a body of a pair that was
-     * active in the step before, that was then.
-     */
-    boolean hasStayed(Bodies bodies, int slot) {
+    /** Compares a body, if it was not compared in this step yet. */
+    void compare(Bodies bodies, int slot) {
         if (lookedIn[slot] != step) {
             lookedIn[slot] = step;
             stayed[slot] =
@@ -53,6 +50,13 @@ final class Whereabouts {
             y[slot] = bodies.y[slot];
             angle[slot] = bodies.angle[slot];
         }
+    }
+
+    /**
+     * Whether a body that was compared in this step is where it was when it was compared before;
+     * for a body of a pair that was active in the step before, that was then.
+     */
+    boolean hasStayed(int slot) {
         return stayed[slot];
     }
 }

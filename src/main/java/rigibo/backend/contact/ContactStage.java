@@ -33,7 +33,7 @@ public final class ContactStage {
             Team team) {
         this.data = data;
         this.narrowphase = narrowphase;
-        alone = new IslandWorker(data, narrowphase, effects, accuracy, forces);
+        alone = new IslandWorker(data, narrowphase, effects, accuracy, forces, team);
         boolean mayShare = team != null && forces == null;
         shared = mayShare ? new SharedIslands(data, effects, accuracy, team) : null;
     }

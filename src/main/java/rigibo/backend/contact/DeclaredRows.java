@@ -8,6 +8,7 @@ import rigibo.backend.contact.row.Kick;
 import rigibo.backend.contact.row.Motions;
 import rigibo.backend.contact.row.PackedContacts;
 import rigibo.backend.contact.row.RunningRows;
+import rigibo.backend.contact.row.SharedRows;
 import rigibo.backend.contact.row.Straightness;
 import rigibo.backend.contact.row.Strays;
 import rigibo.backend.contact.row.TurningRows;
@@ -49,7 +50,8 @@ final class DeclaredRows {
             PackedContacts contacts,
             Kick kick,
             FreshRows fresh,
-            Straightness straight) {
+            Straightness straight,
+            SharedRows shared) {
         this.kick = kick;
         this.fresh = fresh;
         this.contacts = contacts;
@@ -61,7 +63,7 @@ final class DeclaredRows {
         strays = turns && straight.follows ? new Strays(data, motions, contacts) : null;
         boolean curves = straight.follows;
         CurvedRows curved = curves ? new CurvedRows(data, motions, contacts, straight) : null;
-        bent = new BentRows(contacts, fresh, turning, curved);
+        bent = new BentRows(contacts, fresh, turning, curved, shared);
         boolean bounces = effects.declares(Restitution.class);
         impacts =
                 bounces

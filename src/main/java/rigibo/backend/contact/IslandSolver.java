@@ -16,6 +16,7 @@ import rigibo.backend.contact.row.PackedContacts;
 import rigibo.backend.contact.row.PackedTurns;
 import rigibo.backend.contact.row.Recovery;
 import rigibo.backend.contact.row.RowBuilder;
+import rigibo.backend.contact.row.SharedRows;
 import rigibo.backend.contact.row.Straightness;
 import rigibo.backend.contact.row.WarmStart;
 import rigibo.backend.contact.solve.ContactSweep;
@@ -32,6 +33,7 @@ import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.IslandWork;
 import rigibo.backend.storage.Islands;
 import rigibo.backend.storage.PairTolerances;
+import rigibo.backend.team.Team;
 
 /**
  * Advances islands by one step, one after the other. The solver owns all state it works with, and
@@ -129,14 +131,15 @@ final class IslandSolver {
 
     /**
      * A solver for the declared effects at an accuracy; {@code forces} are those that vary along
-     * the path, null if there are none.
+     * the path, null if there are none. A team shares large islands; it is null for one worker.
      */
     IslandSolver(
             DataStorage data,
             Narrowphase narrowphase,
             Effects effects,
             Accuracy accuracy,
-            IslandForces forces) {
+            IslandForces forces,
+            Team team) {
         motions = new Motions(data.bodies.turns());
         frame = new CarriedFrame(data, motions);
         fewer = new Substeps(data);
@@ -159,10 +162,13 @@ final class IslandSolver {
         balance = new EnergyBalance(data.bodies, motions, contacts);
         Straightness straight = new Straightness(motions, accuracy);
         landings = new Landings(motions, contacts, kick, accuracy);
-        FreshRows fresh = new FreshRows(data, narrowphase, motions, contacts, builder);
-        declared = new DeclaredRows(data, effects, motions, contacts, kick, fresh, straight);
+        SharedRows shared = new SharedRows(team, contacts);
+        FreshRows fresh = new FreshRows(data, narrowphase, motions, contacts, builder, shared);
+        declared =
+                new DeclaredRows(data, effects, motions, contacts, kick, fresh, straight, shared);
         boolean isBlock = accuracy.contactSolver() != ContactSolver.SEQUENTIAL;
-        ContactSweep sweep = new ContactSweep(motions, contacts, declared.rubbing(), isBlock);
+        ContactSweep sweep =
+                new ContactSweep(motions, contacts, declared.rubbing(), isBlock, shared);
         rounds = new Rounds(motions, contacts, own, declared, guard, sweep, overlap, accuracy);
         passes = new Passes(motions, contacts, declared, kick, guard, sweep, overlap, accuracy);
     }

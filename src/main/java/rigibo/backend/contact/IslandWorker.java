@@ -8,6 +8,7 @@ import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.Counters;
 import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.Islands;
+import rigibo.backend.team.Team;
 
 /** Solves islands one after the other: the solvers of one worker. */
 final class IslandWorker {
@@ -24,18 +25,19 @@ final class IslandWorker {
 
     /**
      * A worker for the declared effects at an accuracy; {@code forces} are those that vary along
-     * the path, null if there are none.
+     * the path, null if there are none. A team helps it with large islands; null for none.
      */
     IslandWorker(
             DataStorage data,
             Narrowphase narrowphase,
             Effects effects,
             Accuracy accuracy,
-            IslandForces forces) {
+            IslandForces forces,
+            Team team) {
         this.data = data;
         islands = data.islands;
         bodies = data.bodies;
-        solver = new IslandSolver(data, narrowphase, effects, accuracy, forces);
+        solver = new IslandSolver(data, narrowphase, effects, accuracy, forces, team);
         jointed =
                 data.hasAssemblies()
                         ? new JointedIslands(data, narrowphase, effects, accuracy, forces)

@@ -1,6 +1,7 @@
 package rigibo.backend.contact;
 
 import rigibo.backend.collision.Narrowphase;
+import rigibo.backend.contact.row.SharedRows;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.storage.Bodies;
@@ -14,12 +15,13 @@ import rigibo.backend.team.Team;
 /**
  * Shares the islands of a step among the workers of a team. Islands have no moving body in common,
  * and a solver keeps nothing from one island to the next, so that who solves an island changes no
- * bit. Two things are in the way: islands on one driven body are solved by one worker, since {@link
+ * bit. An island that is most of the work is solved first, by all workers together. Two things are
+ * in the way: islands on one driven body are solved by one worker, since {@link
  * rigibo.backend.contact.row.CarriedFrame} stops their carrier while it solves them; and what
  * several islands add to, the lists of impacts, of broken joints and of bodies put to rest, is
  * written by each worker for itself and put together in the order of islands.
  */
-final class SharedIslands implements Team.Shared {
+final class SharedIslands implements Team.Pieces {
 
     /**
      * Contacts and joints besides those of the largest island from which on islands are shared.
@@ -27,15 +29,20 @@ final class SharedIslands implements Team.Shared {
      */
     private static final int WORTHWHILE = 64;
 
+    private static final int NONE = -1;
+
     /** Stands for all islands that driven bodies carry. */
-    private static final int CARRIED = -1;
+    private static final int CARRIED = -2;
 
     private final DataStorage data;
     private final Bodies bodies;
     private final Pairs pairs;
     private final Islands islands;
     private final Team team;
+
+    /** Those that solve islands side by side, and last the one whose islands all work at. */
     private final IslandWorker[] workers;
+
     private final SharedNotes notes;
 
     /** The islands in the order in which workers take them, and those that are carried. */
@@ -44,17 +51,24 @@ final class SharedIslands implements Team.Shared {
     private final Found carried = new Found();
     private double dt;
 
+    /** The island that all workers solve together, or {@link #NONE}. */
+    private int together;
+
     SharedIslands(DataStorage data, Effects effects, Accuracy accuracy, Team team) {
         this.data = data;
         bodies = data.bodies;
         pairs = data.pairs;
         islands = data.islands;
         this.team = team;
-        workers = new IslandWorker[team.size()];
-        for (int i = 0; i < workers.length; i++) {
+        workers = new IslandWorker[team.size() + 1];
+        for (int i = 0; i < team.size(); i++) {
             DataStorage own = data.forWorker();
-            workers[i] = new IslandWorker(own, new Narrowphase(own), effects, accuracy, null);
+            workers[i] = new IslandWorker(own, new Narrowphase(own), effects, accuracy, null, null);
         }
+        DataStorage own = data.forWorker();
+        Narrowphase narrowphase = new Narrowphase(own);
+        narrowphase.share(team);
+        workers[team.size()] = new IslandWorker(own, narrowphase, effects, accuracy, null, team);
         notes = new SharedNotes(data, workers);
     }
 
@@ -66,6 +80,9 @@ final class SharedIslands implements Team.Shared {
             all += size(island);
             largest = size(island) > size(largest) ? island : largest;
         }
+        // One that would keep a worker longer than its share of the whole is solved by all.
+        boolean isMost = size(largest) * team.size() > all && !islands.areJoined(largest);
+        together = isMost && size(largest) >= SharedRows.WORTHWHILE ? largest : NONE;
         return islands.count > 1 && all - size(largest) >= WORTHWHILE;
     }
 
@@ -81,7 +98,10 @@ final class SharedIslands implements Team.Shared {
         this.dt = dt;
         findOrder();
         notes.begin();
-        team.run(this);
+        if (together != NONE) {
+            solve(together, team.size());
+        }
+        team.split(order.count, 1, this);
         notes.gather();
         for (IslandWorker worker : workers) {
             worker.tellWork(data.counters);
@@ -89,15 +109,15 @@ final class SharedIslands implements Team.Shared {
         data.counters.sharedIslands = islands.count;
     }
 
-    /** Lists the largest island first, so that none waits for it at the end. */
+    /** Lists all other islands, the largest first, so that none waits for it at the end. */
     private void findOrder() {
         order.clear();
         carried.clear();
         boolean mayCarry = isAnyDriven();
         for (int island = 0; island < islands.count; island++) {
-            if (mayCarry && isCarried(island)) {
+            if (island != together && mayCarry && isCarried(island)) {
                 carried.add(island);
-            } else {
+            } else if (island != together) {
                 order.add(island);
             }
         }
@@ -152,11 +172,9 @@ final class SharedIslands implements Team.Shared {
         return bodies.isDriven(joints.bodyA[joint]) || bodies.isDriven(joints.bodyB[joint]);
     }
 
-    /** Takes islands until none is left. */
     @Override
-    public void run(int worker) {
-        int at = team.next();
-        while (at < order.count) {
+    public void run(int from, int to, int worker) {
+        for (int at = from; at < to; at++) {
             if (order.numbers[at] == CARRIED) {
                 for (int i = 0; i < carried.count; i++) {
                     solve(carried.numbers[i], worker);
@@ -164,7 +182,6 @@ final class SharedIslands implements Team.Shared {
             } else {
                 solve(order.numbers[at], worker);
             }
-            at = team.next();
         }
     }
 

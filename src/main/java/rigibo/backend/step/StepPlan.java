@@ -162,6 +162,9 @@ public final class StepPlan {
                         ? accuracy.impacts()
                         : ImpactMode.DISCRETE;
         Narrowphase narrowphase = new Narrowphase(data);
+        if (team != null) {
+            narrowphase.share(team);
+        }
         PileClassifier classifier = new PileClassifier(data, accuracy, mode);
         add(StepStage.BROADPHASE, "size fixtures and candidate pairs", broadphase::update);
         add(StepStage.CLASSIFY, "begin with all bodies in flight", bodies::scatter);
@@ -236,6 +239,9 @@ public final class StepPlan {
             long after = clock.getAsLong();
             data.counters.nanos[part.stage.ordinal()] += after - before;
             before = after;
+        }
+        if (team != null) {
+            data.counters.splits = team.takeSplits();
         }
     }
 

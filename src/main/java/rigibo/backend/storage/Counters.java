@@ -32,6 +32,9 @@ public final class Counters {
     /** Islands that several workers shared. */
     public int sharedIslands;
 
+    /** Number of times that work was split among workers. */
+    public int splits;
+
     /** Number of searches for what is around a body of a pile. */
     public int searches;
 
@@ -63,6 +66,7 @@ public final class Counters {
         contactSolves = 0;
         multiplications = 0;
         sharedIslands = 0;
+        splits = 0;
         searches = 0;
         sensed = 0;
         deepestOverlap = 0;

@@ -22,18 +22,18 @@ class WhereaboutsTest {
     @Test
     void whoWasNeverLookedForHasNotStayed() {
         whereabouts.begin(scene.bodies);
-        assertThat(whereabouts.hasStayed(scene.bodies, body)).isFalse();
+        assertThat(hasStayed(body)).isFalse();
     }
 
     @Test
     void whoIsWhereItWasHasStayedAndWhoMovedALittleHasNot() {
         whereabouts.begin(scene.bodies);
-        whereabouts.hasStayed(scene.bodies, body);
+        whereabouts.compare(scene.bodies, body);
         whereabouts.begin(scene.bodies);
-        assertThat(whereabouts.hasStayed(scene.bodies, body)).isTrue();
+        assertThat(hasStayed(body)).isTrue();
         scene.bodies.angle[body] = Double.MIN_VALUE;
         whereabouts.begin(scene.bodies);
-        assertThat(whereabouts.hasStayed(scene.bodies, body)).isFalse();
+        assertThat(hasStayed(body)).isFalse();
     }
 
     /** More bodies than the first columns have room for. */
@@ -44,6 +44,11 @@ class WhereaboutsTest {
             scene.add(BodyDefinition.dynamic(new Circle(1)));
         }
         whereabouts.begin(scene.bodies);
-        assertThat(whereabouts.hasStayed(scene.bodies, 100)).isFalse();
+        assertThat(hasStayed(100)).isFalse();
+    }
+
+    private boolean hasStayed(int slot) {
+        whereabouts.compare(scene.bodies, slot);
+        return whereabouts.hasStayed(slot);
     }
 }

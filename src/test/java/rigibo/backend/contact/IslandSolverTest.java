@@ -79,7 +79,7 @@ class IslandSolverTest {
     }
 
     private static IslandSolver solver(StoredIsland on, Accuracy accuracy) {
-        return new IslandSolver(on.data, new Narrowphase(on.data), EFFECTS, accuracy, null);
+        return new IslandSolver(on.data, new Narrowphase(on.data), EFFECTS, accuracy, null, null);
     }
 
     private void solve(Accuracy accuracy) {

@@ -25,19 +25,23 @@ class TeamTest {
     @ValueSource(ints = {1, 2, 3, 8})
     void allWorkIsDoneOnce(int workers) {
         int[] done = new int[200];
+        int[] expected = new int[200];
         Set<Thread> by = ConcurrentHashMap.newKeySet();
         try (Team team = new Team(workers)) {
             assertThat(team.size()).isEqualTo(workers);
             for (int piece = 1; piece <= PIECES; piece++) {
-                team.run(
-                        worker -> {
+                int count = piece % (done.length + 1);
+                team.split(
+                        count,
+                        1 + piece % 7,
+                        (from, to, worker) -> {
                             by.add(Thread.currentThread());
-                            for (int i = team.next(); i < done.length; i = team.next()) {
+                            for (int i = from; i < to; i++) {
                                 done[i]++;
                             }
                         });
-                int expected = piece;
-                assertThat(Arrays.stream(done)).allMatch(times -> times == expected);
+                Arrays.setAll(expected, i -> expected[i] + (i < count ? 1 : 0));
+                assertThat(done).isEqualTo(expected);
             }
         }
         assertThat(by).contains(Thread.currentThread()).hasSizeLessThanOrEqualTo(workers);
@@ -50,16 +54,16 @@ class TeamTest {
     void workersHaveNumbersOfTheirOwn(int workers) {
         Thread[] by = new Thread[workers];
         try (Team team = new Team(workers)) {
-            team.run(waiting(by));
+            team.split(by.length, 1, waiting(by));
         }
         assertThat(by).doesNotHaveDuplicates().doesNotContainNull();
         assertThat(by[0]).isSameAs(Thread.currentThread());
     }
 
     /** Work at which the caller waits until every worker has begun. */
-    private static Team.Shared waiting(Thread[] by) {
+    private static Team.Pieces waiting(Thread[] by) {
         CountDownLatch begun = new CountDownLatch(by.length);
-        return worker -> {
+        return (from, to, worker) -> {
             by[worker] = Thread.currentThread();
             begun.countDown();
             try {
@@ -70,25 +74,60 @@ class TeamTest {
         };
     }
 
+    /** Each worker finds its share where it was, so that its cache holds what it works on. */
+    @ParameterizedTest
+    @ValueSource(ints = {2, 3, 8})
+    void everyWorkerBeginsWithItsOwnShare(int workers) {
+        int[] starts = new int[workers];
+        try (Team team = new Team(workers)) {
+            for (int i = 0; i < 20; i++) {
+                Team.Pieces all = waiting(new Thread[workers]);
+                team.split(
+                        5 * workers,
+                        5,
+                        (from, to, worker) -> {
+                            starts[worker] = from;
+                            all.run(from, to, worker);
+                        });
+                for (int worker = 0; worker < workers; worker++) {
+                    assertThat(starts[worker]).isEqualTo(5 * worker);
+                }
+            }
+        }
+    }
+
+    @Test
+    void splitsAreCounted() {
+        try (Team team = new Team(2)) {
+            for (int i = 0; i < 7; i++) {
+                team.split(i, 1, (from, to, worker) -> {});
+            }
+            assertThat(team.takeSplits()).isEqualTo(7);
+            assertThat(team.takeSplits()).isZero();
+        }
+    }
+
     @Test
     void failuresReachTheCallerAndTheTeamGoesOn() {
         try (Team team = new Team(3)) {
             for (int failing = 0; failing < 3; failing++) {
                 int who = failing;
-                Team.Shared all = waiting(new Thread[3]);
+                Team.Pieces all = waiting(new Thread[3]);
                 assertThatIllegalStateException()
                         .isThrownBy(
                                 () ->
-                                        team.run(
-                                                worker -> {
-                                                    all.run(worker);
+                                        team.split(
+                                                3,
+                                                1,
+                                                (from, to, worker) -> {
+                                                    all.run(from, to, worker);
                                                     if (worker == who) {
                                                         throw new ArithmeticException("by one");
                                                     }
                                                 }))
                         .withRootCauseInstanceOf(ArithmeticException.class);
                 Thread[] by = new Thread[3];
-                team.run(waiting(by));
+                team.split(by.length, 1, waiting(by));
                 assertThat(by).doesNotContainNull();
             }
         }
@@ -98,7 +137,7 @@ class TeamTest {
     void threadsEndWithTheTeam() throws InterruptedException {
         Thread[] by = new Thread[2];
         try (Team team = new Team(2)) {
-            team.run(waiting(by));
+            team.split(by.length, 1, waiting(by));
             assertThat(by[1].isAlive()).isTrue();
         }
         by[1].join();
@@ -111,7 +150,7 @@ class TeamTest {
         Object owner = new Object();
         Team team = new Team(2);
         team.closeWith(owner);
-        team.run(waiting(by));
+        team.split(by.length, 1, waiting(by));
         assertThat(by[1].isAlive()).isTrue();
         owner = null;
         while (by[1].isAlive()) {
@@ -125,12 +164,12 @@ class TeamTest {
     void whoHasNothingToDoIsParked() throws InterruptedException {
         Thread[] by = new Thread[2];
         try (Team team = new Team(2)) {
-            team.run(waiting(by));
+            team.split(by.length, 1, waiting(by));
             while (by[1].getState() != Thread.State.WAITING) {
                 Thread.sleep(1);
             }
             Thread[] again = new Thread[2];
-            team.run(waiting(again));
+            team.split(again.length, 1, waiting(again));
             assertThat(again).isEqualTo(by);
         }
     }

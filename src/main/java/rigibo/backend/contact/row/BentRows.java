@@ -1,5 +1,7 @@
 package rigibo.backend.contact.row;
 
+import rigibo.backend.team.Team;
+
 /** Contacts whose outlines or normals turn within the step, and which are measured again. */
 public final class BentRows {
 
@@ -29,9 +31,28 @@ public final class BentRows {
     /** By row: whether its normal turns. */
     private boolean[] curves = new boolean[16];
 
+    /** By row: whether it is measured in this part. */
+    private boolean[] measured = new boolean[16];
+
+    private final Team.Pieces lookingPieces = this::lookAt;
+    private final SharedRows shared;
+
+    /*
+     * What a part was begun with: the number of its substep, whether it is the first in it, and the
+     * time left in the step, s.
+     */
+    private int substep;
+    private boolean isFirst;
+    private double left;
+
     public BentRows(
-            PackedContacts contacts, FreshRows fresh, TurningRows turning, CurvedRows curved) {
+            PackedContacts contacts,
+            FreshRows fresh,
+            TurningRows turning,
+            CurvedRows curved,
+            SharedRows shared) {
         this.contacts = contacts;
+        this.shared = shared;
         this.fresh = fresh;
         this.turning = turning;
         this.curved = curved;
@@ -60,29 +81,51 @@ public final class BentRows {
             turning.begin(left);
         }
         reserve();
-        boolean isCrowd = contacts.areCrowd();
+        this.substep = substep;
+        this.isFirst = isFirst;
+        this.left = left;
+        boolean isShared = shared.areWorthwhile() && fresh.isShareable();
+        if (isShared) {
+            shared.each(contacts.count, lookingPieces);
+            fresh.measure(measured, left);
+        }
         boolean isAny = false;
         boolean isAnyNew = false;
         for (int row = 0; row < contacts.count; row++) {
-            turns[row] = turning != null && turning.isTurning(row, left);
-            curves[row] = curved != null && curved.isCurved(row, left);
-            boolean isBent = turns[row] || curves[row];
-            isAny |= isBent;
-            boolean isAwaited = fresh.isAwaited(row);
-            if (isBent || isAwaited) {
-                boolean isNew = isFirst && (substep == 0 || contacts.firstSubstep[row] == substep);
-                // In a crowd half of the contacts are predicted but never close; so are most edges
-                // of a chain near a body.
-                if (!isNew && (!isCrowd && !isAwaited || fresh.mayClose(row, left))) {
-                    fresh.measure(row, left);
-                    isAnyNew = true;
-                }
+            if (!isShared) {
+                lookAt(row, row + 1, 0);
+                measureIfMarked(row);
             }
+            isAny |= turns[row] || curves[row];
+            isAnyNew |= measured[row];
         }
         wasAny = isAnyNow;
         isAnyNow = isAny;
         isAnyBent |= isAny && curved != null;
         return isAny || isAnyNew;
+    }
+
+    private void measureIfMarked(int row) {
+        if (measured[row]) {
+            fresh.measure(row, left);
+        }
+    }
+
+    /** Finds which contacts turn, and which of them are measured again. */
+    private void lookAt(int from, int to, int worker) {
+        boolean isCrowd = contacts.areCrowd();
+        for (int row = from; row < to; row++) {
+            turns[row] = turning != null && turning.isTurning(row, left);
+            curves[row] = curved != null && curved.isCurved(row, left);
+            boolean isAwaited = fresh.isAwaited(row);
+            boolean isNew = isFirst && (substep == 0 || contacts.firstSubstep[row] == substep);
+            // In a crowd half of the contacts are predicted but never close; so are most edges of a
+            // chain near a body.
+            measured[row] =
+                    (turns[row] || curves[row] || isAwaited)
+                            && !isNew
+                            && (!isCrowd && !isAwaited || fresh.mayClose(row, left));
+        }
     }
 
     /** Time in s for which bodies that slide from one face to the next have no further points. */
@@ -100,6 +143,7 @@ public final class BentRows {
         if (turns.length < contacts.count) {
             turns = new boolean[contacts.pair.length];
             curves = new boolean[contacts.pair.length];
+            measured = new boolean[contacts.pair.length];
         }
     }
 

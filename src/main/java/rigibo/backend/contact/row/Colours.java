@@ -37,6 +37,9 @@ final class Colours {
     /** Start of contacts with immovable bodies in the order. */
     int groundStart;
 
+    /** First colour of contacts with immovable bodies. */
+    int groundColour;
+
     /** By pair of the island: its colour. */
     private int[] colour = new int[16];
 
@@ -58,10 +61,10 @@ final class Colours {
         reserve(pairCount);
         count = 0;
         colour(island, false);
-        int ofGround = count;
+        groundColour = count;
         colour(island, true);
         sort(islands.pairStart[island], pairCount);
-        groundStart = ofGround > 0 ? end[ofGround - 1] : 0;
+        groundStart = groundColour > 0 ? end[groundColour - 1] : 0;
     }
 
     /** Gives colours to the contacts between movable bodies, or to those with immovable ones. */

@@ -6,6 +6,7 @@ import rigibo.backend.geometry.Angle;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.Pairs;
+import rigibo.backend.team.Team;
 
 import java.util.Arrays;
 
@@ -30,6 +31,19 @@ public final class FreshRows {
     private final Motions motions;
     private final PackedContacts contacts;
     private final RowBuilder builder;
+    private final SharedRows shared;
+
+    /** By worker: what measures contacts for it; this is the first. */
+    private final FreshRows[] helpers;
+
+    /** Measures some of the marked contacts. */
+    private final Team.Pieces measuringPieces = this::measurePiece;
+
+    /** By contact: whether it is to be measured, with so many seconds of the step left. */
+    private boolean[] marked;
+
+    private double left;
+
     private final Pose poseA = new Pose();
     private final Pose poseB = new Pose();
 
@@ -44,14 +58,23 @@ public final class FreshRows {
             Narrowphase narrowphase,
             Motions motions,
             PackedContacts contacts,
-            RowBuilder builder) {
+            RowBuilder builder,
+            SharedRows shared) {
         bodies = data.bodies;
         pairs = data.pairs;
         this.narrowphase = narrowphase;
         this.motions = motions;
         this.contacts = contacts;
         this.builder = builder;
+        this.shared = shared;
         forgetAngles();
+        helpers = new FreshRows[shared.workers()];
+        helpers[0] = this;
+        SharedRows alone = new SharedRows(null, contacts);
+        for (int i = 1; i < helpers.length; i++) {
+            Narrowphase another = narrowphase.of(i);
+            helpers[i] = new FreshRows(data, another, motions, contacts, builder, alone);
+        }
     }
 
     /**
@@ -113,6 +136,34 @@ public final class FreshRows {
         contacts.data[at + PackedContacts.BEFORE1] = before1;
         builder.rewrite(row);
         contacts.data[at + PackedContacts.RECOVERY] = recovery;
+    }
+
+    /** Whether contacts can be measured in any order: not where they lend each other points. */
+    boolean isShareable() {
+        return !narrowphase.isLending();
+    }
+
+    /**
+     * Measures the marked contacts; {@code left} seconds of the step remain. Contacts with
+     * immovable bodies may depend on each other, where such bodies meet in a seam: one worker
+     * measures them in their order.
+     */
+    void measure(boolean[] marked, double left) {
+        this.marked = marked;
+        this.left = left;
+        for (FreshRows helper : helpers) {
+            helper.recovery = recovery;
+        }
+        shared.each(contacts.groundStart, measuringPieces);
+        measurePiece(contacts.groundStart, contacts.count, 0);
+    }
+
+    private void measurePiece(int from, int to, int worker) {
+        for (int row = from; row < to; row++) {
+            if (marked[row]) {
+                helpers[worker].measure(row, left);
+            }
+        }
     }
 
     private static boolean isSomewhere(Pose pose) {

@@ -158,6 +158,15 @@ public final class PackedContacts {
      */
     public int groundStart;
 
+    /** By colour: the end of its contacts. No two of one colour share a body that moves. */
+    public int[] colourEnd = new int[16];
+
+    /** Number of colours. */
+    public int colours;
+
+    /** Colours from here on are of contacts with immovable bodies. */
+    public int groundColour;
+
     /** Number of impacts that were resolved at these contacts. */
     public int impacts;
 
@@ -279,6 +288,15 @@ public final class PackedContacts {
         isAnyRunning = false;
         isAnyCrushed = false;
         lastJoining = ALWAYS;
+        colours = 0;
+    }
+
+    /** Ends a colour: contacts that are added from now on belong to others. */
+    void endColour() {
+        if (colours == colourEnd.length) {
+            colourEnd = Arrays.copyOf(colourEnd, 2 * colours);
+        }
+        colourEnd[colours++] = count;
     }
 
     /** Sets all impulses of all contacts to 0. */

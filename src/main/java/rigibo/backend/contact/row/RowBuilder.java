@@ -74,15 +74,18 @@ public final class RowBuilder {
         packBodies(island);
         int driven = motions.count;
         mass = motions.mass();
-        int pairCount = islands.pairStart[island + 1] - islands.pairStart[island];
         int bodyCount = islands.bodyStart[island + 1] - islands.bodyStart[island];
         halts = PackedContacts.areCrowd(islands, island) ? HALTS_IN_A_CROWD : CRUSHED;
         contacts.clear(bodyCount);
         colours.find(island);
-        for (int i = 0; i < pairCount; i++) {
-            addRow(colours.order[i], firstKick);
+        for (int colour = 0; colour < colours.count; colour++) {
+            for (int i = contacts.count; i < colours.end[colour]; i++) {
+                addRow(colours.order[i], firstKick);
+            }
+            contacts.endColour();
         }
         contacts.groundStart = colours.groundStart;
+        contacts.groundColour = colours.groundColour;
         if (turns != null) {
             turns.pack(driven);
         }

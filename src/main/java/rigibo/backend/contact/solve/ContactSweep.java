@@ -8,6 +8,8 @@ import static rigibo.backend.contact.row.Motions.VY;
 
 import rigibo.backend.contact.row.Motions;
 import rigibo.backend.contact.row.PackedContacts;
+import rigibo.backend.contact.row.SharedRows;
+import rigibo.backend.team.Team;
 
 import java.util.Arrays;
 
@@ -50,6 +52,9 @@ public final class ContactSweep {
      */
     private static final double NOISE = 1e-6;
 
+    /** Numbers in two cache lines, so that workers do not write into the same one. */
+    private static final int APART = 32;
+
     private final Motions motions;
     private final PackedContacts contacts;
     private final Rubbing rubbing;
@@ -79,12 +84,38 @@ public final class ContactSweep {
     /** Length of the substep over that of its kick: 2 for half a kick, else 1. */
     private double softness;
 
+    private final SharedRows shared;
+
+    /*
+     * What a sweep was begun with: the substep's length in s and its number, the neglected change
+     * of speed in widths per second, and its bounds in m/s.
+     */
+    private double h;
+    private int substep;
+    private double sharePerSecond;
+    private double quiet;
+    private double least;
+
+    private final Team.Pieces beginningPieces = this::beginPiece;
+
+    /** Solves contacts of one colour; a field, since a new one would be allocated for each pass. */
+    private final Team.Pieces solvingPieces = this::solvePiece;
+
+    /** By worker, {@link #APART} numbers from one to the next: contacts that it found due. */
+    private final int[] solvedBy;
+
     public ContactSweep(
-            Motions motions, PackedContacts contacts, Rubbing rubbing, boolean isBlock) {
+            Motions motions,
+            PackedContacts contacts,
+            Rubbing rubbing,
+            boolean isBlock,
+            SharedRows shared) {
         this.motions = motions;
         this.contacts = contacts;
         this.rubbing = rubbing;
         this.isBlock = isBlock;
+        this.shared = shared;
+        solvedBy = new int[APART * shared.workers()];
     }
 
     /**
@@ -175,20 +206,48 @@ public final class ContactSweep {
 
     /** Makes a pass; returns the number of contacts that were due. */
     private int pass(boolean isBack) {
+        int solved = shared.areWorthwhile() ? passTogether(isBack) : passAlone(isBack);
+        contacts.work.contactSolves += solved;
+        return solved;
+    }
+
+    private int passAlone(boolean isBack) {
         int ground = contacts.groundStart;
         int solved = 0;
         for (int i = 0; i < contacts.count; i++) {
-            int row = isBack && i < ground ? ground - 1 - i : i;
-            int a = contacts.bodyA[row];
-            int b = contacts.bodyB[row];
-            double now = changed[a / Motions.STRIDE] + changed[b / Motions.STRIDE];
-            if (now - seen[row] > due[row]) {
-                solve(row, a, b);
-                solved++;
-            }
+            solved += solveIfDue(isBack && i < ground ? ground - 1 - i : i);
         }
-        contacts.work.contactSolves += solved;
         return solved;
+    }
+
+    private int passTogether(boolean isBack) {
+        Arrays.fill(solvedBy, 0);
+        shared.pass(isBack, solvingPieces);
+        int solved = 0;
+        for (int by = 0; by < solvedBy.length; by += APART) {
+            solved += solvedBy[by];
+        }
+        return solved;
+    }
+
+    private void solvePiece(int from, int to, int worker) {
+        int solved = 0;
+        for (int row = from; row < to; row++) {
+            solved += solveIfDue(row);
+        }
+        solvedBy[APART * worker] += solved;
+    }
+
+    /** Solves a contact if it is due; returns 1 if it was, else 0. */
+    private int solveIfDue(int row) {
+        int a = contacts.bodyA[row];
+        int b = contacts.bodyB[row];
+        double now = changed[a / Motions.STRIDE] + changed[b / Motions.STRIDE];
+        if (now - seen[row] > due[row]) {
+            solve(row, a, b);
+            return 1;
+        }
+        return 0;
     }
 
     /**
@@ -205,10 +264,19 @@ public final class ContactSweep {
             spare = new double[2 * contacts.pair.length];
         }
         Arrays.fill(changed, 0, motions.count, 0);
-        double perSubstep = 1 / h;
         isCrowd = contacts.areCrowd();
+        this.h = h;
+        this.substep = substep;
+        this.sharePerSecond = sharePerSecond;
+        this.quiet = quiet;
+        this.least = least;
+        shared.each(contacts.count, beginningPieces);
+    }
+
+    private void beginPiece(int from, int to, int worker) {
+        double perSubstep = 1 / h;
         double strictly = isCrowd ? STRICTLY : 1;
-        for (int row = 0; row < contacts.count; row++) {
+        for (int row = from; row < to; row++) {
             boolean isThere = contacts.firstSubstep[row] <= substep;
             seen[row] = isThere ? Double.NEGATIVE_INFINITY : Double.POSITIVE_INFINITY;
             double width = contacts.data[row * PackedContacts.STRIDE + PackedContacts.WIDTH];
@@ -219,7 +287,7 @@ public final class ContactSweep {
                 spare[2 * row + point] = (gap > 0 ? gap * perSubstep : 0) - nearing;
                 deepest = gap < deepest ? gap : deepest;
             }
-            double own = least < quiet ? quietBetween(row, quiet, least) : quiet;
+            double own = least < quiet ? quietBetween(row) : quiet;
             double counts = Math.min(sharePerSecond * width, own);
             uncounted[row] = counts * Math.max(strictly, 1 + deepest / (DEEP * width));
             due[row] = uncounted[row];
@@ -235,7 +303,7 @@ public final class ContactSweep {
      * would sink a little everywhere, be pushed apart, let other bodies fall and never come to
      * rest.
      */
-    private double quietBetween(int row, double quiet, double least) {
+    private double quietBetween(int row) {
         double[] m = motions.data;
         int a = contacts.bodyA[row];
         int b = contacts.bodyB[row];

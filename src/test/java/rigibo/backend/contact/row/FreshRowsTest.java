@@ -40,7 +40,14 @@ class FreshRowsTest {
         contacts.bodyA[row] = motions.offset(data.bodies, data.pairs.bodyA[pair]);
         contacts.bodyB[row] = motions.offset(data.bodies, data.pairs.bodyB[pair]);
         RowBuilder builder = new RowBuilder(data, motions, contacts, null);
-        fresh = new FreshRows(data, new Narrowphase(data), motions, contacts, builder);
+        fresh =
+                new FreshRows(
+                        data,
+                        new Narrowphase(data),
+                        motions,
+                        contacts,
+                        builder,
+                        new SharedRows(null, contacts));
     }
 
     /** Up and to the right of the other, √2 m from it. */

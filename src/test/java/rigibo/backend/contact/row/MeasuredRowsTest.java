@@ -26,7 +26,13 @@ class MeasuredRowsTest {
     private final PackedContacts contacts = island.contacts;
     private final RowBuilder builder = island.builder;
     private final FreshRows fresh =
-            new FreshRows(island.data, new Narrowphase(island.data), motions, contacts, builder);
+            new FreshRows(
+                    island.data,
+                    new Narrowphase(island.data),
+                    motions,
+                    contacts,
+                    builder,
+                    new SharedRows(null, contacts));
     private final Straightness straight =
             new Straightness(motions, Accuracy.GAME.withImpactTolerance(1e-3));
     private final BentRows bent =
@@ -34,7 +40,8 @@ class MeasuredRowsTest {
                     contacts,
                     fresh,
                     new TurningRows(island.data, motions, contacts, fresh, straight),
-                    new CurvedRows(island.data, motions, contacts, straight));
+                    new CurvedRows(island.data, motions, contacts, straight),
+                    new SharedRows(null, contacts));
 
     private int a;
     private int b;

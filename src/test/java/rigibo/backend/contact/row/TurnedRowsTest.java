@@ -26,7 +26,13 @@ class TurnedRowsTest {
     private final PackedContacts contacts = island.contacts;
     private final RowBuilder builder = island.builder;
     private final FreshRows fresh =
-            new FreshRows(island.data, new Narrowphase(island.data), motions, contacts, builder);
+            new FreshRows(
+                    island.data,
+                    new Narrowphase(island.data),
+                    motions,
+                    contacts,
+                    builder,
+                    new SharedRows(null, contacts));
     private final TurningRows turning =
             new TurningRows(
                     island.data,

@@ -8,6 +8,7 @@ import org.junit.jupiter.api.Test;
 import rigibo.backend.contact.row.Motions;
 import rigibo.backend.contact.row.PackedContacts;
 import rigibo.backend.contact.row.PackedIsland;
+import rigibo.backend.contact.row.SharedRows;
 
 import java.util.Arrays;
 import java.util.SplittableRandom;
@@ -23,7 +24,9 @@ class ContactSweepTest {
     private final PackedIsland island = new PackedIsland();
     private final Motions motions = island.motions;
     private final PackedContacts contacts = island.contacts;
-    private final ContactSweep sweep = new ContactSweep(motions, contacts, new NoRubbing(), true);
+    private final ContactSweep sweep =
+            new ContactSweep(
+                    motions, contacts, new NoRubbing(), true, new SharedRows(null, contacts));
 
     /** w ≥ 0, j ≥ 0, w·j = 0 for both points, in each of the four cases. */
     @Test

@@ -10,6 +10,7 @@ import rigibo.backend.contact.row.Motions;
 import rigibo.backend.contact.row.PackedContacts;
 import rigibo.backend.contact.row.PackedIsland;
 import rigibo.backend.contact.row.Recovery;
+import rigibo.backend.contact.row.SharedRows;
 import rigibo.backend.effect.Contacts;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Rotation;
@@ -36,7 +37,9 @@ class DirectSolverTest {
     private final OverlapSolver overlap =
             new OverlapSolver(bodies, motions, contacts, Accuracy.GAME);
     private final DirectSolver direct = new DirectSolver(motions, contacts, overlap, 16);
-    private final ContactSweep sweep = new ContactSweep(motions, contacts, new NoRubbing(), true);
+    private final ContactSweep sweep =
+            new ContactSweep(
+                    motions, contacts, new NoRubbing(), true, new SharedRows(null, contacts));
 
     private double of(int row, int column) {
         return contacts.data[row * PackedContacts.STRIDE + column];

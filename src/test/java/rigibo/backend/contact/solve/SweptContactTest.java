@@ -11,6 +11,7 @@ import rigibo.backend.contact.row.DenseRows;
 import rigibo.backend.contact.row.Motions;
 import rigibo.backend.contact.row.PackedContacts;
 import rigibo.backend.contact.row.PackedIsland;
+import rigibo.backend.contact.row.SharedRows;
 
 import java.util.Arrays;
 import java.util.SplittableRandom;
@@ -25,7 +26,9 @@ class SweptContactTest {
     private final Motions motions = island.motions;
     private final PackedContacts contacts = island.contacts;
     private final DenseRows dense = new DenseRows(island);
-    private final ContactSweep sweep = new ContactSweep(motions, contacts, new NoRubbing(), true);
+    private final ContactSweep sweep =
+            new ContactSweep(
+                    motions, contacts, new NoRubbing(), true, new SharedRows(null, contacts));
 
     private double of(int row, int column) {
         return contacts.data[row * PackedContacts.STRIDE + column];
@@ -112,7 +115,9 @@ class SweptContactTest {
     @Test
     void pointsInTurnAreSolvedInTurn() {
         SplittableRandom random = new SplittableRandom(3);
-        ContactSweep inTurn = new ContactSweep(motions, contacts, new NoRubbing(), false);
+        ContactSweep inTurn =
+                new ContactSweep(
+                        motions, contacts, new NoRubbing(), false, new SharedRows(null, contacts));
         for (int i = 0; i < 1_000; i++) {
             island.bodies(random, 2);
             int row = contact(random, 1, 2);
