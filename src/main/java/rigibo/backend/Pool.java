@@ -62,6 +62,8 @@ public final class Pool implements AutoCloseable {
     private final BodyEditor editor;
 
     /** Made at the first query, so that a program without queries loads none of its classes. */
+    private LiveState live;
+
     private PoolQueries queries;
 
     private PoolCasts casts;
@@ -670,23 +672,30 @@ public final class Pool implements AutoCloseable {
         return totals.angularMomentum();
     }
 
+    private LiveState live() {
+        if (live == null) {
+            live = new LiveState(this, data, plan);
+        }
+        return live;
+    }
+
     PoolQueries queries() {
         if (queries == null) {
-            queries = new PoolQueries(this, data, plan);
+            queries = new PoolQueries(live());
         }
         return queries;
     }
 
     private PoolCasts casts() {
         if (casts == null) {
-            casts = new PoolCasts(this, plan, queries());
+            casts = new PoolCasts(live(), queries());
         }
         return casts;
     }
 
     PoolContacts contacts() {
         if (contacts == null) {
-            contacts = new PoolContacts(this, data, busy);
+            contacts = new PoolContacts(this, data, live(), busy);
         }
         return contacts;
     }
