@@ -30,6 +30,10 @@ final class LiveState implements Queried {
         return data.pairs;
     }
 
+    DataStorage data() {
+        return data;
+    }
+
     /** The broad phase; null where contacts are not declared. */
     Broadphase broadphase() {
         return plan.broadphase();

@@ -25,8 +25,9 @@ import java.util.function.LongSupplier;
 /**
  * A world of rigid bodies: it holds the bodies and joints, steps them through time and answers
  * queries. The same calls give the same bits on every machine. Not thread-safe: only one thread may
- * use a pool at a time, though {@link #workers(int)} lets a step use several cores. All units are
- * SI, y points up, and angles are counter-clockwise.
+ * use a pool at a time, though {@link #workers(int)} lets a step use several cores, and {@link
+ * #shared} lets other threads query the last finished step. All units are SI, y points up, and
+ * angles are counter-clockwise.
  *
  * <pre>{@code
  * Pool world = new Pool(); // gravity, contacts, rotation, friction, restitution, sleep
@@ -84,6 +85,9 @@ public final class Pool implements AutoCloseable {
 
     /** Null while {@code Joints} is not declared. */
     private PoolJoints joints;
+
+    /** Null while nobody asked to share. */
+    private SharedView shared;
 
     private final PoolTotals totals;
     private final PoolWorkers workers = new PoolWorkers();
@@ -297,6 +301,9 @@ public final class Pool implements AutoCloseable {
             joints.followBreaks();
         }
         time += dt;
+        if (shared != null) {
+            shared.stepped();
+        }
         return report;
     }
 
@@ -346,14 +353,35 @@ public final class Pool implements AutoCloseable {
     }
 
     /**
-     * Ends the threads of further workers; the pool goes on with one. They also end when nothing
-     * refers to the pool any more.
+     * From now on makes a picture of every finished step, which any thread may query while the next
+     * step runs; until the first call, steps do nothing for it. Only for the thread that uses the
+     * pool, which hands the view to others.
+     *
+     * @return the same view at every call, until the pool is closed
+     * @throws IllegalStateException when called first within a step
+     */
+    public SharedView shared() {
+        if (shared == null) {
+            busy.requireBetweenSteps("begin to share");
+            shared = new SharedView(this, live(), bodies, busy);
+        }
+        return shared;
+    }
+
+    /**
+     * Ends the threads of further workers and the view that is shared; the pool goes on with one
+     * worker, and steps make no more pictures. The threads also end when nothing refers to the pool
+     * any more.
      *
      * @throws IllegalStateException when called within a step or from a visitor
      */
     @Override
     public void close() {
         workers(1);
+        if (shared != null) {
+            shared.end();
+            shared = null;
+        }
     }
 
     /** The declared effects: what the pool simulates. */
@@ -698,6 +726,11 @@ public final class Pool implements AutoCloseable {
             contacts = new PoolContacts(this, data, live(), busy);
         }
         return contacts;
+    }
+
+    /** The contacts that edits ended; null if none were asked for yet. */
+    EndedContacts editedContacts() {
+        return contacts == null ? null : contacts.ended;
     }
 
     private PoolHits shownHits() {

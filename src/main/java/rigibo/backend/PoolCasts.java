@@ -107,8 +107,7 @@ final class PoolCasts {
             if (!queries.meets(slot, filter)) {
                 continue;
             }
-            standing.take(bodies, bodies.bodyOf(slot));
-            halt(standing);
+            standing.takePose(bodies, bodies.bodyOf(slot));
             standing.outline = bodies.outline[slot];
             for (int part = 0; part < shape.parts(); part++) {
                 moving.outline = shape.outline(part);
@@ -121,13 +120,6 @@ final class PoolCasts {
             }
         }
         return met < 0 ? Optional.empty() : Optional.of(touch(shape, metBy, met, first));
-    }
-
-    private static void halt(Motion motion) {
-        motion.velocityX = 0;
-        motion.velocityY = 0;
-        motion.accelerationX = 0;
-        motion.accelerationY = 0;
     }
 
     /** Whether a body was added before another; true if there is no other yet. */
