@@ -67,6 +67,21 @@ final class BodyList extends AbstractList<RigidBody> implements RandomAccess {
         return moves;
     }
 
+    /** Number of bodies for which there is room. */
+    int room() {
+        return places.length;
+    }
+
+    /** One more than the highest slot for which there is room. */
+    int slots() {
+        return bySlot.length;
+    }
+
+    /** A number that differs from all former ones after a body was added or removed. */
+    int edition() {
+        return modCount;
+    }
+
     @Override
     public int size() {
         return size;

@@ -2,20 +2,19 @@ package rigibo.backend;
 
 import rigibo.backend.ContactEvent.Phase;
 import rigibo.backend.storage.Bodies;
-import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.Pairs;
 
-/** Reads the contacts of the last step from the columns of pairs. */
+/** Reads the contacts of a state's last step from the columns of pairs. */
 final class ContactReader {
 
-    private final Pool pool;
+    private final Queried state;
     private final Bodies bodies;
     private final Pairs pairs;
 
-    ContactReader(Pool pool, DataStorage data) {
-        this.pool = pool;
-        bodies = data.bodies;
-        pairs = data.pairs;
+    ContactReader(Queried state) {
+        this.state = state;
+        bodies = state.bodies();
+        pairs = state.pairs();
     }
 
     /** Writes a pair into a view; returns false for a pair without a contact to report. */
@@ -26,8 +25,8 @@ final class ContactReader {
             return false;
         }
         int last = 2 * pair + Math.max(pairs.points[pair], 1) - 1;
-        into.a = pool.handle(pairs.bodyA[pair]);
-        into.b = pool.handle(pairs.bodyB[pair]);
+        into.a = state.handle(pairs.bodyA[pair]);
+        into.b = state.handle(pairs.bodyB[pair]);
         into.partA = bodies.partOf(pairs.shapeA(pair));
         into.partB = bodies.partOf(pairs.shapeB(pair));
         into.phase = !touched ? Phase.END : before ? Phase.PERSIST : Phase.BEGIN;

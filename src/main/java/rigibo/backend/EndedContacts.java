@@ -9,7 +9,6 @@ import rigibo.backend.storage.Pairs;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.function.Consumer;
 
 /**
  * Contacts that an edit between two steps takes from the pairs, because a body was removed or
@@ -107,18 +106,14 @@ final class EndedContacts {
         return true;
     }
 
-    /** Passes every contact to a visitor that is not in the pairs. */
-    void forEach(ContactView shown, Consumer<? super ContactView> visitor) {
-        forEach(cut, shown, visitor);
-        forEach(ended, shown, visitor);
+    /** Contacts of the last step that edits have ended since, as the step left them. */
+    List<ContactEvent> cut() {
+        return cut;
     }
 
-    private static void forEach(
-            List<ContactEvent> events, ContactView shown, Consumer<? super ContactView> visitor) {
-        for (int i = 0; i < events.size(); i++) {
-            shown.show(events.get(i));
-            visitor.accept(shown);
-        }
+    /** What the last step reported of contacts that edits ended before it. */
+    List<ContactEvent> ended() {
+        return ended;
     }
 
     /**

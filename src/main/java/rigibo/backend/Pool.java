@@ -25,8 +25,9 @@ import java.util.function.LongSupplier;
 /**
  * A world of rigid bodies: it holds the bodies and joints, steps them through time and answers
  * queries. The same calls give the same bits on every machine. Not thread-safe: only one thread may
- * use a pool at a time, though {@link #workers(int)} lets a step use several cores. All units are
- * SI, y points up, and angles are counter-clockwise.
+ * use a pool at a time, though {@link #workers(int)} lets a step use several cores, and {@link
+ * #shared} lets other threads query the last finished step. All units are SI, y points up, and
+ * angles are counter-clockwise.
  *
  * <pre>{@code
  * Pool world = new Pool(); // gravity, contacts, rotation, friction, restitution, sleep
@@ -62,6 +63,8 @@ public final class Pool implements AutoCloseable {
     private final BodyEditor editor;
 
     /** Made at the first query, so that a program without queries loads none of its classes. */
+    private LiveState live;
+
     private PoolQueries queries;
 
     private PoolCasts casts;
@@ -82,6 +85,9 @@ public final class Pool implements AutoCloseable {
 
     /** Null while {@code Joints} is not declared. */
     private PoolJoints joints;
+
+    /** Null while nobody asked to share. */
+    private SharedView shared;
 
     private final PoolTotals totals;
     private final PoolWorkers workers = new PoolWorkers();
@@ -295,6 +301,9 @@ public final class Pool implements AutoCloseable {
             joints.followBreaks();
         }
         time += dt;
+        if (shared != null) {
+            shared.stepped();
+        }
         return report;
     }
 
@@ -328,8 +337,9 @@ public final class Pool implements AutoCloseable {
     /**
      * Sets the number of workers that share a step, the thread that steps among them. The same
      * calls give the same bits for any number. More workers than cores are allowed and only slower.
-     * Steps with little to share are made by one worker. Islands are shared unless a force varies
-     * along the path or a body has several parts; everything else of a step is not.
+     * Steps with little to share are made by one worker. Shared are the narrow phase, islands, and
+     * the contacts of large ones; flight and the broad phase are not, nor islands side by side
+     * where a force varies along the path or a body has several parts.
      *
      * @param count 1 to 64; the threads of the others are daemons, and are parked between steps
      * @throws IllegalArgumentException when the count is out of its range
@@ -344,14 +354,35 @@ public final class Pool implements AutoCloseable {
     }
 
     /**
-     * Ends the threads of further workers; the pool goes on with one. They also end when nothing
-     * refers to the pool any more.
+     * From now on makes a picture of every finished step, which any thread may query while the next
+     * step runs; until the first call, steps do nothing for it. Only for the thread that uses the
+     * pool, which hands the view to others.
+     *
+     * @return the same view at every call, until the pool is closed
+     * @throws IllegalStateException when called first within a step
+     */
+    public SharedView shared() {
+        if (shared == null) {
+            busy.requireBetweenSteps("begin to share");
+            shared = new SharedView(this, live(), bodies, busy);
+        }
+        return shared;
+    }
+
+    /**
+     * Ends the threads of further workers and the view that is shared; the pool goes on with one
+     * worker, and steps make no more pictures. The threads also end when nothing refers to the pool
+     * any more.
      *
      * @throws IllegalStateException when called within a step or from a visitor
      */
     @Override
     public void close() {
         workers(1);
+        if (shared != null) {
+            shared.end();
+            shared = null;
+        }
     }
 
     /** The declared effects: what the pool simulates. */
@@ -670,25 +701,37 @@ public final class Pool implements AutoCloseable {
         return totals.angularMomentum();
     }
 
+    private LiveState live() {
+        if (live == null) {
+            live = new LiveState(this, data, plan);
+        }
+        return live;
+    }
+
     PoolQueries queries() {
         if (queries == null) {
-            queries = new PoolQueries(this, data, plan);
+            queries = new PoolQueries(live());
         }
         return queries;
     }
 
     private PoolCasts casts() {
         if (casts == null) {
-            casts = new PoolCasts(this, plan, queries());
+            casts = new PoolCasts(live(), queries());
         }
         return casts;
     }
 
     PoolContacts contacts() {
         if (contacts == null) {
-            contacts = new PoolContacts(this, data, busy);
+            contacts = new PoolContacts(this, data, live(), busy);
         }
         return contacts;
+    }
+
+    /** The contacts that edits ended; null if none were asked for yet. */
+    EndedContacts editedContacts() {
+        return contacts == null ? null : contacts.ended;
     }
 
     private PoolHits shownHits() {

@@ -1,6 +1,6 @@
 package rigibo.backend;
 
-import rigibo.backend.broadphase.Broadphase;
+import rigibo.backend.broadphase.FixtureSearch;
 import rigibo.backend.broadphase.RayWalk;
 import rigibo.backend.collision.Distance;
 import rigibo.backend.collision.Motion;
@@ -14,7 +14,6 @@ import rigibo.backend.geometry.Placement;
 import rigibo.backend.geometry.Shape;
 import rigibo.backend.setup.Filter;
 import rigibo.backend.setup.Require;
-import rigibo.backend.step.StepPlan;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.Found;
 
@@ -25,12 +24,11 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 
-/** Queries of a pool with a shape, for the nearest point, and for all bodies along a ray. */
+/** Queries of a state with a shape, for the nearest point, and for all bodies along a ray. */
 final class PoolCasts {
 
-    private final Pool pool;
+    private final Queried state;
     private final Bodies bodies;
-    private final StepPlan plan;
     private final PoolQueries queries;
     private final Pose pose = new Pose();
     private final Pose otherPose = new Pose();
@@ -42,11 +40,10 @@ final class PoolCasts {
     private final Motion standing = new Motion();
     private final Aabb box = new Aabb();
 
-    PoolCasts(Pool pool, StepPlan plan, PoolQueries queries) {
-        this.pool = pool;
-        this.plan = plan;
+    PoolCasts(Queried state, PoolQueries queries) {
+        this.state = state;
         this.queries = queries;
-        bodies = pool.columns();
+        bodies = state.bodies();
     }
 
     /** All bodies that a ray enters, each once, in the order along the ray. */
@@ -69,7 +66,7 @@ final class PoolCasts {
 
     private RayHit hit(int slot, double x, double y, double dx, double dy, double at) {
         return new RayHit(
-                pool.handle(bodies.bodyOf(slot)),
+                state.handle(bodies.bodyOf(slot)),
                 bodies.partOf(slot),
                 x + at * dx,
                 y + at * dy,
@@ -78,10 +75,10 @@ final class PoolCasts {
                 at);
     }
 
-    private static List<RayHit> firstOfEach(List<RayHit> hits) {
+    private List<RayHit> firstOfEach(List<RayHit> hits) {
         hits.sort(
                 Comparator.comparingDouble(RayHit::fraction)
-                        .thenComparingInt(hit -> hit.body().place)
+                        .thenComparingInt(hit -> state.place(hit.body()))
                         .thenComparingInt(RayHit::part));
         Set<RigidBody> met = new LinkedHashSet<>();
         hits.removeIf(hit -> !met.add(hit.body()));
@@ -110,8 +107,7 @@ final class PoolCasts {
             if (!queries.meets(slot, filter)) {
                 continue;
             }
-            standing.take(bodies, bodies.bodyOf(slot));
-            halt(standing);
+            standing.takePose(bodies, bodies.bodyOf(slot));
             standing.outline = bodies.outline[slot];
             for (int part = 0; part < shape.parts(); part++) {
                 moving.outline = shape.outline(part);
@@ -126,20 +122,13 @@ final class PoolCasts {
         return met < 0 ? Optional.empty() : Optional.of(touch(shape, metBy, met, first));
     }
 
-    private static void halt(Motion motion) {
-        motion.velocityX = 0;
-        motion.velocityY = 0;
-        motion.accelerationX = 0;
-        motion.accelerationY = 0;
-    }
-
     /** Whether a body was added before another; true if there is no other yet. */
     private boolean isBefore(int slot, int other) {
         return other < 0 || order(slot) < order(other);
     }
 
     private int order(int slot) {
-        return pool.handle(bodies.bodyOf(slot)).place;
+        return state.place(state.handle(bodies.bodyOf(slot)));
     }
 
     private RayHit touch(Shape shape, int part, int slot, double fraction) {
@@ -147,7 +136,7 @@ final class PoolCasts {
         int body = place(slot);
         distance.measure(shape.outline(part), otherPose, bodies.outline[slot], pose);
         return new RayHit(
-                pool.handle(body),
+                state.handle(body),
                 bodies.partOf(slot),
                 distance.pointBX,
                 distance.pointBY,
@@ -158,8 +147,8 @@ final class PoolCasts {
 
     /** The shapes whose fixtures may overlap a box swept from one point to another. */
     private Found onTheWay(Aabb carried, double fromX, double fromY, double toX, double toY) {
-        Broadphase broadphase = plan.broadphase();
-        if (broadphase == null) {
+        FixtureSearch search = state.search();
+        if (search == null) {
             return queries.near(
                     new Aabb(
                             Math.min(fromX, toX) + carried.minX,
@@ -168,7 +157,7 @@ final class PoolCasts {
                             Math.max(fromY, toY) + carried.maxY));
         }
         Found found = new Found();
-        RayWalk walk = broadphase.walk(carried, fromX, fromY, toX, toY);
+        RayWalk walk = search.walk(carried, fromX, fromY, toX, toY);
         for (int slot = walk.next(1); slot != RayWalk.END; slot = walk.next(1)) {
             found.add(slot);
         }
@@ -191,7 +180,7 @@ final class PoolCasts {
             int slot = found.numbers[i];
             int body = place(slot);
             if (queries.meets(slot, filter) && touches(shape, slot)) {
-                inside.add(pool.handle(body));
+                inside.add(state.handle(body));
             }
         }
         return inside;
@@ -218,14 +207,14 @@ final class PoolCasts {
         Found found = queries.near(box);
         for (int i = 0; i < found.count; i++) {
             int slot = found.numbers[i];
-            RigidBody body = pool.handle(place(slot));
+            RigidBody body = state.handle(place(slot));
             double away = pointAndRay.nearest(bodies.outline[slot], pose, x, y);
             boolean isNearer =
                     nearest == null
                             ? away <= within
                             : away < nearest.distance()
                                     || away == nearest.distance()
-                                            && body.place < nearest.body().place;
+                                            && state.place(body) < state.place(nearest.body());
             if (isNearer && queries.meets(slot, filter)) {
                 double px = pointAndRay.pointX;
                 double py = pointAndRay.pointY;

@@ -1,6 +1,6 @@
 package rigibo.backend;
 
-import rigibo.backend.broadphase.Broadphase;
+import rigibo.backend.broadphase.FixtureSearch;
 import rigibo.backend.collision.PointAndRay;
 import rigibo.backend.collision.Pose;
 import rigibo.backend.collision.Touching;
@@ -9,26 +9,21 @@ import rigibo.backend.geometry.Outline;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.Filter;
 import rigibo.backend.setup.Require;
-import rigibo.backend.step.StepPlan;
 import rigibo.backend.storage.Bodies;
-import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.Found;
-import rigibo.backend.storage.PairIndex;
 import rigibo.backend.storage.Pairs;
 
 import java.util.LinkedHashSet;
 import java.util.Optional;
 import java.util.Set;
 
-/** Queries of a pool between steps by point, ray and box. */
+/** Queries of a state by point, ray and box. */
 final class PoolQueries {
 
     /** Side in m of the box used in place of one without an area. */
     private static final double LEAST_SIDE = 1e-9;
 
-    private final Pool pool;
-    private final DataStorage data;
-    private final StepPlan plan;
+    private final Queried state;
     private final Bodies bodies;
     private final Found near = new Found();
     private final Aabb bounds = new Aabb();
@@ -39,25 +34,27 @@ final class PoolQueries {
     private final RayCast ray;
     private final Touching touching = new Touching();
 
-    PoolQueries(Pool pool, DataStorage data, StepPlan plan) {
-        this.pool = pool;
-        this.data = data;
-        this.plan = plan;
-        ray = new RayCast(pool, this);
-        bodies = data.bodies;
+    PoolQueries(Queried state) {
+        this.state = state;
+        ray = new RayCast(state, this);
+        bodies = state.bodies();
     }
 
+    /**
+     * Whether two bodies touched. Both lists of pairs are gone through side by side, up to the end
+     * of the shorter one: that of a box, where the other is a floor under a thousand.
+     */
     boolean touching(int a, int b) {
-        Pairs pairs = data.pairs;
-        if (!bodies.holdsCompounds()) {
-            int pair = pairs.index.find(Math.min(a, b), Math.max(a, b));
-            return pair != PairIndex.ABSENT && pairs.touching[pair];
-        }
+        Pairs pairs = state.pairs();
+        int ofA = bodies.firstPairOf(a);
+        int ofB = bodies.firstPairOf(b);
         boolean isTouching = false;
-        int p = bodies.firstPairOf(a);
-        while (p != Pairs.NONE && !isTouching) {
-            isTouching = pairs.other(p, a) == b && pairs.touching[p];
-            p = pairs.nextOf(p, a);
+        while (ofA != Pairs.NONE && ofB != Pairs.NONE && !isTouching) {
+            isTouching =
+                    pairs.other(ofA, a) == b && pairs.touching[ofA]
+                            || pairs.other(ofB, b) == a && pairs.touching[ofB];
+            ofA = pairs.nextOf(ofA, a);
+            ofB = pairs.nextOf(ofB, b);
         }
         return isTouching;
     }
@@ -72,7 +69,7 @@ final class PoolQueries {
             int slot = found.numbers[i];
             int body = place(slot);
             if (!bodies.isSensor(slot) && pointAndRay.holds(bodies.outline[slot], pose, x, y)) {
-                last = later(last, pool.handle(body));
+                last = later(last, state.handle(body));
             }
         }
         return Optional.ofNullable(last);
@@ -108,15 +105,15 @@ final class PoolQueries {
     }
 
     /** The body that was added later; slots are reused, so their order does not tell. */
-    private static RigidBody later(RigidBody one, RigidBody other) {
-        return one == null || one.place < other.place ? other : one;
+    private RigidBody later(RigidBody one, RigidBody other) {
+        return one == null || state.place(one) < state.place(other) ? other : one;
     }
 
     Optional<RayHit> rayCast(double fromX, double fromY, double toX, double toY, Filter filter) {
         PoolCasts.requireWay("rayCast", fromX, fromY, toX, toY);
-        Broadphase broadphase = plan.broadphase();
-        if (broadphase != null) {
-            return ray.first(broadphase, fromX, fromY, toX, toY, filter);
+        FixtureSearch search = state.search();
+        if (search != null) {
+            return ray.first(search, fromX, fromY, toX, toY, filter);
         }
         box.set(
                 Math.min(fromX, toX),
@@ -146,7 +143,7 @@ final class PoolQueries {
             int body = place(slot);
             if (!bodies.isSensor(slot)
                     && touching.areTouching(outline, areaPose, bodies.outline[slot], pose)) {
-                inside.add(pool.handle(body));
+                inside.add(state.handle(body));
             }
         }
         return inside;
@@ -157,9 +154,9 @@ final class PoolQueries {
      * then compares the bounds of every shape.
      */
     Found near(Aabb area) {
-        Broadphase broadphase = plan.broadphase();
-        if (broadphase != null) {
-            return broadphase.query(area);
+        FixtureSearch search = state.search();
+        if (search != null) {
+            return search.query(area);
         }
         near.clear();
         for (int slot = 0; slot < bodies.slots.high; slot++) {

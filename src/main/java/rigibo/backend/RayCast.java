@@ -1,6 +1,6 @@
 package rigibo.backend;
 
-import rigibo.backend.broadphase.Broadphase;
+import rigibo.backend.broadphase.FixtureSearch;
 import rigibo.backend.broadphase.RayWalk;
 import rigibo.backend.collision.PointAndRay;
 import rigibo.backend.collision.Pose;
@@ -16,7 +16,7 @@ final class RayCast {
 
     private static final int NOBODY = -1;
 
-    private final Pool pool;
+    private final Queried state;
     private final PoolQueries queries;
     private final Bodies bodies;
     private final Pose pose = new Pose();
@@ -40,23 +40,18 @@ final class RayCast {
     private int nodes;
     private int shapes;
 
-    RayCast(Pool pool, PoolQueries queries) {
-        this.pool = pool;
+    RayCast(Queried state, PoolQueries queries) {
+        this.state = state;
         this.queries = queries;
-        bodies = pool.columns();
+        bodies = state.bodies();
     }
 
-    /** Searches the broadphase's tree. */
+    /** Searches the fixtures. */
     Optional<RayHit> first(
-            Broadphase broadphase,
-            double fromX,
-            double fromY,
-            double toX,
-            double toY,
-            Filter whom) {
+            FixtureSearch search, double fromX, double fromY, double toX, double toY, Filter whom) {
         filter = whom;
         begin(fromX, fromY, toX, toY);
-        RayWalk walk = broadphase.walk(fromX, fromY, toX, toY);
+        RayWalk walk = search.walk(fromX, fromY, toX, toY);
         for (int slot = walk.next(1); slot != RayWalk.END; slot = walk.next(fraction)) {
             ask(slot);
         }
@@ -124,8 +119,8 @@ final class RayCast {
         if (met == NOBODY) {
             return true;
         }
-        int place = pool.handle(bodies.bodyOf(slot)).place;
-        int placeOfMet = pool.handle(bodies.bodyOf(met)).place;
+        int place = state.place(state.handle(bodies.bodyOf(slot)));
+        int placeOfMet = state.place(state.handle(bodies.bodyOf(met)));
         return place < placeOfMet
                 || place == placeOfMet && bodies.partOf(slot) < bodies.partOf(met);
     }
@@ -136,7 +131,7 @@ final class RayCast {
         }
         return Optional.of(
                 new RayHit(
-                        pool.handle(bodies.bodyOf(met)),
+                        state.handle(bodies.bodyOf(met)),
                         bodies.partOf(met),
                         fromX + fraction * (toX - fromX),
                         fromY + fraction * (toY - fromY),

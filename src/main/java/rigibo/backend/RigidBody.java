@@ -25,11 +25,12 @@ import java.util.List;
  */
 public final class RigidBody {
 
-    private static final int REMOVED = -1;
-
     private final Pool pool;
     private final String name;
+
+    /** Of a removed body the complement of the slot that it had. */
     private int slot;
+
     private Object tag;
 
     /** Index in the pool's list of bodies; a body added earlier has a smaller one. */
@@ -298,7 +299,7 @@ public final class RigidBody {
 
     /** Whether the body is in its pool. */
     public boolean isAlive() {
-        return slot != REMOVED;
+        return slot >= 0;
     }
 
     /**
@@ -515,8 +516,14 @@ public final class RigidBody {
         return slot;
     }
 
+    /** The slot that the body has or, once removed, had; threads that do not step may ask too. */
+    int everSlot() {
+        int now = slot;
+        return now >= 0 ? now : ~now;
+    }
+
     void markRemoved() {
-        slot = REMOVED;
+        slot = ~slot;
     }
 
     void requireAlive() {

@@ -1,6 +1,5 @@
 package rigibo.backend.broadphase;
 
-import rigibo.backend.geometry.Aabb;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.Found;
@@ -23,8 +22,7 @@ public final class Broadphase {
     public boolean senses;
 
     private final FixtureTree tree = new FixtureTree();
-    private final RayWalk walk = new RayWalk(tree);
-    private final Found found = new Found();
+    private final FixtureSearch search = new FixtureSearch(tree);
     private final SizeFixtures fixtures;
 
     /** The slots marked in {@link Bodies#refitted}. */
@@ -197,7 +195,7 @@ public final class Broadphase {
     public void meetVisitors() {
         for (int i = 0; i < moved.count; i++) {
             int slot = moved.numbers[i];
-            query(slot);
+            Found found = query(slot);
             for (int k = 0; k < found.count; k++) {
                 int other = found.numbers[k];
                 if (bodies.sensor[slot] || bodies.sensor[other]) {
@@ -234,27 +232,13 @@ public final class Broadphase {
         }
     }
 
-    /** The slots, ascending, of all shapes whose fixture overlaps a box, m. */
-    public Found query(Aabb box) {
-        found.clear();
-        tree.query(box.minX, box.minY, box.maxX, box.maxY, found);
-        found.sort();
-        return found;
+    /** Searches the fixtures by box and by ray, on the thread that steps. */
+    public FixtureSearch search() {
+        return search;
     }
 
-    /**
-     * Begins a walk along a ray (m) over the fixtures that it crosses, which carry the slots of
-     * their shapes. There is one walk at a time.
-     */
-    public RayWalk walk(double fromX, double fromY, double toX, double toY) {
-        walk.begin(fromX, fromY, toX, toY);
-        return walk;
-    }
-
-    /** Begins such a walk for a box, in m relative to the moving point of the ray. */
-    public RayWalk walk(Aabb box, double fromX, double fromY, double toX, double toY) {
-        walk.begin(box, fromX, fromY, toX, toY);
-        return walk;
+    FixtureTree tree() {
+        return tree;
     }
 
     private void cover(int body, double dt, double turned, boolean isToFit) {
@@ -310,22 +294,19 @@ public final class Broadphase {
     }
 
     private void findPairs(int slot) {
-        query(slot);
+        Found found = query(slot);
         for (int i = 0; i < found.count; i++) {
             pair(slot, found.numbers[i]);
         }
     }
 
     /** Finds all shapes that overlap the fixture of a shape. */
-    private void query(int slot) {
-        found.clear();
-        tree.query(
+    private Found query(int slot) {
+        return search.query(
                 bodies.fixtureMinX[slot],
                 bodies.fixtureMinY[slot],
                 bodies.fixtureMaxX[slot],
-                bodies.fixtureMaxY[slot],
-                found);
-        found.sort();
+                bodies.fixtureMaxY[slot]);
     }
 
     private void pair(int slot, int other) {

@@ -1,6 +1,5 @@
 package rigibo.backend.broadphase;
 
-import rigibo.backend.storage.Found;
 import rigibo.backend.storage.Slots;
 
 import java.util.Arrays;
@@ -98,22 +97,18 @@ final class FixtureTree {
         }
     }
 
-    /** Appends the numbers of all leaves whose box shares a point with this one. */
-    void query(double minX, double minY, double maxX, double maxY, Found found) {
-        int depth = push(0, root);
-        while (depth > 0) {
-            int node = stack[--depth];
-            int at = 4 * node;
-            if (box[at] > maxX || box[at + 2] < minX || box[at + 1] > maxY || box[at + 3] < minY) {
-                continue;
-            }
-            int first = child[2 * node];
-            if (first == NONE) {
-                found.add(child[2 * node + 1]);
-            } else {
-                depth = push(push(depth, child[2 * node + 1]), first);
-            }
+    /**
+     * Becomes a copy of another tree that can be searched, but not changed: it lacks the parents.
+     */
+    void copy(FixtureTree from) {
+        int nodes = from.slots.high;
+        if (2 * nodes > child.length) {
+            child = new int[from.child.length];
+            box = new double[from.box.length];
         }
+        root = from.root;
+        System.arraycopy(from.child, 0, child, 0, 2 * nodes);
+        System.arraycopy(from.box, 0, box, 0, 4 * nodes);
     }
 
     /** The root node, or {@link #NONE}. */

@@ -73,6 +73,22 @@ public final class Motion {
         drag = 0;
     }
 
+    /** Takes outline and pose of a body, as if it stood still. */
+    public void takePose(Bodies bodies, int slot) {
+        outline = bodies.outline[slot];
+        startTime = 0;
+        x = bodies.x[slot];
+        y = bodies.y[slot];
+        angle = bodies.angle[slot];
+        velocityX = 0;
+        velocityY = 0;
+        spin = 0;
+        accelerationX = 0;
+        accelerationY = 0;
+        angularAcceleration = 0;
+        drag = 0;
+    }
+
     /** Takes the angular velocity and acceleration of a body; needs rotation. */
     public void takeTurning(Bodies bodies, int slot) {
         spin = bodies.spin[slot];

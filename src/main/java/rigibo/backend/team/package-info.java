@@ -1,2 +1,2 @@
-/** The threads that share the work of a step. */
+/** The threads that share the work of a step, and what threads that ask meanwhile are given. */
 package rigibo.backend.team;

@@ -19,6 +19,7 @@ class FixtureTreeTest {
     private static final int BOXES = 600;
 
     private final FixtureTree tree = new FixtureTree();
+    private final FixtureSearch search = new FixtureSearch(tree);
     private final Found found = new Found();
 
     /** Boxes by number; null where removed. The leaves stand beside. */
@@ -28,7 +29,7 @@ class FixtureTreeTest {
 
     @Test
     void emptyTreeHoldsNothing() {
-        tree.query(-1e9, -1e9, 1e9, 1e9, found);
+        query(-1e9, -1e9, 1e9, 1e9);
         walk(-1e9, -1e9, 1e9, 1e9);
 
         assertThat(found.count).isZero();
@@ -38,7 +39,7 @@ class FixtureTreeTest {
     void boxesThatOnlyTouchAreFound() {
         tree.insert(7, 0, 0, 1, 1);
 
-        tree.query(1, 1, 2, 2, found);
+        query(1, 1, 2, 2);
 
         assertThat(numbers()).containsExactly(7);
     }
@@ -48,7 +49,7 @@ class FixtureTreeTest {
         tree.remove(tree.insert(1, 0, 0, 1, 1));
         tree.insert(2, 0, 0, 1, 1);
 
-        tree.query(0, 0, 1, 1, found);
+        query(0, 0, 1, 1);
 
         assertThat(numbers()).containsExactly(2);
     }
@@ -65,10 +66,10 @@ class FixtureTreeTest {
         }
         for (int i = 0; i < leaf.length; i++) {
             found.clear();
-            tree.query(10 * i + 1.5, -0.5, 10 * i + 1.5, -0.5, found);
+            query(10 * i + 1.5, -0.5, 10 * i + 1.5, -0.5);
             assertThat(numbers()).containsExactly(i);
             found.clear();
-            tree.query(10 * i + 0.5, 0.5, 10 * i + 0.5, 0.5, found);
+            query(10 * i + 0.5, 0.5, 10 * i + 0.5, 0.5);
             assertThat(numbers()).containsExactly(i);
         }
     }
@@ -79,7 +80,7 @@ class FixtureTreeTest {
             tree.insert(i, 3, 3, 4, 4);
         }
 
-        tree.query(3.5, 3.5, 3.5, 3.5, found);
+        query(3.5, 3.5, 3.5, 3.5);
 
         assertThat(numbers()).hasSize(100).doesNotHaveDuplicates();
     }
@@ -149,7 +150,7 @@ class FixtureTreeTest {
     }
 
     private void compare(double[] q, String where) {
-        tree.query(q[0], q[1], q[2], q[3], found);
+        query(q[0], q[1], q[2], q[3]);
         assertThat(numbers()).as(where).containsExactly(overlapping(q));
         walk(q[0], q[3], q[2], q[1]);
         assertThat(numbers()).as("line, " + where).containsExactly(crossing(q));
@@ -180,6 +181,14 @@ class FixtureTreeTest {
             }
         }
         return Arrays.copyOf(all, count);
+    }
+
+    /** Adds all that share a point with a box to what is found. */
+    private void query(double minX, double minY, double maxX, double maxY) {
+        Found there = search.query(minX, minY, maxX, maxY);
+        for (int i = 0; i < there.count; i++) {
+            found.add(there.numbers[i]);
+        }
     }
 
     /** Adds all that a ray meets to what is found. */
@@ -252,8 +261,7 @@ class FixtureTreeTest {
             for (int i = 0; i < BOXES; i++) {
                 double[] b = boxes[(i + round) % BOXES];
                 tree.move(leaves[i], b[0], b[1], b[2], b[3]);
-                found.clear();
-                tree.query(b[0], b[1], b[2], b[3], found);
+                search.query(b[0], b[1], b[2], b[3]);
             }
         }
     }

@@ -1,0 +1,17 @@
+package rigibo.backend.broadphase;
+
+/** A copy of the fixtures of a broad phase, which any number of threads may search at once. */
+public final class CopiedFixtures {
+
+    private final FixtureTree tree = new FixtureTree();
+
+    /** Copies the present fixtures; nobody may search meanwhile. */
+    public void copy(Broadphase from) {
+        tree.copy(from.tree());
+    }
+
+    /** A search of one thread's own, valid until the next copy. */
+    public FixtureSearch search() {
+        return new FixtureSearch(tree);
+    }
+}
