@@ -21,6 +21,9 @@ final class FixtureTree {
 
     private static final int FIRST_CAPACITY = 32;
 
+    /** Most branches that are looked at for a place. */
+    private static final int MOST_LOOKED = 128;
+
     private final Slots slots = new Slots();
     private int root = NONE;
     private int[] parent = new int[FIRST_CAPACITY];
@@ -36,13 +39,18 @@ final class FixtureTree {
 
     private int[] stack = new int[64];
 
+    /** Branches to look at for a place, and what it adds to all branches above them, m. */
+    private int[] places = new int[64];
+
+    private double[] added = new double[64];
+
     /** Adds a box with a number; returns its leaf. */
     int insert(int carried, double minX, double minY, double maxX, double maxY) {
         int leaf = take();
         child[2 * leaf] = NONE;
         child[2 * leaf + 1] = carried;
         setBox(leaf, minX, minY, maxX, maxY);
-        attach(leaf);
+        attach(leaf, root);
         return leaf;
     }
 
@@ -54,7 +62,8 @@ final class FixtureTree {
 
     /**
      * Gives a leaf another box. Within the branch two levels up the leaf keeps its place, and
-     * rotations repair the cost; a leaf that went farther is inserted again.
+     * rotations repair the cost; a leaf that went farther is inserted again, under the lowest
+     * branch that holds its new box.
      */
     void move(int leaf, double minX, double minY, double maxX, double maxY) {
         int above = parent[leaf];
@@ -71,7 +80,7 @@ final class FixtureTree {
         } else {
             detach(leaf);
             setBox(leaf, minX, minY, maxX, maxY);
-            attach(leaf);
+            attach(leaf, holderOf(leaf, top));
         }
     }
 
@@ -177,13 +186,31 @@ final class FixtureTree {
         return node;
     }
 
-    private void attach(int leaf) {
+    /** The lowest branch, from one upwards, whose box holds that of a leaf; else the root. */
+    private int holderOf(int leaf, int from) {
+        int holder = from == NONE ? root : from;
+        while (holder != root && !holds(holder, leaf)) {
+            holder = parent[holder];
+        }
+        return holder;
+    }
+
+    private boolean holds(int branch, int leaf) {
+        int at = 4 * branch;
+        int of = 4 * leaf;
+        return box[at] <= box[of]
+                && box[at + 1] <= box[of + 1]
+                && box[at + 2] >= box[of + 2]
+                && box[at + 3] >= box[of + 3];
+    }
+
+    private void attach(int leaf, int under) {
         if (root == NONE) {
             root = leaf;
             parent[leaf] = NONE;
             return;
         }
-        int sibling = bestSibling(leaf);
+        int sibling = bestSibling(leaf, under);
         int branch = take();
         int above = parent[sibling];
         parent[branch] = above;
@@ -223,37 +250,58 @@ final class FixtureTree {
     }
 
     /**
-     * Walks down to the side that adds less, and remembers the cheapest place on the way. The cost
-     * of a place is the perimeter of the new branch there, plus what it adds to all branches above.
+     * Finds the place that costs least: the perimeter of the new branch there, plus what it adds to
+     * all branches above. It follows the side that adds less first, and the other one as long as it
+     * may cost less than the best place so far (branch and bound: J. Bittner, M. Hapala and V.
+     * Havran, Fast Insertion-Based Optimization of Bounding Volume Hierarchies, 2013). Following
+     * one side alone, what is added from left to right over a wide floor would hang in a chain.
      */
-    private int bestSibling(int leaf) {
+    private int bestSibling(int leaf, int under) {
         double own = perimeter(leaf);
-        int node = root;
-        int best = root;
-        double merged = mergedPerimeter(root, leaf);
-        double least = merged;
-        double inherited = merged - perimeter(root);
-        while (child[2 * node] != NONE) {
+        int best = under;
+        double least = mergedPerimeter(under, leaf);
+        int depth = put(0, under, least - perimeter(under));
+        for (int looked = 0; depth > 0 && looked < MOST_LOOKED; looked++) {
+            int node = places[--depth];
+            double inherited = added[depth];
+            if (inherited + own >= least || child[2 * node] == NONE) {
+                continue;
+            }
             int one = child[2 * node];
             int two = child[2 * node + 1];
             double mergedOne = mergedPerimeter(one, leaf);
             double mergedTwo = mergedPerimeter(two, leaf);
+            if (inherited + mergedOne < least) {
+                least = inherited + mergedOne;
+                best = one;
+            }
+            if (inherited + mergedTwo < least) {
+                least = inherited + mergedTwo;
+                best = two;
+            }
             double addedOne = mergedOne - perimeter(one);
             double addedTwo = mergedTwo - perimeter(two);
-            boolean goesToOne =
+            boolean isOneFirst =
                     addedOne < addedTwo || addedOne == addedTwo && mergedOne <= mergedTwo;
-            node = goesToOne ? one : two;
-            double cost = inherited + (goesToOne ? mergedOne : mergedTwo);
-            if (cost < least) {
-                least = cost;
-                best = node;
+            int last = isOneFirst ? two : one;
+            double lastAdded = inherited + (isOneFirst ? addedTwo : addedOne);
+            if (lastAdded + own < least) {
+                depth = put(depth, last, lastAdded);
             }
-            inherited += goesToOne ? addedOne : addedTwo;
-            if (inherited + own >= least) {
-                return best;
-            }
+            int next = isOneFirst ? one : two;
+            depth = put(depth, next, inherited + (isOneFirst ? addedOne : addedTwo));
         }
         return best;
+    }
+
+    private int put(int depth, int node, double inherited) {
+        if (depth == places.length) {
+            places = Arrays.copyOf(places, 2 * depth);
+            added = Arrays.copyOf(added, 2 * depth);
+        }
+        places[depth] = node;
+        added[depth] = inherited;
+        return depth + 1;
     }
 
     private void growUp(int from) {

@@ -11,6 +11,7 @@ import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.Counters;
 import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.Pairs;
+import rigibo.backend.storage.Roster;
 import rigibo.backend.storage.Waking;
 
 import java.util.Arrays;
@@ -55,6 +56,7 @@ public final class Flight {
     /** Paths under forces that vary along the path; null if there are none. */
     private final Course course;
 
+    private final Roster roster;
     private final ImpactQueue queue;
     private final TimeOfImpact timeOfImpact = new TimeOfImpact();
     private final Motion motionA = new Motion();
@@ -76,6 +78,7 @@ public final class Flight {
             Course course) {
         bodies = data.bodies;
         pairs = data.pairs;
+        roster = data.roster;
         counters = data.counters;
         waking = new Waking(data);
         this.narrowphase = narrowphase;
@@ -96,6 +99,10 @@ public final class Flight {
 
     /** Moves every flyer to the end of a step of {@code dt} seconds, impact by impact. */
     public void fly(double dt) {
+        if (roster.awakeCount == 0) {
+            // A world that sleeps is not even cleared: it may hold any number of bodies.
+            return;
+        }
         paths.begin();
         queue.clear(pairs.bodyA.length);
         reserve();

@@ -22,8 +22,10 @@ public final class FreeFlight {
 
     /** Moves every flyer to the end of a step of {@code dt} seconds. */
     public void fly(double dt) {
-        paths.begin();
-        finish(dt);
+        if (roster.awakeCount > 0) {
+            paths.begin();
+            finish(dt);
+        }
     }
 
     /** Moves every flyer from its present time to the end of a step. */

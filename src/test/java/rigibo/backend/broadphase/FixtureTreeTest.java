@@ -54,6 +54,45 @@ class FixtureTreeTest {
         assertThat(numbers()).containsExactly(2);
     }
 
+    /**
+     * A row on a floor and between walls that span all of it, in any order, and as it moves along:
+     * no leaf is deeper than four times log₂ of their number, where a chain would be half as deep
+     * as there are boxes. With the floor and the walls nothing seems to be added, so that who
+     * follows the cheaper side alone hangs each box there.
+     */
+    @ParameterizedTest
+    @ValueSource(strings = {"left to right", "right to left", "at random"})
+    void aRowOnAWideFloorIsNoChain(String order) {
+        int count = 4_096;
+        int[] leaf = new int[count];
+        Random random = new Random(5);
+        tree.insert(count, -10, -1, 2 * count, 0);
+        tree.insert(count + 1, -10, -1, -9, 50);
+        for (int i = 0; i < count; i++) {
+            int place =
+                    switch (order) {
+                        case "left to right" -> i;
+                        case "right to left" -> count - 1 - i;
+                        default -> random.nextInt(count);
+                    };
+            leaf[i] = tree.insert(i, 2 * place, 0, 2 * place + 1, 1);
+        }
+        assertThat(deepest(tree.root())).isLessThanOrEqualTo(4 * 12);
+        for (int step = 1; step < 50; step++) {
+            for (int i = 0; i < count; i++) {
+                double left = 2 * i + 0.7 * step;
+                tree.move(leaf[i], left, 0, left + 1, 1);
+            }
+        }
+        assertThat(deepest(tree.root())).isLessThanOrEqualTo(4 * 12);
+    }
+
+    private int deepest(int node) {
+        return tree.isLeaf(node)
+                ? 0
+                : 1 + Math.max(deepest(tree.first(node)), deepest(tree.second(node)));
+    }
+
     /** Each of a row of unit boxes grows by one to the right, and is met there and where it was. */
     @Test
     void whatGrewIsFoundInAllOfItsBox() {
