@@ -117,9 +117,9 @@ final class BenchCommand implements Callable<Integer> {
             paramLabel = "N",
             split = ",",
             description =
-                    "Numbers of workers, such as 1,2: the moving scenes by ours alone at GAME, each"
-                        + " step by every number in turn, by the wall clock. It needs as many cores"
-                        + " that do nothing else.")
+                    "Numbers of workers, such as 1,2: the moving scenes, or those of --scenes, by"
+                        + " ours alone at GAME, each step by every number in turn, by the wall"
+                        + " clock. It needs as many cores that do nothing else.")
     private List<Integer> workers = List.of();
 
     @Option(
@@ -194,7 +194,14 @@ final class BenchCommand implements Callable<Integer> {
     }
 
     private List<String> share() throws IOException {
-        WorkersBench bench = new WorkersBench(movingScenes(), workers, movingSteps(), runs);
+        List<BenchScene> shared = new ArrayList<>();
+        if (scenes.isEmpty() || !moving.isEmpty()) {
+            shared.addAll(movingScenes());
+        }
+        if (!scenes.isEmpty()) {
+            shared.addAll(chosenScenes());
+        }
+        WorkersBench bench = new WorkersBench(shared, workers, movingSteps(), runs);
         WorkersReport report = bench.run(this::tell);
         if (page != null) {
             MeasuredPart.write(page, report.markdown(environment().provenance()));

@@ -38,10 +38,10 @@ final class WorkersCourse {
     void note(int run, int step, double nanos, double ofProcess, StepReport report) {
         wall[step][run] = nanos;
         processor[step][run] = ofProcess;
-        sharedSteps += run == 0 && report.sharedIslands() > 0 ? 1 : 0;
+        sharedSteps += run == 0 && report.splits() > 0 ? 1 : 0;
     }
 
-    /** Share of the steps in which islands were shared. */
+    /** Share of the steps in which work was split. */
     double shared() {
         return sharedSteps / (double) wall.length;
     }
