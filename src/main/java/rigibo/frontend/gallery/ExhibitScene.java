@@ -71,7 +71,7 @@ final class ExhibitScene implements Scene {
         canvas.camera(camera);
         canvas.gaze(grip.pointerX(), grip.pointerY());
         for (RigidBody body : showing.pool().bodies()) {
-            if (isInView(body)) {
+            if (isInView(canvas, body)) {
                 canvas.body(
                         body.shape(),
                         body.x(),
@@ -87,11 +87,9 @@ final class ExhibitScene implements Scene {
         plates.draw(canvas, showing.pool(), sketch.figure(), isPaused);
     }
 
-    private boolean isInView(RigidBody body) {
+    private boolean isInView(Canvas canvas, RigidBody body) {
         double radius = body.shape().boundingRadius() * camera.scale();
-        double x = camera.screenX(body.x());
-        double y = camera.screenY(body.y());
-        return x > -radius && x < WIDTH + radius && y > -radius && y < HEIGHT + radius;
+        return canvas.layout().shows(camera.screenX(body.x()), camera.screenY(body.y()), radius);
     }
 
     @Override
