@@ -1,6 +1,7 @@
 package rigibo.frontend.puzzle;
 
 import rigibo.frontend.scene.Canvas;
+import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.effects.CostMeter;
 import rigibo.frontend.scene.effects.EffectsBar;
 import rigibo.frontend.scene.effects.SceneEffects;
@@ -8,6 +9,8 @@ import rigibo.frontend.scene.trial.Trials;
 
 /** The effects bar of a level. While it is closed nothing is measured. */
 final class EffectsDrawer {
+
+    private static final double LEFT = 8;
 
     /** Upper edge of the open bar, px: below the bar with title and clicks. */
     private static final double TOP = View.BAR_FOOT + 6;
@@ -23,7 +26,7 @@ final class EffectsDrawer {
     }
 
     void draw(Canvas canvas) {
-        bar.draw(canvas, TOP);
+        bar.draw(canvas, LEFT, TOP, Scene.WIDTH - 2 * LEFT);
     }
 
     /** Called after each frame that shows it. */
