@@ -27,6 +27,10 @@ final class ExhibitScene implements Scene {
     private Camera camera;
     private Impacts impacts;
     private boolean isPaused;
+
+    /** Whether its plates are hidden. */
+    private boolean isBare;
+
     private boolean isPanning;
     private double lastX;
     private double lastY;
@@ -49,6 +53,11 @@ final class ExhibitScene implements Scene {
     @Override
     public String title() {
         return "RigiBo – " + plates.title();
+    }
+
+    @Override
+    public boolean hasColumns() {
+        return true;
     }
 
     @Override
@@ -84,7 +93,9 @@ final class ExhibitScene implements Scene {
         JointPicture.draw(canvas, camera, showing.pool().joints());
         CanvasSketch sketch = new CanvasSketch(canvas, camera, 1);
         showing.exhibit().sketch(showing.pool(), sketch);
-        plates.draw(canvas, showing.pool(), sketch.figure(), isPaused);
+        if (!isBare) {
+            plates.draw(canvas, showing.pool(), sketch.figure(), isPaused);
+        }
     }
 
     private boolean isInView(Canvas canvas, RigidBody body) {
@@ -131,6 +142,7 @@ final class ExhibitScene implements Scene {
             case PERIOD -> advance();
             case R -> restart();
             case HOME -> camera.home();
+            case T -> isBare = !isBare;
             case LEFT_BRACKET -> show(-1);
             case RIGHT_BRACKET -> show(1);
             case DIGIT_1, DIGIT_2, DIGIT_3, DIGIT_4 ->
