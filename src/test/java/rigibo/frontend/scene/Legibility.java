@@ -13,14 +13,21 @@ public final class Legibility {
 
     private static final double ROUND_OFF = 1e-9;
 
+    private static final Layout SMALLEST_WINDOW = Layout.of(612, 680, 1);
+
     private Legibility() {}
 
     /**
      * One sentence for each text that leaves the window or its panel, meets another text, is too
-     * small or has letters that its font lacks; none when all is well.
+     * small or has letters that its font lacks, in the usual window or in the smallest one; none
+     * when all is well.
      */
     public static List<String> faults(Scene scene) {
-        return faults(scene, Layout.ALONE);
+        List<String> faults = new ArrayList<>();
+        faults(scene, SMALLEST_WINDOW).forEach(fault -> faults.add(fault + " in a small window"));
+        // The usual one last: what is pressed afterwards is where it was drawn last.
+        faults.addAll(faults(scene, Layout.ALONE));
+        return faults;
     }
 
     /** The same in a window of another shape or size. */
